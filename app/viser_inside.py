@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -49,7 +49,12 @@ class SoftrodMessage(viser._messages.Message, include_in_scene_serialization=Fal
 
 def send(client: viser.ClientHandle, message: SoftrodMessage) -> None:
     """Send a page a message; any thread may."""
-    client._websock_connection.queue_message(message)
+    try:
+        client._websock_connection.queue_message(message)
+    except RuntimeError:
+        # viser 1.1.1 sets an `asyncio.Event` from this thread, which raises if its event loop is just waking
+        # up. The message is in the queue then; by its key, a second one takes the place of the first.
+        client._websock_connection.queue_message(message)
 
 
 def listen(client: viser.ClientHandle, heard: Callable[[str], None]) -> None:
@@ -57,14 +62,37 @@ def listen(client: viser.ClientHandle, heard: Callable[[str], None]) -> None:
     client._websock_connection.register_handler(SoftrodMessage, lambda _, message: heard(message.text))
 
 
-def no_messages() -> bytes:
-    """A batch of no messages, as viser's page reads it (`viser.infra._infra._message_producer`)."""
+def batch(*messages: SoftrodMessage) -> bytes:
+    """A batch of messages, as viser's page reads it (`viser.infra._infra._message_producer`)."""
+    arrays: list[memoryview] = []
+    fields = tuple(message.as_serializable_dict(arrays) for message in messages)
+    lengths = tuple(array.nbytes for array in arrays)
     inner = msgspec.msgpack.encode(
-        {"messages": (), "timestampSec": time.perf_counter(), "binaryBufferLengths": ()}
+        {"messages": fields, "timestampSec": time.perf_counter(), "binaryBufferLengths": lengths}
     )
     packed = zstandard.compress(inner, 1)
-    head = len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little")
-    return (head + packed).ljust(-(-(len(head) + len(packed)) // 8) * 8, b"\0")
+    parts = (len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little") + packed, *arrays)
+    # Each begins at a multiple of eight bytes.
+    return b"".join(bytes(part).ljust(-(-len(bytes(part)) // 8) * 8, b"\0") for part in parts)
+
+
+def send_at_once(clients: Sequence[viser.ClientHandle], data: bytes) -> None:
+    """Send a batch to several pages of one server, beside viser's queues; any thread may.
+
+    A page that has not taken yet what it was sent before is left out, as one that is gone.
+    """
+    if not clients:
+        return
+    server = clients[0]._viser_server
+    live = connections(server)
+
+    def send() -> None:
+        found = [live.get(client.client_id) for client in clients]
+        ready = [one for one in found if one is not None and not one.transport.get_write_buffer_size()]
+        websockets.asyncio.server.broadcast(ready, data)
+
+    with contextlib.suppress(RuntimeError):  # the server ends
+        server.get_event_loop().call_soon_threadsafe(send)
 
 
 # ------------------------------------------------------------------------- the panel

@@ -29,20 +29,32 @@ class Bench:
     what: Annotated[
         Positional[
             Literal[
-                "kernels", "growth", "heap", "frames", "matrices", "compile", "start", "page", "tabs", "edit"
+                "kernels",
+                "growth",
+                "heap",
+                "frames",
+                "matrices",
+                "compile",
+                "start",
+                "page",
+                "tabs",
+                "class",
+                "edit",
             ]
         ],
-        arg(metavar="{kernels,growth,heap,frames,matrices,compile,start,page,tabs,edit}"),
+        arg(metavar="{kernels,growth,heap,frames,matrices,compile,start,page,tabs,class,edit}"),
     ]
     """kernels: the step by several programs; growth: the step as the body grows; heap: rings that fall into a
     heap; frames: time and error of a rod led in a circle, and time of one torn to and fro; matrices: what
     implicit steps of any topology factorise; compile: processor time of compiling; start: until each preset
-    moves; page: cost and latency; tabs: many pages at once; edit: of one part of a large body."""
+    moves; page: cost and latency; tabs: many pages at once; class: pupils who follow or have a body
+    each, and what cuts, reloads and a restart do to their answers; edit: of one part of a large body."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
 
     def run(self) -> int:
         """Measure and print."""
+        from .bench.classroom import bench_class
         from .bench.compiling import bench_compile
         from .bench.editing import bench_edit
         from .bench.frames import bench_frames
@@ -65,6 +77,7 @@ class Bench:
             "start": bench_start,
             "page": bench_page,
             "tabs": bench_tabs,
+            "class": bench_class,
             "edit": bench_edit,
         }
         benches[self.what](Console(), self.repeats)

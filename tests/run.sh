@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# What has to be green, on a machine with nothing but Python >= 3.11: finds or installs uv, a Chromium and a C
-# compiler, then runs ruff, pyright and pytest, browser tests included. Fails when one of them cannot be had.
+# What has to be green, on a machine with nothing but Python >= 3.11: finds or installs uv, a Chromium, a C
+# compiler, nginx and Caddy, then runs ruff, pyright and pytest, browser tests included. Fails when one of them
+# cannot be had.
 # With --night it runs all of the long random tests instead of a part, and the solver's once more as on a
 # processor without anything special. Whatever else it is given goes to pytest.
 set -euo pipefail
@@ -46,6 +47,20 @@ if ! find_compiler >/dev/null; then
         exit 1
     }
 fi
+
+# Servers behind a proxy are tested with these, as they are installed from packages.
+for proxy in nginx caddy; do
+    find_proxy() { PATH="$PATH:/usr/sbin:/usr/local/sbin" type -P "$proxy"; }
+    if ! find_proxy >/dev/null && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null 2>&1; then
+        echo "installing $proxy with apt-get"
+        apt-get update -qq
+        DEBIAN_FRONTEND=noninteractive apt-get install -y -qq "$proxy" >/dev/null
+    fi
+    find_proxy >/dev/null || {
+        echo "no $proxy was found or could be installed: install $proxy" >&2
+        exit 1
+    }
+done
 
 if ! find_browser >/dev/null; then
     if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null 2>&1; then

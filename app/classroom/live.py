@@ -8,10 +8,11 @@ from __future__ import annotations
 import logging
 import secrets
 import time
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol
 
 import msgspec
 
@@ -26,13 +27,19 @@ from ..session.log import decode_log
 from . import kept, names
 from .judge import Verdict, judge
 from .room import MOST_STOPS, Answer, Refused, Room, Work, digest
-from .takeaway import log_path
+from .takeaway import log_path, pack
+
+if TYPE_CHECKING:
+    import viser
 
 WRITE_EVERY = 0.1
 """Seconds between two writings of a class; what was given in between is acknowledged together."""
 
 BODIES_EVERY = 5.0
 """Seconds between two writings of where the pupils' bodies are."""
+
+MOST_TRIED = 5
+"""Devices that tried whether they can take part, of which the teacher is told."""
 
 _log = logging.getLogger(__name__)
 
@@ -42,18 +49,20 @@ class Front:
     """What the teacher's page shows, for all who look at it: none of it changes any more.
 
     Attributes:
+        number: of the plan of what is drawn: another one for everything that changed but the motion.
+        audience: the pages that have that plan or an earlier one, and are sent the pictures.
         scene: of the body.
-        opening: another number for every body that took the place of another.
-        revision: another number whenever anything but the motion changed.
+        opening: another number for every body that took the place of another, on whatever page.
         rest_angles: (J,) degrees, as the page draws them.
         picture: where the masses are.
         playing: whether the clock runs.
         speed: simulated seconds per second.
     """
 
+    number: int
+    audience: set[viser.ClientHandle]
     scene: sim.Scene
     opening: int
-    revision: int
     rest_angles: Floats
     picture: Picture
     playing: bool
@@ -71,10 +80,22 @@ class Doing:
     Attributes:
         word: in a word.
         places: of its masses, thousandths of the scene's frame from its left and upper edge.
+        begun: whether anything has been done to it.
     """
 
     word: Word = ""
     places: tuple[tuple[int, int], ...] = ()
+    begun: bool = False
+
+
+@dataclass(frozen=True)
+class Tried:
+    """What a device found that tried whether it can take part; see `app.wire.from_page.Checked`."""
+
+    trip: int
+    rate: int
+    works: bool
+    doubts: bool
 
 
 class Pupil(Protocol):
@@ -98,10 +119,14 @@ class Class:
     Attributes:
         room: as above.
         front: what the teacher's page shows; None until there was one.
+        audience: the pages that look at it.
         teachers: how many pages of teachers there are.
         desk: the teacher's page whose body all look at.
         pupils: the page that each seat has, by its number; the last one, where there are several.
         doing: what each seat's body does.
+        tried: what the last devices found that tried whether they can take part.
+        lent: what the wall shows of the seat that is on it; None without one.
+        run: the log of the present stop's run, once that has stood; empty before.
         written: version of the room that is on the disk.
         ended: whether it is over.
     """
@@ -114,15 +139,20 @@ class Class:
         self._bodies_are_new = False
         self._bodies_due = 0.0
         self.front: Front | None = None
+        self.audience: set[viser.ClientHandle] = set()
         self.teachers = 0
         self.desk: object | None = None
         self.pupils: dict[int, Pupil] = {}
         self.doing: dict[int, Doing] = {}
-        self._judged: list[tuple[str, Future[Verdict]]] = []
+        self.tried: deque[Tried] = deque(maxlen=MOST_TRIED)
+        self.lent: Front | None = None
+        self.run = b""
+        self._judged: list[tuple[str, Future[Verdict | None]]] = []
         self.ended = False
         self._clock = clock
         self._scenes: dict[int, sim.Scene] = {}
         self._writer = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-class-{room.code}")
+        self._judge = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-judge-{room.code}")
         self._writing: tuple[int, Future[None]] | None = None
         self._due = 0.0
         self.written = -1
@@ -164,9 +194,20 @@ class Class:
         content = answer.content
         if isinstance(content, Work):
             answer = msgspec.structs.replace(answer, content=msgspec.structs.replace(content, log=name))
-        if self.room.take(answer.seat, answer):
-            work = self._writer.submit(_keep_and_judge, self.room.code, name, log, step, scene)
-            self._judged.append((answer.id, work))
+        before = self.room.before(answer)
+        if not self.room.take(answer.seat, answer):
+            return
+        # Before the class's file, which says that it is there; nothing waits until it is judged.
+        written = self._writer.submit(_keep_log, self.room.code, name, log)
+        if before is not None and isinstance(before.content, Work):
+            self._writer.submit(log_path(self.room.code, before.content.log).unlink, missing_ok=True)
+
+        def look() -> Verdict | None:
+            written.result()
+            is_last = answer.id in self.room.answers
+            return judge(decode_log(log, "the log"), scene, step) if is_last else None
+
+        self._judged.append((answer.id, self._judge.submit(look)))
 
     def _take_verdicts(self) -> None:
         """What the logs say goes before what was seen of the runs."""
@@ -175,8 +216,11 @@ class Class:
             answer = self.room.answers.get(id)
             if (error := future.exception()) is not None:
                 _log.error("a log of the class %s was not kept: %s", self.room.code, error)
-            elif answer is not None and isinstance(answer.content, Work):
-                verdict = future.result()
+            elif (
+                answer is not None
+                and isinstance(answer.content, Work)
+                and (verdict := future.result()) is not None
+            ):
                 content = msgspec.structs.replace(
                     answer.content,
                     reached=verdict.reached and not verdict.refused,
@@ -186,6 +230,11 @@ class Class:
                 if content != answer.content:
                     self.room.answers[id] = msgspec.structs.replace(answer, content=content)
                     self.room.version += 1
+
+    def pack(self) -> Future[bytes]:
+        """Have made what the teacher takes home: it takes longer than other pages can wait for."""
+        present = msgspec.json.decode(kept.encode(self.room), type=Room)
+        return self._writer.submit(pack, present)
 
     def tend(self) -> None:
         """Have written what is new, if it is time; whatever is acknowledged is on the disk before."""
@@ -211,6 +260,7 @@ class Class:
 
     def close(self) -> None:
         """Write what is new, and wait for it; the server ends."""
+        self._judge.shutdown(wait=False, cancel_futures=True)
         self._writer.shutdown(wait=True)
         if not self.ended:
             kept.write(kept.encode(self.room), self.room.code)
@@ -222,6 +272,7 @@ class Class:
         Raises:
             OSError: something of it is still on the disk; the class goes on.
         """
+        self._judge.shutdown(wait=False, cancel_futures=True)
         self._writer.shutdown(wait=True)
         kept.forget(self.room.code)
         self.ended = True
@@ -231,18 +282,26 @@ class Class:
         self.room.version += 1
 
 
-def _keep_and_judge(code: str, name: str, data: bytes, step: Step, scene: sim.Scene) -> Verdict:
-    """Write a log that was handed in, and do it again."""
+def _keep_log(code: str, name: str, data: bytes) -> None:
+    """Write a log that was handed in."""
     path = log_path(code, name)
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     write_atomically(path, data)
-    return judge(decode_log(data, "the log"), scene, step)
+
+
+MOST_CLASSES = 20
+"""Classes that go on at once on a server."""
 
 
 class Classes:
-    """The classes of one server, by their codes."""
+    """The classes of one server, by their codes.
 
-    def __init__(self) -> None:
+    Args:
+        alone: whether the server is for classes alone: whoever else comes is asked to which one.
+    """
+
+    def __init__(self, alone: bool = True) -> None:
+        self.alone = alone
         self._classes: dict[str, Class] = {}
 
     def __iter__(self) -> Iterator[Class]:
@@ -252,8 +311,10 @@ class Classes:
         """Begin a class with these scenes.
 
         Raises:
-            Refused: they have too many steps.
+            Refused: they have too many steps, or there are too many classes.
         """
+        if sum(not klass.ended for klass in self) >= MOST_CLASSES:
+            raise Refused(f"A server holds {MOST_CLASSES} classes at most.")
         code = names.new_code(self._classes)
         room = Room(code=code, key=secrets.token_urlsafe(16), scenes=tuple(scenes))
         if len(room.stops) > MOST_STOPS:

@@ -13,7 +13,9 @@ from __future__ import annotations
 import enum
 import hashlib
 import math
+import secrets
 import unicodedata
+from collections.abc import Collection
 from typing import Annotated
 
 import msgspec
@@ -21,6 +23,7 @@ from msgspec import Meta, Struct
 
 import sim
 from sim.scene.lesson import Step
+from sim.scene.types import Damage
 
 from . import names
 
@@ -33,6 +36,9 @@ MOST_LETTERS = 140
 MOST_NAME = 20
 """Letters of a name that a pupil has chosen, where the teacher allows that."""
 
+MOST_MARKS = 3
+"""Marks above and below one letter; no language has more, and heaps of them cover other lines."""
+
 MOST_ANSWERS = 200
 """Answers of one seat, which no lesson comes near."""
 
@@ -40,7 +46,10 @@ MOST_STOPS = 60
 """Stops of a class."""
 
 Id = Annotated[str, Meta(pattern=r"^[0-9a-f]{16}$")]
-Coordinate = Annotated[float, Meta(ge=-1e7, le=1e7)]
+FARTHEST = 1e7
+"""Coordinate of a prediction, in the scene's units."""
+
+Coordinate = Annotated[float, Meta(ge=-FARTHEST, le=FARTHEST)]
 
 
 class Phase(enum.Enum):
@@ -100,7 +109,8 @@ class Work(Content, frozen=True):
         setting: the first number that the step has a slider for: the abscissa of the class's plot.
         reached: whether the step's goal was reached; None without a goal.
         doubt: why the log cannot be what a pupil did; empty if it can.
-        points: where the masses were, for a picture.
+        points: where the masses were, and
+        damage: what had yielded and broken, for a picture; empty where a mass was nowhere.
     """
 
     log: Annotated[str, Meta(max_length=40)] = ""
@@ -109,6 +119,7 @@ class Work(Content, frozen=True):
     reached: bool | None = None
     doubt: str = ""
     points: tuple[tuple[float, float], ...] = ()
+    damage: Damage | None = None
 
 
 class Answer(Struct, frozen=True):
@@ -156,6 +167,7 @@ class Seat(Struct):
         removed: whether the teacher has sent it away.
         given: name that the class gave it, if that is another one.
         move: two digits by which another device can take it over, or empty.
+        follows: whether it looks at the teacher's body where it could have its own.
     """
 
     number: int
@@ -167,6 +179,7 @@ class Seat(Struct):
     hand: bool = False
     removed: bool = False
     move: str = ""
+    follows: bool = False
 
 
 class Stop(Struct, frozen=True):
@@ -186,14 +199,17 @@ def digest(secret: str) -> str:
 
 
 def plain(text: str, most: int) -> str:
-    """A text that a pupil typed, on one line and without what cannot be seen.
+    """A text that a pupil typed, on one line and without what cannot be seen or covers the lines around it.
 
     Args:
         most: letters that are kept.
     """
-    seen = "".join(
-        c if unicodedata.category(c)[0] not in "CZ" else " " for c in unicodedata.normalize("NFC", text)
-    )
+    seen, marks = "", 0
+    for c in unicodedata.normalize("NFC", text):
+        kind = unicodedata.category(c)[0]
+        marks = marks + 1 if kind == "M" else 0
+        if marks <= MOST_MARKS:
+            seen += " " if kind in "CZ" else c
     return " ".join(seen.split())[:most].strip()
 
 
@@ -238,7 +254,10 @@ class Room(Struct, kw_only=True):
         own_names: whether pupils may choose their names.
         paused: whether all bodies stand.
         seats, answers: by number, and by id.
+        gathered: whether all look at the teacher's body where each one could have their own.
         on_wall: the answer that is shown alone on the wall, or empty.
+        seat_on_wall: number of the seat whose body the wall shows, or 0.
+        law: whether the class's plot has the law that its points follow.
         version: counts the changes.
     """
 
@@ -254,7 +273,10 @@ class Room(Struct, kw_only=True):
     paused: bool = False
     seats: dict[int, Seat] = msgspec.field(default_factory=dict)
     answers: dict[str, Answer] = msgspec.field(default_factory=dict)
+    gathered: bool = False
     on_wall: str = ""
+    seat_on_wall: int = 0
+    law: bool = False
     version: int = 0
 
     # --------------------------------------------------------------------- the plan
@@ -317,7 +339,10 @@ class Room(Struct, kw_only=True):
             return
         for asked in self.asked:
             asked.shown = asked.shown or asked.phase in SEALED
-        self.at, self.phase, self.round, self.on_wall = stop, phase, round, ""
+        self.at, self.phase, self.round = stop, phase, round
+        self.on_wall, self.seat_on_wall, self.law, self.gathered = "", 0, False, False
+        for seat in self.seats.values():
+            seat.follows = False
         if phase in PHASE_OF.values() and self._asked(stop, round, phase) is None:
             self.asked.append(Asked(stop, round, phase))
         self.version += 1
@@ -351,7 +376,45 @@ class Room(Struct, kw_only=True):
         """
         if id and self._is_sealed(self._answer(id)):
             raise Refused("Nobody sees the answers before all are shown.")
-        self.on_wall = id
+        self.on_wall, self.seat_on_wall = id, 0
+        self.version += 1
+
+    def put_seat_on_wall(self, number: int) -> None:
+        """Show the body of a seat on the wall, as it moves; the teacher's again for 0.
+
+        Raises:
+            Refused: there is no such seat, or it has no body of its own now.
+        """
+        if number:
+            self._seat(number)
+            if self.phase not in FREE:
+                raise Refused("Seats have no bodies of their own now.")
+        self.on_wall, self.seat_on_wall = "", number
+        self.version += 1
+
+    def is_on_wall(self, number: int) -> bool:
+        """Whether the wall shows something of a seat alone."""
+        shown = self.answers.get(self.on_wall)
+        return number == self.seat_on_wall or (shown is not None and shown.seat == number)
+
+    def gather(self, on: bool) -> None:
+        """Have all look at the teacher's body, or give each one theirs back."""
+        self.gathered = on
+        if not on:
+            for seat in self.seats.values():
+                seat.follows = False
+        self.version += 1
+
+    def follow(self, number: int, on: bool) -> None:
+        """Have a seat look at the teacher's body where it could have its own, or at its own again.
+
+        Raises:
+            Refused: there is no such seat, or all look at the teacher's body.
+        """
+        seat = self._seat(number)
+        if self.phase not in FREE or self.gathered:
+            raise Refused("All look at the teacher's now.")
+        seat.follows = on
         self.version += 1
 
     def remove(self, number: int) -> None:
@@ -362,17 +425,23 @@ class Room(Struct, kw_only=True):
         """
         seat = self._seat(number)
         seat.removed, seat.hand, seat.move = True, False, ""
+        if self.seat_on_wall == number:
+            self.seat_on_wall = 0
         self.answers = {id: answer for id, answer in self.answers.items() if answer.seat != number}
         if self.on_wall not in self.answers:
             self.on_wall = ""
         self.version += 1
 
     # --------------------------------------------------------------------- the pupils
-    def enter(self, secret: str) -> Seat:
+    def enter(self, secret: str, here: Collection[int] | None = None) -> Seat:
         """The seat of a browser: the one that it had, or a new one.
+
+        In a full class a new one takes the place of one where nobody sits and that gave nothing: nobody keeps
+        others out by coming in again and again.
 
         Args:
             secret: of the browser.
+            here: numbers of the seats that somebody sits at; None for all.
 
         Raises:
             Refused: the class is closed or full, or the seat was sent away.
@@ -386,7 +455,13 @@ class Room(Struct, kw_only=True):
         if not self.is_open:
             raise Refused("The class has begun; ask your teacher to open the door.")
         if sum(not seat.removed for seat in self.seats.values()) >= MOST_SEATS:
-            raise Refused(f"The class is full: it has {MOST_SEATS} seats.")
+            needed = {answer.seat for answer in self.answers.values()} | set(
+                self.seats if here is None else here
+            )
+            idle = next((n for n, seat in self.seats.items() if n not in needed and not seat.removed), None)
+            if idle is None:
+                raise Refused(f"The class is full: it has {MOST_SEATS} seats.")
+            del self.seats[idle]
         number = max(self.seats, default=0) + 1
         name = names.new_name([seat.given for seat in self.seats.values()])
         seat = Seat(number, token, name, names.color_of(name), name)
@@ -416,15 +491,15 @@ class Room(Struct, kw_only=True):
             seat.name = name
         self.version += 1
 
-    def offer_move(self, number: int, digits: str) -> None:
+    def offer_move(self, number: int) -> None:
         """Let another device take a seat over, by two digits that no other seat offers.
 
         Raises:
-            Refused: another seat offers the same.
+            Refused: there is no such seat.
         """
-        if any(seat.move == digits for seat in self.seats.values()):
-            raise Refused("Try again.")
-        self._seat(number).move = digits
+        seat = self._seat(number)
+        taken = {other.move for other in self.seats.values()}
+        seat.move = secrets.choice([text for i in range(100) if (text := f"{i:02}") not in taken])
         self.version += 1
 
     def move(self, secret: str, digits: str) -> Seat:
@@ -476,7 +551,7 @@ class Room(Struct, kw_only=True):
         if asked is None:
             raise Refused("The class has not been asked for that.")
         content = self._fitting(answer)
-        before = next((a for a in self.answers.values() if a.place == answer.place), None)
+        before = self.before(answer)
         if before is not None and before.turn >= answer.turn:
             return False
         if before is not None and asked.shown:
@@ -489,6 +564,11 @@ class Room(Struct, kw_only=True):
         self.answers[answer.id] = taken
         self.version += 1
         return True
+
+    def before(self, answer: Answer) -> Answer | None:
+        """The answer whose place another one takes."""
+        mine = (other for other in self.answers.values() if other.seat == answer.seat)
+        return next((other for other in mine if other.place == answer.place), None)
 
     # --------------------------------------------------------------------- what there is
     def given(self, stop: int, round: int, kind: type[Content]) -> list[Answer]:
@@ -542,12 +622,20 @@ class Room(Struct, kw_only=True):
                 masses = len(self.scenes[self.stops[answer.stop].scene].masses)
                 if step is None or step.predict is None or len(points) != masses:
                     raise Refused("That is no place for this body.")
-                if not all(math.isfinite(x) and math.isfinite(y) for x, y in points):
+                # What is on the disk is read by the same bounds, which NaN is not within either.
+                if not all(-FARTHEST <= c <= FARTHEST for point in points for c in point):
                     raise Refused("That is no place for this body.")
             case Line(text):
                 if not (text := plain(text, MOST_LETTERS)):
                     raise Refused("A line needs a letter.")
                 return Line(text)
-            case Work():
-                pass
+            case Work(found=found, setting=setting, points=points):
+                # A body that has exploded may be handed in, but JSON has no NaN.
+                finite = all(math.isfinite(c) for point in points for c in point)
+                return msgspec.structs.replace(
+                    content,
+                    found=found if found is not None and math.isfinite(found) else None,
+                    setting=setting if setting is not None and math.isfinite(setting) else None,
+                    points=points if finite else (),
+                )
         return content

@@ -10,13 +10,26 @@ import zipfile
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+import numpy as np
+
+from sim.errors import InputError, SettingError
+from sim.settings import scene_of_step
 from sim.store.files import encode_scene
 
+from ..drawing.plan import Picture
+from ..export.clip import Shot
+from ..export.picture import png
 from . import kept
 from .room import Answer, Ghost, Line, Room, Vote, Work
 
 LOGS = "logs"
 """Folder of the logs that were handed in, in the class's own folder and in the zip."""
+
+PICTURES = "pictures"
+"""Folder of their last moments as pictures, in the zip."""
+
+PICTURE_SIZE = (640, 480)
+"""Width and height of these, pixels."""
 
 README = """What a class gave, {steps} steps, {seats} seats.
 
@@ -24,13 +37,14 @@ answers.csv      votes, lines and what was handed in, a row each
 predictions.csv  where masses were predicted to be, in the scene's units, a row a mass
 scenes/          what the class went through; softrod opens them, and `softrod class` begins with them
 logs/            the runs that were handed in; `softrod run --inputs FILE` does one again
+pictures/        how the bodies were when they were handed in
 
 Seats have the names that the class gave out. Nothing of this is left on the computer that held the class.
 """
 
 
 def pack(room: Room, decimal_comma: bool = False) -> bytes:
-    """The zip.
+    """The zip. Its pictures take some 30 ms each.
 
     Args:
         room: of the class, also while it goes on.
@@ -45,12 +59,29 @@ def pack(room: Room, decimal_comma: bool = False) -> bytes:
         for i, scene in enumerate(room.scenes, start=1):
             file.writestr(f"scenes/{i:02}-{_slug(scene.name)}.json", encode_scene(scene))
         for answer in _in_order(room):
-            if isinstance(answer.content, Work) and answer.content.log:
-                path = log_path(room.code, answer.content.log)
-                if path.is_file():
-                    name = f"{answer.seat:02}-{_slug(room.seats[answer.seat].name)}"
-                    file.writestr(f"{LOGS}/step-{answer.stop + 1:02}-{name}.jsonl", path.read_bytes())
+            if not isinstance(answer.content, Work):
+                continue
+            twin = "-2" if answer.twin else ""
+            seat = f"{answer.seat:02}-{_slug(room.seats[answer.seat].name)}{twin}"
+            name = f"step-{answer.stop + 1:02}-{seat}"
+            if answer.content.log and (path := log_path(room.code, answer.content.log)).is_file():
+                file.writestr(f"{LOGS}/{name}.jsonl", path.read_bytes())
+            if (picture := _picture(answer.content, room, answer.stop)) is not None:
+                file.writestr(f"{PICTURES}/{name}.png", picture)
     return made.getvalue()
+
+
+def _picture(work: Work, room: Room, stop: int) -> bytes | None:
+    """A body as it was handed in, as a PNG; None of one that cannot be drawn."""
+    place = room.stops[stop]
+    scene = room.scenes[place.scene]
+    try:
+        scene = scene if place.step is None else scene_of_step(scene, place.step)
+        if len(work.points) != len(scene.masses):  # the teacher has given another body
+            return None
+        return png(Shot(scene, Picture(np.array(work.points), damage=work.damage)), PICTURE_SIZE)
+    except (InputError, SettingError):
+        return None
 
 
 def log_path(code: str, name: str) -> Path:

@@ -77,6 +77,13 @@ class Mapping:
         return self.center[0] + x / self.scale, self.center[1] + y / (self.scale * self.flip)
 
 
+def world_size(scene: Scene) -> tuple[float, float]:
+    """Width and height of a scene's frame, in the page's world."""
+    xmin, ymin, xmax, ymax = scene.view.frame
+    size = Mapping.of(scene).scale
+    return (xmax - xmin) * size, (ymax - ymin) * size
+
+
 class Sketch:
     """Everything about a scene's drawing that does not move.
 

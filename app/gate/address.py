@@ -5,6 +5,8 @@ import errno
 import ipaddress
 import re
 import socket
+import struct
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -14,7 +16,7 @@ _FIELDS = {
     "scene": re.compile(r"[!-%'-~]{0,300}"),
     "s": re.compile(r"[!-%'-~]{0,40}"),
     "room": re.compile(r"[A-Za-z]{0,4}", re.ASCII),
-    "as": re.compile(r"(desk|wall|seat)?", re.ASCII),
+    "as": re.compile(r"(desk|wall|seat|check)?", re.ASCII),
 }
 """What the query of a page's address may say: which controls there are (`app.page.controls`), which scene
 (`app.page.opening`), and which class, and as what it takes part in that (`app.page.classroom`)."""
@@ -185,14 +187,37 @@ def exposure(host: str, public: Public | None = None) -> str | None:
             "and save scenes of their own here. There is no password, unless the proxy asks for one. "
             f"{_OWNER_ALONE}"
         )
-    with contextlib.suppress(OSError):
-        if ipaddress.ip_address(_resolve(host, 0)[1][0]).is_loopback:
-            return None
+    if _is_this_machine(host):
+        return None
     return (
         f"With host {host}, anyone who can reach this machine can open the page, run simulations on this "
         "machine, open your saved scenes, and save scenes of their own here. There is no password, and the "
         f"traffic is not encrypted. {_OWNER_ALONE}"
     )
+
+
+def class_exposure(host: str, public: Public | None = None) -> str:
+    """What a class that is served on `host` exposes, in words for the terminal.
+
+    Args:
+        public: the address by which others reach it through a proxy, if any.
+    """
+    said = "Nothing but the teacher's address leads a class: keep it to yourself."
+    if public is not None and public.url.startswith("https:"):
+        return f"Anyone who can open {public.url} and has a class's four letters can take a seat. {said}"
+    if public is None and _is_this_machine(host):
+        return "Only this computer reaches these; --host 0.0.0.0 lets others in."
+    return (
+        "Anyone in the same network who has a class's four letters can take a seat, and the traffic is not "
+        f"encrypted: others in the network can read along. {said}"
+    )
+
+
+def _is_this_machine(host: str) -> bool:
+    """Whether only this machine reaches a server for `host`."""
+    with contextlib.suppress(OSError):
+        return ipaddress.ip_address(_resolve(host, 0)[1][0]).is_loopback
+    return False
 
 
 def listen(host: str, port: int) -> socket.socket:
@@ -230,8 +255,45 @@ _TOWARDS = ("192.0.2.1", "10.255.255.254", "172.31.255.254", "192.168.255.254")
 """Addresses in the networks that this machine may be part of; nothing is sent there."""
 
 
+_VIRTUAL = re.compile(
+    r"(docker|podman|cni|br-|virbr|veth|lxc|lxd|vbox|vmnet|vEthernet|tun|tap|utun|wg|ppp|tailscale|zt)"
+)
+"""Beginnings of the names that networks of virtual machines, containers and tunnels have."""
+
+
+def is_virtual(name: str) -> bool:
+    """Whether a network interface, by its name, is one that no other machine is at."""
+    return _VIRTUAL.match(name) is not None
+
+
+_ASK_ADDRESS = {"linux": 0x8915, "darwin": 0xC0206921}
+"""SIOCGIFADDR, which asks the system for the IPv4 address of a network interface."""
+
+
+def interfaces() -> dict[str, str]:
+    """The names of this machine's network interfaces by their IPv4 addresses, where the system tells them."""
+    found: dict[str, str] = {}
+    request = _ASK_ADDRESS.get(sys.platform)
+    if request is None:
+        return found
+    import fcntl  # there is none on Windows
+
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asking:
+        for _, name in socket.if_nameindex():
+            # One that is down, or has no address of IPv4, is an error.
+            with contextlib.suppress(OSError):
+                answer = fcntl.ioctl(asking, request, struct.pack("256s", name.encode()[:15]))
+                found[socket.inet_ntoa(answer[20:24])] = name
+    return found
+
+
 def local_addresses() -> list[str]:
-    """The IPv4 addresses of this machine that others can type, the one towards the internet first."""
+    """The IPv4 addresses of this machine that others can type.
+
+    The one towards the internet comes first, and networks that only this machine is in come last. The hotspot
+    of a laptop is on the way to nowhere: its address is known from its interface alone.
+    """
+    names = interfaces()
     found: list[str] = []
     for towards in _TOWARDS:
         # The system says from which address it would send, without sending.
@@ -240,7 +302,8 @@ def local_addresses() -> list[str]:
             found.append(probe.getsockname()[0])
     with contextlib.suppress(OSError):
         found += [str(i[4][0]) for i in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)]
-    return [a for a in dict.fromkeys(found) if not ipaddress.ip_address(a).is_loopback]
+    others = [a for a in dict.fromkeys((*found, *names)) if not ipaddress.ip_address(a).is_loopback]
+    return sorted(others, key=lambda address: is_virtual(names.get(address, "")))
 
 
 def address_for_others(page: str, host: str, port: int, public: Public | None) -> str:

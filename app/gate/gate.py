@@ -60,6 +60,14 @@ from .replies import StaticFile, not_this_host, not_this_origin, respond, safety
 __all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server", "page_addresses"]
 
 MAX_TABS = 64
+"""Pages at once: each has a simulation with its past, of up to some hundred MB, and a share of one thread.
+
+A class of 60 seats has room in it, with its teacher and its wall."""
+
+# All pages of a full server may come back at once, and go on doing so for a while. Who tries the letters of a
+# class one after the other needs half a day for all of them.
+CONNECTIONS_PER_SECOND = 5.0
+CONNECTION_BURST = 200.0
 
 # A page sends at most some 300 messages a second: the pointer once per frame of a fast screen (240 Hz), the
 # camera and each slider at 20 Hz.
@@ -78,6 +86,9 @@ MAX_QUEUED_FRAMES = 4
 
 PAGE_PATHS = ("/", "/index.html", "/s")
 
+CHECK = "/check"
+"""The page on which a device tries whether it can take part in a class."""
+
 REACH = "/reach"
 """A page that gets no connection asks here why: a browser does not tell it what a refusal says."""
 
@@ -91,11 +102,17 @@ class _Budget:
         self._left = burst
         self._updated = time.monotonic()
 
+    @property
+    def left(self) -> float:
+        """What can be spent now."""
+        now = time.monotonic()
+        self._left = min(self._burst, self._left + (now - self._updated) * self._rate)
+        self._updated = now
+        return self._left
+
     def spend(self, amount: float) -> float:
         """Take `amount` and return the seconds until the budget is no longer overdrawn."""
-        now = time.monotonic()
-        self._left = min(self._burst, self._left + (now - self._updated) * self._rate) - amount
-        self._updated = now
+        self._left = self.left - amount
         return max(0.0, -self._left / self._rate)
 
 
@@ -128,7 +145,7 @@ class Connection(ServerConnection):
     async def _answer_beat(self) -> None:
         # What is on its way is a sign of life, too; to wait behind it would hold up the page's messages.
         if not self.transport.get_write_buffer_size():
-            await self.send(viser_inside.no_messages())
+            await self.send(viser_inside.batch())
 
     def process_event(self, event: Event) -> None:
         """Cut the connection if it sends endless frames that are no messages."""
@@ -165,15 +182,18 @@ class Gate:
         embed: Sequence[str] = (),
         public: Public | None = None,
         loopback: bool = False,
+        more_tabs: int = 0,
     ) -> None:
         self.refused: Counter[Reason] = Counter()
         self.loopback = loopback
+        self._more_tabs = more_tabs
         self._public = public
         self._files = files
         self._headers = safety_headers(embed)
         self._hosts = hosts
         self._server: viser.ViserServer | None = None
         self._tabs: set[Connection] = set()
+        self._connections = _Budget(CONNECTIONS_PER_SECOND, CONNECTION_BURST)
 
     def open(self, server: viser.ViserServer) -> None:
         """Begin to admit; until now every request is refused."""
@@ -193,6 +213,7 @@ class Gate:
                 response.headers["Location"] = "./"
         elif "Upgrade" not in request.headers and request.path == REACH:
             response = connection.respond(HTTPStatus.OK, "")
+            response.headers["Cache-Control"] = "no-store"
         elif "Upgrade" not in request.headers and (file := self._files.get(request.path.partition("?")[0])):
             response = respond(file, request)
         else:
@@ -202,6 +223,7 @@ class Gate:
                 former.transport.abort()
             connection.page = page_name(request.path.partition("?")[0])
             self._tabs.add(connection)
+            self._connections.spend(1)
         else:
             response.headers.update(self._headers)
         return response
@@ -221,7 +243,7 @@ class Gate:
                 return self._refusal_of_page(hosts[0], own, request, "X-Softrod-Origin")
             path, _, query = request.path.partition("?")
             # viser's page would connect to whatever server a query names and run its scripts.
-            if query and (path not in PAGE_PATHS or page_query(query) is None):
+            if query and (path not in (*PAGE_PATHS, CHECK) or page_query(query) is None):
                 return "path", HTTPStatus.TEMPORARY_REDIRECT, "This page takes no such parameters."
             if path not in PAGE_PATHS and path not in self._files:
                 return "path", HTTPStatus.NOT_FOUND, "There is no such page."
@@ -241,8 +263,12 @@ class Gate:
             known.add(self._public.origin)
         if len(origins) != 1 or origins[0] not in known:
             return "origin", HTTPStatus.FORBIDDEN, not_this_origin(*origins[:1])
-        if len(self._tabs - self._former(request)) >= MAX_TABS:
-            return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, "Too many tabs are open."
+        most = MAX_TABS + self._more_tabs
+        if len(self._tabs - self._former(request)) >= most:
+            sentence = f"This server is full: it has room for {most} pages. Close one that nobody needs."
+            return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, sentence
+        if self._connections.left < 1:
+            return "rate", HTTPStatus.TOO_MANY_REQUESTS, "Too many pages connect at once. Wait for a minute."
         return None
 
     def _former(self, request: Request) -> set[Connection]:
@@ -254,6 +280,11 @@ class Gate:
         """The query with which a page connected, which may be anything; empty if it is gone."""
         request = self._request_of(client_id)
         return request.path.partition("?")[2] if request is not None else ""
+
+    def host_of(self, client_id: int) -> str:
+        """The name and port by which a page reached the server; empty if it is gone."""
+        request = self._request_of(client_id)
+        return request.headers["Host"] if request is not None else ""
 
     def is_local(self, client_id: int) -> bool:
         """Whether a page is certainly of this machine: nobody else can connect, and no proxy says that it did
@@ -332,6 +363,7 @@ def open_server(
     files: Mapping[str, StaticFile] | None = None,
     embed: Sequence[str] = (),
     public_url: str | None = None,
+    more_tabs: int = 0,
 ) -> GatedServer:
     """Serve viser's page on `host` and `port` (0 for any free port) behind the gate.
 
@@ -339,7 +371,7 @@ def open_server(
     (``"localhost:9000"`` for a forwarded one). `files` are served by their paths, before viser's own.
     `embed` are the origins of the sites that may show the page in a frame (``"https://school.example"``).
     `public_url` is the address by which others reach the page, through a proxy
-    (``"https://school.example/lab/"``).
+    (``"https://school.example/lab/"``). There is room for MAX_TABS pages, and `more_tabs`.
 
     Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place or an origin, a
     name or an address makes no sense.
@@ -353,7 +385,7 @@ def open_server(
     address, port = listener.getsockname()[:2]
     hosts = own_authorities(address, host, port, extra_hosts)
     loopback = ipaddress.ip_address(address).is_loopback and not extra_hosts and public is None
-    gate = Gate(hosts, files or {}, embed, public, loopback)
+    gate = Gate(hosts, files or {}, embed, public, loopback, more_tabs)
 
     def options_of(viser_answer: Callable[..., Response | None]) -> dict[str, Any]:
         return {

@@ -33,6 +33,7 @@ Reason = Literal[
     "upgrade",
     "path",
     "tabs",
+    "rate",
     "starting",
     # Why a message did not reach viser.
     "text",

@@ -35,6 +35,8 @@ def safety_headers(embed: Sequence[str]) -> dict[str, str]:
     headers = {
         "Content-Security-Policy": "frame-ancestors " + (" ".join(embed) or "'none'"),
         "X-Content-Type-Options": "nosniff",
+        # The address of a class's page has its letters.
+        "Referrer-Policy": "no-referrer",
         "Cross-Origin-Resource-Policy": "same-origin",
     }
     # The older header knows no list of sites, and would turn all of them away.

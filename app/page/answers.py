@@ -96,6 +96,8 @@ class Answers:
                 self.gallery.list(ask)
             case from_page.OpenScene():
                 self.gallery.open(ask)
+            case from_page.UseInClass():
+                self.gallery.use_in_class(ask)
             case from_page.ChangeScene():
                 self.gallery.change(ask)
 

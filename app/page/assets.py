@@ -8,8 +8,9 @@ from functools import cache
 from pathlib import Path
 
 from ..drawing.looks import style_rules
-from ..gate.gate import PAGE_PATHS, GateError, StaticFile
+from ..gate.gate import CHECK, PAGE_PATHS, GateError, StaticFile
 from ..viser_inside import PLACE, page_script
+from .check.page import SCRIPT, check_page
 
 _APP = Path(__file__).parents[1]
 _FOLDER = _APP / "page"
@@ -28,6 +29,7 @@ _STYLES = (
     "scenes/gallery.css",
     "scenes/lesson.css",
     "classroom/classroom.css",
+    "making/maker.css",
     "looks/menu.css",
     "looks/looks.css",
 )
@@ -52,10 +54,13 @@ def page_files() -> dict[str, StaticFile]:
         f"/{folder}{name}": StaticFile(gzip.compress(text, mtime=0), _TYPES[Path(name).suffix], _FOREVER)
         for name, text in sources.items()
     }
-    scripts = [folder + name for name in sources if name.endswith(".js")]
-    page = _index(folder, scripts).encode()
-    index = StaticFile(gzip.compress(page, mtime=0), "text/html", "no-cache")
-    return {**files, **dict.fromkeys(PAGE_PATHS, index)}
+    scripts = [folder + name for name in sources if name.endswith(".js") and name != SCRIPT]
+    index = _html(_index(folder, scripts))
+    return {**files, **dict.fromkeys(PAGE_PATHS, index), CHECK: _html(check_page(folder))}
+
+
+def _html(page: str) -> StaticFile:
+    return StaticFile(gzip.compress(page.encode(), mtime=0), "text/html", "no-cache")
 
 
 def _index(folder: str, scripts: list[str]) -> str:

@@ -8,7 +8,8 @@ import { lost } from "./files/keep.js";
 
 const TEXT = "Not connected: your body waits. Reconnecting…";
 /** Where nothing says why the first connection does not come about. */
-const BLOCKED = "The page is here, but its live connection does not come about: something on the way lets no WebSockets through.";
+const BLOCKED =
+  "The page is here, but its live connection does not come about: something on the way lets no WebSockets through. Another network may do, such as the hotspot of the computer that softrod runs on.";
 /** What would begin something. Moves and releases go on, so that whatever is pressed can be let go. */
 const BEGINNINGS = ["pointerdown", "mousedown", "touchstart", "click", "dblclick", "keydown", "paste", "cut", "drop"];
 /** Keys that are the browser's: they go from one control to the next, and close a dialog. */

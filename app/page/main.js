@@ -22,6 +22,7 @@ import { addInstruments } from "./measure/instruments.js";
 import { hasKept, keepOnlyOf, resume } from "./files/keep.js";
 import { listenToKeys } from "./hands/keys.js";
 import { addLesson } from "./scenes/lesson.js";
+import { addMaker } from "./making/maker.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "./files/links.js";
 import { listenToOpenFile } from "./files/open_file.js";
 import { addLoads } from "./body/load_marks.js";
@@ -56,7 +57,7 @@ const NO_WEBGL =
 sayWhose();
 takeLink();
 keepAddress();
-keepOnlyOf(askedScene(location.search));
+keepOnlyOf(new URLSearchParams(location.search).get("room") || askedScene(location.search));
 watchConnection(mindAbsence(), () => !hasKept());
 const plotsAreLoaded = tellApart();
 /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -100,6 +101,7 @@ whenViser((viser) => {
   addInstruments();
   addPaper();
   addLesson();
+  addMaker();
   addClassroom();
   addTexts();
   addMenu();

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import viser
 
+from sim.scene.types import Scene
+
 from ..session.notices import Notice
 from ..session.session import Session
 from ..wire.carrier import Mail
@@ -37,6 +39,9 @@ class Page:
         controls: which it has; what there is not is not made.
         looks: how it looks.
         plots: its lists of plots.
+        makes_lesson: whether the scene's lesson is being made; it is not shown meanwhile.
+        begin_class: begins a class with a scene, and returns the address of the teacher's page, from this
+            page's; None where others cannot reach the server. The ticker's; raises `Refused`.
     """
 
     client: viser.ClientHandle
@@ -49,7 +54,14 @@ class Page:
     controls: Controls = ALL
     looks: Looks = PLAIN
     plots: list[PlotList] = field(default_factory=list)
+    makes_lesson: bool = False
+    begin_class: Callable[[Scene], str] | None = None
     _asked: deque[Callable[[], None]] = field(default_factory=lambda: deque(maxlen=100))
+
+    @property
+    def has_lesson(self) -> bool:
+        """Whether a lesson is shown."""
+        return self.session.scene.lesson is not None and not self.makes_lesson
 
     def later(self, act: Callable[[], None]) -> None:
         """Have the ticker do something, before the next frame; any thread may ask."""

@@ -102,7 +102,7 @@ class Panel:
         page: whose panel it is.
 
     Attributes:
-        lesson: the Lesson tab, if the scene has a lesson.
+        lesson: the Lesson tab, if a lesson is shown.
         play_tab, measure_tab, files_tab: those tabs, if they are there.
     """
 
@@ -120,7 +120,7 @@ class Panel:
         gui.set_panel_label("softrod")
         gui.main_panel.dock_right()
         gui.main_panel.set_width(PANEL_WIDTH)
-        has_lesson = page.session.scene.lesson is not None
+        has_lesson = page.has_lesson
         if not (controls.in_panel or has_lesson):
             gui.main_panel.minimize()
         self._selection: SelectionPanel | None = None

@@ -27,10 +27,10 @@ from sim.methods.registry import METHODS
 from sim.scene.types import shown_name
 
 from ..drawing.plan import Picture, broken_of
-from ..drawing.sketch import WORLD_SIZE, Mapping
+from ..drawing.sketch import Mapping, world_size
 from ..session import commands
 from ..session.pacing import is_large
-from ..session.plots import Wish
+from ..session.plots import Wish, text_of
 from ..session.session import Changed, Notice, Session
 from ..viser_inside import element_id
 from ..wire import from_page
@@ -40,12 +40,14 @@ from ..wire.to_page import Keepsake, PageState, Resumed, Run
 from . import controls
 from .answers import Answers
 from .body.view import Canvas, picture_of
+from .classroom.front import FrontView
 from .classroom.role import Role
 from .controls import Controls
 from .files import keeping, pasts
 from .files.export_panel import ExportPanel
 from .files.files_panel import FilesPanel
 from .looks import readouts
+from .making.maker import LessonMaker, Measured
 from .measure.measure_panel import MeasurePanel
 from .measure.tools_panel import ToolsPanel
 from .opening import asked_scene
@@ -60,6 +62,9 @@ READOUTS_EVERY = 0.1
 KEEP_EVERY, KEEP_SHARE, KEEP_LATEST = 1.0, 0.001, 3.0
 """Seconds between two keepsakes, at least; the share of processor time that making them may take; and seconds
 between two, at most, whatever they take."""
+
+MOST_REQUESTS = 20
+"""What one page may ask the ticker for in a frame; what comes faster waits, or is dropped."""
 
 SHELF_EVERY = 0.3
 """Seconds between two looks whether scenes were saved or deleted, in whatever page."""
@@ -92,13 +97,6 @@ def told_of_compiling(ready: int, of: int, busy_with: str, awaited: str) -> str:
     return f"{text}; {trouble}" if trouble else text
 
 
-def world_size(scene: sim.Scene) -> tuple[float, float]:
-    """Width and height of a scene's frame, in the page's world."""
-    xmin, ymin, xmax, ymax = scene.view.frame
-    size = WORLD_SIZE / max(xmax - xmin, ymax - ymin)
-    return (xmax - xmin) * size, (ymax - ymin) * size
-
-
 class Submit(Protocol):
     """Has something done in another thread, as `ThreadPoolExecutor.submit`."""
 
@@ -125,6 +123,7 @@ class Tab:
         owned: whether it is known to be the page of this computer's owner.
         for_others: the address by which others reach the page, from that by which it was reached itself.
         role_of: what the page is in a class, if it is in one, from its mail.
+        begin_class: see `Page`.
     """
 
     def __init__(
@@ -136,6 +135,7 @@ class Tab:
         owned: bool = False,
         for_others: Callable[[str], str] = str,
         role_of: Callable[[Mail], Role | None] = lambda _: None,
+        begin_class: Callable[[sim.Scene], str] | None = None,
     ) -> None:
         self.client = client
         self._compiler = compiler
@@ -163,11 +163,13 @@ class Tab:
         self._wanted = ""
         self._all_ready = False
         self._for_others = for_others
+        self._begin_class = begin_class
         self._first = scene = self._asked_scene(query) or scene
         self._mail = Mail(client)
         self._view = Canvas(client, self._mail, self._post)
         self._role = role_of(self._mail)
         self._front: Front | None = None
+        self._front_view = FrontView(client, self._mail, self._view, self._number)
         listen(client, self.hear)
         self._asked_controls = self._checked(controls.of_query, query)
         self._scenes_controls = controls.ALL
@@ -185,6 +187,7 @@ class Tab:
 
     def leave(self) -> None:
         """The page is gone."""
+        self._front_view.leave()
         if self._role is not None:
             self._role.leave()
 
@@ -223,12 +226,15 @@ class Tab:
                 self._answers.ask(said)
                 if role is not None and isinstance(said, from_page.Who):
                     self._requests.append(lambda now: role.introduce(said, now))
-            case from_page.InSeat() | from_page.Lead():
+            case from_page.InSeat() | from_page.Lead() | from_page.Checked():
                 if role is not None:
                     self._requests.append(lambda now: role.hear(said, now))
             case from_page.Edit():
                 if "edit" in self._page.controls:
                     self._answers.edits.do(said)
+            case from_page.Prepare():
+                if "edit" in self._page.controls and role is None:
+                    self._requests.append(lambda _: self._maker.do(said))
             case from_page.Seen():
                 self._seen = said
                 self._show_where_seen()
@@ -268,8 +274,8 @@ class Tab:
             self._session.post(command)
 
     # --------------------------------------------------------------------- the ticker's
-    def frame(self, budget: float, beside: Submit) -> None:
-        """One frame: `budget` seconds of computing may go into it.
+    def frame(self, budget: float, beside: Submit) -> bool:
+        """One frame, of `budget` seconds of computing at most; returns whether the page is told anything.
 
         What a heavy body needs is done by `beside`, in another thread. Until that is done the session is that
         thread's, and the page keeps its picture.
@@ -279,13 +285,13 @@ class Tab:
             if not self._under_way.done():
                 if session is not None:
                     self._set_state(session.will_play)
-                return
+                return True
             done, self._under_way = self._under_way, None
             made = done.result()
         elif session is None:
             if is_large(self._first):
                 self._under_way = beside(Session, self._first, wait=False)
-                return
+                return True
             made = Session(self._first, wait=False)
         else:
             made = session
@@ -293,12 +299,13 @@ class Tab:
             self._serve_requests(session)
             if self._role is not None:
                 self._role.frame(session)
-                if self._shows_front(session, self._role.front):
-                    return
+                told = self._looks_on(session, self._role.front)
+                if self._front is not None:
+                    return told
             self._prepare(session)
             if session.heavy:
                 self._under_way = beside(self._advance, session, budget)
-                return
+                return True
             self._advance(session, budget)
         # All at once: viser 1.1.1 sets an `asyncio.Event` from this thread at every message, which raises if
         # its event loop is just waking up from the one before. And no panel comes in parts.
@@ -306,41 +313,30 @@ class Tab:
             session = session or self._begin(made)
             self._send(session)
         self._keep(session)
+        return True
 
-    def _shows_front(self, session: Session, front: Front | None) -> bool:
-        """Show what the teacher's page does, if there is that, instead of the page's own body."""
+    def _looks_on(self, session: Session, front: Front | None) -> bool:
+        """Show what the teacher's page does, if there is that, instead of the page's own body.
+
+        Returns:
+            whether the page was told anything.
+        """
         before, self._front = self._front, front
         if (before is None) != (front is None):
             self._generation = -1
+            self._front_view.leave()
         if front is None:
             return False
+        show, anew = self._front_view.show, self._generation != session.generation
+        if not (anew or session.notices or self._notices or self._runaway):
+            return show(front, self._page.looks.dark, session.now())
         with self.client.atomic():
-            if self._generation != session.generation:
+            if anew:
+                self._front_view.leave()
                 self._rebuild(session)
-                before = None
-            another = before is None or (before.opening, before.revision) != (front.opening, front.revision)
-            if another:
-                self._mapping = Mapping.of(front.scene)
-                self._view.build(front.scene, self._page.looks.dark, front.rest_angles)
-            self._view.draw(front.picture, session.now(), force=another or not front.playing)
-            self._mail.tell(self._state_of_front(front))
             self._tell(session)
+            show(front, self._page.looks.dark, session.now())
         return True
-
-    def _state_of_front(self, front: Front) -> PageState:
-        """How things are on a page that only looks on."""
-        scene = front.scene
-        width, height = world_size(scene)
-        return PageState(
-            page=self._number,
-            scene=-1 - front.opening,  # no number of one that the page itself opens
-            title=shown_name(scene),
-            width=width,
-            height=height,
-            unit=scene.view.unit,
-            playing=front.playing,
-            speed=front.speed,
-        )
 
     def _send(self, session: Session) -> None:
         """Send what the page does not know yet."""
@@ -356,6 +352,8 @@ class Tab:
         self._panel.show_selection()
         if "edit" in self._page.controls:
             self._answers.edits.tell()
+        if self._maker.is_told:
+            self._maker.tell()
         self._tell(session)
 
     @staticmethod
@@ -375,9 +373,10 @@ class Tab:
         commas = CommaSwitch(lambda on: self._requests.append(lambda now: self._switch(now, "commas", on)))
         self._page = Page(
             self.client, session, self._mail, self.notify, self.perform, self._shelf, commas,
-            controls=self._wanted_controls(session.scene),
+            controls=self._wanted_controls(session.scene), begin_class=self._begin_class,
         )  # fmt: skip
         self._answers = Answers(self._page, resume, show, self._for_others)
+        self._maker = LessonMaker(self._page, self._measured)
         self._make_panel(session)
         self._session = session
         return session
@@ -416,7 +415,7 @@ class Tab:
         if self._role is not None and self._panel.play_tab is not None:
             with self._panel.play_tab:
                 self.client.gui.add_html(self._role.place, order=0)
-        self._has_lesson = session.scene.lesson is not None
+        self._has_lesson = page.has_lesson
         self._measure = self._tools = self._files = None
         if self._panel.measure_tab is not None:
             if "measure" in page.controls:
@@ -452,7 +451,7 @@ class Tab:
         """Another body: other nodes and other controls."""
         self._plan(session)
         self._view.show_gizmos(self._page.looks.gizmos)
-        wanted, has_lesson = self._wanted_controls(session.scene), session.scene.lesson is not None
+        wanted, has_lesson = self._wanted_controls(session.scene), self._page.has_lesson
         if has_lesson and self._before_lesson is None:
             self._before_lesson = self._switched_on(session)
         if (wanted, has_lesson) != (self._page.controls, self._has_lesson):
@@ -492,7 +491,8 @@ class Tab:
                 tools.show_arrows(before.arrows)
             if self._measure is not None:
                 self._measure.plots.remember(before.plots)
-            session.post(before.ghost)
+            if not self._page.makes_lesson:  # where a step was tried, it is back already
+                session.post(before.ghost)
 
     def _switched_on(self, session: Session) -> BeforeLesson:
         """What the user has switched on; a ghost in the middle of a lesson is the lesson's."""
@@ -568,7 +568,7 @@ class Tab:
             gizmos=self._page.looks.gizmos,
             meter=self._page.looks.meter,
             measuring=element_id(measures) if measures is not None else "",
-            lesson=session.lesson_begun if session.scene.lesson else None,
+            lesson=session.lesson_begun if self._has_lesson else None,
         )
         self._mail.tell(state)
 
@@ -625,7 +625,8 @@ class Tab:
 
     def _serve_requests(self, session: Session) -> None:
         self._page.serve()
-        while self._requests:
+        # No more in a frame than a person can ask for: others wait for the same thread.
+        for _ in range(min(len(self._requests), MOST_REQUESTS)):
             self._requests.popleft()(session)
 
     # --------------------------------------------------------------------- what was asked for
@@ -633,6 +634,23 @@ class Tab:
         """Plot the angle of the joint that is read out."""
         if self._measure is not None:
             self._measure.plot_angle()
+
+    def make_lesson(self) -> None:
+        """Open the form of the scene's lesson."""
+        if self._role is None:
+            self._maker.do(from_page.MakeLesson(True))
+        else:
+            text = "Open softrod by itself, without a class: the lesson that is made there can be held here."
+            self.notify(Notice("info", "Not in a class", text))
+
+    def _measured(self) -> Measured:
+        """What is measured on the page now."""
+        measure, tools = self._measure, self._tools
+        return Measured(
+            measure.parts if measure is not None else (),
+            tuple(map(text_of, measure.plots.wishes)) if measure is not None else (),
+            tools.kinds if tools is not None else frozenset(),
+        )
 
     def show_help(self) -> None:
         """Open the help."""

@@ -23,10 +23,12 @@ from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 
 from ..classroom.live import Classes
 from ..drawing.colors import LIGHT_GAIN
-from ..gate.address import address_for_others, public_address
+from ..gate.address import address_for_others, class_exposure, interfaces, is_virtual, public_address
 from ..gate.gate import GatedServer, exposure, open_server, page_addresses
 from ..linking import print_qr_code
 from ..page.assets import page_files
+from ..page.check.page import check_address
+from ..page.check.role import CheckRole, is_check
 from ..page.classroom.role import Role
 from ..page.classroom.roles import (
     class_of_query,
@@ -41,6 +43,9 @@ from ..page.scenes import owner
 from ..page.tab import Tab
 from ..wire.carrier import Mail
 from .ticker import Ticker
+
+PAGES_OF_CLASS = 40
+"""Pages for which there is room beside the others, for each class after the first."""
 
 
 @contextlib.contextmanager
@@ -61,13 +66,15 @@ def serving(
         embed: origins of the sites that may show the page in a frame, as in "https://school.example".
         allow_hosts: further names by which a browser may reach the server, as in "laptop.local".
         public_url: the address by which others reach the page, as in "https://school.example/lab/".
-        classes: those that others may come to; without these, every page is one of its own.
+        classes: those that others may come to; without these, every page is one of its own until the owner
+            begins a class in the gallery.
 
     Raises:
         GateError: the gate could not be put in place, or an origin or address is none; nothing is served.
         PortBusy: something else listens on the port.
     """
     compiler = Compiler()
+    held = Classes(alone=False) if classes is None else classes
 
     public = None if public_url is None else public_address(public_url)
 
@@ -77,17 +84,23 @@ def serving(
     def make_tab(client: viser.ClientHandle) -> Tab:
         gate, client_id = server.gate, client.client_id
         query, owned = gate.query_of(client_id), gate.is_local(client_id)
-        if classes is None:
-            return Tab(client, scene, compiler, query, owned, for_others)
-        klass = class_of_query(query, classes)
-        base = for_others(f"{page_addresses(host, server.get_port())[0]}/")
+        klass = class_of_query(query, held)
+        if is_check(query):
+            check = CheckRole(klass)
+            return Tab(client, sim.load_scene("rope"), compiler, "", owned, for_others, lambda _: check)
+        # What the teacher's page is in is the pupils' network, where there are several.
+        base = for_others(f"http://{gate.host_of(client_id)}/")
 
-        def role(mail: Mail, classes: Classes = classes) -> Role | None:
+        def role(mail: Mail) -> Role | None:
             download = partial(client.send_file_download, save_immediately=True)
-            return role_of_query(query, mail, classes, base, owned, download)
+            return role_of_query(query, mail, held, base, owned, download)
+
+        def begin_class(scene: sim.Scene) -> str:
+            return desk_address("", held.begin((scene,)))
 
         first = (klass and first_scene(klass)) or scene
-        return Tab(client, first, compiler, query, owned, for_others, role)
+        begin = None if gate.loopback and public is None else begin_class
+        return Tab(client, first, compiler, query, owned, for_others, role, begin)
 
     ticker = Ticker(make_tab)
 
@@ -102,6 +115,7 @@ def serving(
             files=page_files(),
             embed=embed,
             public_url=public_url,
+            more_tabs=0 if classes is None else PAGES_OF_CLASS * max(0, len(list(classes)) - 1),
         )
     try:
         _set_stage(server)
@@ -110,8 +124,7 @@ def serving(
     finally:
         compiler.stop()
         ticker.stop()
-        if classes is not None:
-            classes.close()
+        held.close()
         with _viser_is_quiet():
             server.stop()
 
@@ -241,13 +254,30 @@ def _tell_classes(
             ("the teacher, and nobody else", desk_address(own if public is None else base, klass)),
             ("the wall", wall_address(own if public is None else base, code)),
             ("pupils", seat_address(base, code)),
+            ("before the class, your phone", check_address(base, code)),
         ):
             console.print(f"  {label}: [bold]{address}[/bold]", highlight=False, soft_wrap=True)
         if base != own or public is not None:
             print_qr_code(seat_address(base, code))
-    if server.gate.loopback and public is None:
-        console.print("[yellow]Only this computer reaches these; --host 0.0.0.0 lets others in.[/yellow]")
+    if public is None and (others := _other_networks(base, page_addresses(host, port))):
+        console.print(
+            f"This computer is in other networks, too, as {others}. If pupils are in one of those, open the "
+            "teacher's page and the wall there: their QR codes name the address that they were opened at.",
+            highlight=False,
+        )
+    console.print(f"[yellow]{class_exposure(host, public)}[/yellow]", highlight=False)
     return desk_address(own, next(iter(classes)))
+
+
+def _other_networks(base: str, addresses: Sequence[str]) -> str:
+    """What can be typed besides `base` from other machines, with the names of the networks' interfaces."""
+    names = interfaces()
+    others = []
+    for address in addresses[1:]:
+        name = names.get(address.removeprefix("http://").rpartition(":")[0], "")
+        if f"{address}/" != base and not is_virtual(name):
+            others.append(f"{address} ({name})" if name else address)
+    return " and ".join(others)
 
 
 def _show_progress(compiler: Compiler, console: Console) -> None:

@@ -91,8 +91,8 @@ class Ticker:
             self._come_and_go()
             for client_id, tab in list(self.tabs.items()):
                 try:
-                    tab.frame(BUDGET * self._frame / len(self.tabs), self._workers.submit)
-                    tab.client.flush()
+                    if tab.frame(BUDGET * self._frame / len(self.tabs), self._workers.submit):
+                        tab.client.flush()
                 except Exception:
                     # A page that went away in the middle of a frame, or a defect: the other tabs go on.
                     _log.exception("the tab %s is closed after an error", client_id)

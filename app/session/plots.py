@@ -70,6 +70,11 @@ def wish_of(text: str) -> Wish:
     return Wish(tuple(name.strip() for name in names.split(",")), over.strip())
 
 
+def text_of(wish: Wish) -> str:
+    """What names a plot, as `wish_of` reads it."""
+    return ", ".join(wish.names) + (f" over {wish.over}" if wish.over else "")
+
+
 _GHOST = Kind(
     "ghost",
     "distance",

@@ -29,10 +29,12 @@ class Recorder:
 
     Attributes:
         simulation: the body.
+        acts: how often something was done to it.
     """
 
     def __init__(self, simulation: sim.Simulation, note: str = "") -> None:
         self.simulation = simulation
+        self.acts = 0
         self._follows_energy = False
         self._begin(note)
         if note:
@@ -61,6 +63,7 @@ class Recorder:
         Raises:
             InputError, SettingError: it cannot be done.
         """
+        self.acts += 1
         if not isinstance(act, log.Lead):  # which is over at the next step, and would be lost
             self._make_room()
         if isinstance(act, log.FollowEnergy):

@@ -29,6 +29,7 @@ export const COMMANDS = {
   gallery: {"label": "Choose another scene", "keys": ["o"], "shown": "O", "needs": "chooser", "page": true},
   anew: {"label": "Open this scene anew", "keys": [], "needs": "chooser"},
   share: {"label": "Share this scene by a link", "keys": [], "needs": "files", "page": true},
+  lesson: {"label": "Make a lesson", "keys": [], "hint": "steps with a question, a goal, sliders and plots", "needs": "edit"},
   follow: {"label": "Follow the pointer, or stop", "keys": ["f"], "shown": "F"},
   plot: {"label": "Plot the joint's angle", "keys": ["g"], "shown": "G", "needs": "measure"},
   fit: {"label": "Show the whole scene", "keys": ["0"], "shown": "0", "page": true},

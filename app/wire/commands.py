@@ -26,6 +26,10 @@ class Page(Protocol):
         """Plot the angle of the joint that is read out."""
         ...
 
+    def make_lesson(self) -> None:
+        """Open the form of the scene's lesson."""
+        ...
+
     def show_help(self) -> None:
         """Open the help."""
         ...
@@ -102,6 +106,10 @@ def _plot(_: Session, page: Page) -> None:
     page.plot_angle()
 
 
+def _lesson(_: Session, page: Page) -> None:
+    page.make_lesson()
+
+
 def _help(_: Session, page: Page) -> None:
     page.show_help()
 
@@ -150,6 +158,9 @@ COMMANDS: dict[str, Row] = {
     "gallery": Row("Choose another scene", "page", ("O",), "choose another scene", needs="chooser"),
     "anew": Row("Open this scene anew", _anew, needs="chooser"),
     "share": Row("Share this scene by a link", "page", needs="files"),
+    "lesson": Row(
+        "Make a lesson", _lesson, hint="steps with a question, a goal, sliders and plots", needs="edit"
+    ),
     "follow": Row(
         "Follow the pointer, or stop", _follow, ("F",),
         "the ringed mass follows the pointer, or stops following",

@@ -32,6 +32,11 @@ Coordinate = Annotated[float, Meta(ge=-1e7, le=1e7)]
 Degrees = Annotated[float, Meta(ge=-1e4, le=1e4)]
 Parts = Annotated[tuple[Index, ...], Meta(max_length=100)]
 Point = tuple[Coordinate, Coordinate]
+StepNumber = Annotated[int, Meta(ge=0, le=99)]
+Number = Annotated[float, Meta(ge=-1e15, le=1e15)]
+LongText = Annotated[str, Meta(max_length=8000)]
+"""Longer than any text of a lesson may be: its user is told by how much it is too long."""
+QuantityName = Annotated[str, Meta(max_length=100)]
 SceneName = Annotated[str, Meta(min_length=1, max_length=200)]
 Key = Literal["up", "down", "left", "right"]
 PhaseName = Literal["lobby", "show", "ask", "results", "run", "explain", "try", "collect"]
@@ -113,7 +118,7 @@ class BeginStep(FromPage, frozen=True):
             middle of it, as after a reload.
     """
 
-    step: Annotated[int, Meta(ge=0, le=99)]
+    step: StepNumber
     how: Literal["run", "wait", "on"] = "wait"
 
 
@@ -187,6 +192,12 @@ class ListScenes(Ask, frozen=True):
 
 class OpenScene(Ask, frozen=True):
     """Open a scene by its name."""
+
+    name: SceneName
+
+
+class UseInClass(Ask, frozen=True):
+    """Begin a class with a scene, by its name."""
 
     name: SceneName
 
@@ -274,6 +285,28 @@ class TakeOver(InSeat, frozen=True):
     digits: Annotated[str, Meta(pattern=r"^[0-9]{2}$")]
 
 
+class Checked(FromPage, frozen=True):
+    """What a device found that tried whether it can take part in a class.
+
+    Attributes:
+        trip: round trip, ms; -1 if no answer came.
+        rate: pictures that arrived a second.
+        works: whether it can take part.
+        doubts: whether its page has anything marked.
+    """
+
+    trip: Annotated[int, Meta(ge=-1, le=99_999)]
+    rate: Annotated[int, Meta(ge=0, le=999)]
+    works: bool
+    doubts: bool
+
+
+class Follow(InSeat, frozen=True):
+    """The page is to show the teacher's body where it could show its own, or its own again."""
+
+    on: bool
+
+
 # ------------------------------------------------------------------------- in a class, the teacher
 class Lead(FromPage, frozen=True):
     """What the teacher's page says in a class; nobody else's is heard."""
@@ -290,11 +323,29 @@ class Stage(Lead, frozen=True):
 class Arrange(Lead, frozen=True):
     """Something that needs no place.
 
-    All bodies are to stand, to go on, or to begin anew, or are to be the teacher's as it is now; the door and
-    whether names can be typed; what was given is to be saved as a file; and the end.
+    All bodies are to stand, to go on, or to begin anew, or are to be the teacher's as it is now; all are to
+    look at the teacher's, or to have their own back; the run is to be seen again, slowly; the class's plot is
+    to have the law of its points, or no longer; the door and whether names can be typed; what was given is to
+    be saved as a file; and the end.
     """
 
-    what: Literal["pause", "goOn", "reset", "asMine", "open", "close", "ownNames", "givenNames", "zip", "end"]
+    what: Literal[
+        "pause",
+        "goOn",
+        "reset",
+        "asMine",
+        "gather",
+        "giveBack",
+        "again",
+        "law",
+        "noLaw",
+        "open",
+        "close",
+        "ownNames",
+        "givenNames",
+        "zip",
+        "end",
+    ]
 
 
 class Star(Lead, frozen=True):
@@ -310,10 +361,127 @@ class ToWall(Lead, frozen=True):
     answer: Annotated[str, Meta(pattern=r"^([0-9a-f]{16})?$")]
 
 
-class SendAway(Lead, frozen=True):
-    """A seat is closed, and all that it gave goes."""
+class OneSeat(Lead, frozen=True):
+    """Something is to be done with one seat.
+
+    Its body is to begin anew, or to be shown on the wall, or no longer; another device may take it over by
+    two digits; or it is closed, and all that it gave goes.
+    """
 
     seat: Annotated[int, Meta(ge=1, le=9999)]
+    what: Literal["reset", "show", "hide", "move", "sendAway"]
+
+
+# ------------------------------------------------------------------------- the scene's lesson
+class Prepare(FromPage, frozen=True):
+    """Something about the lesson that is being made; for pages that may edit, and are in no class."""
+
+
+class MakeLesson(Prepare, frozen=True):
+    """The form of the lesson is to be open, or not."""
+
+    on: bool
+
+
+class AddStep(Prepare, frozen=True):
+    """A new step, which is to have that number, counted from 0."""
+
+    at: StepNumber
+
+
+class OfStep(Prepare, frozen=True):
+    """Something about one step."""
+
+    step: StepNumber
+
+
+class CopyStep(OfStep, frozen=True):
+    """A copy of the step is to come after it."""
+
+
+class RemoveStep(OfStep, frozen=True):
+    """The step is to go; with the last one, the lesson goes."""
+
+
+class MoveStep(OfStep, frozen=True):
+    """The step is to have another place."""
+
+    to: StepNumber
+
+
+class WriteStep(OfStep, frozen=True):
+    """A text of the step."""
+
+    field: Literal["title", "do", "watch"]
+    text: LongText
+
+
+class AskInStep(OfStep, frozen=True):
+    """The question of the step."""
+
+    text: LongText
+    choices: Annotated[tuple[LongText, ...], Meta(max_length=10)]
+    answer: Annotated[int, Meta(ge=0, le=9)]
+    because: LongText
+
+
+class PredictInStep(OfStep, frozen=True):
+    """The time after which the body's place is asked for, s."""
+
+    seconds: Number
+
+
+class AimInStep(OfStep, frozen=True):
+    """The goal of the step, see `sim.scene.lesson.Goal`."""
+
+    quantity: QuantityName
+    of: Literal["value", "period"]
+    low: Number | None
+    high: Number | None
+    seconds: Number
+
+
+class CollectInStep(OfStep, frozen=True):
+    """What is handed in of the step."""
+
+    quantity: QuantityName
+    of: Literal["value", "period"]
+
+
+class OfferInStep(OfStep, frozen=True):
+    """The sliders and lists that stand below the step, by their keys."""
+
+    controls: Annotated[tuple[QuantityName, ...], Meta(max_length=40)]
+
+
+class CompareInStep(OfStep, frozen=True):
+    """The method of the second body, "reference", or "" for none."""
+
+    ghost: Annotated[str, Meta(max_length=40)]
+
+
+class TakeInStep(OfStep, frozen=True):
+    """The step is to have the settings, the plots or the arrows as they are now."""
+
+    what: Literal["settings", "plots", "arrows"]
+
+
+class DropFromStep(OfStep, frozen=True):
+    """The step is to have no such thing any more; without arrows of its own it leaves them as they are."""
+
+    what: Literal["question", "predict", "goal", "collect", "plots", "arrows"]
+
+
+class TryStep(OfStep, frozen=True):
+    """The step is to begin as a pupil sees it."""
+
+
+class EndTrying(Prepare, frozen=True):
+    """The page goes back to where a step was tried from."""
+
+
+class DropLesson(Prepare, frozen=True):
+    """The lesson is to go."""
 
 
 # ------------------------------------------------------------------------- edits

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 from msgspec import Struct
 
-from sim.scene.lesson import Question
+from sim.scene.lesson import Question, Step
 
 from .from_page import CommandName, PhaseName, leaves, tag_of
 
@@ -115,6 +115,50 @@ class Lesson(State, frozen=True, kw_only=True):
     """The scene's lesson, which may be anyone's: the script shows it as text only."""
 
     steps: tuple[LessonStep, ...]
+
+
+class LessonForm(State, frozen=True, kw_only=True):
+    """The lesson that is being made, which the page shows as a form.
+
+    Attributes:
+        open: whether it is to be shown.
+        trying: the step that is tried; -1 for none.
+        steps: of the lesson, which may be anyone's: the script shows them as text only.
+        begins: what each of them sets, in words; empty for nothing.
+    """
+
+    open: bool = False
+    trying: int = -1
+    steps: tuple[Step, ...] = ()
+    begins: tuple[str, ...] = ()
+
+
+class LessonControl(Struct, frozen=True):
+    """A slider or a list that a step can have."""
+
+    key: str
+    label: str
+
+
+class LessonOffers(State, frozen=True, kw_only=True):
+    """What a step of the lesson can have, as things are now.
+
+    Attributes:
+        parts: that can be measured: what is at the mass that was clicked last, and what there is one of.
+        quantities: of each kind of part, with their units.
+        controls: that the scene has a use for.
+        methods: of a second body, by their names for people.
+        settings: what is set otherwise than the steps, or the scene as it was opened, have it; in words.
+        plots, arrows: that are open, and on.
+    """
+
+    parts: tuple[str, ...]
+    quantities: dict[str, dict[str, str]]
+    controls: tuple[LessonControl, ...]
+    methods: dict[str, str]
+    settings: str
+    plots: tuple[str, ...]
+    arrows: tuple[str, ...]
 
 
 class Selected(State, frozen=True, kw_only=True):
@@ -226,8 +270,10 @@ class Seat(State, frozen=True, kw_only=True):
         types_name: whether names can be typed.
         digits: by which another device takes the seat over; empty if it is not to.
         follows: whether the page shows the teacher's body.
+        gathered: whether it has to, where it could have its own.
         paused: whether all bodies stand.
         away: whether the teacher is not there.
+        on_wall: whether the wall shows something of this pupil's alone.
         elsewhere: whether a later page of the same browser has the seat.
         reached: whether the page's body has reached the step's goal.
     """
@@ -242,8 +288,10 @@ class Seat(State, frozen=True, kw_only=True):
     types_name: bool = False
     digits: str = ""
     follows: bool = False
+    gathered: bool = False
     paused: bool = False
     away: bool = False
+    on_wall: bool = False
     elsewhere: bool = False
     reached: bool = False
     asking: Asking | None = None
@@ -264,6 +312,13 @@ class Found(Struct, frozen=True, kw_only=True):
     found: float
 
 
+class Law(Struct, frozen=True, kw_only=True):
+    """The power law, found = factor * setting ** exponent, that the class's points are closest to."""
+
+    factor: float
+    exponent: float
+
+
 class Wall(State, frozen=True, kw_only=True):
     """What the class sees in front; no name is in it.
 
@@ -275,7 +330,8 @@ class Wall(State, frozen=True, kw_only=True):
         lines: what was picked out.
         alone: whether one prediction is shown alone.
         found: what was handed in, a point a seat; over what, and what it is.
-        doing: how many bodies do what, while each one has their own.
+        law: of these points, if it is to be seen.
+        doing: how many seats' bodies do what, while each one has their own.
     """
 
     code: str
@@ -290,6 +346,7 @@ class Wall(State, frozen=True, kw_only=True):
     paused: bool
     found: tuple[Found, ...]
     over: str
+    law: Law | None
     doing: dict[str, int]
 
 
@@ -315,6 +372,8 @@ class DeskSeat(Struct, frozen=True, kw_only=True):
         here: whether a page of it is connected.
         answered: whether it has given what is asked for.
         doing: what its body does, in a word.
+        follows: whether it looks at the teacher's body where it could have its own.
+        digits: by which another device takes the seat over; empty if it is not to.
     """
 
     number: int
@@ -325,10 +384,16 @@ class DeskSeat(Struct, frozen=True, kw_only=True):
     hand: bool
     answered: bool
     doing: str
+    follows: bool
+    digits: str
 
 
 class DeskAnswer(Struct, frozen=True, kw_only=True):
-    """An answer, as the teacher sees it."""
+    """An answer, as the teacher sees it.
+
+    Attributes:
+        places: of a run that was handed in, where its masses were, as of `Posters`.
+    """
 
     id: str
     seat: int
@@ -341,6 +406,16 @@ class DeskAnswer(Struct, frozen=True, kw_only=True):
     setting: float | None
     reached: bool | None
     doubt: str
+    places: tuple[tuple[int, int], ...]
+
+
+class DeskTried(Struct, frozen=True, kw_only=True):
+    """What a device found that tried whether it can take part; see `from_page.Checked`."""
+
+    trip: int
+    rate: int
+    works: bool
+    doubts: bool
 
 
 class DeskStop(Struct, frozen=True, kw_only=True):
@@ -358,13 +433,25 @@ class Desk(State, frozen=True, kw_only=True):
         next: where the class goes next: stop, phase, round; None at the end.
         answers: to the present stop and round, or to what was asked last there.
         bars: votes for each choice, also while they are sealed.
+        over: what the first slider of the step sets: the abscissa of the class's plot.
+        law: of the points of that plot; None where they have none.
+        shows_law: whether the wall shows it.
         on_wall: the answer that is shown alone.
+        seat_on_wall: the seat whose body is on the wall, or 0.
+        gathered: whether all look at the teacher's body where each one could have their own.
+        again: whether there is a run to be seen again, slowly: "no", "yes", or "now" while it is.
         saved: whether all that there is is on the disk.
+        check: the address at which a device tries whether it can take part.
+        check_qr: a picture of its QR code; empty once the class has begun.
+        tried: what the last devices found that did.
     """
 
     code: str
     address: str
     qr: str
+    check: str
+    check_qr: str
+    tried: tuple[DeskTried, ...]
     stops: tuple[DeskStop, ...]
     asking: Asking
     next: tuple[int, PhaseName, int] | None
@@ -372,7 +459,13 @@ class Desk(State, frozen=True, kw_only=True):
     answers: tuple[DeskAnswer, ...]
     bars: tuple[int, ...]
     right: int
+    over: str
+    law: Law | None
+    shows_law: bool
     on_wall: str
+    seat_on_wall: int
+    gathered: bool
+    again: Literal["no", "yes", "now"]
     open: bool
     own_names: bool
     paused: bool
@@ -417,6 +510,22 @@ class TextsTaken(Event, frozen=True, kw_only=True):
     refused: str
 
 
+class LessonTaken(Event, frozen=True, kw_only=True):
+    """What was done of the lesson that is being made.
+
+    Attributes:
+        step: at which.
+        part: of the step: what was to be changed.
+        field: what was refused, as in "question.choices[1]"; empty if nothing was.
+        refused: a sentence that says why, or nothing.
+    """
+
+    step: int
+    part: str
+    field: str
+    refused: str
+
+
 class OfferGallery(Event, frozen=True, kw_only=True):
     """Show the gallery, and why."""
 
@@ -450,10 +559,15 @@ class Entry(Struct, frozen=True, kw_only=True):
 
 
 class Scenes(Event, frozen=True, kw_only=True):
-    """All scenes, and the name of the present one."""
+    """All scenes, and the name of the present one.
+
+    Attributes:
+        teaches: whether the page may use them in a class.
+    """
 
     scenes: tuple[Entry, ...]
     present: str
+    teaches: bool
 
 
 class ScenePictures(Event, frozen=True, kw_only=True):
@@ -471,6 +585,19 @@ class SceneChanged(Event, frozen=True, kw_only=True):
 
     text: str
     undo: str
+
+
+class UsedInClass(Event, frozen=True, kw_only=True):
+    """How a scene is used in a class.
+
+    Attributes:
+        address: of the teacher's page of a class that has begun, from the present page's; empty where others
+            cannot reach this server.
+        command: by which a server begins one that they can.
+    """
+
+    address: str
+    command: str
 
 
 class Link(Event, frozen=True, kw_only=True):

@@ -1,5 +1,5 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "dark" | "meter" | "gizmos" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "dark" | "meter" | "gizmos" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
 /** Commands that the page's script does. */
 export type PageCommand = "gallery" | "share" | "fit" | "larger" | "picture" | "edit";
 /** Do a command of the table, see `commands`. */
@@ -38,6 +38,8 @@ export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string
 export type ListScenes = { do: "listScenes"; dark: boolean };
 /** Open a scene by its name. */
 export type OpenScene = { do: "openScene"; name: string };
+/** Begin a class with a scene, by its name. */
+export type UseInClass = { do: "useInClass"; name: string };
 /** Do something with one of the page's own scenes; `name` is that of a deleted one for "restore". */
 export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
 /** One of the choices of a question. */
@@ -58,16 +60,54 @@ export type SitTogether = { do: "sitTogether"; two: boolean };
 export type LeaveBy = { do: "leaveBy" };
 /** This page is to have the seat that offers itself by two digits. */
 export type TakeOver = { do: "takeOver"; digits: string };
+/** The page is to show the teacher's body where it could show its own, or its own again. */
+export type Follow = { do: "follow"; on: boolean };
+/** What a device found that tried whether it can take part in a class. */
+export type Checked = { do: "checked"; trip: number; rate: number; works: boolean; doubts: boolean };
 /** The class goes to a stop and a phase. */
 export type Stage = { do: "stage"; stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round?: number };
 /** Something that needs no place. */
-export type Arrange = { do: "arrange"; what: "asMine" | "close" | "end" | "givenNames" | "goOn" | "open" | "ownNames" | "pause" | "reset" | "zip" };
+export type Arrange = { do: "arrange"; what: "again" | "asMine" | "close" | "end" | "gather" | "giveBack" | "givenNames" | "goOn" | "law" | "noLaw" | "open" | "ownNames" | "pause" | "reset" | "zip" };
 /** An answer is picked out, or no longer. */
 export type Star = { do: "star"; answer: string; on: boolean };
 /** An answer is to be shown alone on the wall; none for "". */
 export type ToWall = { do: "toWall"; answer: string };
-/** A seat is closed, and all that it gave goes. */
-export type SendAway = { do: "sendAway"; seat: number };
+/** Something is to be done with one seat. */
+export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
+/** The form of the lesson is to be open, or not. */
+export type MakeLesson = { do: "makeLesson"; on: boolean };
+/** A new step, which is to have that number, counted from 0. */
+export type AddStep = { do: "addStep"; at: number };
+/** A copy of the step is to come after it. */
+export type CopyStep = { do: "copyStep"; step: number };
+/** The step is to go; with the last one, the lesson goes. */
+export type RemoveStep = { do: "removeStep"; step: number };
+/** The step is to have another place. */
+export type MoveStep = { do: "moveStep"; step: number; to: number };
+/** A text of the step. */
+export type WriteStep = { do: "writeStep"; step: number; field: "do" | "title" | "watch"; text: string };
+/** The question of the step. */
+export type AskInStep = { do: "askInStep"; step: number; text: string; choices: string[]; answer: number; because: string };
+/** The time after which the body's place is asked for, s. */
+export type PredictInStep = { do: "predictInStep"; step: number; seconds: number };
+/** The goal of the step, see `sim.scene.lesson.Goal`. */
+export type AimInStep = { do: "aimInStep"; step: number; quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
+/** What is handed in of the step. */
+export type CollectInStep = { do: "collectInStep"; step: number; quantity: string; of: "period" | "value" };
+/** The sliders and lists that stand below the step, by their keys. */
+export type OfferInStep = { do: "offerInStep"; step: number; controls: string[] };
+/** The method of the second body, "reference", or "" for none. */
+export type CompareInStep = { do: "compareInStep"; step: number; ghost: string };
+/** The step is to have the settings, the plots or the arrows as they are now. */
+export type TakeInStep = { do: "takeInStep"; step: number; what: "arrows" | "plots" | "settings" };
+/** The step is to have no such thing any more; without arrows of its own it leaves them as they are. */
+export type DropFromStep = { do: "dropFromStep"; step: number; what: "arrows" | "collect" | "goal" | "plots" | "predict" | "question" };
+/** The step is to begin as a pupil sees it. */
+export type TryStep = { do: "tryStep"; step: number };
+/** The page goes back to where a step was tried from. */
+export type EndTrying = { do: "endTrying" };
+/** The lesson is to go. */
+export type DropLesson = { do: "dropLesson" };
 /** The scene is to have another name and another description. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
 /** Some parts are to be selected; with `toggle`, they change sides and the others stay as they are. */
@@ -88,11 +128,19 @@ export type Stroke = { do: "stroke"; points: [number, number][] };
 export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "mirror" | "pin" | "remove" | "rest" | "triangulate"; mass?: number | null; under?: number | null };
-export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Stage | Arrange | Star | ToWall | SendAway | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
+export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | OneSeat | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */
 export type Question = { text: string; choices: string[]; answer: number; because: string };
+/** One step of a lesson. */
+export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
+/** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
+export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
+/** Something that is read off a run. */
+export type Reading = { quantity: string; of: "period" | "value" };
+/** A slider or a list that a step can have. */
+export type LessonControl = { key: string; label: string };
 /** What a class looks at. */
 export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
 /** Something that the pupil at a page has given. */
@@ -101,12 +149,16 @@ export type Given = { stop: number; round: number; twin: number; kind: "ghost" |
 export type WallLine = { text: string; color: string };
 /** What one seat found: a point of the class's plot. */
 export type Found = { setting: number; found: number };
+/** The power law, found = factor * setting ** exponent, that the class's points are closest to. */
+export type Law = { factor: number; exponent: number };
+/** What a device found that tried whether it can take part; see `from_page.Checked`. */
+export type DeskTried = { trip: number; rate: number; works: boolean; doubts: boolean };
 /** A stop of the class's plan. */
 export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number][] };
 /** A seat, as the teacher sees it. */
-export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string };
+export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
 /** An answer, as the teacher sees it. */
-export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string };
+export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
 /** A scene as the gallery shows it. */
 export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
 /** What the script has to know of the session and of the page. */
@@ -117,6 +169,10 @@ export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: 
 export type Hud = { tell: "hud"; html: string };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
 export type Lesson = { tell: "lesson"; steps: LessonStep[] };
+/** The lesson that is being made, which the page shows as a form. */
+export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[] };
+/** What a step of the lesson can have, as things are now. */
+export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
 /** What is selected. */
 export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
 /** What undo takes back, and what redo does again; empty for nothing. */
@@ -124,15 +180,15 @@ export type Versions = { tell: "versions"; undo: string; redo: string; count: nu
 /** What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
 /** What a pupil's page has to know of the class. */
-export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; paused: boolean; away: boolean; elsewhere: boolean; reached: boolean; asking: Asking | null; given: Given[] };
+export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: boolean; reached: boolean; asking: Asking | null; given: Given[] };
 /** What the class sees in front; no name is in it. */
-export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; over: string; doing: Record<string, number> };
+export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; over: string; law: Law | null; doing: Record<string, number> };
 /** Where the class has said that the masses will be, in the page's world: one body a prediction, without names. */
 export type Predictions = { tell: "predictions"; bodies: [number, number][][] };
 /** Where the bodies of the seats are, by their numbers: thousandths of the scene's frame from its left and upper edge. */
 export type Posters = { tell: "posters"; places: Record<string, [number, number][]>; springs: [number, number][] };
 /** What the teacher's page has to know of the class. */
-export type Desk = { tell: "desk"; code: string; address: string; qr: string; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; on_wall: string; open: boolean; own_names: boolean; paused: boolean; saved: boolean };
+export type Desk = { tell: "desk"; code: string; address: string; qr: string; check: string; check_qr: string; tried: DeskTried[]; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; over: string; law: Law | null; shows_law: boolean; on_wall: string; seat_on_wall: number; gathered: boolean; again: "no" | "now" | "yes"; open: boolean; own_names: boolean; paused: boolean; saved: boolean };
 /** The server has these answers, or has refused one: then it says why. */
 export type Taken = { tell: "taken"; ids: string[]; refused: string };
 /** The class is over: nothing of it is to be kept. */
@@ -147,16 +203,20 @@ export type ShowMeasures = { tell: "showMeasures" };
 export type Copied = { tell: "copied"; text: string };
 /** Whether the scene has its new texts: a sentence that says why not, or nothing. */
 export type TextsTaken = { tell: "textsTaken"; refused: string };
+/** What was done of the lesson that is being made. */
+export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; field: string; refused: string };
 /** Show the gallery, and why. */
 export type OfferGallery = { tell: "offerGallery"; why: string };
 /** There are other scenes than before. */
 export type ShelfChanged = { tell: "shelfChanged" };
 /** All scenes, and the name of the present one. */
-export type Scenes = { tell: "scenes"; scenes: Entry[]; present: string };
+export type Scenes = { tell: "scenes"; scenes: Entry[]; present: string; teaches: boolean };
 /** Pictures of scenes by their names, as addresses that an image can have. */
 export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, string> };
 /** What was done with a scene of the page's own. */
 export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
+/** How a scene is used in a class. */
+export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
 /** What a body is made of, see `drawing.plan.encode_plan`. */
@@ -167,6 +227,6 @@ export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 export type Damage = { tell: "damage"; numbers: Float32Array };
 /** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
-export type ToPage = PageState | Tools | Hud | Lesson | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link | Plan | Frame | Damage | Arrows;
+export type ToPage = PageState | Tools | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | Frame | Damage | Arrows;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows };
+export type Told = { pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows };

@@ -46,6 +46,8 @@ def out_of_range(where: str, value: float, meta: msgspec.Meta) -> str:
     """The sentence for a number outside the range of its annotation."""
     if meta.lt is not None:
         return f"{where}: {value!r} is not in the range {meta.ge:g}..{meta.lt - 1:g}"
+    if meta.gt is not None and meta.le is not None:
+        return f"{where}: {value:g} is not above {meta.gt:g} and at most {meta.le:g} {unit_of(meta)}".rstrip()
     low = f"{meta.ge:g}" if meta.ge is not None else ""
     high = f"{meta.le:g}" if meta.le is not None else ""
     shown = f"{value:g}" if isinstance(value, float) else repr(value)
@@ -125,6 +127,11 @@ def _about(where: str, value: Any, kind: Any, meta: msgspec.Meta | None, found: 
         if not value:
             return f"{where}: it must not be empty"
         return f"{where}: {len(value)} characters are more than {meta.max_length}"
+    if isinstance(value, (list, tuple)) and get_origin(kind) is tuple and meta is not None:
+        if meta.max_length is not None and len(value) > meta.max_length:
+            return f"{where}: {len(value)} entries are more than {meta.max_length}"
+        if meta.min_length is not None and len(value) < meta.min_length:
+            return f"{where}: {len(value)} entries are fewer than {meta.min_length}"
     return _expected(where, kind, value, found)
 
 

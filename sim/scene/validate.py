@@ -145,6 +145,9 @@ def _lesson_problems(scene: Scene) -> Iterator[str]:
                 -math.inf if goal.low is None else goal.low,
                 math.inf if goal.high is None else goal.high,
             )
+            for field, bound in (("low", low), ("high", high)):
+                if getattr(goal, field) is not None and not math.isfinite(bound):
+                    yield f"lesson.steps[{i}].goal.{field}: {bound:g} is not a finite number"
             if goal.low is None and goal.high is None:
                 yield f"lesson.steps[{i}].goal: it needs low, high or both"
             elif low > high:

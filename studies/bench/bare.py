@@ -2,14 +2,16 @@
 
 `python -m studies.bench.bare MASSES` serves it and prints its port; `python -m studies.bench.bare MASSES
 softrod` serves softrod's page of the same rope instead, and `python -m studies.bench.bare SCENE softrod`
-that of a preset. At each line on standard input it prints the processor time it has used so far; at the end
-of input it ends.
+that of a preset. `python -m studies.bench.bare SCENE class PORT` holds a class with a scene, or goes on with
+the one that is on the disk, and prints its code and its teacher's secret, too. At each line on standard input
+it prints the processor time it has used so far; at the end of input, and at SIGTERM, it ends.
 """
 
 from __future__ import annotations
 
 import contextlib
 import io
+import signal
 import sys
 import threading
 import time
@@ -98,17 +100,36 @@ def softrod(shown: str) -> tuple[int, contextlib.ExitStack]:
     return server.get_port(), stack
 
 
+def hold_class(shown: str, port: int) -> tuple[str, contextlib.ExitStack]:
+    """Hold a class; returns its port, its code and its teacher's secret in one line, and what ends it."""
+    import sim
+    from app.classroom.live import Classes
+    from app.server.serve import serving, start_compiling
+
+    classes = Classes()
+    scene = sim.load_scene(shown)
+    room = next(iter(classes.go_on() or [classes.begin([scene])])).room
+    stack = contextlib.ExitStack()
+    server, ticker, compiler = stack.enter_context(serving(scene, "127.0.0.1", port, classes=classes))
+    threading.Thread(target=start_compiling, args=(scene, ticker, compiler), daemon=True).start()
+    return f"{server.get_port()} {room.code} {room.key}", stack
+
+
 def main() -> None:
     """See the module's text."""
     stack = contextlib.ExitStack()
-    if sys.argv[2:] == ["softrod"]:
-        port, stack = softrod(sys.argv[1])
+    shown, *kind = sys.argv[1:]
+    if kind == ["softrod"]:
+        told, stack = softrod(shown)
+    elif kind[:1] == ["class"]:
+        told, stack = hold_class(shown, int(kind[1]))
     else:
-        port = bare(int(sys.argv[1]))
-    print(port, flush=True)
-    for _ in sys.stdin:
-        print(time.process_time(), flush=True)
-    stack.close()
+        told = bare(int(shown))
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit())
+    with stack:
+        print(told, flush=True)
+        for _ in sys.stdin:
+            print(time.process_time(), flush=True)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ What a browser adds (shaders, drawing) is the same whatever is served; what is m
 
 from __future__ import annotations
 
+import ssl
 import time
 from collections import deque
 from typing import Any
@@ -89,13 +90,22 @@ class Decoder:
 class Page:
     """A connected client; a context manager.
 
+    Args:
+        port: of the server, or of what stands before it.
+        patience: seconds in which it must be possible to connect.
+        path: of the WebSocket, without a slash at its beginning.
+        tls: with it, the connection is by TLS, to this machine as `localhost`.
+
     Attributes:
         bytes: received so far.
         messages: of the scene and the panel, received so far.
     """
 
-    def __init__(self, port: int, patience: float = 60.0) -> None:
-        self._address = f"127.0.0.1:{port}"
+    def __init__(
+        self, port: int, patience: float = 60.0, path: str = "", tls: ssl.SSLContext | None = None
+    ) -> None:
+        self._address = f"127.0.0.1:{port}" if tls is None else f"localhost:{port}"
+        self._path, self._tls = path, tls
         self._patience = patience
         self._decoder = Decoder()
         self._unread: deque[dict[str, Any]] = deque()
@@ -104,10 +114,14 @@ class Page:
 
     def __enter__(self) -> Page:
         deadline = time.monotonic() + self._patience
+        options = options_of(self._address)
+        if self._tls is not None:
+            options |= {"origin": Origin(f"https://{self._address}"), "ssl": self._tls}
+        scheme = "ws" if self._tls is None else "wss"
         while True:
             try:
                 self._connection: ClientConnection = connect(
-                    f"ws://{self._address}", **options_of(self._address)
+                    f"{scheme}://{self._address}/{self._path}", **options
                 )
                 break
             except (OSError, ConnectionClosed):

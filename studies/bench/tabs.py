@@ -114,7 +114,7 @@ async def _visit(
         await steering
 
 
-async def _visit_all(server: Served, pages: int) -> tuple[list[Visitor], float, float, float]:
+async def visit_all(server: Served, pages: int) -> tuple[list[Visitor], float, float, float]:
     """The visitors, the span that was measured, and the server's share of a core."""
     visitors = [Visitor() for _ in range(pages)]
     stop = asyncio.Event()
@@ -145,7 +145,7 @@ def bench_tabs(console: Console, repeats: int) -> None:
             best: tuple[float, ...] | None = None
             for _ in range(repeats):
                 with served("softrod", MASSES, cache) as server:
-                    visitors, begin, end, share = asyncio.run(_visit_all(server, pages))
+                    visitors, begin, end, share = asyncio.run(visit_all(server, pages))
                 seen = [visitor.within(begin, end) for visitor in visitors]
                 rates, gaps, clocks = zip(*seen, strict=True)
                 size = sum(visitor.bytes for visitor in visitors) / pages / (end - begin) / 1e3

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import time
 from pathlib import Path
 
@@ -50,6 +51,14 @@ def test_a_class_goes_on_after_the_server_was_started_anew(folder: Path) -> None
     after.room.go(1, Phase.TRY)
     assert after.body(seat.number) is None
     assert {path.stat().st_mode & 0o077 for path in folder.iterdir()} == {0}
+
+
+def test_a_teacher_s_secret_cannot_be_guessed(folder: Path) -> None:
+    classes = Classes()
+    keys = {classes.begin(a_room().scenes).room.key for _ in range(5)}
+    assert len(keys) == 5
+    assert {len(base64.urlsafe_b64decode(key + "==")) for key in keys} == {16}
+    classes.close()
 
 
 def test_nothing_is_acknowledged_before_it_is_on_the_disk(

@@ -13,13 +13,16 @@ import pytest
 from PIL import Image
 
 import sim
+from app.classroom import live
+from app.classroom.live import Classes
 from app.page.assets import page_files
+from app.page.classroom.roles import desk_address
 from app.page.scenes import gallery, owner, shelf, thumbnails
 from app.page.scenes.gallery import Gallery
 from app.page.scenes.shelf import Shelf
 from app.session.notices import Notice
-from app.wire.from_page import ChangeScene, ListScenes, OpenScene, Who
-from app.wire.to_page import SceneChanged, ScenePictures, Scenes
+from app.wire.from_page import ChangeScene, ListScenes, OpenScene, UseInClass, Who
+from app.wire.to_page import SceneChanged, ScenePictures, Scenes, UsedInClass
 from sim.store import files
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
@@ -34,7 +37,8 @@ class Page(SessionPage):
     def __init__(self, owned: bool = True) -> None:
         super().__init__(sim.load_scene("ring"))
         self.letters, self.notices = Letters(), list[Notice]()
-        self.gallery = Gallery(page_of(self.session, None, self.letters, self.notices.append, owned))
+        self.page = page_of(self.session, None, self.letters, self.notices.append, owned)
+        self.gallery = Gallery(self.page)
 
 
 @pytest.fixture
@@ -236,3 +240,46 @@ def test_each_picture_is_sent_once_and_none_can_be_lost(home: Path) -> None:
     assert len(set(page.letters.keys)) == len(page.letters.keys)
     sent = [name for letter in letters for name in letter.pictures]
     assert len(sent) == len(set(sent)) == 20
+
+
+# ------------------------------------------------------------------------- in a class
+def test_a_card_begins_a_class_where_others_reach_the_server_and_says_the_command_elsewhere(
+    home: Path,
+) -> None:
+    page, ask = Page(), UseInClass("lesson-hooke")
+    page.gallery.use_in_class(ask)
+    assert page.letters.sent == [UsedInClass(address="", command="softrod class lesson-hooke")]
+    classes = Classes(alone=False)
+    page.page.begin_class = lambda scene: desk_address("", classes.begin((scene,)))
+    page.gallery.use_in_class(ask)
+    assert not list(classes)  # until it is the ticker's turn
+    page.page.serve()
+    (klass,) = classes
+    assert klass.room.scenes[0].lesson is not None
+    told = page.letters.sent[-1]
+    assert isinstance(told, UsedInClass)
+    assert told.address == f"?room={klass.room.code}&as=desk#teacher={klass.room.key}"
+    # No path of a file is one of the scenes that are listed.
+    page.gallery.use_in_class(UseInClass("../owner-key"))
+    assert "no scene called" in page.notices[-1].text
+
+
+def test_only_the_owner_begins_a_class(home: Path) -> None:
+    page = Page(owned=False)
+    page.page.begin_class = lambda _: pytest.fail("a visitor has begun a class")
+    page.gallery.use_in_class(UseInClass("lesson-hooke"))
+    page.page.serve()
+    assert not page.letters.sent
+    page.gallery.list(ListScenes(dark=False))
+    assert not next(told for told in page.letters.sent if isinstance(told, Scenes)).teaches
+
+
+def test_a_server_holds_so_many_classes(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page, classes = Page(), Classes(alone=False)
+    page.page.begin_class = lambda scene: desk_address("", classes.begin((scene,)))
+    monkeypatch.setattr(live, "MOST_CLASSES", 1)
+    for _ in range(2):
+        page.gallery.use_in_class(UseInClass("lesson-hooke"))
+        page.page.serve()
+    assert len(list(classes)) == 1
+    assert page.notices[-1].text == "A server holds 1 classes at most."

@@ -15,7 +15,7 @@ import websockets.datastructures
 import websockets.exceptions
 from websockets.exceptions import InvalidStatus
 
-from app.gate import gate
+from app.gate import address, gate
 from app.gate.address import authorities, own_authorities, public_address
 from app.gate.gate import Gate, GatedServer, GateError, PortBusy, exposure, open_server, page_addresses
 from app.page.assets import page_files
@@ -57,6 +57,27 @@ def test_the_page_is_served_and_cannot_be_framed(sandbox: Sandbox) -> None:
     assert headers["X-Frame-Options"] == "DENY"
     assert headers["Content-Security-Policy"] == "frame-ancestors 'none'"
     assert headers["X-Content-Type-Options"] == "nosniff"
+
+
+def test_what_is_kept_of_a_class_s_pages_on_the_way_has_nothing_of_the_class() -> None:
+    """Browsers and proxies may keep them: all that is told of a class goes by the connection."""
+    server = open_server("127.0.0.1", 0, files=page_files())
+    port = server.get_port()
+    host = {"Host": f"localhost:{port}"}
+    try:
+        asked = ("ABCD", "ABCD&as=desk", "ABCD&as=wall", "EFGH&as=seat")
+        pages = {body(port, host, f"/?room={room}") for room in asked}
+        checks = {body(port, host, f"/check?room={code}") for code in ("ABCD", "EFGH")}
+        for path in ("/?room=ABCD&as=desk", "/check?room=ABCD"):
+            _, headers = answer(port, list(host.items()), path)
+            assert headers["Cache-Control"] == "no-cache"
+            assert headers["Referrer-Policy"] == "no-referrer"
+    finally:
+        server.stop()
+    # Whatever was asked for, the same came.
+    for (code, _), *others in (pages, checks):
+        assert code == 200
+        assert not others
 
 
 @pytest.mark.parametrize("host", ["localhost", "LOCALHOST", "127.0.0.1", "[::1]"])
@@ -178,6 +199,7 @@ def test_tabs_are_limited(sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch) -> 
     with pytest.raises(InvalidStatus) as refused:
         sandbox.page()
     assert refused.value.response.status_code == 503
+    assert b"room for 3 pages" in refused.value.response.body
     assert all(user.works() for user in (first, *others))
     first.page.close()
 
@@ -358,6 +380,7 @@ def test_every_address_that_can_be_typed_is_printed_and_let_in(monkeypatch: pyte
         def getsockname(self) -> Any:
             return self._own, 1234
 
+    monkeypatch.setattr(address, "interfaces", dict)
     monkeypatch.setattr(socket, "socket", Probe)
     monkeypatch.setattr(
         socket, "getaddrinfo", lambda *_, **__: [(socket.AF_INET, 1, 6, "", ("127.0.1.1", 0))]
@@ -370,6 +393,35 @@ def test_every_address_that_can_be_typed_is_printed_and_let_in(monkeypatch: pyte
     assert page_addresses("::", 8080) == ["http://[::1]:8080"]
 
 
+def test_the_network_that_others_are_in_goes_before_tunnels_and_containers(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A laptop with a VPN and containers, whose hotspot leads nowhere."""
+    names = {
+        "127.0.0.1": "lo",
+        "172.17.0.1": "docker0",
+        "10.8.0.2": "tun0",
+        "10.42.0.1": "wlan0",
+    }
+    monkeypatch.setattr(address, "interfaces", lambda: names)
+
+    class Probe(socket.socket):
+        def connect(self, _: Any) -> None:
+            """Everything goes through the tunnel."""
+
+        def getsockname(self) -> Any:
+            return "10.8.0.2", 1234
+
+    monkeypatch.setattr(socket, "socket", Probe)
+    monkeypatch.setattr(socket, "getaddrinfo", lambda *_, **__: [])
+    assert address.local_addresses() == ["10.42.0.1", "10.8.0.2", "172.17.0.1"]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux has an interface of this name")
+def test_the_system_names_its_interfaces() -> None:
+    assert address.interfaces()["127.0.0.1"] == "lo"
+
+
 @pytest.mark.parametrize("host", ["127.0.0.1", "localhost", "::1", "127.8.8.8"])
 def test_this_machine_alone_is_no_exposure(host: str) -> None:
     assert exposure(host) is None
@@ -378,6 +430,21 @@ def test_this_machine_alone_is_no_exposure(host: str) -> None:
 @pytest.mark.parametrize("host", ["0.0.0.0", "::", "192.0.2.1", "host.invalid", ""])
 def test_a_network_address_is_an_exposure(host: str) -> None:
     assert "no password" in (exposure(host) or "")
+
+
+@pytest.mark.parametrize(
+    ("host", "public", "said", "unsaid"),
+    [
+        ("127.0.0.1", None, "Only this computer", "not encrypted"),
+        ("0.0.0.0", None, "the traffic is not encrypted", "Only this computer"),
+        ("127.0.0.1", "http://school.example/", "the traffic is not encrypted", "Only this computer"),
+        ("127.0.0.1", SCHOOL, "can take a seat", "not encrypted"),
+    ],
+)
+def test_what_a_class_exposes(host: str, public: str | None, said: str, unsaid: str) -> None:
+    text = address.class_exposure(host, None if public is None else public_address(public))
+    assert said in text
+    assert unsaid not in text
 
 
 def test_nothing_is_served_before_the_gate_is_open(monkeypatch: pytest.MonkeyPatch) -> None:

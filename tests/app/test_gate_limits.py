@@ -7,8 +7,9 @@ from collections.abc import Iterator
 import pytest
 from websockets.exceptions import InvalidStatus
 
+from app.classroom.names import LETTERS
 from app.gate import gate
-from tests.app.hostile import HostilePage, Sandbox, User, pack
+from tests.app.hostile import HANDSHAKE, HostilePage, Sandbox, User, pack, status
 
 
 @pytest.fixture
@@ -107,6 +108,32 @@ def test_a_message_in_pieces_is_put_together(sandbox: Sandbox) -> None:
     data = pack(user.update(user.text, text))
     user.page.socket.send(data[start : start + 4096] for start in range(0, len(data), 4096))
     assert user.next_event() == ("text", text)
+
+
+def test_who_tries_the_letters_of_a_class_one_after_the_other_is_slowed_down(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(gate, "CONNECTION_BURST", 4.0)
+    monkeypatch.setattr(gate, "CONNECTIONS_PER_SECOND", 1e-3)
+    sandbox = Sandbox()
+    try:
+        own = f"127.0.0.1:{sandbox.port}"
+        page = [("Host", own), ("Origin", f"http://{own}"), *HANDSHAKE]
+        found = [status(sandbox.port, page, f"/?room=AAA{letter}") for letter in "ABCDEF"]
+        assert found == [101, 101, 101, 101, 429, 429]
+        assert sandbox.refuses("rate", 2)
+        # A page that is turned away is told so; asking why costs nothing.
+        asked = [("Host", own), ("X-Softrod-Origin", f"http://{own}")]
+        assert [status(sandbox.port, asked, "/reach") for _ in range(3)] == [429, 429, 429]
+        # Files are no connections.
+        assert status(sandbox.port, [("Host", own)]) == 200
+    finally:
+        sandbox.close()
+
+
+def test_a_full_server_s_pages_may_all_come_back_at_once_and_all_letters_take_hours() -> None:
+    assert 3 * gate.MAX_TABS < gate.CONNECTION_BURST
+    assert len(LETTERS) ** 4 / gate.CONNECTIONS_PER_SECOND > 12 * 3600
 
 
 def test_a_page_that_comes_back_takes_the_place_of_its_dead_connection(

@@ -20,6 +20,8 @@ from app.session.plots import Wish
 from app.wire.from_page import BeginStep, read
 from app.wire.to_page import Lesson as LessonState
 from app.wire.to_page import LessonStep
+from sim.edit.build import add_mass
+from sim.edit.lesson import add_step
 from sim.scene.lesson import Lesson, Question, Step
 from sim.settings import scene_of_step
 from sim.store.files import decode_scene, encode_scene
@@ -245,3 +247,18 @@ def test_leaving_a_question_lets_the_next_scene_run(server: viser.ViserServer) -
     panel.begin(BeginStep(asks))
     page.frames(5, commands.Play(True), commands.Play(False), commands.Open(sim.load_scene("ring")))
     assert not page.session.playing
+
+
+def test_a_step_of_a_lesson_that_was_made_since_begins_with_the_body_as_it_is(
+    server: viser.ViserServer,
+) -> None:
+    page, told = SessionPage(sim.load_scene("rope")), []
+    panel = lesson_panel(server, page, told)
+    page.frames(1, commands.Change(lambda moment, _: add_mass(moment.scene, (9.0, 9.0))))
+    page.frames(1, commands.Change(lambda moment, _: add_step(moment.scene, 0)))
+    masses = len(page.session.scene.masses)
+    panel.begin(BeginStep(0))
+    page.frames(1)
+    assert not told
+    assert page.session.lesson_begun
+    assert len(page.session.scene.masses) == masses == len(sim.load_scene("rope").masses) + 1

@@ -10,18 +10,20 @@ import pytest
 
 import sim
 from app.classroom import kept
-from app.classroom.live import Class, Classes
-from app.classroom.room import Phase, Vote
+from app.classroom.live import MOST_TRIED, Class, Classes
+from app.classroom.room import Phase, Vote, Work
+from app.page.check.role import CheckRole
 from app.page.classroom.desk import DeskRole
 from app.page.classroom.role import ClassRole
 from app.page.classroom.seat import SeatRole
 from app.page.classroom.wall import WallRole
+from app.session import commands
 from app.session.session import Session
 from app.wire import from_page
-from app.wire.to_page import Desk, Seat, Taken, Wall
+from app.wire.to_page import Desk, Law, Seat, Taken, Wall
 from tests.app.letters import Letters
 from tests.app.test_classes import until_written
-from tests.app.test_room import a_room
+from tests.app.test_room import a_room, an_answer
 
 LED = tuple(
     msgspec.json.decode(text, type=kind)
@@ -31,7 +33,10 @@ LED = tuple(
         (from_page.Arrange, b'{"do":"arrange","what":"zip"}'),
         (from_page.Star, b'{"do":"star","answer":"0000000000000001","on":true}'),
         (from_page.ToWall, b'{"do":"toWall","answer":""}'),
-        (from_page.SendAway, b'{"do":"sendAway","seat":1}'),
+        (from_page.OneSeat, b'{"do":"oneSeat","seat":1,"what":"sendAway"}'),
+        (from_page.OneSeat, b'{"do":"oneSeat","seat":1,"what":"move"}'),
+        (from_page.Arrange, b'{"do":"arrange","what":"gather"}'),
+        (from_page.Arrange, b'{"do":"arrange","what":"again"}'),
     )
 )
 
@@ -149,3 +154,197 @@ def test_the_wall_has_no_name_and_no_sealed_bar(klass: Class, session: Session) 
     told = [message for message in letters.sent if isinstance(message, Wall)][-1]
     assert told.bars == (0, 1, 0)
     assert all("Zaphod" not in str(message) for message in letters.sent)
+
+
+def test_a_device_that_only_tries_is_told_to_the_teacher_and_to_nobody_else(
+    klass: Class, session: Session
+) -> None:
+    letters = Letters()
+    desk = DeskRole(klass, letters, "http://here/", "", no_download)
+    desk.introduce(who(9, klass.room.key), session)
+    found = from_page.Checked(23, 58, True, False)
+    for role in (SeatRole(klass, Letters()), WallRole(klass, Letters(), "", "")):
+        assert not role.allows(found)
+    check = CheckRole(klass)
+    assert not any(check.allows(said) for said in (*LED, a_vote(1, 0), from_page.RaiseHand(True)))
+    for _ in range(MOST_TRIED + 3):
+        check.hear(found, session)
+    desk.frame(session)
+    told = letters.last(Desk)
+    assert [(one.trip, one.rate) for one in told.tried] == MOST_TRIED * [(23, 58)]
+    assert told.check == f"http://here/check?room={klass.room.code}"
+    assert told.check_qr
+    # Once the class has begun, it is in the way.
+    klass.room.go(0, Phase.SHOW)
+    desk.frame(session)
+    assert not letters.last(Desk).check_qr
+    # A server without classes has the page, too.
+    CheckRole(None).hear(found, session)
+
+
+def an_order(desk: DeskRole, session: Session, text: bytes, kind: type[from_page.Lead]) -> None:
+    desk.hear(msgspec.json.decode(text, type=kind), session)
+
+
+def a_desk(klass: Class, session: Session, letters: Letters | None = None) -> DeskRole:
+    desk = DeskRole(klass, letters or Letters(), "http://here/", "", no_download)
+    desk.introduce(who(9, klass.room.key), session)
+    desk.frame(session)
+    return desk
+
+
+def test_a_seat_follows_the_teacher_and_comes_back_to_its_own_body(klass: Class, session: Session) -> None:
+    letters = Letters()
+    desk = a_desk(klass, session, letters)
+    seat, own = SeatRole(klass, Letters()), Session(sim.rope(), wait=False)
+    seat.introduce(who(1), own)
+    klass.room.go(0, Phase.TRY)
+    seat.frame(own)
+    own.drain()
+    own.do_steps(5)
+    places, opened = own.simulation.positions.copy(), own.openings
+    assert seat.front is None
+    seat.hear(from_page.Follow(True), own)
+    assert seat.front is klass.front
+    assert not seat.allows(from_page.Perform("reset"))
+    seat.frame(own)
+    desk.frame(session)
+    told = [message for message in letters.sent if isinstance(message, Desk)][-1]
+    assert [one.follows for one in told.seats] == [True]
+    seat.hear(from_page.Follow(False), own)
+    seat.frame(own)
+    own.drain()
+    assert seat.front is None
+    assert own.openings == opened
+    assert (own.simulation.positions == places).all()
+    # The teacher has all look at one body, and nobody can help it; then each one has theirs back.
+    an_order(desk, session, b'{"do":"arrange","what":"gather"}', from_page.Arrange)
+    seat.hear(from_page.Follow(False), own)
+    assert seat.front is klass.front
+    an_order(desk, session, b'{"do":"arrange","what":"giveBack"}', from_page.Arrange)
+    assert seat.front is None
+    assert (own.simulation.positions == places).all()
+
+
+def test_the_wall_shows_the_body_of_a_seat_and_its_pupil_is_told(klass: Class, session: Session) -> None:
+    desk, letters = a_desk(klass, session), Letters()
+    seat, own = SeatRole(klass, letters), Session(sim.rope(), wait=False)
+    wall = WallRole(klass, Letters(), "http://here/", "")
+    seat.introduce(who(1), own)
+    klass.room.go(0, Phase.TRY)
+    seat.frame(own)
+    own.drain()
+    own.do_steps(5)
+    assert wall.front is klass.front
+    an_order(desk, session, b'{"do":"oneSeat","seat":1,"what":"show"}', from_page.OneSeat)
+    seat.frame(own)
+    assert wall.front is not None
+    assert wall.front is not klass.front
+    assert (wall.front.picture.positions == own.simulation.positions).all()
+    # Pages know two bodies apart by that number.
+    assert klass.front is not None
+    assert wall.front.opening != klass.front.opening
+    assert [message for message in letters.sent if isinstance(message, Seat)][-1].on_wall
+    an_order(desk, session, b'{"do":"oneSeat","seat":1,"what":"hide"}', from_page.OneSeat)
+    assert wall.front is klass.front
+
+
+def test_the_run_is_seen_again_slowly_and_bit_for_bit_the_same(klass: Class) -> None:
+    clock = iter(range(10_000))
+    session = Session(sim.rope(), clock=lambda: next(clock) / 240.0, wait=True)
+    desk = a_desk(klass, session)
+    klass.room.go(0, Phase.RUN)
+
+    def run() -> list[tuple[float, bytes]]:
+        """Until it stands: each moment that was shown."""
+        shown = []
+        for _ in range(3000):
+            desk.frame(session)
+            session.drain()
+            session.tick(1.0)
+            assert klass.front is not None
+            shown.append((klass.front.picture.time, klass.front.picture.positions.tobytes()))
+            if not session.playing and session.simulation.time >= 2.0:
+                desk.frame(session)
+                return shown
+        raise AssertionError("it does not stand")
+
+    first, stood = run(), session.simulation.time
+    end = session.simulation.positions.copy()
+    assert klass.run
+    for _ in range(2):
+        an_order(desk, session, b'{"do":"arrange","what":"again"}', from_page.Arrange)
+        session.drain()
+        again = run()
+        assert session.simulation.time == stood
+        assert session.simulation.positions.tobytes() == end.tobytes()
+        # Whatever both have shown is the same, and it takes four times as many frames.
+        both = dict(first).keys() & dict(again).keys()
+        assert len(both) > 20
+        assert all(dict(first)[time] == dict(again)[time] for time in both)
+        assert len(again) > 3 * len(first)
+        assert "agrees with the log" in session.notices[-1].text
+        desk.frame(session)
+        session.drain()
+        assert session.pacer.speed == 1.0
+
+
+def test_there_is_nothing_to_see_again_before_a_run(klass: Class, session: Session) -> None:
+    desk = a_desk(klass, session)
+    an_order(desk, session, b'{"do":"arrange","what":"again"}', from_page.Arrange)
+    assert session.notices[-1].text == "There is no run to see again."
+
+
+def test_the_wall_counts_every_seat_once(klass: Class, session: Session) -> None:
+    letters = Letters()
+    wall = WallRole(klass, letters, "http://here/", "")
+    klass.room.go(0, Phase.TRY)
+    now = [0.0]
+    sessions = [Session(sim.rope(), clock=lambda: now[0], wait=False) for _ in range(3)]
+    seats = [SeatRole(klass, Letters()) for _ in sessions]
+    for number, (seat, own) in enumerate(zip(seats, sessions, strict=True), start=1):
+        seat.introduce(who(number), own)
+        seat.frame(own)
+        own.drain()
+    sessions[0].post(commands.SetValue("gravity", 500.0))
+    sessions[0].drain()
+    klass.room.enter(f"{4:032x}")  # has not come
+    now[0] = 1.0
+    for seat, own in zip(seats, sessions, strict=True):
+        seat.frame(own)
+    wall.frame(session)
+    told = [message for message in letters.sent if isinstance(message, Wall)][-1]
+    assert told.doing == {"stable": 1, "exploded": 0, "not begun": 3}
+
+
+def test_the_law_is_on_the_wall_only_when_it_is_asked_for(klass: Class, session: Session) -> None:
+    letters, desk_letters = Letters(), Letters()
+    desk = a_desk(klass, session, desk_letters)
+    wall = WallRole(klass, letters, "http://here/", "")
+    klass.room.go(0, Phase.COLLECT)
+    for number, setting in enumerate((1.0, 4.0, 9.0), start=1):
+        seat = klass.room.enter(f"{number:032x}")
+        work = Work(setting=setting, found=2.0 * setting**0.5, points=((0.0, 0.0),) * 4)
+        klass.room.take(seat.number, an_answer(number, work))
+
+    def law() -> Law | None:
+        wall.frame(session)
+        return [message for message in letters.sent if isinstance(message, Wall)][-1].law
+
+    assert law() is None
+    an_order(desk, session, b'{"do":"arrange","what":"law"}', from_page.Arrange)
+    found = law()
+    assert found is not None
+    assert (found.factor, found.exponent) == (pytest.approx(2.0), pytest.approx(0.5))
+    desk.frame(session)
+    told = [message for message in desk_letters.sent if isinstance(message, Desk)][-1]
+    assert told.shows_law
+    assert [len(answer.places) for answer in told.answers] == [4, 4, 4]
+    an_order(desk, session, b'{"do":"arrange","what":"noLaw"}', from_page.Arrange)
+    assert law() is None
+    # What was handed in stands on the wall as it was.
+    klass.room.put_on_wall(f"{2:016x}")
+    assert wall.front is not None
+    assert wall.front.picture.positions.tolist() == [[0.0, 0.0]] * 4
+    klass.room.put_on_wall("")
+    assert wall.front is klass.front

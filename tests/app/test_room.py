@@ -225,15 +225,53 @@ def test_another_device_takes_a_seat_over() -> None:
     room.take(seat.number, an_answer(1, Vote(0)))
     with pytest.raises(Refused, match="No seat"):
         room.move(SECRETS[1], "")
-    room.offer_move(seat.number, "42")
+    room.offer_move(seat.number)
+    digits = seat.move
     room.enter(SECRETS[1])
-    assert room.move(SECRETS[1], "42") is seat
+    assert room.move(SECRETS[1], digits) is seat
     assert room.enter(SECRETS[1]) is seat
     assert len(room.seats) == 1
     with pytest.raises(Refused, match="No seat"):
-        room.move(SECRETS[2], "42")
+        room.move(SECRETS[2], digits)
     # The old device is a new pupil's now.
     assert room.enter(SECRETS[0]) is not seat
+
+
+def test_a_seat_follows_only_where_it_has_a_body_of_its_own() -> None:
+    room, seat = asking()
+    with pytest.raises(Refused, match="All look"):
+        room.follow(seat.number, True)
+    room.go(0, Phase.TRY)
+    room.follow(seat.number, True)
+    assert seat.follows
+    room.gather(True)
+    with pytest.raises(Refused, match="All look"):
+        room.follow(seat.number, False)
+    room.gather(False)
+    assert not seat.follows
+    room.follow(seat.number, True)
+    room.put_seat_on_wall(seat.number)
+    room.gather(True)
+    room.go(0, Phase.COLLECT)
+    assert (seat.follows, room.gathered, room.seat_on_wall) == (False, False, 0)
+
+
+def test_the_wall_shows_one_thing_of_one_seat_alone() -> None:
+    room, seat = asking()
+    with pytest.raises(Refused, match="no bodies"):
+        room.put_seat_on_wall(seat.number)
+    room.go(0, Phase.COLLECT)
+    room.take(seat.number, an_answer(1, Work()))
+    room.put_on_wall(f"{1:016x}")
+    assert room.is_on_wall(seat.number)
+    other = room.enter(SECRETS[1])
+    room.put_seat_on_wall(other.number)
+    assert room.is_on_wall(other.number)
+    assert not room.is_on_wall(seat.number)
+    with pytest.raises(Refused, match="no such seat"):
+        room.put_seat_on_wall(99)
+    room.remove(other.number)
+    assert room.seat_on_wall == 0
 
 
 def test_codes_are_no_words_for_a_wall() -> None:

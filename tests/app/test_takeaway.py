@@ -7,12 +7,17 @@ import io
 import zipfile
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PIL import Image
 
 import sim
 from app.classroom import kept
 from app.classroom.room import Ghost, Line, Phase, Vote, Work
-from app.classroom.takeaway import log_path, pack
+from app.classroom.takeaway import PICTURE_SIZE, log_path, pack
+from app.drawing.colors import palette
+from app.drawing.sketch import Sketch
+from app.export.window import Window
 from tests.app.test_room import a_room, an_answer
 
 
@@ -40,7 +45,8 @@ def test_everything_that_was_given_is_in_the_zip_once() -> None:
     path = log_path(room.code, "one.jsonl")
     path.parent.mkdir(parents=True)
     path.write_text("a log")
-    room.take(1, an_answer(4, Work(log="one.jsonl", found=1.25, reached=True)))
+    points = tuple((100.0 + 40.0 * i, 200.0) for i in range(4))
+    room.take(1, an_answer(4, Work(log="one.jsonl", found=1.25, reached=True, points=points)))
     data = pack(room)
     answers, predictions = tables(data)
     assert [(row["kind"], row["answer"], row["right"]) for row in answers] == [
@@ -56,6 +62,17 @@ def test_everything_that_was_given_is_in_the_zip_once() -> None:
         assert file.testzip() is None
         logs = [name for name in file.namelist() if name.startswith("logs/")]
         assert [file.read(name) for name in logs] == [b"a log"]
+        (picture,) = (name for name in file.namelist() if name.startswith("pictures/"))
+        with Image.open(file.open(picture)) as image:
+            assert image.size == PICTURE_SIZE
+            shown = np.asarray(image.convert("RGB")).copy()
+        # Where the third mass is, and not where the scene has it.
+        scene = room.scenes[0]
+        sketch = Sketch(scene, palette(scene.view.colors, False))
+        window = Window.fit(sketch, scene.view.frame, PICTURE_SIZE, np.array(points))
+        at = np.array([points[2], scene.masses[3].position])
+        columns, rows = window.pixels(sketch.mapping.to_world(at)[:, :2]).round().astype(int).T
+        assert (shown[rows, columns].min(axis=1) < 150).tolist() == [True, False]
         scenes = sorted(name for name in file.namelist() if name.startswith("scenes/"))
         assert len(scenes) == 2
         file.extract(scenes[0], path.parent)

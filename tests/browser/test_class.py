@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 import zipfile
 from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
@@ -25,6 +27,7 @@ from tests.browser.wires import Wire
 
 expect.set_options(timeout=LIMIT * 1e3)
 
+CONTRAST = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")
 PHONE, LAPTOP, WALL = (390, 844), (1280, 720), (1920, 1080)
 
 
@@ -84,9 +87,15 @@ class School:
         until(desk, lambda: (self.klass.room.phase, self.klass.room.round) == (phase, round), f"to {phase}")
 
     def shoot(self, name: str) -> None:
+        """Keep pictures of all pages, and look whether the class's texts stand out."""
         ARTIFACTS.mkdir(exist_ok=True)
         for i, page in enumerate(self.pages):
             page.screenshot(path=ARTIFACTS / f"class-{name}-{i}.png")
+        for page in self.pages[:3]:  # the teacher's, the wall, a pupil's: the others are like that
+            shown = set(page.locator(".softrod-class").all_inner_texts())
+            judged = [one for one in page.evaluate(CONTRAST) if any(one["text"] in text for text in shown)]
+            assert judged, name
+            assert not [one for one in judged if one["ratio"] < one["needed"]], name
 
 
 @pytest.fixture
@@ -130,7 +139,8 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     names = [page.locator(".softrod-seat-name").inner_text() for page in pupils]
     assert len(set(names)) == 4
     first.get_by_role("button", name="Hand up").tap()
-    expect(desk.locator(".softrod-seats")).to_contain_text(f"{names[0]} ✋")
+    expect(desk.locator(".softrod-desk-hands")).to_have_text(names[0])
+    expect(desk.locator(".softrod-desk-hands path")).to_be_visible()
     school.shoot("lobby")
 
     school.go(desk, Phase.SHOW)
@@ -150,6 +160,9 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
         page.mouse.up()
         page.get_by_role("button", name="It will be there").tap()
         page.get_by_role("button", name="at 240").tap()
+    # The focus is at the question, and what is to be done has been said.
+    expect(keys.locator("[data-focus=question]")).to_be_focused()
+    expect(keys.locator(".softrod-unseen")).to_contain_text("Drag the pale body")
     keys.locator(".softrod-own-ghost circle").focus()
     for _ in range(3):
         keys.keyboard.press("ArrowDown")
@@ -177,7 +190,11 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     assert wall.locator(".softrod-ghosts path").count() == 0
     school.shoot("ask")
 
+    expect(desk.locator(".softrod-desk-advice")).to_have_text(
+        "50 % right: let them talk in pairs, then ask again."
+    )
     school.go(desk, Phase.RESULTS)
+    expect(desk.locator("[data-focus=advice]")).to_have_text("Ask again")
     expect(wall.locator(".softrod-bars b")).to_have_text(["2", "2"])
     expect(wall.locator(".softrod-ghosts path")).to_have_count(3)
     assert wall.locator("[data-right]").count() == 0
@@ -193,9 +210,31 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
         return front is not None and not front.playing and front.picture.time >= 0.5
 
     until(desk, stands, "it stands at the moment that was predicted")
-    shown = [page.evaluate("[...window.__softrod.shown().frame.positions]") for page in (wall, *pupils)]
-    assert all(positions == shown[0] for positions in shown)
+
+    def shown() -> list[float]:
+        """Where all pages show the masses, once that is the same everywhere: bit for bit as on the server."""
+        front = school.klass.front
+        assert front is not None
+        there = front.picture.positions.astype(np.float32).ravel().tolist()
+        places = "[...window.__softrod.shown().frame.positions]"
+        for page in (wall, *pupils):
+            until(page, lambda page=page: page.evaluate(places) == there, "it shows the moment")
+        return there
+
+    stood = shown()
     school.shoot("run")
+
+    # Again, slowly, with the predictions; it stands at the same moment, the same.
+    desk.get_by_role("button", name="Again, slowly").click()
+
+    def goes_slowly() -> bool:
+        front = school.klass.front
+        return front is not None and front.playing and front.speed == 0.25 and 0.0 < front.picture.time < 0.5
+
+    until(desk, goes_slowly, "it goes slowly")
+    expect(wall.locator(".softrod-ghosts path")).to_have_count(3)
+    until(desk, stands, "it stands at the same moment")
+    assert shown() == stood
 
     school.go(desk, Phase.EXPLAIN)
     keys.get_by_label("Because").fill('<img src=x onerror="alert(1)"> energy')
@@ -212,25 +251,65 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     # Each one has a body of their own, and hands in a run of it.
     school.go(desk, Phase.TRY)
     expect(first.locator(".softrod-goal")).to_contain_text("Reached")
-    expect(desk.locator(".softrod-seats path")).to_have_count(4)
+    expect(desk.locator(".softrod-tiles svg.softrod-poster path")).to_have_count(4)
     # On a phone the sliders of the step stand below the card.
-    expect(first.locator("#softrod-seat .softrod-goal")).to_be_visible()
+    expect(first.locator("#softrod-class-place .softrod-goal")).to_be_visible()
     expect(first.get_by_text("Linear stiffness", exact=True)).to_be_visible()
+    expect(wall.locator(".softrod-counts li")).to_have_count(4)
     school.shoot("try")
+
+    # One looks at the teacher's body, and at its own again; then all have to.
+    keys.get_by_role("button", name="Look at the teacher's").click()
+    expect(keys.locator(".softrod-task")).to_have_text("This is your teacher's body. Yours waits.")
+    expect(desk.locator(".softrod-tiles")).to_contain_text("looks at yours")
+    keys.get_by_role("button", name="Back to my own body").click()
+    expect(keys.locator(".softrod-task")).to_have_text("Try it: this body is yours.")
+    gather = desk.get_by_role("button", name="All look at mine")
+    gather.click()
+    expect(first.locator(".softrod-task")).to_contain_text("Look to the front")
+    gather.click()
+    expect(first.locator(".softrod-task")).to_have_text("Try it: this body is yours.")
+
+    # One body goes on the wall, and another device takes its seat over.
+    desk.get_by_role("button", name=names[2]).click()
+    desk.get_by_role("button", name="Put on the wall").click()
+    expect(keys.locator(".softrod-on-wall")).to_have_text("Yours is on the wall now.")
+    desk.locator(".softrod-desk-seat").get_by_role("button", name="Move to another device").click()
+    until(desk, lambda: bool(room.seats[3].move), "it has two digits")
+    digits = room.seats[3].move
+    keys.context.clear_cookies()
+    keys.evaluate("localStorage.clear()")
+    keys.reload()
+    keys.get_by_text("This seat").click()
+    keys.get_by_label("I had a seat").fill(digits)
+    keys.keyboard.press("Enter")
+    expect(keys.locator(".softrod-seat-name")).to_have_text(names[2])
+    assert len(room.seats) == 4
+    desk.locator("[data-focus=back]").click()
     school.go(desk, Phase.COLLECT)
     first.locator("[data-focus=handin]").tap()
     expect(first.locator(".softrod-verdict").last).to_contain_text("Handed in")
     until(first, lambda: room.given(0, 0, Work)[0].content.reached is True, "the goal is judged")  # type: ignore[union-attr]
+    # A picture of what was handed in, for the wall; its pupil reads that it is there.
+    desk.get_by_text("Handed in: 1").click()
+    desk.get_by_role("button", name=f"Show the body of {names[0]} on the wall").click()
+    expect(first.locator(".softrod-on-wall")).to_be_visible()
+    expect(desk.locator(".softrod-lines svg.softrod-poster path")).to_have_attribute(
+        "d", re.compile(r"M\d+ \d+L\d+ \d+")
+    )
     school.shoot("collect")
 
     with desk.expect_download() as download:
+        desk.get_by_text("Door, names, saving, end").click()
         desk.get_by_role("button", name="Save all as a zip").click()
     with zipfile.ZipFile(download.value.path()) as file:
         answers = list(csv.DictReader(io.StringIO(file.read("answers.csv").decode("utf-8-sig"))))
-        logs = [name for name in file.namelist() if name.startswith("logs/")]
+        logs, pictures = (
+            [name for name in file.namelist() if name.startswith(folder)] for folder in ("logs/", "pictures/")
+        )
     assert [row["kind"] for row in answers].count("vote") == 5
     assert {row["name"] for row in answers} == set(names)
-    assert len(logs) == 1
+    assert len(logs) == len(pictures) == 1
 
     desk.once("dialog", lambda dialog: dialog.accept())
     desk.get_by_role("button", name="End", exact=True).click()

@@ -291,7 +291,10 @@ def test_a_body_can_be_edited_while_it_runs(open_page: OpenPage) -> None:
     desk.until(lambda: desk.uncovered(desk.place(11)), "the view makes room for the tools")
 
     def selected() -> bool:
-        desk.page.mouse.click(*desk.place(11))  # it moves
+        place = desk.place(11)  # it moves, also below the buttons
+        if not desk.uncovered(place):
+            return False
+        desk.page.mouse.click(*place)
         desk.rest(3)
         return desk.session.selection.masses == {11}
 

@@ -189,8 +189,11 @@ def test_a_visitor_copies_the_owner_s_scenes_and_the_owner_s_key_makes_them_one_
     for _ in range(2):
         desk.gallery()
         assert desk.card("theirs").locator(".softrod-actions button").all_inner_texts() == [
-            "Rename", "Copy", "Delete",
+            "Rename", "Copy", "Delete", "Use in class",
         ]  # fmt: skip
+        # On a server for this computer alone.
+        desk.page.get_by_role("button", name="Use in class theirs").click()
+        assert desk.page.get_by_label("Command", exact=True).input_value() == "softrod class theirs"
         desk.open()  # the browser remembers it
         desk.until(lambda: desk.tab._shelf.owned, "the page is still the owner's")
     own_scenes.trash_user_scene("theirs")

@@ -5,16 +5,22 @@ from __future__ import annotations
 import ssl
 from collections.abc import Iterator
 from contextlib import ExitStack
+from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, Page, Route
 
 import sim
+from app.classroom import kept
+from app.classroom.live import Classes
+from app.page.check.page import check_address
+from app.page.classroom.roles import desk_address, seat_address, wall_address
 from app.server.serve import serving
 from sim.store.link import pack_scene
 from tests.browser.conftest import DESKTOP
-from tests.browser.driver import Desk, Served
-from tests.browser.wires import self_signed, wire
+from tests.browser.driver import LIMIT, Desk, Served, until
+from tests.browser.wires import certified, self_signed, wire
+from tests.proxies import FOLDERS, Proxy
 
 
 @pytest.fixture(scope="module")
@@ -87,3 +93,73 @@ def test_the_page_works_at_the_end_of_a_tunnel(rest: ExitStack, browser: Browser
     desk.open()
     desk.until(lambda: desk.simulation.time > 0.2, "the body moves")
     assert not desk.errors
+
+
+def test_a_class_behind_nginx_needs_nothing_from_outside_and_tells_no_secret(
+    rest: ExitStack, browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Both servers of `docs/hosting/nginx.conf` run, in a network without a way out."""
+    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path / "classes")
+    proxy = Proxy("nginx", tmp_path, *certified(tmp_path))
+    rooms, ports = [], []
+    for folder in FOLDERS:
+        classes = Classes()
+        rooms.append(classes.begin((sim.load_scene("lesson-hooke"),)))
+        server, *_ = rest.enter_context(
+            serving(sim.rope(), "127.0.0.1", 0, public_url=proxy.url(folder), classes=classes)
+        )
+        ports.append(server.get_port())
+    rest.enter_context(proxy.leading(*ports))
+    context = browser.new_context(
+        viewport={"width": DESKTOP[0], "height": DESKTOP[1]}, ignore_https_errors=True
+    )
+    rest.callback(context.close)
+    outside: list[str] = []
+
+    def only_here(route: Route) -> None:
+        if route.request.url.startswith((proxy.url("/"), "data:", "blob:")):
+            route.continue_()
+        else:
+            outside.append(route.request.url)
+            route.abort()
+
+    context.route("**/*", only_here)
+    sockets: list[str] = []
+    errors: list[str] = []
+
+    def opened(address: str) -> Page:
+        page = context.new_page()
+        page.on("websocket", lambda socket: sockets.append(socket.url))
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.goto(address)
+        return page
+
+    here, there = rooms
+    base = proxy.url(FOLDERS[1])
+    teacher = opened(desk_address(base, there))
+    until(teacher, lambda: there.teachers == 1, "the teacher leads", limit=LIMIT)
+    assert there.room.key not in teacher.url
+    teacher.close()
+    wall = opened(wall_address(base, there.room.code))
+    wall.get_by_role("img", name=f"QR code of {seat_address(base, there.room.code)}").wait_for()
+    wall.close()
+    seat = opened(seat_address(base, there.room.code))
+    until(seat, lambda: 1 in there.pupils, "a pupil is there", limit=LIMIT)
+    first = there.pupils[1]
+    seat.reload()
+    until(seat, lambda: there.pupils.get(1) not in (None, first), "the pupil is back", limit=LIMIT)
+    seat.goto(check_address(base, there.room.code))
+    seat.get_by_text("a class works from here").wait_for()
+    assert len(there.room.seats) == 1
+    assert not here.room.seats
+    assert not outside
+    assert {socket.partition("at/")[0].replace("wss:", "https:") for socket in sockets} == {base}
+    assert not errors
+    # The proxy's owner reads which rooms there are, and no secret: neither in addresses nor as Referer.
+    log = proxy.access_log()
+    assert f"room={there.room.code}&as=desk" in log
+    assert there.room.key not in log
+    assert "teacher" not in log
+    visitor = seat.evaluate("localStorage.getItem('softrod-visitor')")
+    assert len(visitor) == 32
+    assert visitor not in log

@@ -10,8 +10,12 @@ import subprocess
 import threading
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Literal
 
 CHUNK = 65536
+
+FORBIDDEN = b"HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\nConnection: close\r\n\r\n"
+"""What a web filter answers to what it does not let through."""
 
 
 class Wire:
@@ -28,10 +32,12 @@ class Wire:
         mute: nothing is led on, and neither end is told. What was swallowed does not come back: connections
             of that time stay mute, as where a router has forgotten them.
         held: nothing is led on for now; it comes late, as after a stall of the network.
+        upgrades: what becomes of WebSockets: they are "led" on, "refused" as by a web filter, or "swallowed".
     """
 
     def __init__(self, port: int, tls: ssl.SSLContext | None = None, folder: str = "/") -> None:
         self.mute = self.held = False
+        self.upgrades: Literal["led", "refused", "swallowed"] = "led"
         self.to, self._tls, self._folder = port, tls, folder.encode()
         self._listener = socket.create_server(("127.0.0.1", 0))
         self.port: int = self._listener.getsockname()[1]
@@ -75,6 +81,12 @@ class Wire:
                         if end is here and first:
                             first = False
                             data = data.replace(b" " + self._folder, b" /", 1)
+                            if self.upgrades != "led" and b"\r\nupgrade:" in data.lower():
+                                if self.upgrades == "refused":
+                                    here.sendall(FORBIDDEN)
+                                    return
+                                forgotten = True
+                                continue
                         (there if end is here else here).sendall(data)
 
 
@@ -88,8 +100,8 @@ def wire(port: int, tls: ssl.SSLContext | None = None, folder: str = "/") -> Ite
         made.close()
 
 
-def self_signed(folder: Path) -> ssl.SSLContext:
-    """TLS by a certificate that nobody has signed."""
+def certified(folder: Path) -> tuple[Path, Path]:
+    """The files of a certificate for `localhost` that nobody has signed, and of its key."""
     key, certificate = folder / "key.pem", folder / "certificate.pem"
     command = [
         "openssl",
@@ -105,6 +117,12 @@ def self_signed(folder: Path) -> ssl.SSLContext:
     ]
     command += ["-addext", "subjectAltName=DNS:localhost", "-keyout", str(key), "-out", str(certificate)]
     subprocess.run(command, check=True, capture_output=True)
+    return certificate, key
+
+
+def self_signed(folder: Path) -> ssl.SSLContext:
+    """TLS by a certificate that nobody has signed."""
+    certificate, key = certified(folder)
     context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
     context.load_cert_chain(certificate, key)
     return context

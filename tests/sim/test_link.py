@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import contextlib
 import json
 import zlib
 from typing import Any
@@ -75,10 +76,16 @@ def test_a_link_is_taken_wherever_a_scene_s_name_is() -> None:
 
 @given(st.integers(2, 500), st.sampled_from("AZaz09-_"))
 def test_a_changed_letter_is_noticed(at: int, letter: str) -> None:
-    data = pack_scene(sim.load_scene("tutorial-3.3"))
-    at = 2 + at % (len(data) - 3)  # the last letter has bits that count for nothing
-    if data[at] != letter:
-        assert refused(data[:at] + letter + data[at + 1 :]).startswith("the link is broken")
+    scene = sim.load_scene("tutorial-3.3")
+    data = pack_scene(scene)
+    at = 2 + at % (len(data) - 2)
+    changed = data[:at] + letter + data[at + 1 :]
+    # Some bits at the end of what is packed, and of the last letter, count for nothing.
+    if changed != data and len(data) - at > 12:
+        assert refused(changed).startswith("the link is broken")
+    elif changed != data:
+        with contextlib.suppress(SceneError):
+            assert unpack(changed, MAX_FILE_BYTES) == unpack(data, MAX_FILE_BYTES)
 
 
 @given(st.integers(0, 500))

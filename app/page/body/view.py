@@ -53,7 +53,7 @@ class Canvas:
         self._gizmos: list[tuple[int, viser.TransformControlsHandle]] = []
         self._built: tuple[Any, ...] = ()
         self._plan: NDArray[np.float32] | None = None
-        self._plan_number = 0
+        self._plan_number = self._own_number = 0
         self._drawn: Picture | None = None
         self._damaged: Picture | None = None  # the picture whose damage was sent last
         self._gizmo_in_hand: int | None = None
@@ -64,13 +64,16 @@ class Canvas:
         """Of the plan that the page has."""
         return self._plan_number
 
-    def build(self, scene: Scene, dark: bool, rest_angles: Floats | None = None) -> None:
+    def build(
+        self, scene: Scene, dark: bool, rest_angles: Floats | None = None, number: int | None = None
+    ) -> None:
         """Put up what a scene needs, as far as it is not there yet; `draw` then says where the masses are.
 
         Args:
             scene: the scene.
             dark: whether the page is dark.
             rest_angles: (J,) degrees without the arrow keys' shift; None for the scene's own.
+            number: that the plan is to have, as of one that other pages have too; None for one of its own.
         """
         self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
         kinds = self._kinds(sketch)
@@ -84,9 +87,11 @@ class Canvas:
                 for name, mesh in kinds.items():
                     self._add_empty(f"/body/{name}", mesh)
             plan = encode_plan(0, sketch, rest_angles)
-            if self._plan is None or not np.array_equal(plan, self._plan):
+            known = self._plan is not None and np.array_equal(plan, self._plan)
+            if not known or number not in (None, self._plan_number):
                 self._plan = plan
-                self._plan_number += 1
+                self._own_number += number is None
+                self._plan_number = self._own_number if number is None else number
                 self._mail.tell(Plan(numbers=encode_plan(self._plan_number, sketch, rest_angles)))
                 self._drawn = self._damaged = None
 

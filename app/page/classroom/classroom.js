@@ -20,7 +20,7 @@ export function addClassroom() {
   else addSeat();
   const { dataset } = document.documentElement;
   // What only looks on has no use for the panel.
-  onTold("seat", ({ asking }) => (dataset.softrodClass = OWN.has(asking?.phase ?? "") ? "seat" : "seat looks"));
+  onTold("seat", ({ asking, follows }) => (dataset.softrodClass = OWN.has(asking?.phase ?? "") && !follows ? "seat" : "seat looks"));
   onTold("wall", ({ asking }) => (dataset.softrodClass = asking.phase === "lobby" ? "wall lobby" : "wall"));
   onTold("desk", () => (dataset.softrodClass = "desk"));
   setInterval(() => {

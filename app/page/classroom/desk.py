@@ -3,27 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from concurrent.futures import Future
+from typing import Literal
 
 import msgspec
 import numpy as np
 
-from app.classroom.live import Class, Front, is_key
+from app.classroom.live import Class, Doing, Front, is_key
 from app.classroom.room import FREE, PHASE_OF, Phase, Refused, Vote, Work
-from app.classroom.takeaway import pack
-from sim.errors import SettingError
+from sim.errors import InputError, SettingError
 
 from ...session import commands
+from ...session.log import decode_log
 from ...session.session import Notice, Session
 from ...wire import from_page
 from ...wire.carrier import Mail
-from ...wire.to_page import Desk, DeskAnswer, DeskSeat, DeskStop, Posters
-from ..body.view import picture_of
+from ...wire.to_page import Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
+from ..check.page import check_address
 from ..controls import Controls
-from .role import NOTHING, ClassRole, asking, kind_of, predictions, text_of
-from .seat import MOST_PLACES
+from ..files.sharing import qr_code
+from .role import (
+    MOST_PLACES,
+    NOTHING,
+    ClassRole,
+    asking,
+    found_by,
+    kind_of,
+    law_of,
+    over,
+    places_of,
+    predictions,
+    text_of,
+)
 
 STILL = frozenset((Phase.SHOW, Phase.ASK))
 """Phases that begin with the body as its step has it, at rest in time."""
+
+AGAIN = frozenset((Phase.RUN, Phase.EXPLAIN))
+"""Phases in which the run can be seen again."""
+
+SLOWLY = 0.25
+"""Simulated seconds per second when it is."""
 
 
 class DeskRole(ClassRole):
@@ -44,8 +64,15 @@ class DeskRole(ClassRole):
     ) -> None:
         super().__init__(klass, mail)
         self._address, self._qr, self._download = address, qr, download
+        self._check = check_address(address, klass.room.code)
+        self._check_qr = qr_code(self._check)
         self._is_teacher = False
         self._opened: tuple[int, Phase, int] | None = None
+        self._noted = 0.0
+        self._speed: float | None = None  # before a slow replay, while there is one
+        self._begins = False
+        self._packing: Future[bytes] | None = None
+        self._posters: tuple[tuple[int, Doing], ...] | None = None
 
     @property
     def controls(self) -> Controls | None:
@@ -78,14 +105,17 @@ class DeskRole(ClassRole):
                     room.star(answer, on)
                 case from_page.ToWall(answer):
                     room.put_on_wall(answer)
-                case from_page.SendAway(seat):
-                    room.remove(seat)
+                case from_page.OneSeat(seat, what):
+                    self._do_with(seat, what)
                 case from_page.Arrange(what):
                     self._arrange(what, session)
         except Refused as error:
             session.notices.append(Notice("error", "That is not possible", str(error)))
 
     def frame(self, session: Session) -> None:
+        if self._packing is not None and self._packing.done():
+            self._hand_over(self._packing, session)
+            self._packing = None
         if self._tell_end() or not self._is_teacher:
             return
         self.klass.tend()
@@ -94,14 +124,17 @@ class DeskRole(ClassRole):
         if self.klass.desk is self:
             self._lead(session)
         doing = self.klass.doing if self.room.phase in FREE else {}
-        springs = self.klass.scene(self.room.at).linear_springs if doing else ()
-        self._mail.tell(
-            Posters(
-                places={str(number): one.places for number, one in doing.items()},
-                springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MOST_PLACES),
+        if (posters := tuple(doing.items())) != self._posters:
+            self._posters = posters
+            springs = self.klass.scene(self.room.at).linear_springs if self.room.phase in FREE else ()
+            self._mail.tell(
+                Posters(
+                    places={str(number): one.places for number, one in posters},
+                    springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MOST_PLACES),
+                )
             )
-        )
-        if self._is_new(self.klass.written, *(one.word for one in doing.values())):
+        words = (one.word for one in doing.values())
+        if self._is_new(self.klass.written, self._again, tuple(self.klass.tried), *words):
             self._mail.tell(self._state())
             self._mail.tell(predictions(self.klass))
 
@@ -130,12 +163,88 @@ class DeskRole(ClassRole):
             case "asMine":
                 for pupil in self.klass.pupils.values():
                     pupil.show(session.scene)
+            case "gather" | "giveBack":
+                room.gather(what == "gather")
+            case "again":
+                self._see_again(session)
+            case "law" | "noLaw":
+                room.law = what == "law"
             case "zip":
-                self._download(f"class-{room.code}.zip", pack(room))
+                self._packing = self._packing or self.klass.pack()
                 return
             case "end":
                 self.klass.end()
         room.version += 1
+
+    def _hand_over(self, made: Future[bytes], session: Session) -> None:
+        """Have the browser save the zip."""
+        if (error := made.exception()) is None:
+            self._download(f"class-{self.room.code}.zip", made.result())
+        else:
+            session.notices.append(Notice("error", "The zip could not be made", str(error)))
+
+    def _do_with(self, number: int, what: str) -> None:
+        """Do something with one seat.
+
+        Raises:
+            Refused: it cannot be.
+        """
+        room, pupil = self.room, self.klass.pupils.get(number)
+        match what:
+            case "reset":
+                if pupil is None or room.phase not in FREE:
+                    raise Refused("That seat has no body of its own now.")
+                pupil.begin()
+            case "show" | "hide":
+                room.put_seat_on_wall(number if what == "show" else 0)
+                self.klass.lent = None  # until the seat's page shows it
+            case "move":
+                room.offer_move(number)
+            case "sendAway":
+                room.remove(number)
+
+    @property
+    def _again(self) -> Literal["no", "yes", "now"]:
+        """Whether the run can be seen again, slowly."""
+        if self.room.phase not in AGAIN or not self.klass.run:
+            return "no"
+        return "yes" if self._speed is None else "now"
+
+    def _see_again(self, session: Session) -> None:
+        """Play the run's log, slowly: bit for bit the same.
+
+        Raises:
+            Refused: there is none.
+        """
+        if self._again == "no":
+            raise Refused("There is no run to see again.")
+        try:
+            record = decode_log(self.klass.run, "the run")
+        except InputError as error:
+            raise Refused(f"The run cannot be seen again: {error}.") from None
+        if self._speed is None:
+            self._speed = session.pacer.speed
+        self._begins = True
+        session.post(commands.Speed(SLOWLY))
+        session.post(commands.Replay(record))
+
+    def _follow_run(self, session: Session) -> None:
+        """Have the run stand at the moment that was predicted, keep its log, and end what goes slowly."""
+        if self._speed is not None:
+            if not self._begins and session.replay is None:
+                session.post(commands.Speed(self._speed))
+                self._speed = None
+            self._begins = False
+            return
+        if self.room.phase not in AGAIN:
+            return
+        time, step = session.simulation.time, self.room.step
+        predicted = step.predict if step is not None else None
+        if session.playing:
+            if self.room.phase is Phase.RUN and predicted is not None and time >= predicted:
+                session.post(commands.Play(False))
+        elif time > self._noted and time >= (predicted or 0.0) and session.replay is None:
+            self._noted, self.klass.run = time, session.recorder.file()
 
     def _lead(self, session: Session) -> None:
         """Have the body as the class's phase wants it, and show it to all."""
@@ -144,29 +253,17 @@ class DeskRole(ClassRole):
         before, self._opened = self._opened or place, place
         if before != place:
             another = before[0] != room.at
+            if another or room.phase not in AGAIN or room.phase is Phase.RUN:
+                self._noted, self.klass.run = 0.0, b""
             if another or room.phase in STILL or room.phase is Phase.RUN:
                 self._open(session)
             if room.phase in STILL or another:
                 session.post(commands.Play(False))
             elif room.phase is Phase.RUN:
                 session.post(commands.Play(True))
-        step = room.step
-        predicted = step.predict if step is not None and room.phase is Phase.RUN else None
-        if predicted is not None and session.playing and session.simulation.time >= predicted:
-            session.post(commands.Play(False))
-        damage, angles = session.simulation.damage, session.simulation.rest_angles
-        angles = angles - session.simulation.rest_angle_shift
-        if damage is not None and damage.set_angles:
-            angles = angles - np.array(damage.set_angles)
-        self.klass.front = Front(
-            session.scene,
-            session.openings,
-            session.revision,
-            angles,
-            picture_of(session),
-            session.playing,
-            session.pacer.speed,
-        )
+        else:
+            self._follow_run(session)
+        self.klass.front = self._shown(session, self.klass.front, self.klass.audience)
 
     def _open(self, session: Session) -> None:
         try:
@@ -182,10 +279,17 @@ class DeskRole(ClassRole):
         answers = [a for a in room.answers.values() if (a.stop, a.round) == (room.at, room.round)]
         done = {a.seat for a in answers if type(a.content) in kinds}
         step = room.step
+        found = found_by(room)
         return Desk(
             code=room.code,
             address=self._address,
             qr=self._qr,
+            check=self._check,
+            check_qr=self._check_qr if room.phase is Phase.LOBBY else "",
+            tried=tuple(
+                DeskTried(trip=one.trip, rate=one.rate, works=one.works, doubts=one.doubts)
+                for one in klass.tried
+            ),
             stops=tuple(
                 DeskStop(
                     title=(
@@ -210,6 +314,8 @@ class DeskRole(ClassRole):
                     hand=seat.hand,
                     answered=seat.number in done,
                     doing=klass.doing[seat.number].word if seat.number in klass.doing else "",
+                    follows=seat.follows,
+                    digits=seat.move,
                 )
                 for seat in room.seats.values()
                 if not seat.removed
@@ -227,14 +333,28 @@ class DeskRole(ClassRole):
                     setting=a.content.setting if isinstance(a.content, Work) else None,
                     reached=a.content.reached if isinstance(a.content, Work) else None,
                     doubt=a.content.doubt if isinstance(a.content, Work) else "",
+                    places=_picture(a.content, klass),
                 )
                 for a in answers
             ),
             bars=tuple(room.bars(room.at, room.round)),
             right=step.question.answer if step is not None and step.question is not None else -1,
+            over=over(klass),
+            law=law_of(found),
+            shows_law=room.law,
             on_wall=room.on_wall,
+            seat_on_wall=room.seat_on_wall,
+            gathered=room.gathered,
+            again=self._again,
             open=room.is_open,
             own_names=room.own_names,
             paused=room.paused,
             saved=klass.written == room.version,
         )
+
+
+def _picture(content: object, klass: Class) -> tuple[tuple[int, int], ...]:
+    """Where the masses of a run were that was handed in; nothing of anything else."""
+    if not isinstance(content, Work) or not content.points:
+        return ()
+    return places_of(np.array(content.points), klass.scene(klass.room.at))

@@ -2,29 +2,47 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from typing import Any, Literal
+from weakref import WeakKeyDictionary
 
 import numpy as np
+import viser
 
 import sim
+from app.classroom.law import power_law
 from app.classroom.live import Class, Front
-from app.classroom.room import Content, Ghost, Line, Phase, Room, Vote, Work
-from sim.errors import InputError
+from app.classroom.room import Answer, Content, Ghost, Line, Phase, Room, Vote, Work
+from sim.errors import InputError, SettingError
 from sim.motion.quantities import quantity
 from sim.scene.lesson import Goal, Reading
+from sim.settings import CHOICES, setting_of
 
 from ...drawing.sketch import Mapping
 from ...session.session import Session
 from ...wire import from_page
 from ...wire.carrier import Mail
-from ...wire.to_page import Asking, ClassEnded, Predictions, Seat
+from ...wire.to_page import Asking, ClassEnded, Found, Law, Predictions, Seat
+from ..body.view import picture_of
 from ..controls import Controls
+from .front import looks_alike, send
 
 Kind = Literal["vote", "ghost", "line", "work"]
 _KINDS: dict[type[Content], Kind] = {Vote: "vote", Ghost: "ghost", Line: "line", Work: "work"}
 
 NOTHING = Controls(())
+
+MOST_PLACES = 60
+"""Masses in a small picture of a body."""
+
+MOST_OPENINGS = 1_000_000
+"""Bodies that one page has in turn, at most, for their numbers to be those of no other page."""
+
+_numbers = itertools.count()
+
+plan_numbers = itertools.count(1_000_000)
+"""Of plans that several pages of a class have: no page has so many of its own."""
 
 
 class Role:
@@ -34,7 +52,7 @@ class Role:
         place: HTML above the panel's sliders, where the page's script finds room.
     """
 
-    place = ""
+    place = '<div id="softrod-class-place"></div>'
 
     @property
     def controls(self) -> Controls | None:
@@ -98,6 +116,10 @@ class ClassRole(Role):
         self._mail = mail
         self._told_end = False
         self._known: tuple[Any, ...] = ()
+        self._first_opening = MOST_OPENINGS * next(_numbers)
+        self._plan = -1, -1  # of the session, when it was shown last
+        self._plan_number = 0
+        self._angles = np.empty(0)
 
     @property
     def room(self) -> Room:
@@ -107,6 +129,36 @@ class ClassRole(Role):
     @property
     def front(self) -> Front | None:
         return self.klass.front
+
+    def _shown(self, session: Session, before: Front | None, audience: set[viser.ClientHandle]) -> Front:
+        """What the page shows of its own body, for others to look at; its picture is sent to them.
+
+        Args:
+            session: of the page.
+            before: what it showed last, which is given back where nobody can tell it from what it shows now.
+            audience: the pages that look at it.
+        """
+        plan = session.openings, session.revision
+        if plan != self._plan:
+            simulation = session.simulation
+            self._plan, self._plan_number = plan, next(plan_numbers)
+            self._angles = simulation.rest_angles - simulation.rest_angle_shift
+            if (damage := simulation.damage) is not None and damage.set_angles:
+                self._angles = self._angles - np.array(damage.set_angles)
+        front = Front(
+            self._plan_number,
+            audience,
+            session.scene,
+            self._first_opening + session.openings,
+            self._angles,
+            picture_of(session),
+            session.playing,
+            session.pacer.speed,
+        )
+        if before is not None and looks_alike(before, front):
+            return before
+        send(front, session.now())
+        return front
 
     def _is_new(self, *things: Any) -> bool:
         """Whether the class, or one of these things, is another than the last time that this was asked."""
@@ -188,13 +240,69 @@ def predictions(klass: Class) -> Predictions:
     if room.phase not in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN):
         return Predictions()
     given = room.given(room.at, room.round if room.phase is Phase.RESULTS else 0, Ghost)
-    alone = [answer for answer in given if answer.id == room.on_wall]
-    mapping = Mapping.of(klass.scene(room.at))
-    return Predictions(
-        bodies=tuple(
-            _in_world(mapping, a.content.points) for a in alone or given if isinstance(a.content, Ghost)
-        )
+    shown = tuple(answer for answer in given if answer.id == room.on_wall) or tuple(given)
+    known = _known.get(klass)
+    if known is None or known[0] != shown:
+        mapping = Mapping.of(klass.scene(room.at))
+        points = (answer.content.points for answer in shown if isinstance(answer.content, Ghost))
+        _known[klass] = known = shown, Predictions(bodies=tuple(_in_world(mapping, one) for one in points))
+    return known[1]
+
+
+_known: WeakKeyDictionary[Class, tuple[tuple[Answer, ...], Predictions]] = WeakKeyDictionary()
+"""The predictions that each class saw last: all of its pages ask for the same."""
+
+
+def found_by(room: Room) -> tuple[Found, ...]:
+    """The points of the class's plot: what was handed in at the present stop, over what was set."""
+    return tuple(
+        Found(setting=work.setting, found=work.found)
+        for answer in room.given(room.at, 0, Work)
+        if isinstance(work := answer.content, Work)
+        and work.setting is not None
+        and work.found is not None
+        and not work.doubt
     )
+
+
+def law_of(found: Sequence[Found]) -> Law | None:
+    """The power law of the class's plot; None where it has none."""
+    law = power_law([(one.setting, one.found) for one in found])
+    return None if law is None else Law(factor=law.factor, exponent=law.exponent)
+
+
+def over(klass: Class) -> str:
+    """What the class's plot is over: what the first slider of the present step sets."""
+    step = klass.room.step
+    for key in step.controls if step is not None else ():
+        if key not in CHOICES:
+            try:
+                return setting_of(klass.scene(klass.room.at), key).label.lower()
+            except SettingError:
+                return key
+    return ""
+
+
+def places_of(positions: np.ndarray, scene: sim.Scene) -> tuple[tuple[int, int], ...]:
+    """Where masses are, for a small picture: thousandths of the scene's frame from its left and upper edge.
+
+    Args:
+        positions: (n, 2), in the scene's units.
+        scene: that they are of.
+
+    Returns:
+        of the first `MOST_PLACES` masses; nothing where one is nowhere.
+    """
+    xmin, ymin, xmax, ymax = scene.view.frame
+    positions = positions[:MOST_PLACES]
+    if not np.isfinite(positions).all():
+        return ()
+    x = (positions[:, 0] - xmin) / (xmax - xmin)
+    y = (positions[:, 1] - ymin) / (ymax - ymin)
+    if not scene.view.y_down:
+        y = 1.0 - y
+    rounded = np.clip(np.rint(1000.0 * np.column_stack((x, y))), -1000, 2000).astype(int)
+    return tuple((x, y) for x, y in rounded.tolist())
 
 
 def _in_world(mapping: Mapping, points: Sequence[tuple[float, float]]) -> tuple[tuple[float, float], ...]:

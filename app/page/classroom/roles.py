@@ -69,7 +69,7 @@ def role_of_query(
     if klass is None:
         if code:
             return Entrance(mail, f"There is no class {code} here now.")
-        return None if owned else Entrance(mail, "")
+        return None if owned or not classes.alone else Entrance(mail, "")
     kind = fields.get("as", "")
     if kind not in ("desk", "wall"):
         return SeatRole(klass, mail)

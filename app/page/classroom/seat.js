@@ -6,17 +6,18 @@
 import { onTold, send } from "../../wire/channel.js";
 import { make, makeButton } from "../looks/dialog.js";
 import { perform } from "../../wire/perform.js";
+import { betweenPresses } from "./anew.js";
 import { Ghosts, OwnGhost } from "./ghost.js";
+import { icon } from "./icons.js";
 import { forgetAnswers, give, onOutbox, openOutbox, unsent } from "./outbox.js";
+import { keepInPlace } from "./place.js";
 
 /** @typedef {import("../../wire/wire.js").Seat} Seat */
 /** @typedef {import("../../wire/wire.js").Asking} Asking */
 /** @typedef {import("../../wire/wire.js").Given} Given */
 
-/** On a screen this narrow the card is in the panel, above its sliders, where there are any. */
-const NARROW = matchMedia("(max-width: 799px)");
-/** Milliseconds between two looks whether viser has made that place anew. */
-const LOOK_EVERY = 100;
+/** Phases in which each pupil has a body of their own. */
+const FREE = new Set(["try", "collect"]);
 /** Letters of a line. */
 const MOST_LETTERS = 140;
 
@@ -29,8 +30,14 @@ let twin = 0;
 /** A line that is being typed. */
 let typed = "";
 let refusal = "";
+/** Whether what can be arranged about the seat is folded out. */
+let arranges = false;
+/** The phase for which the focus has been moved. */
+let led = "";
 /** @type {HTMLElement} */
 let card;
+/** Says to a screen reader what to do; it stays, since one that is made anew is not read. @type {HTMLElement} */
+let spoken;
 /** @type {OwnGhost} */
 let ghost;
 
@@ -38,12 +45,12 @@ let ghost;
 export function addSeat() {
   card = make("section", "softrod-class softrod-seat");
   card.ariaLabel = "Class";
-  document.body.append(card);
-  setInterval(() => {
-    const place = (NARROW.matches && document.getElementById("softrod-seat")) || document.body;
-    if (card.parentElement !== place) place.append(card);
-  }, LOOK_EVERY);
+  spoken = make("p", "softrod-unseen");
+  spoken.setAttribute("role", "status");
+  document.body.append(spoken);
+  keepInPlace(card);
   const ghosts = new Ghosts();
+  const anew = betweenPresses(card);
   ghost = new OwnGhost(show);
   openOutbox();
   onTold("seat", (told) => {
@@ -51,12 +58,13 @@ export function addSeat() {
       [twin, typed, refusal] = [0, "", ""];
     }
     seat = told;
-    show();
+    anew(show);
   });
   onTold("predictions", ({ bodies }) => ghosts.show(bodies));
   onTold("classEnded", () => {
     forgetAnswers();
     ghost.show(false);
+    spoken.textContent = "The class is over.";
     card.replaceChildren(make("h1", "", "The class is over."), make("p", "", "Nothing that you gave is kept here."));
   });
   onOutbox((refused) => {
@@ -86,7 +94,29 @@ function show() {
   made = now;
   const focused = document.activeElement?.getAttribute("data-focus");
   card.replaceChildren(...parts(seat));
-  if (focused) /** @type {HTMLElement | null} */ (card.querySelector(`[data-focus="${focused}"]`))?.focus();
+  const task = [...card.querySelectorAll(".softrod-task, .softrod-on-wall, .softrod-warning")].map((text) => text.textContent).join(" ");
+  if (spoken.textContent !== task) spoken.textContent = task;
+  const again = focused && /** @type {HTMLElement | null} */ (card.querySelector(`[data-focus="${focused}"]`));
+  if (again) again.focus();
+  else lead(asking);
+}
+
+/**
+ * Moves the focus to what is asked for, once a phase, for keys and screen readers; but not out of something else, and
+ * not on a touch screen, where a keyboard would cover the card.
+ *
+ * @param {Asking | null} asking
+ */
+function lead(asking) {
+  const now = asking ? `${asking.stop} ${asking.phase} ${asking.round}` : "";
+  if (now === led) return;
+  led = now;
+  const { activeElement } = document;
+  const free = !activeElement || activeElement === document.body || activeElement.tagName === "CANVAS" || !activeElement.isConnected;
+  if (!asking || !free || matchMedia("(pointer: coarse)").matches) return;
+  if (!["ask", "explain"].includes(asking.phase)) return;
+  // The question first; a body alone by its grips, which come after the card.
+  /** @type {HTMLElement | null} */ (card.querySelector("fieldset, form input") ?? document.querySelector(".softrod-own-grip"))?.focus();
 }
 
 /** @param {Seat} seat @returns {HTMLElement[]} */
@@ -98,20 +128,25 @@ function parts(seat) {
   name.style.setProperty("--softrod-seat", seat.color);
   const up = makeButton(seat.hand ? "Hand is up" : "Hand up", () => send({ do: "raiseHand", up: !seat.hand }), "softrod-small");
   up.ariaPressed = String(seat.hand);
+  up.prepend(icon("hand"));
   up.dataset.focus = "hand";
   head.append(name, up);
   const all = [head];
   const task = make("p", "softrod-task", sentence(seat, seat.asking));
-  task.setAttribute("role", "status");
-  all.push(task, ...body(seat, seat.asking));
+  all.push(task);
+  if (seat.on_wall) all.push(make("p", "softrod-on-wall", "Yours is on the wall now."));
+  all.push(...body(seat, seat.asking));
   if (refusal) all.push(make("p", "softrod-warning", refusal));
   if (unsent().length) all.push(make("p", "softrod-waiting", "Not at the teacher's yet: kept here, and sent as soon as that is possible."));
+  if (seat.asking.phase !== "lobby") all.push(about(seat));
   return all;
 }
 
 /** What to do, in one sentence. @param {Seat} seat @param {Asking} asking */
-function sentence({ paused, away }, { phase, predict, question, round }) {
+function sentence({ paused, away, follows, gathered }, { phase, predict, question, round }) {
   if (away && !["lobby", "try", "collect"].includes(phase)) return "Your teacher's page is away for a moment: wait.";
+  if (FREE.has(phase) && gathered) return "Look to the front: this is your teacher's body. Yours waits.";
+  if (FREE.has(phase) && follows) return "This is your teacher's body. Yours waits.";
   if (paused && (phase === "try" || phase === "collect")) return "Paused: look to the front.";
   if (phase === "lobby") return "You are in. It begins soon.";
   if (phase === "ask" && predict > 0) {
@@ -132,12 +167,18 @@ function body(seat, asking) {
   if (phase === "explain") return [...twins(seat), line(asking)];
   const parts = [];
   if (phase === "results" && asking.question) parts.push(verdict(asking));
-  if (phase === "try" || phase === "collect") {
+  if (FREE.has(phase)) {
+    if (seat.gathered) return parts;
+    const follow = makeButton(seat.follows ? "Back to my own body" : "Look at the teacher's", () => send({ do: "follow", on: !seat.follows }), "softrod-small");
+    follow.dataset.focus = "follow";
+    if (seat.follows) return [follow];
     const text = make("p", "", asking.do);
     const anew = makeButton("Begin anew", () => perform("reset"), "softrod-small");
     anew.dataset.focus = "reset";
     if (asking.goal) parts.push(make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`));
-    parts.push(text, ...(asking.right >= 0 ? [verdict(asking)] : []), anew);
+    const row = make("div", "softrod-phases");
+    row.append(anew, follow);
+    parts.push(text, ...(asking.right >= 0 ? [verdict(asking)] : []), row);
     if (phase === "collect") parts.push(...twins(seat), ...handIn(asking));
   }
   return parts;
@@ -147,6 +188,9 @@ function body(seat, asking) {
 function choices(asking) {
   const given = mine(asking, "vote");
   const box = make("fieldset", "");
+  // By which a screen reader reads the question first.
+  box.tabIndex = -1;
+  box.dataset.focus = "question";
   box.append(make("legend", "", asking.question));
   asking.choices.forEach((choice, i) => {
     const button = makeButton(choice, () => give({ do: "giveVote", ...place(asking), choice: i }), "softrod-choice");
@@ -232,6 +276,36 @@ function twins({ two }) {
   return [box];
 }
 
+/** What can be arranged later, too, folded. @param {Seat} seat */
+function about(seat) {
+  const box = make("details", "");
+  const summary = make("summary", "", "This seat");
+  summary.dataset.focus = "about";
+  box.open = arranges;
+  box.addEventListener("toggle", () => (arranges = box.open));
+  box.append(summary, ...lobby(seat));
+  return box;
+}
+
+/** The way back to a seat that another device had. */
+function comeBack() {
+  const form = make("form", "softrod-back");
+  const label = make("label", "", "I had a seat on another device: its two digits ");
+  const input = make("input", "");
+  input.maxLength = 2;
+  input.inputMode = "numeric";
+  input.autocomplete = "off";
+  input.dataset.focus = "digits";
+  label.append(input);
+  form.append(label, make("button", "softrod-small", "Take it over"));
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    const digits = input.value.trim();
+    if (/^[0-9]{2}$/.test(digits)) send({ do: "takeOver", digits });
+  });
+  return form;
+}
+
 /** What can be arranged before it begins. @param {Seat} seat */
 function lobby({ two, digits, types_name }) {
   const box = make("div", "softrod-lobby");
@@ -256,7 +330,7 @@ function lobby({ two, digits, types_name }) {
     });
     box.append(form);
   }
-  return [box];
+  return [box, comeBack()];
 }
 
 /** Where one is in no class: which is it? @param {Seat} seat */
@@ -276,5 +350,7 @@ function entrance({ problem }) {
     if (/^[A-Z]{4}$/.test(letters)) location.search = `?room=${letters}`;
   });
   const title = make("h1", "", "softrod");
-  return [title, ...(problem ? [make("p", "softrod-warning", problem)] : []), form];
+  const within = /^[A-Za-z]{4}$/.test(new URLSearchParams(location.search).get("room") ?? "");
+  const refused = refusal ? [make("p", "softrod-warning", refusal)] : [];
+  return [title, ...(problem ? [make("p", "softrod-warning", problem)] : []), form, ...(within ? [comeBack(), ...refused] : [])];
 }

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import secrets
+from collections import deque
 
 import msgspec
 import numpy as np
+import viser
 
 import sim
 from app.classroom.judge import GoalWatch, Meter
 from app.classroom.live import Class, Doing, Front, Word
-from app.classroom.room import FREE, Answer, Ghost, Line, Refused, Vote, Work
+from app.classroom.room import FREE, MOST_ANSWERS, Answer, Ghost, Line, Refused, Vote, Work
 from app.classroom.room import Seat as SeatOfRoom
 from sim.errors import InputError, SettingError
 from sim.scene.lesson import Step
@@ -23,7 +24,7 @@ from ...wire import from_page
 from ...wire.carrier import Mail
 from ...wire.to_page import Given, Seat, Taken
 from ..controls import Controls
-from .role import NOTHING, ClassRole, asking, kind_of, predictions, text_of
+from .role import NOTHING, ClassRole, asking, kind_of, places_of, predictions, text_of
 
 _HANDS = (from_page.At, from_page.Grab, from_page.Drop, from_page.Keys, from_page.GoTo, from_page.Speed)
 _OWN = (*_HANDS, from_page.Visit, from_page.Perform, from_page.Pick, from_page.Seen)
@@ -32,11 +33,14 @@ _OWN = (*_HANDS, from_page.Visit, from_page.Perform, from_page.Pick, from_page.S
 _ALWAYS = (from_page.InSeat, from_page.Who, from_page.Unread)
 
 
+MOST_TRIES = 5
+"""Pairs of digits that one page can try, of a hundred, to take a seat over."""
+
+HAND_IN_EVERY = 1.0
+"""Seconds between two runs that one page hands in: each is written, and judged by doing it again."""
+
 LOOK_EVERY = 0.5
 """Seconds between two looks at what a pupil's body does."""
-
-MOST_PLACES = 60
-"""Masses in a picture of a pupil's body."""
 
 
 class SeatRole(ClassRole):
@@ -47,8 +51,6 @@ class SeatRole(ClassRole):
         mail: to the page's script.
     """
 
-    place = '<div id="softrod-seat"></div>'
-
     def __init__(self, klass: Class, mail: Mail) -> None:
         super().__init__(klass, mail)
         self._secret = ""
@@ -57,11 +59,14 @@ class SeatRole(ClassRole):
         self._stop = -1
         self._paused = False
         self._session: Session | None = None
-        self._unwritten: list[tuple[int, str]] = []
+        self._unwritten: deque[tuple[int, str]] = deque(maxlen=MOST_ANSWERS)
+        self._hand_in_due = 0.0
+        self._audience: set[viser.ClientHandle] = set()  # that see its body on the wall
+        self._tries = 0
         self._watch: GoalWatch | None = None
         self._meter: Meter | None = None
         self._begun = -1
-        self._reached = False
+        self._reached = self._touched = False
         self._found: float | None = None
         self._look_due = 0.0
 
@@ -74,13 +79,14 @@ class SeatRole(ClassRole):
 
     @property
     def front(self) -> Front | None:
-        if self.seat is not None and self.room.phase in FREE:
+        seat, room = self.seat, self.room
+        if seat is not None and room.phase in FREE and not room.gathered and not seat.follows:
             return None
         return self.klass.front
 
     @property
     def controls(self) -> Controls | None:
-        if self.front is not None or self.seat is None:
+        if self.front is not None or self.seat is None or self.room.phase not in FREE:
             return NOTHING
         step = self.room.step
         return Controls(("play", *(step.controls if step is not None else ())))
@@ -89,13 +95,18 @@ class SeatRole(ClassRole):
         return isinstance(said, _ALWAYS) or (self.front is None and isinstance(said, _OWN))
 
     def introduce(self, who: from_page.Who, session: Session) -> None:
-        self._session, self._secret = session, who.visitor
-        self._enter()
+        # One page is one browser's, and takes no seat after seat.
+        if self._secret in ("", who.visitor):
+            self._session, self._secret = session, who.visitor
+            self._enter()
 
     def hear(self, said: from_page.FromPage, session: Session) -> None:
         try:
             match said:
                 case from_page.TakeOver(digits):
+                    self._tries += 1
+                    if self._tries > MOST_TRIES:
+                        raise Refused("These were too many tries; reload the page to go on.")
                     self._sit(self.room.move(self._secret, digits))
                 case from_page.Give():
                     self._give(said)
@@ -108,7 +119,9 @@ class SeatRole(ClassRole):
                     self._of_room().twins = two
                     self.room.version += 1
                 case from_page.LeaveBy():
-                    self.room.offer_move(self._of_room().number, f"{secrets.randbelow(100):02}")
+                    self.room.offer_move(self._of_room().number)
+                case from_page.Follow(on):
+                    self.room.follow(self._of_room().number, on)
         except Refused as error:
             ids = (said.id,) if isinstance(said, from_page.Give) else ()
             self._mail.tell(Taken(ids=ids, refused=str(error)))
@@ -119,7 +132,8 @@ class SeatRole(ClassRole):
         self.klass.tend()
         ready = tuple(id for version, id in self._unwritten if version <= self.klass.written)
         if ready:
-            self._unwritten = [one for one in self._unwritten if one[1] not in ready]
+            left = [one for one in self._unwritten if one[1] not in ready]
+            self._unwritten = deque(left, maxlen=MOST_ANSWERS)
             self._mail.tell(Taken(ids=ready))
         if self.seat is not None and self.front is None:
             if self._stop != self.room.at:
@@ -129,6 +143,8 @@ class SeatRole(ClassRole):
                 else:
                     self.begin()
             self._look(session)
+            if self.room.seat_on_wall == self._number:
+                self.klass.lent = self._shown(session, self.klass.lent, self._audience)
             if self._paused != self.room.paused:
                 self._paused = self.room.paused
                 session.post(commands.Play(not self._paused))
@@ -170,6 +186,7 @@ class SeatRole(ClassRole):
         step = self.room.step
         if self._begun != session.openings:
             self._begun, self._reached, self._found = session.openings, False, None
+            self._touched = False
             goal, collect = (step.goal, step.collect) if step is not None else (None, None)
             try:
                 self._watch = GoalWatch(goal, session.scene) if goal is not None else None
@@ -180,12 +197,14 @@ class SeatRole(ClassRole):
             self._reached = True
         if self._meter is not None:
             self._found = self._meter.take(session.simulation)
+        self._touched = self._touched or session.recorder.acts > 0
         now = session.now()
         if now >= self._look_due:
             self._look_due = now + LOOK_EVERY
-            self.klass.doing[self._number] = Doing(self._word(session), _places(session))
+            places = places_of(session.simulation.positions, session.scene)
+            self.klass.doing[self._number] = Doing(self._word(session, places), places, self._touched)
 
-    def _word(self, session: Session) -> Word:
+    def _word(self, session: Session, places: tuple[tuple[int, int], ...]) -> Word:
         if session.simulation.divergence is not None:
             return "exploded"
         if self._reached:
@@ -193,11 +212,11 @@ class SeatRole(ClassRole):
         if not session.playing:
             return "paused"
         before = self.klass.doing.get(self._number, Doing()).places
-        return "at rest" if before == _places(session) else "moving"
+        return "at rest" if before == places else "moving"
 
     def _enter(self) -> None:
         try:
-            self._sit(self.room.enter(self._secret))
+            self._sit(self.room.enter(self._secret, self.klass.pupils))
             self._problem = ""
         except Refused as error:
             self._problem = str(error)
@@ -226,7 +245,13 @@ class SeatRole(ClassRole):
             case from_page.GivePlaces(points=points):
                 if said.stop >= len(self.room.stops):
                     raise Refused("The class has no such step.")
-                mapping = Mapping.of(self.klass.scene(said.stop))
+                try:
+                    scene = self.klass.scene(said.stop)
+                except SettingError:
+                    raise Refused("This step cannot begin.") from None
+                if len(points) != len(scene.masses):
+                    raise Refused("That is no place for this body.")
+                mapping = Mapping.of(scene)
                 content = Ghost(tuple(mapping.to_scene(x, y) for x, y in points))
             case from_page.GiveLine(text=text):
                 content = Line(text)
@@ -245,11 +270,18 @@ class SeatRole(ClassRole):
             raise Refused("There is no run to hand in now.")
         if session.replay is not None:
             raise Refused("A log is being played; there is nothing to hand in.")
+        now = session.now()
+        if said.id not in self.room.answers and now < self._hand_in_due:
+            return  # it is not acknowledged, so that the page says it again
+        self._hand_in_due = now + HAND_IN_EVERY
+        positions = session.simulation.positions[:2000]
+        is_somewhere = bool(np.isfinite(positions).all())
         content = Work(
             found=self._found,
             setting=_setting(session.scene, step),
             reached=None if self._watch is None else self._reached,
-            points=tuple((float(x), float(y)) for x, y in session.simulation.positions[:2000]),
+            points=tuple((float(x), float(y)) for x, y in positions) if is_somewhere else (),
+            damage=session.simulation.damage if is_somewhere else None,
         )
         answer = Answer(said.id, said.turn, seat.number, said.twin, said.stop, said.round, content)
         if step is None:
@@ -275,8 +307,10 @@ class SeatRole(ClassRole):
             types_name=room.own_names,
             digits=seat.move,
             follows=self.front is not None,
+            gathered=room.gathered,
             paused=room.paused,
             away=not self.klass.teachers,
+            on_wall=room.is_on_wall(seat.number),
             reached=self._reached,
             asking=asking(room),
             given=tuple(
@@ -292,20 +326,6 @@ class SeatRole(ClassRole):
                 if answer.stop == room.at
             ),
         )
-
-
-def _places(session: Session) -> tuple[tuple[int, int], ...]:
-    """Where masses are, thousandths of the scene's frame."""
-    xmin, ymin, xmax, ymax = session.scene.view.frame
-    positions = session.simulation.positions[:MOST_PLACES]
-    if not np.isfinite(positions).all():
-        return ()
-    x = (positions[:, 0] - xmin) / (xmax - xmin)
-    y = (positions[:, 1] - ymin) / (ymax - ymin)
-    if not session.scene.view.y_down:
-        y = 1.0 - y
-    rounded = np.clip(np.rint(1000.0 * np.column_stack((x, y))), -1000, 2000).astype(int)
-    return tuple((x, y) for x, y in rounded.tolist())
 
 
 def _setting(scene: sim.Scene, step: Step | None) -> float | None:

@@ -2,10 +2,13 @@
 /** The wall: what a class sees in front, large enough for the last row, and without a name. */
 import { onTold } from "../../wire/channel.js";
 import { make } from "../looks/dialog.js";
-import { SVG } from "../body/overlay.js";
 import { Ghosts } from "./ghost.js";
+import { plot, power } from "./plot.js";
 
 /** @typedef {import("../../wire/wire.js").Wall} Wall */
+
+/** Milliseconds after which a wall to which nobody has come says what that may be due to. */
+const ALONE_AFTER = 60_000;
 
 /** Makes the wall. */
 export function addWall() {
@@ -14,11 +17,26 @@ export function addWall() {
   const corner = make("div", "softrod-class softrod-wall-corner");
   document.body.append(head, side, corner);
   const ghosts = new Ghosts();
-  onTold("predictions", ({ bodies }) => ghosts.show(bodies));
-  onTold("wall", (wall) => {
+  /** @type {Wall | null} */
+  let last = null;
+  let waited = false;
+  /** @param {Wall} wall */
+  const show = (wall) => {
     head.replaceChildren(make("h1", "", title(wall)));
     side.replaceChildren(...content(wall));
-    corner.replaceChildren(...(wall.asking.phase === "lobby" ? [] : [`${host(wall.address)}   `, make("b", "", wall.code)]));
+    if (waited && wall.asking.phase === "lobby" && !wall.seats) {
+      side.append(make("p", "softrod-warning", "Nobody yet? Networks may keep devices apart: try this laptop's hotspot."));
+    }
+    corner.replaceChildren(`${host(wall.address)}   `, make("b", "", wall.code));
+  };
+  setTimeout(() => {
+    waited = true;
+    if (last) show(last);
+  }, ALONE_AFTER);
+  onTold("predictions", ({ bodies }) => ghosts.show(bodies));
+  onTold("wall", (wall) => {
+    last = wall;
+    show(wall);
   });
   onTold("classEnded", () => {
     ghosts.show([]);
@@ -43,7 +61,7 @@ function title({ asking, seats, answered }) {
 }
 
 /** @param {Wall} wall @returns {Element[]} */
-function content({ asking, bars, lines, code, address, qr, found, over, doing }) {
+function content({ asking, bars, lines, code, address, qr, found, over, law, doing }) {
   const { phase, question, choices, right, because, predict } = asking;
   if (phase === "lobby") {
     const picture = make("img", "softrod-wall-qr");
@@ -63,20 +81,33 @@ function content({ asking, bars, lines, code, address, qr, found, over, doing })
     parts.push(make("h2", "", question));
     parts.push(voted(choices, phase === "ask" ? [] : bars, right));
   }
-  if (right >= 0 && phase !== "ask") parts.push(make("p", "softrod-verdict", because));
+  if (right >= 0 && phase === "results") parts.push(make("p", "softrod-verdict", because));
   if (phase === "explain") parts.push(make("h2", "", "Why did it do that? One line."));
   if (phase === "try" || phase === "collect") {
-    parts.push(make("p", "", asking.do));
+    // The plot needs the room.
+    if (!found.length) parts.push(make("p", "", asking.do));
     if (asking.goal) parts.push(make("p", "", `Goal: ${asking.goal}`));
-    for (const [word, count] of Object.entries(doing)) parts.push(make("p", "softrod-count", `${count} ${word}`));
-    if (found.length) parts.push(plot(found, over, asking.collects));
+    parts.push(counts(doing));
+    if (found.length) parts.push(plot(found, over, asking.collects, law));
+    if (law) parts.push(make("p", "", power(law, asking.collects, over)));
   }
-  for (const { text, color } of lines) {
+  for (const { text, color } of found.length ? [] : lines) {
     const quoted = make("blockquote", "", text);
     quoted.style.setProperty("--softrod-seat", color);
     parts.push(quoted);
   }
   return parts;
+}
+
+/** How many bodies do what, in large numbers. @param {Record<string, number>} doing */
+function counts(doing) {
+  const list = make("ul", "softrod-counts");
+  for (const [word, count] of Object.entries(doing)) {
+    const item = make("li", "");
+    item.append(make("b", "", String(count)), make("span", "", word));
+    list.append(item);
+  }
+  return list;
 }
 
 /**
@@ -101,63 +132,4 @@ export function voted(choices, bars, right) {
     list.append(item);
   });
   return list;
-}
-
-/** Sizes of the class's plot, in its own units. */
-const [WIDE, HIGH, LEFT, BELOW] = [400, 260, 56, 44];
-
-/**
- * What each seat found, a point a seat. Both axes go by powers of ten where the numbers do, so that a law of powers is
- * a straight line.
- *
- * @param {import("../../wire/wire.js").Found[]} found
- * @param {string} over
- * @param {string} what
- */
-export function plot(found, over, what) {
-  const svg = document.createElementNS(SVG, "svg");
-  svg.setAttribute("viewBox", `0 0 ${WIDE} ${HIGH}`);
-  svg.classList.add("softrod-class-plot");
-  svg.setAttribute("role", "img");
-  svg.setAttribute("aria-label", `${what} over ${over}: ${found.length} points`);
-  const x = axis(found.map(({ setting }) => setting));
-  const y = axis(found.map((one) => one.found));
-  /** @param {keyof SVGElementTagNameMap} kind @param {Record<string, number | string>} attributes @param {string} [text] */
-  const add = (kind, attributes, text = "") => {
-    const element = document.createElementNS(SVG, kind);
-    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
-    element.textContent = text;
-    svg.append(element);
-  };
-  const [right, low] = [WIDE - 12, HIGH - BELOW];
-  add("path", { d: `M${LEFT} 8V${low}H${right}` });
-  for (const { setting, found: value } of found) {
-    add("circle", { cx: LEFT + x.part(setting) * (right - LEFT), cy: low - y.part(value) * (low - 8), r: 6 });
-  }
-  const bottom = low + 18;
-  add("text", { x: LEFT, y: bottom }, x.low);
-  add("text", { x: right, y: bottom, "text-anchor": "end" }, x.high);
-  add("text", { x: LEFT - 6, y: low, "text-anchor": "end" }, y.low);
-  add("text", { x: LEFT - 6, y: 18, "text-anchor": "end" }, y.high);
-  add("text", { x: (LEFT + right) / 2, y: HIGH - 6, "text-anchor": "middle" }, over);
-  add("text", { x: LEFT + 8, y: 18 }, what);
-  return svg;
-}
-
-/**
- * Where numbers lie between the least and the largest, from 0 to 1.
- *
- * @param {number[]} numbers
- */
-function axis(numbers) {
-  const [least, most] = [Math.min(...numbers), Math.max(...numbers)];
-  // Beyond a factor of five, a straight line is no way to see them all.
-  const scale = least > 0 && most > 5 * least ? Math.log : (/** @type {number} */ number) => number;
-  const [low, high] = [scale(least), scale(most)];
-  const margin = high > low ? 0.06 * (high - low) : 1;
-  return {
-    part: (/** @type {number} */ number) => (scale(number) - low + margin) / (high - low + 2 * margin),
-    low: String(Number(least.toPrecision(3))),
-    high: String(Number(most.toPrecision(3))),
-  };
 }

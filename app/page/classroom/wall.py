@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections import Counter
+import numpy as np
 
-from app.classroom.live import Class
-from app.classroom.room import PHASE_OF, Line, Phase, Vote, Work
+from app.classroom.live import Class, Front
+from app.classroom.room import FREE, PHASE_OF, Line, Phase, Vote, Work
+from sim.errors import SettingError
 
+from ...drawing.plan import Picture
 from ...session.session import Session
 from ...wire.carrier import Mail
-from ...wire.to_page import Found, Wall, WallLine
-from .role import ClassRole, asking, predictions
+from ...wire.to_page import Wall, WallLine
+from .role import ClassRole, asking, found_by, law_of, over, plan_numbers, predictions
 
 
 class WallRole(ClassRole):
@@ -26,15 +28,24 @@ class WallRole(ClassRole):
     def __init__(self, klass: Class, mail: Mail, address: str, qr: str) -> None:
         super().__init__(klass, mail)
         self._address, self._qr = address, qr
+        self._work: tuple[str, Front | None] = "", None
+        self._works = 0
+
+    @property
+    def front(self) -> Front | None:
+        if self.room.seat_on_wall:
+            return self.klass.lent or self.klass.front
+        return self._front_of_work() or self.klass.front
 
     def frame(self, session: Session) -> None:
         if self._tell_end():
             return
         self.klass.tend()
-        words = tuple(one.word for one in self.klass.doing.values() if one.word)
-        if not self._is_new(words):
-            return
         room = self.room
+        doing = self._doing() if room.phase in FREE else {}
+        if not self._is_new(tuple(doing.values())):
+            return
+        found = found_by(room)
         shown = room.phase in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN)
         lines = [answer for answer in room.given(room.at, 0, Line) if answer.starred]
         self._mail.tell(
@@ -51,21 +62,58 @@ class WallRole(ClassRole):
                     for answer in lines
                     if isinstance(answer.content, Line) and room.phase is not Phase.EXPLAIN
                 ),
-                alone=bool(room.on_wall),
+                alone=bool(room.on_wall or room.seat_on_wall),
                 paused=room.paused,
-                found=tuple(
-                    Found(setting=work.setting, found=work.found)
-                    for answer in room.given(room.at, 0, Work)
-                    if isinstance(work := answer.content, Work)
-                    and work.setting is not None
-                    and work.found is not None
-                    and not work.doubt
-                ),
-                over=next(iter(step.controls), "") if (step := room.step) is not None else "",
-                doing=dict(Counter(words)),
+                found=found,
+                over=over(self.klass),
+                law=law_of(found) if room.law else None,
+                doing=doing,
             )
         )
         self._mail.tell(predictions(self.klass))
+
+    def _doing(self) -> dict[str, int]:
+        """How many seats' bodies are stable, have exploded, or have not been begun with; these are all seats.
+        With a goal, also how many have reached it."""
+        seats = [seat.number for seat in self.room.seats.values() if not seat.removed]
+        bodies = [self.klass.doing.get(number) for number in seats]
+        exploded = sum(one is not None and one.word == "exploded" for one in bodies)
+        idle = sum(one is None or (one.word != "exploded" and not one.begun) for one in bodies)
+        counts = {"stable": len(seats) - exploded - idle, "exploded": exploded, "not begun": idle}
+        if (step := self.room.step) is not None and step.goal is not None:
+            counts["at the goal"] = sum(one is not None and one.word == "goal reached" for one in bodies)
+        return counts
+
+    def _front_of_work(self) -> Front | None:
+        """The body of a run that was handed in, if that is on the wall."""
+        id = self.room.on_wall
+        if self._work[0] != id:
+            answer, front = self.room.answers.get(id), None
+            if answer is not None and isinstance(work := answer.content, Work):
+                front = self._still(work, answer.stop)
+            self._work = id, front
+        return self._work[1]
+
+    def _still(self, work: Work, stop: int) -> Front | None:
+        try:
+            scene = self.klass.scene(stop)
+        except SettingError:
+            return None
+        if len(work.points) != len(scene.masses):
+            return None
+        self._works += 1
+        opening = self._first_opening + self._works
+        angles = np.array([spring.rest_angle for spring in scene.angular_springs], float)
+        return Front(
+            next(plan_numbers),
+            set(),
+            scene,
+            opening,
+            angles,
+            Picture(np.array(work.points), damage=work.damage),
+            False,
+            1.0,
+        )
 
 
 def answered(klass: Class) -> int:

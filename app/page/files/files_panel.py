@@ -52,6 +52,8 @@ class FilesPanel:
         on_press(save, lambda: self._try(self._save), blocks=True)
         gui.add_divider()
         page.button("Share by a link", viser.Icon.LINK, lambda: page.perform("share"))
+        if "edit" in page.controls:
+            page.button("Make a lesson", viser.Icon.LIST_CHECK, lambda: page.perform("lesson"))
         for label, icon, action in (
             ("Download as a file", viser.Icon.DOWNLOAD, self._download),
             ("Save a log", viser.Icon.HISTORY, self._save_log),

@@ -33,7 +33,7 @@ const OWN_MACHINE =
   "This address is of this machine alone. For others to open it, start softrod with --host 0.0.0.0, or with --public-url behind a proxy.";
 
 /** Copies what stands in a field. @param {HTMLTextAreaElement} field @returns {Promise<boolean>} whether it could */
-async function copied(field) {
+export async function copied(field) {
   try {
     await navigator.clipboard.writeText(field.value);
     return true;

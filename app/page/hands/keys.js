@@ -48,6 +48,7 @@ const isSlider = (target) =>
 function isTaken({ target, code, key }) {
   if (!(target instanceof Element)) return false;
   if (key === "Escape") return target.closest(".softrod-box[data-open]") !== null;
+  if (target.matches(".softrod-steps button")) return key === "ArrowUp" || key === "ArrowDown";
   return target.matches(".softrod-body, .softrod-grip, .softrod-own-grip") && (key in ARROWS || code === "Space");
 }
 /**

@@ -97,7 +97,7 @@ class MeasurePanel:
     # --------------------------------------------------------------------- what is offered
     def _offer(self) -> None:
         """Show in the lists what can be chosen now."""
-        part = _set_options(self._part, self._parts())
+        part = _set_options(self._part, self.parts)
         offered = OFFERED[part.rstrip("0123456789")]
         chosen = f"{part}.{_set_options(self._what, offered)}"
         beside = (f"{part}.{what}" for what in offered)
@@ -105,7 +105,8 @@ class MeasurePanel:
         others = [name for name in dict.fromkeys((*beside, *self.plots.names)) if name != chosen]
         _set_options(self._over, (TIME, *others))
 
-    def _parts(self) -> tuple[str, ...]:
+    @property
+    def parts(self) -> tuple[str, ...]:
         """The parts that are offered: what was clicked, and what there is only one of."""
         session = self._session
         scene, joint = session.scene, session.joint

@@ -6,6 +6,7 @@
  * @typedef {import("../../wire/wire.js").Entry} Entry
  */
 import { onTold, send } from "../../wire/channel.js";
+import { copied } from "../files/share.js";
 import { make, makeButton, makeDialog } from "../looks/dialog.js";
 import { isDark } from "../viser/widgets.js";
 
@@ -71,6 +72,7 @@ export function addGallery() {
   /** @type {Entry[]} */
   let entries = [];
   let present = "";
+  let teaches = false;
   /** Of scenes that are saved, by name. @type {Record<string, string>} */
   const pictures = {};
   /** The scene whose card has the focus, or had it last. */
@@ -147,7 +149,7 @@ export function addGallery() {
 
   /** @param {Entry} entry */
   const card = (entry) => {
-    const { name, title, line, own, saved } = entry;
+    const { name, title, line, own, saved, group } = entry;
     const row = make("div", "softrod-card");
     row.dataset.name = name;
     row.setAttribute("role", "row");
@@ -166,7 +168,9 @@ export function addGallery() {
     button.addEventListener("focus", () => choose(name));
     cell.append(button);
     row.append(cell);
-    if (saved) {
+    // Of the presets, lessons are for classes; a command uses any other.
+    const forClass = teaches && (own || group === "Lessons");
+    if (saved || forClass) {
       const actions = make("div", "softrod-actions");
       actions.setAttribute("role", "gridcell");
       /** @param {string} text @param {() => void} press */
@@ -176,8 +180,9 @@ export function addGallery() {
         actions.append(one);
       };
       if (own) action("Rename", () => askForName(entry));
-      action("Copy", () => send({ do: "changeScene", how: "duplicate", name }));
+      if (saved) action("Copy", () => send({ do: "changeScene", how: "duplicate", name }));
       if (own) action("Delete", () => send({ do: "changeScene", how: "delete", name }));
+      if (forClass) action("Use in class", () => send({ do: "useInClass", name }));
       row.append(actions);
     }
     return row;
@@ -261,7 +266,7 @@ export function addGallery() {
   });
   onTold("shelfChanged", () => dialog.open && list());
   onTold("scenes", (letter) => {
-    ({ scenes: entries, present } = letter);
+    ({ scenes: entries, present, teaches } = letter);
     if (dialog.open) build();
   });
   onTold("scenePictures", (letter) => {
@@ -270,6 +275,20 @@ export function addGallery() {
       const [image, source] = [row.querySelector("img"), pictures[row.dataset.name ?? ""]];
       if (image && source && image.src !== source) image.src = source;
     }
+  });
+  onTold("usedInClass", ({ address, command }) => {
+    if (address) {
+      location.assign(address);
+      return;
+    }
+    const field = make("textarea", "softrod-command");
+    field.value = command;
+    field.rows = 1;
+    field.readOnly = true;
+    field.ariaLabel = "Command";
+    const copy = makeButton("Copy", async () => (copy.textContent = (await copied(field)) ? "Copied" : "Press Ctrl+C"));
+    say("Only this computer reaches this server. A class that others can come to begins in a terminal:", field, copy);
+    copy.focus();
   });
   onTold("sceneChanged", ({ text, undo }) => {
     say(text, ...(undo ? [makeButton("Undo", () => send({ do: "changeScene", how: "restore", name: undo }))] : []));

@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import base64
 import functools
+import shlex
 from pathlib import Path
 
+from app.classroom.room import Refused
 from sim.edit.texts import renamed
 from sim.errors import SceneError
 from sim.store import own_scenes
@@ -16,8 +18,8 @@ from sim.store.files import read_scene
 
 from ...session import commands
 from ...session.notices import Notice
-from ...wire.from_page import ChangeScene, ListScenes, OpenScene
-from ...wire.to_page import OfferGallery, SceneChanged, ScenePictures, Scenes, ShelfChanged
+from ...wire.from_page import ChangeScene, ListScenes, OpenScene, UseInClass
+from ...wire.to_page import OfferGallery, SceneChanged, ScenePictures, Scenes, ShelfChanged, UsedInClass
 from ..page import Page
 from . import shelf, thumbnails
 
@@ -38,6 +40,7 @@ class Gallery:
     def __init__(self, page: Page) -> None:
         self._shelf, self._session = page.shelf, page.session
         self._mail, self._notify = page.mail, page.notify
+        self._page = page
 
     def offer(self, why: str = "") -> None:
         """Have the page show it, with a sentence that says why, if there is one."""
@@ -62,7 +65,13 @@ class Gallery:
     def list(self, ask: ListScenes) -> None:
         """Send the page all scenes, then the pictures of those that are saved as they get ready."""
         scenes = self._shelf.scenes()
-        self._mail.tell(Scenes(scenes=tuple(shelf.entries(scenes)), present=self._session.scene.name))
+        self._mail.tell(
+            Scenes(
+                scenes=tuple(shelf.entries(scenes)),
+                present=self._session.scene.name,
+                teaches=self._shelf.owned,
+            )
+        )
         pictures: dict[str, str] = {}
         saved = [info for info in scenes if not info.built_in][:MOST_PAINTED]
         for count, info in enumerate(saved, start=1):
@@ -71,6 +80,32 @@ class Gallery:
             if count % PAINTED_AT_ONCE == 0 or count == len(saved):
                 self._mail.tell(ScenePictures(pictures=pictures))
                 pictures = {}
+
+    def use_in_class(self, ask: UseInClass) -> None:
+        """Begin a class with a scene, for the owner alone; or say by which command one is begun, where others
+        cannot reach this server."""
+        begin = self._page.begin_class
+        command = f"softrod class {shlex.quote(ask.name)}"
+        if not self._shelf.owned:
+            return
+        if begin is None:
+            self._mail.tell(UsedInClass(address="", command=command))
+            return
+        try:
+            if (info := self._shelf.find(ask.name)) is None:
+                raise SceneError(f"there is no scene called {ask.name!r} any more")
+            scene = read_scene(info.path)
+        except SceneError as error:
+            self._notify(Notice("error", "That scene cannot be used in a class", str(error)))
+            return
+
+        def do() -> None:
+            try:
+                self._mail.tell(UsedInClass(address=begin(scene), command=command))
+            except Refused as error:
+                self._notify(Notice("error", "No class has begun", str(error)))
+
+        self._page.later(do)
 
     def change(self, ask: ChangeScene) -> None:
         """Rename, copy, delete or bring back one of the page's own scenes, and say what was done."""

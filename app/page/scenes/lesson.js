@@ -55,6 +55,11 @@ function take(lesson) {
 /** The opening of the lesson's scene, as the server counts them, in which a step was begun. */
 let begunIn = "";
 
+/** The step at which the lesson is to begin the next time, without any answers. @type {number | null} */
+let first = null;
+/** Has the lesson begin at a step the next time that its tab comes. @param {number} step */
+export const beginNextAt = (step) => (first = step);
+
 /** Begins a step: the scene anew, as the step wants it. @param {number} step */
 function enter(step) {
   progress.at = step;
@@ -77,8 +82,16 @@ function tell() {
 function begin() {
   const { page, scene, lesson } = told();
   const opening = `${page}.${scene}`;
+  // Its tab is not there while it is being made.
+  if (page && lesson === undefined) begunIn = "";
   if (!page || lesson === undefined || steps.length === 0 || begunIn === opening) return;
   begunIn = opening;
+  if (first !== null) {
+    progress = { lesson: JSON.stringify(steps), at: first, answers: steps.map(() => null), told: steps.map(() => false) };
+    first = null;
+    keepProgress();
+    show();
+  }
   if (lesson) send({ do: "beginStep", step: progress.at, how: "on" });
   else tell();
 }

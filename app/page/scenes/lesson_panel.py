@@ -83,8 +83,10 @@ class LessonPanel:
         if begin.how == "on":
             session.generation += before != begin.step  # other sliders and plots
             return
+        # A lesson that was made or changed since the scene was opened is about the body as it is now.
+        base = session.opened if session.opened.lesson == lesson else session.scene
         try:
-            scene = scene_of_step(session.opened, begin.step)
+            scene = scene_of_step(base, begin.step)
         except SettingError as error:
             self._page.notify(Notice("error", "This step cannot begin", str(error)))
             return

@@ -1,0 +1,1 @@
+"""The page on which a device tries, before a class, whether it can take part."""

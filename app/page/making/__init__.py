@@ -1,0 +1,1 @@
+"""A lesson is made in the page."""

@@ -1,0 +1,211 @@
+"""A scene's lesson: its steps are added, ordered and changed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from ..errors import InputError, SceneError, SettingError
+from ..methods.registry import METHODS
+from ..motion.quantities import quantity
+from ..scene.lesson import Lesson, Reading, Step
+from ..scene.parts import Mass
+from ..scene.types import Scene
+from ..scene.validate import validate
+from ..settings import CHOICES, setting_of, settings_of
+from ..store.files import is_built_in
+from .edit import Edit
+
+OWN_LESSON = "my lesson"
+"""What a preset is called once its lesson is another one, until it gets a name."""
+
+FIRST_TASK = "Let it run, and watch."
+"""What a new step says until something else is written: a step always says what to do."""
+
+
+def add_step(scene: Scene, at: int) -> Edit:
+    """Put a new step into the lesson, or begin a lesson with it.
+
+    Args:
+        scene: which.
+        at: the number that the step is to have, counted from 0. It sets what the step before it sets.
+
+    Raises:
+        SceneError: there is no such place, or the lesson has 20 steps already.
+    """
+    steps = list(_steps(scene))
+    if not 0 <= at <= len(steps):
+        raise SceneError(f"lesson.steps: a step can be put in at 0..{len(steps)}, not at {at}")
+    settings = steps[max(0, at - 1)].settings if steps else ()
+    steps.insert(at, Step(title=f"Step {at + 1}", do=FIRST_TASK, settings=settings))
+    return _edit(f"step {at + 1} added", scene, steps)
+
+
+def copy_step(scene: Scene, number: int) -> Edit:
+    """Put a copy of a step after it.
+
+    Raises:
+        SceneError: there is no such step, or the lesson has 20 steps already.
+    """
+    steps, step = list(_steps(scene)), _step(scene, number)
+    steps.insert(number + 1, step)
+    return _edit(f"step {number + 1} duplicated", scene, steps)
+
+
+def remove_step(scene: Scene, number: int) -> Edit:
+    """Take a step out of the lesson; with the last one the lesson goes.
+
+    Raises:
+        SceneError: there is no such step.
+    """
+    _step(scene, number)
+    return _edit(f"step {number + 1} removed", scene, [s for i, s in enumerate(_steps(scene)) if i != number])
+
+
+def move_step(scene: Scene, number: int, to: int) -> Edit:
+    """Give a step another place among the others.
+
+    Args:
+        scene: which.
+        number: of the step.
+        to: the number that it is to have.
+
+    Raises:
+        SceneError: there is no such step, or no such place.
+    """
+    steps, step = list(_steps(scene)), _step(scene, number)
+    _step(scene, to)
+    if to == number:
+        return Edit("", scene)
+    steps.insert(to, steps.pop(number))
+    return _edit(f"“{step.title}” moved to step {to + 1}", scene, steps)
+
+
+def change_step(scene: Scene, number: int, label: str, **changes: Any) -> Edit:
+    """Change a step.
+
+    Args:
+        scene: which.
+        number: of the step.
+        label: what is changed.
+        changes: new values of fields of `Step`.
+
+    Raises:
+        SceneError: there is no such step, a value is not one that a step can have, or it is of a quantity or
+            a setting that the scene does not have; names the field.
+    """
+    steps, step = list(_steps(scene)), _step(scene, number)
+    changed = msgspec.structs.replace(step, **changes)
+    if changed == step:
+        return Edit("", scene)
+    where = f"lesson.steps[{number}]"
+    if (question := changes.get("question")) is not None and not 2 <= len(question.choices) <= 5:
+        raise SceneError(f"{where}.question.choices: a question has 2 to 5 answers to choose from")
+    steps[number] = changed
+    edit = _edit(f"{label} of step {number + 1}", scene, steps)
+    for field in ("goal", "collect"):
+        reading: Reading | None = changes.get(field)
+        if reading is not None:
+            try:
+                quantity(reading.quantity, scene)
+            except InputError as error:
+                raise SceneError(f"{where}.{field}.quantity: {error}") from None
+    for i, key in enumerate(changes.get("controls", ())):
+        if not (key in CHOICES and CHOICES[key].applies(scene)):
+            try:
+                setting_of(scene, key)
+            except SettingError as error:
+                raise SceneError(f"{where}.controls[{i}]: {error}") from None
+    return edit
+
+
+def begin_as(scene: Scene, number: int, now: Scene, opened: Scene) -> Edit:
+    """Have a step begin with the settings of now.
+
+    From then on every step sets what any of them sets, so that what a step begins with does not depend on the
+    step before, nor on where the sliders stand when the scene is saved. What the others did not set, they set
+    as it was when the scene was opened.
+
+    Args:
+        scene: the one with the lesson.
+        number: of the step.
+        now: the same scene with its settings as they are now.
+        opened: as it was opened.
+
+    Raises:
+        SceneError: there is no such step.
+    """
+    _step(scene, number)
+    steps = list(_steps(scene))
+    here, before = settings_to_set(scene, now, opened), _values(opened)
+    for i, each in enumerate(steps):
+        settings = here
+        if i != number:
+            own = _by_key(each.settings)
+            known = {key: own.get(key, before.get(key)) for key in here}
+            settings = {key: value for key, value in own.items() if key not in here}
+            settings |= {key: value for key, value in known.items() if value is not None}
+            if not METHODS[settings.get("method", opened.integrator.method)].adaptive:
+                settings.pop("tolerance", None)
+        steps[i] = msgspec.structs.replace(each, settings=tuple(f"{k}={v}" for k, v in settings.items()))
+    if tuple(steps) == _steps(scene):
+        return Edit("", scene)
+    return _edit(f"beginning of step {number + 1}", scene, steps)
+
+
+def settings_to_set(scene: Scene, now: Scene, opened: Scene) -> dict[str, str]:
+    """What a step sets that begins as it is now, by its keys: what any step sets, and what is otherwise than
+    when the scene was opened; see `begin_as` for the arguments. It can be set in this order."""
+    here, before = _values(now), _values(opened)
+    if now.template is not None:
+        here.pop("rest_angle", None)  # the template sets it, and would go if it were set
+    named = {key for each in _steps(scene) for key in _by_key(each.settings)}
+    return {key: value for key, value in here.items() if key in named or value != before.get(key)}
+
+
+def remove_lesson(scene: Scene) -> Edit:
+    """Take the lesson away."""
+    return _edit("lesson deleted", scene, []) if scene.lesson is not None else Edit("", scene)
+
+
+# ------------------------------------------------------------------------- inside
+def _values(scene: Scene) -> dict[str, str]:
+    """The values of all choices and settings of a scene by their keys, as `--set` has them."""
+    values = {key: choice.read(scene) for key, choice in CHOICES.items() if choice.applies(scene)}
+    for setting in settings_of(scene):
+        value = setting.read(scene)
+        values[setting.key] = str(int(value)) if setting.integer else repr(float(value))
+    return values
+
+
+def _steps(scene: Scene) -> tuple[Step, ...]:
+    return scene.lesson.steps if scene.lesson is not None else ()
+
+
+def _step(scene: Scene, number: int) -> Step:
+    steps = _steps(scene)
+    if not 0 <= number < len(steps):
+        there = f"0..{len(steps) - 1}" if steps else "there are none"
+        raise SceneError(f"lesson.steps: step {number} does not exist ({there})")
+    return steps[number]
+
+
+def _by_key(settings: tuple[str, ...]) -> dict[str, str]:
+    """Assignments by their keys; the last one of a key counts."""
+    return {key.strip(): value.strip() for key, _, value in (each.partition("=") for each in settings)}
+
+
+def _edit(label: str, scene: Scene, steps: list[Step]) -> Edit:
+    """The scene with these steps; a preset gets a name of its own.
+
+    Raises:
+        SceneError: it cannot have them; names the field.
+    """
+    lesson = Lesson(steps=tuple(steps)) if steps else None
+    if len(steps) > 20:
+        raise SceneError("lesson.steps: a lesson has 20 steps at most")
+    # With a body of its own, since that of the scene may be large.
+    validate(Scene(name="lesson", masses=(Mass(position=(0.0, 0.0)),), lesson=lesson))
+    own = {"name": OWN_LESSON, "title": ""} if is_built_in(scene.name) else {}
+    return Edit(label, msgspec.structs.replace(scene, lesson=lesson, **own))

@@ -1,0 +1,113 @@
+"""Two servers behind one proxy, as a school runs them: a room stays on its server."""
+
+from __future__ import annotations
+
+import http.client
+import re
+import secrets
+import ssl
+from collections.abc import Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import get_args
+
+import msgspec
+import pytest
+
+import sim
+from app.classroom import kept
+from app.classroom.live import Class, Classes
+from app.server.serve import serving
+from app.wire.from_page import Who
+from studies.bench.client import Page, saying
+from tests.browser.wires import certified
+from tests.proxies import FOLDERS, Kind, Proxy
+
+PUPILS = 3
+
+
+@dataclass
+class School:
+    """The proxy, and what is behind it, by its folders."""
+
+    proxy: Proxy
+    tls: ssl.SSLContext
+    rooms: dict[str, Class]
+
+    def page(self, folder: str, query: str) -> Page:
+        name = secrets.token_hex(16)
+        return Page(self.proxy.port, path=f"{folder[1:]}at/{name}?{query}", tls=self.tls)
+
+    def get(self, path: str) -> tuple[int, str]:
+        connection = http.client.HTTPSConnection("localhost", self.proxy.port, timeout=20, context=self.tls)
+        connection.request("GET", path)
+        response = connection.getresponse()
+        text = response.read().decode()
+        connection.close()
+        return response.status, text
+
+
+@pytest.fixture(params=get_args(Kind))
+def school(
+    request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[School]:
+    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path / "classes")
+    certificate, key = certified(tmp_path)
+    proxy = Proxy(request.param, tmp_path, certificate, key)
+    ports: list[int] = []
+    rooms: dict[str, Class] = {}
+    with ExitStack() as stack:
+        for folder in FOLDERS:
+            classes = Classes()
+            rooms[folder] = classes.begin((sim.load_scene("lesson-hooke"),))
+            server, *_ = stack.enter_context(
+                serving(sim.rope(), "127.0.0.1", 0, public_url=proxy.url(folder), classes=classes)
+            )
+            ports.append(server.get_port())
+        stack.enter_context(proxy.leading(*ports))
+        yield School(proxy, ssl.create_default_context(cafile=certificate), rooms)
+
+
+def seat(page: Page, who: Who) -> tuple[str, str]:
+    """The name that a page has in its class, and its problem."""
+    page.send(saying(who))
+    found: dict[str, str] = {}
+
+    def has_come(message: dict[str, str]) -> bool:
+        text = str(message.get("text", ""))
+        if not text.startswith('{"tell":"seat"'):
+            return False
+        found.update(msgspec.json.decode(text))
+        return bool(found["name"] or found["problem"])
+
+    # A page is heard once it has had its first picture.
+    page.wait_for(lambda message: '"tell":"pageState"' in str(message.get("text", "")))
+    page.send(saying(who))
+    page.wait_for(has_come)
+    return found["name"], found["problem"]
+
+
+def test_each_room_is_on_its_server_and_stays_there(school: School) -> None:
+    names: dict[str, str] = {}
+    for folder, room in school.rooms.items():
+        query = f"room={room.room.code}"
+        status, page = school.get(f"{folder}?{query}")
+        assert status == 200
+        script = re.search(r'src="(softrod/\w+/page/main.js)"', page)
+        assert script is not None
+        assert school.get(folder + script[1])[0] == 200
+        for i in range(PUPILS):
+            with school.page(folder, query) as pupil:
+                names[folder + str(i)] = seat(pupil, Who(f"{folder[1]}{i:031x}"))[0]
+    assert [len(room.room.seats) for room in school.rooms.values()] == [PUPILS, PUPILS]
+    # A reload, and an outage, are new connections.
+    for folder, room in school.rooms.items():
+        for i in range(PUPILS):
+            with school.page(folder, f"room={room.room.code}") as pupil:
+                assert seat(pupil, Who(f"{folder[1]}{i:031x}"))[0] == names[folder + str(i)]
+    assert [len(room.room.seats) for room in school.rooms.values()] == [PUPILS, PUPILS]
+    # A room is in its folder only.
+    here, there = FOLDERS
+    with school.page(here, f"room={school.rooms[there].room.code}") as stray:
+        assert "There is no class" in seat(stray, Who("f" * 32))[1]

@@ -1,0 +1,121 @@
+"""The addresses of a class: what the terminal names, and what the QR codes do."""
+
+from __future__ import annotations
+
+import io
+import secrets
+import socket
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import msgspec
+import pytest
+from rich.console import Console
+from websockets.sync.client import connect
+
+import sim
+from app.classroom import kept
+from app.classroom.live import Classes
+from app.gate import address
+from app.gate.gate import GatedServer
+from app.server import serve as serve_module
+from app.server.serve import serving
+from studies.bench.client import CAMERA, Decoder, Page, options_of
+
+NAMES = {"127.0.0.1": "lo", "192.168.1.7": "wlan0", "10.42.0.1": "ap0", "172.17.0.1": "docker0"}
+
+
+@pytest.fixture
+def classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Classes:
+    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+    made = Classes()
+    made.begin((sim.rope(),))
+    return made
+
+
+@pytest.fixture
+def server(classes: Classes) -> Iterator[GatedServer]:
+    with serving(sim.rope(), "127.0.0.1", 0, allow_hosts=("laptop.local",), classes=classes) as (made, *_):
+        yield made
+
+
+@pytest.mark.parametrize("name", ["127.0.0.1", "laptop.local"])
+def test_the_wall_names_the_address_that_it_was_opened_at(
+    server: GatedServer, classes: Classes, name: str
+) -> None:
+    (klass,), port = classes, server.get_port()
+    host = f"{name}:{port}"
+    decoder = Decoder()
+    uri = f"ws://{host}/at/{secrets.token_hex(16)}?room={klass.room.code}&as=wall"
+    found: list[str] = []
+    way = socket.create_connection(("127.0.0.1", port))
+    with connect(uri, sock=way, **options_of(host)) as page:
+        page.send(decoder.encode(CAMERA))
+        deadline = time.monotonic() + 30.0
+        while not found and time.monotonic() < deadline:
+            texts = [str(m.get("text", "")) for m in decoder.decode(page.recv(timeout=30.0, decode=False))]
+            found = [text for text in texts if text.startswith('{"tell":"wall"')]
+    assert msgspec.json.decode(found[0])["address"] == f"http://{host}/"
+
+
+def test_a_page_that_only_tries_gets_pictures_whatever_the_class_looks_at(
+    server: GatedServer, classes: Classes
+) -> None:
+    (klass,) = classes
+    path = f"at/{secrets.token_hex(16)}?as=check&room={klass.room.code}"
+    with Page(server.get_port(), path=path) as device:
+        for _ in range(5):
+            device.wait_for(lambda message: str(message.get("text", "")).startswith('{"tell":"frame"'))
+        text = '{"do":"checked","trip":23,"rate":58,"works":true,"doubts":false}'
+        device.send({"type": "SoftrodMessage", "text": text})
+        deadline = time.monotonic() + 30.0
+        while not klass.tried and time.monotonic() < deadline:
+            device.receive(0.1)
+    assert [(one.trip, one.rate, one.works) for one in klass.tried] == [(23, 58, True)]
+    assert not klass.room.seats
+
+
+def test_a_batch_without_messages_is_told_from_pictures_by_its_length(
+    server: GatedServer, classes: Classes
+) -> None:
+    """As `EMPTY` in `check.js`, which cannot read what is in a batch."""
+    most = 80
+    decoder = Decoder()
+    (klass,) = classes
+    host = f"127.0.0.1:{server.get_port()}"
+    uri = f"ws://{host}/at/{secrets.token_hex(16)}?as=check&room={klass.room.code}"
+    beats = pictures = 0
+    with connect(uri, **options_of(host)) as page:
+        page.send(decoder.encode(CAMERA))
+        deadline = time.monotonic() + 30.0
+        while (beats < 3 or pictures < 3) and time.monotonic() < deadline:
+            page.send(decoder.encode({"type": "BeatMessage"}))
+            data = page.recv(timeout=30.0, decode=False)
+            assert isinstance(data, bytes)
+            messages = decoder.decode(data)
+            assert (int.from_bytes(data[:4], "little") < most) == (not messages)
+            beats, pictures = beats + (not messages), pictures + bool(messages)
+    assert beats >= 3
+    assert pictures >= 3
+
+
+def test_the_terminal_names_the_networks_that_pupils_may_be_in(
+    classes: Classes, server: GatedServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in (address, serve_module):
+        monkeypatch.setattr(module, "interfaces", lambda: NAMES)
+    monkeypatch.setattr(address, "local_addresses", lambda: ["192.168.1.7", "10.42.0.1", "172.17.0.1"])
+    shown: list[str] = []
+    monkeypatch.setattr(serve_module, "print_qr_code", shown.append)
+    (klass,), port, text = classes, server.get_port(), io.StringIO()
+    serve_module._tell_classes(server, "0.0.0.0", None, classes, Console(file=text, width=500))
+    said = text.getvalue()
+    base = f"http://192.168.1.7:{port}/"
+    assert shown == [f"{base}?room={klass.room.code}"]
+    assert f"your phone: {base}check?room={klass.room.code}\n" in said
+    assert f"in other networks, too, as http://10.42.0.1:{port} (ap0). " in said
+    assert "docker0" not in said
+    assert "not encrypted" in said
+    # The teacher's secret is said once, and goes into no QR code.
+    assert said.count(klass.room.key) == 1

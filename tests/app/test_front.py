@@ -1,0 +1,102 @@
+"""What pages show of the teacher's body: encoded once, sent to all, and exact once it stands."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from unittest.mock import MagicMock
+
+import numpy as np
+import pytest
+
+import sim
+from app.classroom.live import Front
+from app.drawing.plan import Picture
+from app.page.body.view import STILL, Canvas
+from app.page.classroom import front as module
+from app.page.classroom.front import SURE_EVERY, FrontView, looks_alike, send
+from app.viser_inside import SoftrodMessage
+from sim.scene.types import Damage
+from tests.app.letters import Letters
+
+
+@pytest.fixture
+def front() -> Front:
+    scene = sim.rope(4, view=sim.View(frame=(0.0, 0.0, 600.0, 600.0)))
+    angles = np.array([joint.rest_angle for joint in scene.angular_springs])
+    return Front(1_000_000, set(), scene, 1, angles, Picture.at_start(scene), True, 1.0)
+
+
+def moved(front: Front, pixels: float, time: float = 0.0, **more: object) -> Front:
+    picture = replace(front.picture, positions=front.picture.positions + pixels, time=time)
+    return replace(front, picture=picture, **more)  # type: ignore[arg-type]
+
+
+def a_view() -> tuple[FrontView, Letters]:
+    letters = Letters()
+    client = MagicMock()
+    return FrontView(client, letters, Canvas(client, letters, lambda _: None), "page"), letters
+
+
+def numbers(letters: Letters, kind: str) -> list[np.ndarray]:
+    """Those of all messages of a kind that carry some, in order."""
+    begin = f'{{"tell":"{kind}"'
+    carriers = [one for one in letters.sent if isinstance(one, SoftrodMessage)]
+    return [one.numbers for one in carriers if one.numbers is not None and one.text.startswith(begin)]
+
+
+def test_a_moving_picture_is_encoded_once_for_all_who_look_on(
+    front: Front, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sent: list[tuple[int, bytes]] = []
+    monkeypatch.setattr(
+        module.viser_inside, "send_at_once", lambda clients, data: sent.append((len(clients), data))
+    )
+    views = [a_view() for _ in range(3)]
+    send(front, 0.0)
+    assert not sent, "nobody has the plan yet"
+    for view, letters in views:
+        assert view.show(front, dark=False, now=0.0)
+        (plan,) = numbers(letters, "plan")
+        assert plan[1] == numbers(letters, "frame")[0][1] == front.number
+    after = moved(front, 5.0, 0.1)
+    send(after, 0.1)
+    assert [count for count, _ in sent] == [3]
+    assert not any(view.show(after, dark=False, now=0.1) for view, _ in views), "they have it already"
+    # One that was too slow for it has it a second later.
+    assert all(view.show(after, dark=False, now=0.1 + SURE_EVERY) for view, _ in views)
+    place = after.picture.positions[0, 0]
+    assert all(np.isclose(numbers(letters, "frame")[-1][6], place) for _, letters in views)
+    assert not any(view.show(after, dark=False, now=9.0) for view, _ in views), "and at rest nothing is sent"
+    views[0][0].leave()
+    send(after, 9.0)
+    assert sent[-1][0] == 2
+
+
+def test_what_stands_or_is_broken_goes_to_each_page_by_its_mail(front: Front) -> None:
+    view, letters = a_view()
+    view.show(front, dark=False, now=0.0)
+    stands = moved(front, 0.01, 0.2, playing=False)
+    assert view.show(stands, dark=False, now=0.2), "however little it has moved"
+    assert len(numbers(letters, "frame")) == 2
+    assert not view.show(stands, dark=False, now=50.0)
+    broken = replace(front, picture=replace(front.picture, damage=Damage(broken=(1,))))
+    assert view.show(broken, dark=False, now=50.1)
+    assert numbers(letters, "damage")
+    # Another plan is another number: nobody takes pictures of one for those of the other.
+    assert view.show(replace(front, number=front.number + 1), dark=False, now=50.2)
+    assert numbers(letters, "frame")[-1][1] == front.number + 1
+
+
+def test_two_pictures_look_alike_to_a_tenth_of_a_pixel_and_exactly_where_they_stand(front: Front) -> None:
+    assert looks_alike(front, moved(front, 0.9 * STILL, 0.1))
+    assert not looks_alike(front, moved(front, 1.1 * STILL, 0.1))
+    stands = replace(front, playing=False)
+    assert looks_alike(stands, moved(stands, 0.0))
+    assert not looks_alike(stands, moved(stands, 0.001))
+    assert not looks_alike(stands, moved(stands, 0.0, 0.1))
+    assert not looks_alike(front, stands)
+    assert not looks_alike(front, replace(front, number=7))
+    ghost = replace(stands, picture=replace(stands.picture, ghost=stands.picture.positions))
+    assert not looks_alike(stands, ghost)
+    assert looks_alike(ghost, ghost)
+    assert not looks_alike(replace(ghost, playing=True), replace(ghost, playing=True)), "it is drawn by each"

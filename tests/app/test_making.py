@@ -1,0 +1,311 @@
+"""A lesson is made in the page: what its form says is the lesson, or is refused beside its field."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import msgspec
+import pytest
+
+import sim
+from app.classroom.live import Classes
+from app.lessons import check_lesson
+from app.page.making.maker import LessonMaker, Measured, in_words
+from app.session import commands
+from app.session.notices import Notice
+from app.session.plots import text_of, wish_of
+from app.wire import from_page as asks
+from app.wire.from_page import read
+from app.wire.to_page import LessonForm, LessonOffers, LessonTaken
+from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
+from sim.settings import scene_of_step
+from sim.store.files import decode_link, decode_scene, encode_scene
+from sim.store.link import link_data, pack_scene
+from tests.app.letters import Letters
+from tests.app.pages import SessionPage
+from tests.app.panels import page_of
+
+MEASURED = Measured(
+    ("joint0", "mass3", "ghost"), ("mass3.y, mass5.y", "mass3.x over mass3.y"), frozenset({"forces"})
+)
+MOST_IN_A_MESSENGER = 8000
+"""Characters of a link that messengers let pass."""
+
+
+class Form:
+    """A form without a browser."""
+
+    def __init__(self, name: str = "rope") -> None:
+        self.page, self.letters, self.notices = SessionPage(sim.load_scene(name)), Letters(), list[Notice]()
+        self.seen = page_of(self.page.session, None, self.letters, self.notices.append)
+        self.maker = LessonMaker(self.seen, lambda: MEASURED)
+        self.say(asks.MakeLesson(True))
+
+    def say(self, *said: asks.Prepare) -> None:
+        """Say something as the page does, and let a frame pass."""
+        for one in said:
+            assert read(msgspec.json.encode(one).decode()) == one
+            self.maker.do(one)
+            self.page.frames(1)
+            self.maker.tell()
+
+    def undo(self, *more: commands.Command) -> None:
+        self.page.frames(1, *(more or (commands.Undo(),)))
+
+    @property
+    def scene(self) -> sim.Scene:
+        return self.page.session.scene
+
+    @property
+    def steps(self) -> tuple[Step, ...]:
+        return self.scene.lesson.steps if self.scene.lesson is not None else ()
+
+    @property
+    def taken(self) -> LessonTaken:
+        return self.letters.last(LessonTaken)
+
+
+def made() -> Form:
+    """A lesson of two steps that has everything."""
+    form = Form()
+    form.say(
+        asks.AddStep(0),
+        asks.WriteStep(0, "title", "Weigh it"),
+        asks.AskInStep(0, "Where will it hang?", ("higher", "lower"), 1, "It is heavier."),
+        asks.PredictInStep(0, 1.5),
+        asks.OfferInStep(0, ("gravity", "method")),
+        asks.TakeInStep(0, "plots"),
+        asks.TakeInStep(0, "arrows"),
+        asks.CompareInStep(0, "reference"),
+        asks.AddStep(1),
+        asks.WriteStep(1, "title", "Reach it"),
+        asks.WriteStep(1, "do", "Make it hang deeper."),
+        asks.WriteStep(1, "watch", "The lowest mass."),
+        asks.AimInStep(1, "mass5.y", "value", 100.0, None, 2.0),
+        asks.CollectInStep(1, "mass5.y", "period"),
+    )
+    form.page.frames(1, commands.SetValue("gravity", 700.0))
+    form.say(asks.TakeInStep(1, "settings"))
+    return form
+
+
+def test_the_form_makes_a_lesson_that_has_everything() -> None:
+    form = made()
+    assert form.steps == (
+        Step(
+            title="Weigh it", do="Let it run, and watch.", settings=("gravity=1500.0",),
+            question=Question(
+                text="Where will it hang?", choices=("higher", "lower"), answer=1, because="It is heavier."
+            ),
+            controls=("gravity", "method"), plots=MEASURED.plots, arrows=("forces",), ghost="reference",
+            predict=1.5,
+        ),
+        Step(
+            title="Reach it", do="Make it hang deeper.", watch="The lowest mass.",
+            settings=("gravity=700.0",), goal=Goal(quantity="mass5.y", low=100.0, seconds=2.0),
+            collect=Reading(quantity="mass5.y", of="period"),
+        ),
+    )  # fmt: skip
+    told = form.letters.last(LessonForm)
+    assert told == LessonForm(open=True, steps=form.steps, begins=("Gravity 1500 px/s²", "Gravity 700 px/s²"))
+    assert not form.taken.refused
+    assert not form.notices
+    check_lesson(form.scene)
+
+
+def test_it_is_saved_linked_exported_and_held_as_a_class(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    scene = made().scene
+    assert decode_scene(encode_scene(scene), "x") == scene
+    link = f"http://127.0.0.1:8080/s#{pack_scene(scene)}"
+    assert len(link) < MOST_IN_A_MESSENGER
+    assert decode_link(link_data(link) or "") == scene
+    path = tmp_path / "lesson.json"
+    sim.save_scene(scene, path)
+    classes = Classes()
+    room = classes.begin([sim.load_scene(path)]).room
+    assert [stop.step for stop in room.stops] == [0, 1]
+    assert scene_of_step(scene, 1).gravity == (0.0, 700.0)
+
+
+def test_a_link_holds_the_longest_lesson_that_there_is() -> None:
+    scene = made().scene
+    assert scene.lesson is not None
+    long = "".join(chr(97 + (7 * i * i + i // 3) % 26) for i in range(600))
+    step = msgspec.structs.replace(scene.lesson.steps[0], do=long, watch=long[::-1])
+    scene = msgspec.structs.replace(scene, lesson=Lesson(steps=(step,) * 20))
+    assert decode_link(pack_scene(scene)) == scene
+
+
+@pytest.mark.parametrize(
+    ("said", "field", "refused"),
+    [
+        (asks.WriteStep(0, "title", ""), "title", "It must not be empty."),
+        (asks.WriteStep(0, "do", "x" * 601), "do", "601 characters are more than 600."),
+        (asks.AskInStep(0, "", ("a", "b"), 0, "c"), "question.text", "It must not be empty."),
+        (asks.AskInStep(0, "?", ("a", ""), 0, "c"), "question.choices[1]", "It must not be empty."),
+        (
+            asks.AskInStep(0, "?", ("a",), 0, "c"),
+            "question.choices",
+            "A question has 2 to 5 answers to choose from.",
+        ),
+        (asks.AskInStep(0, "?", ("a", "b"), 3, "c"), "question.answer", "Choice 3 does not exist (0..1)."),
+        (asks.PredictInStep(0, -1.0), "predict", "-1 is not above 0 and at most 600."),
+        (asks.AimInStep(0, "mass5.y", "value", None, None, 0.0), "goal", "It needs low, high or both."),
+        (asks.AimInStep(0, "mass5.y", "value", 3.0, 2.0, 0.0), "goal", "Low 3 is above high 2."),
+        (
+            asks.AimInStep(0, "mass99.y", "value", 3.0, None, 0.0),
+            "goal.quantity",
+            "mass99.y: mass 99 does not exist (0..11).",
+        ),
+        (asks.CollectInStep(0, "hope", "value"), "collect.quantity", "'hope' is not a quantity"),
+        (asks.OfferInStep(0, ("gravty",)), "controls[0]", "gravty: there is no such setting"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_said_beside_its_field_and_changes_nothing(
+    said: asks.OfStep, field: str, refused: str
+) -> None:
+    form = Form()
+    form.say(asks.AddStep(0))
+    before = form.steps
+    form.say(said)
+    assert (form.taken.step, form.taken.field) == (0, field)
+    assert form.taken.refused.startswith(refused)
+    assert "\n" not in form.taken.refused
+    assert form.steps == before
+    assert not form.page.session.notices
+    # What is right afterwards takes the sentence away.
+    form.say(asks.WriteStep(0, "title", "T"))
+    assert (form.taken.part, form.taken.refused) == ("title", "")
+
+
+def test_undo_takes_back_what_was_done_to_the_lesson() -> None:
+    form = Form()
+    opened = form.scene
+    versions = form.page.session.versions
+    form.say(
+        asks.AddStep(0), asks.WriteStep(0, "title", "T"), asks.WriteStep(0, "title", "Ti"), asks.AddStep(1)
+    )
+    assert versions.undoable == "step 2 added"
+    form.undo()
+    # What is written in one go is one step.
+    assert versions.undoable == "title of step 1"
+    form.undo()
+    assert [step.title for step in form.steps] == ["Step 1"]
+    form.undo()
+    assert form.scene is opened
+    form.undo(*(commands.Redo(),) * 3)
+    assert [step.title for step in form.steps] == ["Ti", "Step 2"]
+    form.say(asks.MoveStep(1, 0), asks.CopyStep(0), asks.RemoveStep(2))
+    assert [step.title for step in form.steps] == ["Step 2", "Step 2"]
+    form.say(asks.DropLesson())
+    assert form.scene.lesson is None
+    form.undo()
+    assert len(form.steps) == 2
+    for what in ("question", "predict", "goal", "collect", "plots", "arrows"):
+        form.say(asks.DropFromStep(0, what))
+    assert not form.taken.refused
+
+
+def test_the_body_moves_on_while_its_lesson_is_written() -> None:
+    form = Form()
+    form.page.frames(20)
+    time, rows = form.page.session.simulation.time, form.page.session.simulation.positions.copy()
+    form.say(asks.AddStep(0), asks.WriteStep(0, "title", "T"))
+    assert form.page.session.simulation.time > time > 0.0
+    assert (form.page.session.simulation.positions != rows).any()
+    assert form.page.session.openings == 0
+
+
+def test_a_step_is_tried_and_all_comes_back() -> None:
+    form = made()
+    session = form.page.session
+    assert form.seen.makes_lesson
+    assert not form.seen.has_lesson
+    form.page.frames(10)
+    before, time, undoable = form.scene, session.simulation.time, session.versions.undoable
+    steps = len(session.versions)
+    form.say(asks.TryStep(1))
+    assert form.seen.has_lesson, "it is shown as a pupil sees it"
+    assert not session.lesson_begun, "the page is to begin it"
+    assert form.letters.last(LessonForm).trying == 1
+    assert session.simulation.time < time
+    form.page.frames(5, commands.SetValue("gravity", 0.0))
+    form.say(asks.EndTrying())
+    assert not form.seen.has_lesson
+    assert form.letters.last(LessonForm).trying == -1
+    assert form.scene == before
+    assert session.simulation.time == pytest.approx(time, abs=0.1)
+    assert (session.versions.undoable, len(session.versions)) == (undoable, steps)
+    form.undo()
+    assert form.scene.lesson != before.lesson
+    # With the form closed the lesson is there.
+    form.say(asks.MakeLesson(False))
+    assert form.seen.has_lesson
+    assert not form.letters.last(LessonForm).open
+
+
+def test_a_step_that_cannot_begin_is_not_tried() -> None:
+    form = Form()
+    form.say(asks.AddStep(0))
+    scene = form.scene
+    assert scene.lesson is not None
+    step = msgspec.structs.replace(scene.lesson.steps[0], settings=("gravty=1",))
+    form.page.frames(1, commands.Open(msgspec.structs.replace(scene, lesson=Lesson(steps=(step,)))))
+    form.say(asks.TryStep(0))
+    assert form.taken.field == "settings[0]"
+    assert "there is no such setting" in form.taken.refused
+    assert form.letters.last(LessonForm).trying == -1
+
+
+def test_the_form_offers_what_there_is_now() -> None:
+    form = Form()
+    offers = form.letters.last(LessonOffers)
+    assert offers.parts == ("joint0", "mass3"), "nobody can aim at a ghost"
+    assert (offers.quantities["mass"]["vy"], offers.quantities["stability"]["dt_over_limit"]) == ("px/s", "")
+    assert (offers.plots, offers.arrows, offers.settings) == (MEASURED.plots, ("forces",), "")
+    assert {"gravity", "method", "force_law"} <= {control.key for control in offers.controls}
+    assert all(text_of(wish_of(text)) == text for text in MEASURED.plots)
+    form.page.frames(30, commands.SetValue("gravity", 20.0), commands.SetChoice("method", "rk4"))
+    form.maker.tell()
+    assert form.letters.last(LessonOffers).settings == "Integrator: Runge-Kutta 4, Gravity 20 px/s²"
+    assert in_words(form.scene, ("hope=1", "gravity=many")) == "gravity many, hope 1"
+    assert in_words(form.scene, ("gravity=1", "method=rk4")) == in_words(
+        form.scene, ("method=rk4", "gravity=1")
+    )
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        '{"do":"addStep","at":-1}',
+        '{"do":"addStep","at":100}',
+        '{"do":"writeStep","step":0,"field":"settings","text":"gravity=1"}',
+        '{"do":"writeStep","step":0,"field":"title","text":1}',
+        '{"do":"predictInStep","step":0,"seconds":1e999}',
+        '{"do":"predictInStep","step":0,"seconds":NaN}',
+        '{"do":"aimInStep","step":0,"quantity":"mass0.y","of":"hope","low":1,"high":2,"seconds":0}',
+        '{"do":"takeInStep","step":0,"what":"everything"}',
+        '{"do":"makeLesson"}',
+        '{"do":"ofStep","step":0}',
+        '{"do":"prepare"}',
+    ],
+)
+def test_no_nonsense_is_heard(said: str) -> None:
+    assert read(said) is None
+
+
+def test_steps_that_are_not_there_change_nothing() -> None:
+    form = Form()
+    form.say(asks.AddStep(0))
+    before = form.steps
+    for said in (
+        asks.AddStep(9), asks.CopyStep(9), asks.RemoveStep(9), asks.MoveStep(0, 9),
+        asks.WriteStep(9, "title", "T"), asks.TakeInStep(9, "settings"),
+        asks.DropFromStep(9, "goal"), asks.TryStep(9), asks.EndTrying(), asks.CompareInStep(0, "hope"),
+    ):  # fmt: skip
+        form.say(said)
+    assert form.steps == before
+    assert form.seen.makes_lesson

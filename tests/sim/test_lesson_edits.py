@@ -1,0 +1,209 @@
+"""A lesson is made: steps come, go, change places, and begin as the sliders stand."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import sim
+from sim.edit import lesson as edits
+from sim.edit.edit import inverse
+from sim.errors import SceneError
+from sim.scene.lesson import Goal, Question, Reading, Step
+from sim.settings import apply_assignments, scene_of_step, settings_of
+from sim.store.files import decode_scene, encode_scene
+
+ROPE = sim.load_scene("rope")
+QUESTION = Question(text="?", choices=("a", "b"), answer=1, because="so")
+
+
+def asking(**changes: Any) -> dict[str, Question]:
+    return {"question": msgspec.structs.replace(QUESTION, **changes)}
+
+
+def aiming(quantity: str = "mass1.y", **rest: Any) -> dict[str, Goal]:
+    return {"goal": Goal(quantity=quantity, **rest)}
+
+
+def steps(scene: sim.Scene) -> tuple[Step, ...]:
+    return scene.lesson.steps if scene.lesson is not None else ()
+
+
+def titles(scene: sim.Scene) -> list[str]:
+    return [step.title for step in steps(scene)]
+
+
+def with_steps(*names: str, scene: sim.Scene = ROPE) -> sim.Scene:
+    for i, name in enumerate(names):
+        scene = edits.add_step(scene, i).scene
+        scene = edits.change_step(scene, i, "title", title=name).scene
+    return scene
+
+
+def test_the_first_step_begins_a_lesson_of_a_scene_of_its_own() -> None:
+    edit = edits.add_step(ROPE, 0)
+    scene = sim.validate(edit.scene)
+    assert (scene.name, scene.title) == ("my lesson", "")
+    assert titles(scene) == ["Step 1"]
+    assert inverse(edit, ROPE).scene is ROPE
+    nothing_else = {"name": ROPE.name, "title": ROPE.title, "lesson": None}
+    assert msgspec.structs.replace(scene, **nothing_else) == ROPE
+    # A scene of one's own keeps its name.
+    mine = msgspec.structs.replace(ROPE, name="mine", title="Mine")
+    assert edits.add_step(mine, 0).scene.title == "Mine"
+    # With its last step the lesson goes.
+    assert edits.remove_step(scene, 0).scene.lesson is None
+    assert edits.remove_lesson(with_steps("A", "B")).scene.lesson is None
+    assert edits.remove_lesson(ROPE).scene is ROPE
+
+
+ACTS = st.lists(
+    st.tuples(st.sampled_from(("add", "copy", "remove", "move")), st.integers(0, 9), st.integers(0, 9)),
+    max_size=30,
+)
+
+
+@given(ACTS)
+def test_steps_are_ordered_as_a_list_would_be(acts: list[tuple[str, int, int]]) -> None:
+    scene, wanted = with_steps("a", "b", "c"), ["a", "b", "c"]
+    for number, (act, at, to) in enumerate(acts):
+        before, known = scene, list(wanted)
+        try:
+            if act == "add":
+                edit = edits.add_step(scene, at)
+                name = f"new {number}"
+                scene = edits.change_step(edit.scene, at, "title", title=name).scene
+                wanted.insert(at, name)
+            elif act == "copy":
+                edit = edits.copy_step(scene, at)
+                scene = edit.scene
+                wanted.insert(at + 1, wanted[at])
+            elif act == "remove":
+                edit = edits.remove_step(scene, at)
+                scene = edit.scene
+                del wanted[at]
+            else:
+                edit = edits.move_step(scene, at, to)
+                scene = edit.scene
+                wanted.insert(to, wanted.pop(at))
+        except SceneError as error:
+            assert str(error).startswith("lesson.steps: ")
+            outside = max(at, to if act == "move" else 0) >= len(known) + (act == "add")
+            assert outside or len(known) == 20
+            assert scene is before
+            wanted = known
+        else:
+            assert inverse(edit, before).scene is before
+        assert titles(scene) == wanted
+        sim.validate(scene)
+
+
+@pytest.mark.parametrize(
+    ("changes", "why"),
+    [
+        ({"title": ""}, "title: it must not be empty"),
+        ({"title": "x" * 161}, "title: 161 characters are more than 160"),
+        ({"do": ""}, "do: it must not be empty"),
+        ({"watch": "\ud800"}, ": it has characters that cannot be written to a file"),
+        ({"predict": 0.0}, "predict: 0 is not above 0 and at most 600"),
+        ({"predict": float("nan")}, "predict: nan is not a finite number"),
+        ({"predict": 601.0}, "predict: 601 is not above 0 and at most 600"),
+        (asking(choices=("a",)), "question.choices: a question has 2 to 5"),
+        (asking(choices=("a", "")), "question.choices[1]: it must not be empty"),
+        (asking(answer=2), "question.answer: choice 2 does not exist (0..1)"),
+        (asking(because=""), "question.because: it must not be empty"),
+        (aiming(), "goal: it needs low, high or both"),
+        (aiming(low=2.0, high=1.0), "goal: low 2 is above high 1"),
+        (aiming("mass99.y", low=2.0), "goal.quantity: mass99.y: mass 99 does not exist"),
+        (aiming(low=2.0, seconds=601.0), "goal.seconds: 601 is not in the range 0..600"),
+        (aiming(low=float("inf")), "goal.low: inf is not a finite number"),
+        ({"collect": Reading(quantity="hope")}, "collect.quantity: 'hope' is not a quantity"),
+        ({"controls": ("gravity", "gravty")}, "controls[1]: gravty: there is no such setting"),
+        ({"controls": ("gravity",) * 7}, "controls: 7 entries are more than 6"),
+    ],
+)  # fmt: skip
+def test_what_a_step_cannot_have_is_refused_in_one_sentence_that_names_the_field(
+    changes: dict[str, Any], why: str
+) -> None:
+    scene = with_steps("A", "B")
+    with pytest.raises(SceneError) as refused:
+        edits.change_step(scene, 1, "it", **changes)
+    dot = "" if why.startswith(":") else "."
+    assert str(refused.value).startswith(f"lesson.steps[1]{dot}{why}")
+    assert "\n" not in str(refused.value)
+
+
+def test_a_step_has_all_that_the_format_has() -> None:
+    scene = with_steps("A", "B")
+    everything: dict[str, Any] = {
+        "title": "T", "question": QUESTION, "do": "D", "watch": "W", "controls": ("gravity", "method"),
+        "plots": ("mass1.x over mass1.y",), "arrows": ("forces",), "ghost": "reference", "predict": 1.5,
+        "goal": Goal(quantity="mass1.y", of="period", low=1.0, high=2.0, seconds=3.0),
+        "collect": Reading(quantity="joint0.angle"),
+    }  # fmt: skip
+    for field, value in everything.items():
+        edit = edits.change_step(scene, 1, field, **{field: value})
+        assert edit.label == f"{field} of step 2"
+        scene = edit.scene
+    assert {field: getattr(steps(scene)[1], field) for field in everything} == everything
+    assert steps(scene)[0] == steps(with_steps("A", "B"))[0]
+    assert decode_scene(encode_scene(scene), "x") == scene
+    assert edits.change_step(scene, 1, "title", title="T").scene is scene
+    with pytest.raises(SceneError, match=r"^lesson\.steps: step 2 does not exist \(0\.\.1\)$"):
+        edits.change_step(scene, 2, "title", title="T")
+
+
+def test_a_step_begins_as_the_sliders_stand_whatever_comes_before_it_and_however_the_scene_is_saved() -> None:
+    opened = with_steps("A", "B", "C")
+    at_two = apply_assignments(opened, ("gravity=300", "method=rk4"))
+    two = edits.begin_as(opened, 1, at_two, opened).scene
+    # Then another slider is moved for the third step.
+    at_three = apply_assignments(msgspec.structs.replace(at_two, lesson=two.lesson), ("air_friction=0.02",))
+    three = edits.begin_as(two, 2, at_three, opened).scene
+    wanted = (
+        (1500.0, opened.integrator.method, opened.air_friction),
+        (300.0, "rk4", opened.air_friction),
+        (300.0, "rk4", 0.02),
+    )
+    # Saved with the sliders as they stood first or last, and gone through in any order.
+    for saved in (three, msgspec.structs.replace(at_three, lesson=three.lesson)):
+        scene = saved
+        for number in (0, 1, 2, 0, 2, 1, 0):
+            scene = scene_of_step(scene, number)
+            assert (scene.gravity[1], scene.integrator.method, scene.air_friction) == wanted[number]
+    # As it is already: nothing changes.
+    assert edits.begin_as(three, 2, at_three, opened).scene is three
+
+
+def test_a_method_without_a_tolerance_gets_none_from_another_step() -> None:
+    opened = with_steps("A", "B")
+    euler = apply_assignments(opened, ("method=symplectic_euler",))
+    one = edits.begin_as(opened, 0, euler, opened).scene
+    adaptive = apply_assignments(
+        msgspec.structs.replace(opened, lesson=one.lesson), ("method=auto", "tolerance=0.5")
+    )
+    two = edits.begin_as(one, 1, adaptive, opened).scene
+    assert scene_of_step(two, 0).integrator.method == "symplectic_euler"
+    assert scene_of_step(two, 1).integrator.tolerance == 0.5
+    assert scene_of_step(scene_of_step(two, 1), 0).integrator.method == "symplectic_euler"
+
+
+@pytest.mark.parametrize(
+    "name", ["tutorial-3.3", "rope", "flag-pole", "water-balloon", "bridge", "lesson-hooke"]
+)
+def test_whatever_sliders_a_scene_has_a_step_can_begin_with_them(name: str) -> None:
+    opened = edits.add_step(sim.load_scene(name), 0).scene
+    now = opened
+    for setting in settings_of(opened):
+        if setting.key not in ("template", "method", "tolerance") and not setting.integer:
+            value = setting.read(now)
+            near = value + 0.1 * (setting.slider[1] - setting.slider[0])
+            now = sim.set_value(now, setting.key, near if near <= setting.high else setting.low)
+    made = edits.begin_as(opened, 0, now, opened).scene
+    begun = scene_of_step(made, 0)
+    for setting in settings_of(now):
+        assert setting.read(begun) == pytest.approx(setting.read(now), rel=1e-9, abs=1e-9), setting.key
