@@ -14,7 +14,9 @@ from .analysis.equilibrium import equilibrium
 from .analysis.predictability import Predictability, predictability
 from .analysis.tuning import Tuning, Vibration, tuning
 from .analysis.vibrations import Vibrations, vibrations
+from .design.fit import Fit, fit
 from .design.keep_shape import DesignError, keep_shape
+from .design.measurements import Measurement, read_measurement
 from .edit.tune import damp_vibration, make_stable
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import Energies
@@ -75,6 +77,7 @@ __all__ = [
     "DesignError",
     "Divergence",
     "Energies",
+    "Fit",
     "FlagPole",
     "Gas",
     "Girder",
@@ -85,6 +88,7 @@ __all__ = [
     "LinearSpring",
     "Liquid",
     "Mass",
+    "Measurement",
     "Moment",
     "Polygon",
     "Pose",
@@ -111,6 +115,7 @@ __all__ = [
     "cloth",
     "damp_vibration",
     "equilibrium",
+    "fit",
     "flag_pole",
     "girder",
     "hair_tuft",
@@ -122,6 +127,7 @@ __all__ = [
     "polygon",
     "predictability",
     "quantity",
+    "read_measurement",
     "rod",
     "rope",
     "save_scene",

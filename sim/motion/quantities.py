@@ -24,6 +24,7 @@ from ..forces.springs import SpringsTwin
 from ..kernels.core.tables import CONTROL_SCALE, State
 from ..scene.types import Scene
 from .energy import ENERGY_FIELDS, Energies
+from .loads import Loads
 from .stability import StabilityEstimate
 
 Floats = NDArray[np.float64]
@@ -51,6 +52,8 @@ class Moving(Protocol):
     def time(self) -> float: ...
     @property
     def dt(self) -> float: ...
+    @property
+    def loads(self) -> Loads: ...
     def energy(self) -> Energies: ...
     def stability(self) -> StabilityEstimate: ...
 
@@ -148,6 +151,12 @@ def _speeds(simulation: Moving, masses: Indices) -> Floats:
     return np.hypot(v.real, v.imag)
 
 
+def _accelerations(simulation: Moving, masses: Indices) -> Vectors:
+    system, state = simulation.tables
+    forces = simulation.loads.forces[masses]
+    return (forces[:, 0] + 1j * forces[:, 1]) * state.inverse_mass[system.mass_index[masses]]
+
+
 def _all_masses(state: State) -> tuple[Vectors, Vectors]:
     """(slots,) positions and velocities."""
     return state.x + 1j * state.y, state.vx + 1j * state.vy
@@ -163,6 +172,13 @@ def _lengths(simulation: Moving, springs: Indices) -> Floats:
     (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
     a, b = system.body.spring_a[rows], system.body.spring_b[rows]
     return np.hypot(state.x[b] - state.x[a], state.y[b] - state.y[a])
+
+
+def _directions(simulation: Moving, springs: Indices) -> Floats:
+    """Degrees."""
+    (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
+    a, b = system.body.spring_a[rows], system.body.spring_b[rows]
+    return np.degrees(np.arctan2(state.y[b] - state.y[a], state.x[b] - state.x[a]))
 
 
 def _elongations(simulation: Moving, springs: Indices) -> Floats:
@@ -246,6 +262,10 @@ _ALL = (
     Kind("spring", "length", "{unit}", "length", _lengths),
     Kind("spring", "elongation", "{unit}", "length minus rest length", _elongations),
     Kind(
+        "spring", "direction", "°",
+        "direction from its first mass to its second, from +x towards +y, in (-180, 180]", _directions,
+    ),
+    Kind(
         "spring", "force", "kg {unit}/s²",
         "force of stiffness and damping along the spring; positive where it pulls", _pulls,
     ),
@@ -259,6 +279,14 @@ _ALL = (
         "mass", "vy", "{unit}/s", "velocity along y", lambda *of: _masses(*of)[1].imag, vertical=True
     ),
     Kind("mass", "speed", "{unit}/s", "speed", _speeds),
+    Kind(
+        "mass", "ax", "{unit}/s²", "acceleration along x; 0 while it is held",
+        lambda *of: _accelerations(*of).real,
+    ),
+    Kind(
+        "mass", "ay", "{unit}/s²", "acceleration along y; 0 while it is held",
+        lambda *of: _accelerations(*of).imag, vertical=True,
+    ),
     *(
         Kind("energy", name, ENERGY_UNIT, _ENERGY_SUMMARIES[name], _of_energy(name))
         for name in ("total", *ENERGY_FIELDS)

@@ -1,0 +1,188 @@
+"""Which quantity of a scene a column of a measurement is."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ..errors import InputError
+from ..motion.quantities import COUNTED, Quantity, quantity
+from ..scene.types import Scene
+from .measurements import Column, Measurement
+from .units import Unit, known_scale, unit_of
+
+_EXPRESSION = re.compile(
+    r"\s*(?:([-+]?\d+(?:\.\d*)?)\s*(?=[-+]))?\s*([-+]?)\s*([a-z]+\d*\.[a-z_]+)\s*", re.ASCII
+)
+_WHICH = re.compile(r"(?:(?P<group>.*?)\s+)?(?P<what>\D+?)[ _]?(?P<number>\d{1,6})?", re.ASCII | re.DOTALL)
+_LETTER = re.compile(r"(?:mass|point|masse|punkt)[ _]?([a-z])", re.IGNORECASE | re.ASCII)
+
+_OF_MASSES = {
+    **dict.fromkeys(("x", "position x", "x position", "pos x"), "x"),
+    **dict.fromkeys(("y", "position y", "y position", "pos y", "height", "höhe"), "y"),
+    **dict.fromkeys(("vx", "v_x", "velocity x"), "vx"),
+    **dict.fromkeys(("vy", "v_y", "velocity y"), "vy"),
+    **dict.fromkeys(("v", "speed"), "speed"),
+    **dict.fromkeys(("ax", "a_x", "acceleration x", "linear acceleration x"), "ax"),
+    **dict.fromkeys(("ay", "a_y", "acceleration y", "linear acceleration y"), "ay"),
+}
+_ANGLES = ("angle", "theta", "θ", "phi", "φ", "winkel")
+_OF_SPRINGS = {
+    **dict.fromkeys(("force", "f", "kraft"), "force"),
+    **dict.fromkeys(("length", "l", "länge"), "length"),
+}
+
+
+@dataclass(frozen=True)
+class Match:
+    """A column as a quantity: what was measured is `offset + sign * quantity`, in the scene's units.
+
+    Attributes:
+        column: with the numbers.
+        quantity: of the scene.
+        sign: 1 or -1.
+        offset: in the quantity's unit.
+        unit: of the column.
+        scale: how many of the scene's lengths one of the unit's lengths is; None where that is not known.
+    """
+
+    column: Column
+    quantity: Quantity
+    sign: float
+    offset: float
+    unit: Unit
+    scale: float | None
+
+    @property
+    def text(self) -> str:
+        """As it was written."""
+        offset = f"{self.offset:g} " if self.offset else ""
+        sign = "-" if self.sign < 0.0 else "+" if self.offset else ""
+        return f"{offset}{sign}{' ' if self.offset else ''}{self.quantity.name}"
+
+
+def matched(
+    measurement: Measurement, scene: Scene, match: Mapping[str, str] | None = None
+) -> tuple[Match, ...]:
+    """The columns that are quantities of a scene, by their names or as they are given.
+
+    Args:
+        measurement: the table.
+        scene: whose quantities.
+        match: for names of columns the quantities, as in "mass1.x", "-mass1.y" or "90 - spring0.direction";
+            an empty text leaves a column out. Other columns of the table are left out, too. None for what
+            `guesses` finds.
+
+    Raises:
+        InputError: there is no such column or quantity, or the unit is not one of the quantity, or no column
+            is any quantity.
+    """
+    wanted = guesses(measurement, scene) if match is None else match
+    found = []
+    for name, text in wanted.items():
+        column = measurement.column(name)
+        if text.strip():
+            found.append(_match(measurement, column, text, scene))
+    if not found:
+        known = ", ".join(column.name for column in measurement.columns) or "none"
+        raise InputError(
+            f"{measurement.name}: say which quantity each column is; of its columns ({known}) none tells it "
+            "by its name"
+        )
+    return tuple(found)
+
+
+def _match(measurement: Measurement, column: Column, text: str, scene: Scene) -> Match:
+    parts = _EXPRESSION.fullmatch(text)
+    where = f"{measurement.name}, column {column.name!r}"
+    if parts is None:
+        raise InputError(
+            f"{where}: {text!r} is not a quantity, such as mass1.x, -mass1.y or 90 - spring0.direction"
+        )
+    offset, sign, name = parts.groups()
+    try:
+        found = quantity(name, scene)
+        if found.kind.of == "mass" and found.index in {anchor.mass for anchor in scene.anchors}:
+            raise InputError(f"mass {found.index} is held, so that it tells nothing")
+        unit = unit_of(column.unit, found.kind.unit, scene.view.unit)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
+    return Match(
+        column,
+        found,
+        -1.0 if sign == "-" else 1.0,
+        float(offset or 0.0),
+        unit,
+        known_scale(unit, scene.view.unit),
+    )
+
+
+def guesses(measurement: Measurement, scene: Scene) -> dict[str, str]:
+    """For each column the quantity that its name says; an empty text where it says none.
+
+    Names of quantities stand for themselves, as in softrod's own tables. "x", "vy", "angle", "force" and the
+    like are of the last free mass, of the joint or spring next to it, or of the part that a number or a
+    letter names. Where the scene's y grows downwards, "y" is taken to grow upwards, as in Tracker.
+    """
+    own = {column.name for column in measurement.columns} >= {"step", "x0", "y0"}
+    return {column.name: _guess(column, scene, own) for column in measurement.columns}
+
+
+def _guess(column: Column, scene: Scene, own: bool) -> str:
+    held = {anchor.mass for anchor in scene.anchors}
+    try:
+        found = quantity(column.name, scene)
+    except InputError:
+        pass
+    else:
+        return "" if found.kind.of == "mass" and found.index in held else found.name
+    text = _guessed_text(column.name.strip().lower(), scene, own)
+    if not text:
+        return ""
+    name = text.split()[-1].lstrip("-")
+    try:
+        unit_of(column.unit, quantity(name, scene).kind.unit, scene.view.unit)
+    except InputError:
+        return ""
+    return text
+
+
+def _guessed_text(name: str, scene: Scene, own: bool) -> str:
+    letter = _LETTER.match(name)
+    base = name[letter.end() :].strip() if letter else name
+    parts = _WHICH.fullmatch(base)
+    if parts is None:
+        return ""
+    what, number = parts["what"].strip(), parts["number"]
+    if parts["group"] and f"{parts['group']} {what}" in _OF_MASSES:
+        what = f"{parts['group']} {what}"
+    held = {anchor.mass for anchor in scene.anchors}
+    free = [i for i in range(len(scene.masses)) if i not in held]
+    if not free:
+        return ""
+    mass = free[-1]
+    if number:
+        mass = int(number)
+    elif letter and ord(letter.group(1).lower()) - ord("a") < len(free):
+        mass = free[ord(letter.group(1).lower()) - ord("a")]
+    if what in _OF_MASSES and mass in free:
+        found = _OF_MASSES[what]
+        flipped = scene.view.y_down and not own and found in ("y", "vy", "ay")
+        return f"{'-' if flipped else ''}mass{mass}.{found}"
+    springs = [s for s, each in enumerate(scene.linear_springs) if mass in (each.a, each.b)]
+    spring = int(number) if number else springs[0] if springs else 0
+    if what in _OF_SPRINGS and spring < COUNTED["spring"](scene):
+        return f"spring{spring}.{_OF_SPRINGS[what]}"
+    if what in _ANGLES:
+        joint = int(number or 0)
+        if joint < COUNTED["joint"](scene):
+            return f"joint{joint}.angle"
+        if spring < COUNTED["spring"](scene):
+            # From hanging, and growing towards +x.
+            hangs_from_first = (
+                scene.linear_springs[spring].a in held or scene.linear_springs[spring].b not in held
+            )
+            if hangs_from_first:
+                return f"90 {'-' if scene.view.y_down else '+'} spring{spring}.direction"
+    return ""

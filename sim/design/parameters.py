@@ -1,0 +1,194 @@
+"""The numbers of a scene that a fit may change, by name."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import msgspec
+
+from ..edit.edit import of_parts
+from ..edit.values import NUMBERS, set_number
+from ..errors import InputError, SettingError
+from ..motion.quantities import quantity
+from ..scene.types import Pose, Scene
+from ..settings import set_value, setting_of
+
+_PART = re.compile(r"(mass|spring|joint)(\d{1,9})\.([a-z_]+)", re.ASCII)
+_KINDS = {"mass": "masses", "spring": "linear_springs", "joint": "angular_springs"}
+_STARTS = {"x": (0, 0), "y": (0, 1), "vx": (1, 0), "vy": (1, 1)}
+"""Whether it is a velocity, and the axis, of what a mass starts with."""
+_SOLVING = ("dt", "tolerance", "template")
+"""Settings that say how a scene is solved, or are no numbers."""
+_SMALL = 1e-3
+"""Start of a number that is 0 and cannot be negative, as a part of its slider's largest."""
+_REACH = 1e4
+"""Largest factor by which a fit changes a number."""
+_RADIAN = 57.29577951308232
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number that is fitted, as a function of an unbounded one, u: exp(u), or scale * u.
+
+    Attributes:
+        name, unit: as people read them.
+        start: the number in the scene; where that is 0 and must not be negative, a small one.
+        low, high: between which it is sought.
+        logarithmic: whether it is exp(u).
+        scale: of u otherwise.
+        write: returns the scene with another number; None for what is not of the scene.
+        spread: whether other starts are tried for it.
+    """
+
+    name: str
+    unit: str
+    start: float
+    low: float
+    high: float
+    logarithmic: bool
+    scale: float = 1.0
+    write: Callable[[Scene, float], Scene] | None = None
+    spread: bool = True
+
+    def value(self, u: float) -> float:
+        """The number for u."""
+        value = math.exp(u) if self.logarithmic else self.scale * u
+        return min(max(value, self.low), self.high)
+
+    def u(self, value: float) -> float:
+        """The u of a number."""
+        return math.log(value) if self.logarithmic else value / self.scale
+
+
+def parameter(name: str, scene: Scene, duration: float) -> Parameter:
+    """What `vary` names: a setting, see `sim.set_value`; a number of a part, as in "mass1.mass" or
+    "spring0.stiffness"; or what a mass starts with, as in "mass1.vx".
+
+    Args:
+        name: of it.
+        scene: of which.
+        duration: of the measurement, s, for the scale of velocities.
+
+    Raises:
+        InputError: there is no such number, or it cannot be fitted.
+    """
+    if (match := _PART.fullmatch(name)) is not None:
+        return _of_part(name, scene, duration, match.group(1), int(match.group(2)), match.group(3))
+    try:
+        setting = setting_of(scene, name)
+    except SettingError as error:
+        raise InputError(
+            f"vary: {error}; or a number of a part, such as mass1.mass or spring0.stiffness, or of its "
+            "start, such as mass1.vx"
+        ) from None
+    if setting.integer or name in _SOLVING:
+        raise InputError(f"vary: {name} cannot be fitted")
+
+    def write(scene: Scene, value: float) -> Scene:
+        return set_value(scene, name, value)
+
+    unit = setting.unit.replace("px", scene.view.unit)
+    return _made(
+        name, unit, setting.read(scene), setting.low, setting.high, write, _SMALL * setting.slider[1]
+    )
+
+
+def _of_part(name: str, scene: Scene, duration: float, of: str, index: int, what: str) -> Parameter:
+    if of == "mass" and what in _STARTS:
+        found = quantity(name, scene)
+        is_velocity, axis = _STARTS[what]
+        if index in {anchor.mass for anchor in scene.anchors}:
+            raise InputError(f"vary: {name}: mass {index} is held")
+        start = start_of(scene)[is_velocity][index][axis]
+        size = size_of(scene)
+        scale = size / duration * math.tau if is_velocity else size
+        return Parameter(
+            name,
+            found.unit,
+            start,
+            start - 1e3 * scale,
+            start + 1e3 * scale,
+            False,
+            scale,
+            lambda scene, value: with_start(scene, {(index, is_velocity, axis): value}),
+        )
+    numbers = {each.field: each for each in NUMBERS if each.kind == _KINDS[of] and each.axis is None}
+    numbers.pop("radius", None)
+    if what not in numbers:
+        also = ["x", "y", "vx", "vy"] if of == "mass" else []
+        raise InputError(f"vary: {name}: of a {of} there are {', '.join([*numbers, *also])}")
+    parts = getattr(scene, _KINDS[of])
+    if index >= len(parts):
+        there = f"(0..{len(parts) - 1})" if parts else f"(the scene has no {of}s)"
+        raise InputError(f"vary: {name}: {of} {index} does not exist {there}")
+    number = numbers[what]
+    value = number.of_part(
+        of_parts(scene).masses[index] if of == "mass" else getattr(of_parts(scene), _KINDS[of])[index]
+    )
+    if value is None:
+        raise InputError(f"vary: {name}: {of} {index} has none")
+    unit = number.unit.replace("px", scene.view.unit)
+    largest = max((number.of_part(part) or 0.0 for part in parts), default=0.0)
+
+    def write(scene: Scene, value: float) -> Scene:
+        return set_number(scene, number, (index,), value).scene
+
+    return _made(name, unit, value, number.low, number.high, write, _SMALL * max(largest, 1.0))
+
+
+def _made(
+    name: str,
+    unit: str,
+    value: float,
+    low: float,
+    high: float,
+    write: Callable[[Scene, float], Scene],
+    small: float,
+) -> Parameter:
+    if unit == "°":
+        # Angles, however often they have gone round.
+        return Parameter(name, unit, value, low, high, False, _RADIAN, write)
+    if value < 0.0 or (value == 0.0 and low < 0.0):
+        scale = abs(value) or 1e6 * small
+        return Parameter(
+            name,
+            unit,
+            value,
+            max(low, value - _REACH * scale),
+            min(high, value + _REACH * scale),
+            False,
+            scale,
+            write,
+        )
+    start = value or small
+    return Parameter(name, unit, start, max(low, start / _REACH), min(high, start * _REACH), True, 1.0, write)
+
+
+# ------------------------------------------------------------------------- what masses start with
+Starts = tuple[list[list[float]], list[list[float]]]
+
+
+def start_of(scene: Scene) -> Starts:
+    """Places and velocities with which the masses start."""
+    if scene.pose is not None:
+        return [list(p) for p in scene.pose.positions], [list(v) for v in scene.pose.velocities]
+    return [list(m.position) for m in scene.masses], [list(m.velocity) for m in scene.masses]
+
+
+def with_start(scene: Scene, changes: dict[tuple[int, int, int], float]) -> Scene:
+    """The scene with other places (0) and velocities (1) of masses: by mass, which of them, and axis."""
+    both = start_of(scene)
+    for (mass, of, axis), value in changes.items():
+        both[of][mass][axis] = value
+    places, velocities = (tuple((x, y) for x, y in each) for each in both)
+    damage = scene.pose.damage if scene.pose else None
+    return msgspec.structs.replace(scene, pose=Pose(positions=places, velocities=velocities, damage=damage))
+
+
+def size_of(scene: Scene) -> float:
+    """The larger side of the box around the start, px."""
+    places = start_of(scene)[0]
+    return max(max(axis) - min(axis) for axis in zip(*places, strict=True)) or 1.0

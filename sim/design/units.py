@@ -1,0 +1,109 @@
+"""Units of what was measured, and what they are in a scene."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from ..errors import InputError
+
+_METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "km": 1e3}
+"""Units of length that are known in metres."""
+_ANGLES = {"°": 1.0, "deg": 1.0, "degree": 1.0, "degrees": 1.0, "rad": 57.29577951308232}
+_FORCES = {"N": 1.0, "mN": 1e-3, "kN": 1e3}
+_ENERGIES = {"J": 1.0, "mJ": 1e-3, "N m": 1.0, "Nm": 1.0}
+
+_SIGNS = str.maketrans({"²": "^2", "³": "^3", "·": " ", "*": " ", "º": "°", "−": "-"})
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit of what was measured.
+
+    Attributes:
+        dimension: as the unit of a quantity with "{unit}" for the length, as in "{unit}/s".
+        factor: what one of it is in the same with metres, degrees and seconds, or with the `length` below.
+        length: unit of the lengths in it; "m" for all that are known in metres, empty without any.
+        power: of the length.
+    """
+
+    dimension: str
+    factor: float
+    length: str
+    power: int
+
+
+def _all_units() -> dict[str, Unit]:
+    found: dict[str, Unit] = {}
+    for text, degrees in _ANGLES.items():
+        found[text] = Unit("°", degrees, "", 0)
+        found[f"{text}/s"] = Unit("°/s", degrees, "", 0)
+    for text, metres in _METRES.items():
+        found[text] = Unit("{unit}", metres, "m", 1)
+        found[f"{text}/s"] = Unit("{unit}/s", metres, "m", 1)
+        found[f"{text}/s^2"] = Unit("{unit}/s²", metres, "m", 1)
+        found[f"kg {text}/s^2"] = Unit("kg {unit}/s²", metres, "m", 1)
+        found[f"kg {text}^2/s^2"] = Unit("kg {unit}²/s²", metres**2, "m", 2)
+    for text, newtons in _FORCES.items():
+        found[text] = Unit("kg {unit}/s²", newtons, "m", 1)
+    for text, joules in _ENERGIES.items():
+        found[text] = Unit("kg {unit}²/s²", joules, "m", 2)
+    return found
+
+
+_UNITS = _all_units()
+
+
+def is_unit(text: str) -> bool:
+    """Whether a text is a unit that is known by itself."""
+    return _normal(text) in _UNITS or text in ("px", "px/s", "kg")
+
+
+def unit_of(text: str, dimension: str, scene_length: str) -> Unit:
+    """A unit by its text.
+
+    Args:
+        text: as a header has it; empty for the scene's own.
+        dimension: of the quantity that it is to be of, see `sim.motion.quantities.Kind.unit`.
+        scene_length: the scene's unit of length, which may be any word.
+
+    Raises:
+        InputError: it is not one of the quantity.
+    """
+    own = Unit(dimension, 1.0, scene_length if "{unit}" in dimension else "", _power(dimension))
+    if not text:
+        return own
+    normal = _normal(text)
+    found = _UNITS.get(normal)
+    if found is None:
+        length = next(
+            (each for each in dict.fromkeys((scene_length, "px")) if _has(normal, dimension, each)), ""
+        )
+        if length:
+            return Unit(dimension, 1.0, length, own.power)
+    if found is None or found.dimension != dimension:
+        expected = dimension.format(unit="m") or "a pure number"
+        raise InputError(f"{text!r} is not a unit of it, as {expected} is")
+    return found
+
+
+def known_scale(unit: Unit, scene_length: str) -> float | None:
+    """How many of a scene's lengths one of a unit's `length` is; None where that is not known."""
+    if unit.power == 0 or unit.length == scene_length:
+        return 1.0
+    if unit.length == "m" and scene_length in _METRES:
+        return 1.0 / _METRES[scene_length]
+    return None
+
+
+def _power(dimension: str) -> int:
+    return 2 if "{unit}²" in dimension else 1 if "{unit}" in dimension else 0
+
+
+def _has(text: str, dimension: str, length: str) -> bool:
+    return text == _normal(dimension.format(unit=length))
+
+
+def _normal(text: str) -> str:
+    text = re.sub(r"\s+", " ", text.translate(_SIGNS)).strip()
+    return re.sub(r"\s*/\s*", "/", text).replace("s2", "s^2").replace("s-1", "/s")
