@@ -1,4 +1,5 @@
-"""The commands that measure the solver: `softrod bench`, `validate`, `stability`, `study` and `sweep`.
+"""The commands that measure the solver: `softrod bench`, `validate`, `stability`, `study` and `sweep`; and
+`softrod fit`.
 
 Each imports what it needs when it runs.
 """
@@ -17,6 +18,7 @@ from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
 from app.command import CsvComma, Settings, fail, scene_of
+from sim.design.fit import OF_MEASUREMENT
 from sim.errors import InputError
 
 from .sweep.measures import MEASURES, parse_measures
@@ -249,4 +251,71 @@ class Sweep:
         return sweep(grid, measures, self.duration, workers, self.out, Console(), self.csv_comma)
 
 
-COMMANDS = {"bench": Bench, "validate": Validate, "stability": Stability, "study": Study, "sweep": Sweep}
+@dataclass
+class FitScene:
+    """Fit numbers of a scene to what was measured: tables of phyphox, Tracker, spreadsheets or softrod."""
+
+    scene: Annotated[Positional[str], arg(metavar="SCENE")]
+    """A preset's name, a file's path or a link."""
+    data: Annotated[Positional[tuple[Path, ...]], arg(metavar="DATA")]
+    """One or more tables: times, and places, angles, lengths, forces or accelerations at them."""
+    vary: Annotated[
+        UseAppendAction[tuple[str, ...]],
+        arg(
+            metavar="NAMES",
+            help="what is sought, one to six names with commas between them; may be repeated: settings as "
+            "for --set; numbers of parts, as spring0.stiffness and mass1.mass; what a mass starts with, as "
+            "mass1.vx; " + "; ".join(f"{name}: {summary}" for name, summary in OF_MEASUREMENT.items()),
+        ),
+    ] = ()
+    match: Annotated[
+        UseAppendAction[tuple[str, ...]],
+        arg(
+            metavar="COLUMN=QUANTITY",
+            help="which quantity a column is, as in y=-mass1.y or angle=90-spring0.direction; may be "
+            "repeated. Unless given, the names of the columns say it",
+        ),
+    ] = ()
+    scale: float | None = None
+    """How many of the scene's lengths are one metre, or one pixel of what was measured."""
+    out: Path | None = None
+    """Folder for scene.json, the fitted scene, values.csv and fit.png."""
+    csv_comma: CsvComma = False
+    settings: Settings = ()
+
+    def run(self) -> int:
+        """Fit, print and write."""
+        from .fitting.fitting import fit_and_report
+
+        if not self.data:
+            return fail("fit: name at least one table of what was measured")
+        names = [name.strip() for names in self.vary for name in names.split(",") if name.strip()]
+        if not names:
+            return fail("--vary: name what is sought, as in --vary linear_stiffness,linear_damping")
+        match = dict(_assignment(text) for text in self.match)
+        scene = scene_of(self.scene, self.settings)
+        return fit_and_report(
+            scene, self.data, names, match or None, self.scale, self.out, Console(), self.csv_comma
+        )
+
+
+def _assignment(text: str) -> tuple[str, str]:
+    """The column and the quantity of `COLUMN=QUANTITY`.
+
+    Raises:
+        InputError: it is not that.
+    """
+    column, equals, quantity = text.rpartition("=")
+    if not equals or not column.strip():
+        raise InputError(f"--match {text}: COLUMN=QUANTITY is expected, as in y=-mass1.y")
+    return column.strip(), quantity.strip()
+
+
+COMMANDS = {
+    "fit": FitScene,
+    "bench": Bench,
+    "validate": Validate,
+    "stability": Stability,
+    "study": Study,
+    "sweep": Sweep,
+}

@@ -54,7 +54,7 @@ OF_MEASUREMENT = {
 """What `vary` may name besides the scene's own numbers."""
 
 _CONFIDENCE = 0.95
-_FINE = 1e-9
+_FINE = 1e-8
 """Tolerance of runs, as a part of the body's size: differences of runs are to be smooth."""
 _STEP = 3e-4
 """Step of u for a difference."""
@@ -118,7 +118,7 @@ class Estimate:
         return f"{plus_minus(self.value, self.low, self.high)}{unit}"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Series:
     """A column, and what the fitted scene does instead.
 
@@ -151,7 +151,7 @@ class Series:
         return float(np.sqrt(np.nanmean(self.residuals**2)))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Fit:
     """What `fit` found.
 
@@ -641,11 +641,23 @@ class _Search:
         yield from (every[i] for i in np.argsort(costs)[: _TRIED - 1])
 
     def _down(self, u: Floats, part: float) -> Floats:
-        residuals = partial(self._problem.residuals, noise=self._noise, part=part)
         low, high = self._low - 1e-9, self._high + 1e-9
-        slopes = cast(Any, partial(self._differences, residuals=residuals))
+        last: dict[bytes, Floats] = {}
+
+        def residuals(at: Floats) -> Floats:
+            """They are asked for once more for the differences."""
+            if at.tobytes() not in last:
+                last.clear()
+                last[at.tobytes()] = self._problem.residuals(at, self._noise, part)
+            return last[at.tobytes()]
+
+        def slopes(at: Floats) -> Floats:
+            here = residuals(at)
+            moved = (self._problem.residuals(at + by, self._noise, part) for by in _STEP * np.eye(at.size))
+            return np.column_stack([(each - here) / _STEP for each in moved])
+
         found = least_squares(
-            residuals, np.clip(u, self._low, self._high), slopes,
+            residuals, np.clip(u, self._low, self._high), cast(Any, slopes),
             bounds=(low, high), x_scale=1.0, xtol=1e-9, ftol=1e-10, gtol=1e-10, max_nfev=_ROUNDS,
         )  # fmt: skip
         return np.clip(found.x, self._low, self._high)

@@ -34,7 +34,7 @@ _OF_SPRINGS = {
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Match:
     """A column as a quantity: what was measured is `offset + sign * quantity`, in the scene's units.
 

@@ -1,0 +1,1 @@
+"""`softrod fit`: a scene is fitted to what was measured."""
