@@ -27,10 +27,10 @@ PICTURE = 1280
 
 _SIZE = re.compile(r"(\d{2,4})x(\d{2,4})")
 
-_ENDINGS = {"csv": "zip", "python": "py", "live": "html"}
+_ENDINGS = {"csv": ("zip",), "python": ("py",), "live": ("html",), "javascript": ("js", "mjs")}
 """Of files whose option has another name."""
 
-_OF_BODY = frozenset(("live", "json", "csv", "python", "c"))
+_OF_BODY = frozenset(("live", "json", "csv", "python", "c", "javascript"))
 """What needs no motion."""
 
 
@@ -59,6 +59,8 @@ class Export:
     """A program in Python with NumPy that moves the body by the tutorial's step, FILE.py."""
     c: Path | None = None
     """The same in C99, FILE.c."""
+    javascript: Path | None = None
+    """A module in JavaScript for games, which moves, pushes and drags the body, FILE.js or FILE.mjs."""
     seconds: float = 5.0
     """Simulated seconds, 0..60: of a log the last ones."""
     after: float = 0.0
@@ -83,6 +85,7 @@ class Export:
         """
         wanted = {"png": self.png, "gif": self.gif, "html": self.html, "glb": self.glb}
         wanted |= {"live": self.live, "json": self.json, "csv": self.csv, "python": self.python, "c": self.c}
+        wanted |= {"javascript": self.javascript}
         outputs = {kind: path for kind, path in wanted.items() if path is not None}
         size = self._checked(outputs)
         moments = self._moments(0.0 if set(outputs) <= _OF_BODY else self.seconds)
@@ -104,12 +107,12 @@ class Export:
         if not outputs:
             raise InputError(
                 "export: name what to write, with --png, --gif, --html, --live, --glb, --json, --csv, "
-                "--python or --c"
+                "--python, --c or --javascript"
             )
         for kind, path in outputs.items():
-            ending = _ENDINGS.get(kind, kind)
-            if path.suffix.lower() != f".{ending}":
-                raise InputError(f"--{kind} {path}: the file must end in .{ending}")
+            endings = [f".{ending}" for ending in _ENDINGS.get(kind, (kind,))]
+            if path.suffix.lower() not in endings:
+                raise InputError(f"--{kind} {path}: the file must end in {' or '.join(endings)}")
             if not path.parent.is_dir():
                 raise InputError(f"--{kind} {path}: the folder {path.parent} does not exist")
         least = SHORTEST if {"gif", "html"} & set(outputs) else 0.0
@@ -150,6 +153,7 @@ class Export:
         from .body.data import body_csv, body_json
         from .body.program import c_program, python_program
         from .live.live import live_html
+        from .live.program import javascript_program
 
         last = Shot.of(moments[-1])
         # The start of a film; of a log there is only its end.
@@ -185,4 +189,5 @@ class Export:
             "live": lambda: noted(live_html(begin), self.live),
             "python": lambda: noted(python_program(Body.of(begin)), self.python),
             "c": lambda: noted(c_program(Body.of(begin)), self.c),
+            "javascript": lambda: noted(javascript_program(begin), self.javascript),
         }

@@ -7,6 +7,7 @@ import html
 import json
 import re
 import subprocess
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ import sim
 from app.cli import main
 from app.export.live.data import body_data
 from app.export.live.live import live_html
+from app.export.live.program import javascript_program
 from sim.store.files import list_scenes
 from tests.page.check import FOLDER, NODE
 from tests.sim.fuzzing import wild_scene, wild_world
@@ -26,7 +28,8 @@ STEPS = 400
 CLOSE = 1e-9
 """px"""
 PRESETS = [info.name for info in list_scenes() if info.built_in]
-METHODS = {"symplectic_euler": "symplectic_euler", "velocity_verlet": "verlet"}
+EULER = "symplectic_euler"
+METHODS = {EULER: "symplectic_euler", "velocity_verlet": "verlet"}
 """The solver's, and the file's."""
 
 
@@ -39,7 +42,7 @@ def by(scene: sim.Scene, method: Any) -> sim.Scene:
 
 
 def by_script(scenes: list[sim.Scene], steps: int = STEPS) -> list[dict[str, np.ndarray]]:
-    """Where the masses of scenes are after some steps in the script of live files."""
+    """Where the masses of scenes are after some steps in the script of live files, and so in a program."""
     told = [
         {
             "data": body_data(sim.Simulation(scene).capture()),
@@ -49,15 +52,20 @@ def by_script(scenes: list[sim.Scene], steps: int = STEPS) -> list[dict[str, np.
         }
         for scene in scenes
     ]
-    return run_script(told)
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "program.mjs"
+        program.write_bytes(javascript_program(sim.Simulation(scenes[0]).capture())[0])
+        found = run_script(told, program)
+    assert all(one["same"].all() for one in found)
+    assert sum(one["same"].size for one in found) == sum(s.integrator.method == EULER for s in scenes)
+    return found
 
 
-def run_script(told: list[dict[str, Any]]) -> list[dict[str, np.ndarray]]:
+def run_script(told: list[dict[str, Any]], *program: Path) -> list[dict[str, np.ndarray]]:
     """What comes of bodies in the script, see `tests/page/steps.mjs`."""
     lines = "".join(json.dumps(one) + "\n" for one in told)
-    run = subprocess.run(
-        [NODE, FOLDER / "steps.mjs"], input=lines, capture_output=True, text=True, check=False
-    )
+    words = [NODE, FOLDER / "steps.mjs", *program]
+    run = subprocess.run(words, input=lines, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
     return [{k: np.array(v) for k, v in json.loads(line).items()} for line in run.stdout.splitlines()]
 

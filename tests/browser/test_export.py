@@ -120,6 +120,9 @@ def test_the_body_comes_as_numbers_and_as_programs(open_page: OpenPage) -> None:
     assert "symplectic Euler" in desk.notice("About the program")
     name, data = download(desk, "C")
     assert (name, data[:2]) == ("ring.c", b"//")
+    name, data = download(desk, "JavaScript")
+    assert name == "ring.js"
+    assert b"export const createBody" in data
 
 
 def test_a_page_says_what_a_program_cannot_do(open_page: OpenPage) -> None:

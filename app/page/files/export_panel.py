@@ -33,19 +33,20 @@ ABOUT = (
 
 PROGRAMS = (
     '<div class="softrod-text"><b>For programs.</b> The body as it is now: its numbers as JSON or as CSV '
-    "tables, or a short program that moves it by the tutorial's step.</div>"
+    "tables, or a program that moves it by the tutorial's step; the one in JavaScript is for games.</div>"
 )
 
 Make = Callable[[Callable[[float], None]], tuple[str, bytes]]
 """Makes a file, telling how far it is, 0..1, and returns its ending and its content."""
 
 
-_JSON, _CSV, _PYTHON, _C = "JSON", "CSV", "Python", "C"
+_JSON, _CSV, _PYTHON, _C, _JAVASCRIPT = "JSON", "CSV", "Python", "C", "JavaScript"
 _PROGRAMS = {
     _JSON: "Numbers of the body (JSON)",
     _CSV: "Numbers of the body (tables in CSV)",
     _PYTHON: "Program in Python",
     _C: "Program in C",
+    _JAVASCRIPT: "Program in JavaScript, for games",
 }
 """Buttons, and the commands that do the same."""
 
@@ -145,17 +146,23 @@ class ExportPanel:
         from ...export.body.body import Body
         from ...export.body.data import body_csv, body_json
         from ...export.body.program import c_program, python_program
+        from ...export.live.program import javascript_program
 
-        body = Body.of(self._moment())
+        moment = self._moment()
+        body = Body.of(moment)
         tell(0.3)
         if kind == _JSON:
             return "json", body_json(body)
         if kind == _CSV:
             return "zip", body_csv(body, self._page.commas.on)
-        data, notes = (python_program if kind == _PYTHON else c_program)(body)
+        ending, (data, notes) = {
+            _PYTHON: lambda: ("py", python_program(body)),
+            _C: lambda: ("c", c_program(body)),
+            _JAVASCRIPT: lambda: ("js", javascript_program(moment)),
+        }[kind]()
         if notes:
             self._tell("info", "About the program", _sentence("; ".join(notes)))
-        return "py" if kind == _PYTHON else "c", data
+        return ending, data
 
     def _model(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
         from ...export.model import glb
