@@ -267,7 +267,7 @@ def test_the_command_writes_all_four(tmp_path: Path, capsys: pytest.CaptureFixtu
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ((), "--png, --gif, --html, --live, --glb, --json, --csv, --python, --c or --javascript"),
+        ((), "--live, --glb, --motion, --animation, --json, --csv, --python, --c or --javascript"),
         (("--gif", "a.png"), "must end in .gif"),
         (("--gif", "nowhere/a.gif"), "the folder nowhere does not exist"),
         (("--gif", "a.gif", "--seconds", 0), "0.2..60 s"),

@@ -1,5 +1,5 @@
-"""The part of the Share tab from which a user takes something home: a picture, a film, a replay, a model, and
-the body as data and programs.
+"""The part of the Share tab from which a user takes something home: a picture, a film, a replay, models,
+keyframes, and the body as data and programs.
 
 Handlers only hand work to the workshop. The picture is made by the page itself, which has all that is drawn.
 """
@@ -23,12 +23,13 @@ from ..page import Page
 from ..viser.handlers import add_command, on_press
 
 SECONDS = (1, 20)
-"""Of a film or a replay that a page can have."""
+"""Of motion that a page can have in a file."""
 
 ABOUT = (
     '<div class="softrod-text"><b>Take it home.</b> A picture of the page, a film of the last seconds for '
     "slides and messages, a replay that any browser shows without a network, a live file in which the body "
-    "can be dragged and tuned there, too, or a model of it for Blender and the like.</div>"
+    "can be dragged and tuned there, too, or a model of it for Blender and the like, still or animated. "
+    "Keyframes are a table of where its masses were, 60 times a second.</div>"
 )
 
 PROGRAMS = (
@@ -65,7 +66,11 @@ class ExportPanel:
         gui.add_divider()
         gui.add_html(ABOUT)
         self._seconds = gui.add_slider(
-            "Seconds", *SECONDS, step=1, initial_value=5, hint="simulated seconds of a GIF or a replay"
+            "Seconds",
+            *SECONDS,
+            step=1,
+            initial_value=5,
+            hint="simulated seconds of what moves in a file",
         )
         page.button("Picture", viser.Icon.PHOTO, lambda: page.perform("picture"), hint="key I")
         for label, icon, command, make in (
@@ -73,6 +78,13 @@ class ExportPanel:
             ("Replay file", viser.Icon.MOVIE, "Replay file of the last seconds (HTML)", self._replay),
             ("Live file", viser.Icon.WORLD, "Live file of the body as it is now (HTML)", self._live),
             ("3D model", viser.Icon.CUBE, "3D model (GLB)", self._model),
+            (
+                "Animated model",
+                viser.Icon.CUBE_SEND,
+                "Animated 3D model of the last seconds (GLB)",
+                self._animation,
+            ),
+            ("Keyframes", viser.Icon.TABLE, "Keyframes of the last seconds (CSV)", self._motion),
         ):
             page.button(label, icon, partial(self._start, make))
             add_command(gui, command, partial(self._start, make))
@@ -170,6 +182,21 @@ class ExportPanel:
         shot = Shot.of(self._moment())
         tell(0.3)
         return "glb", glb(shot.scene, shot.picture)
+
+    def _animation(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ...export.animation import animated_glb
+        from ...export.keyframes import FPS
+
+        clip = self._clip()
+        tell(0.3)
+        return "motion.glb", animated_glb(clip, FPS)
+
+    def _motion(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ...export.keyframes import FPS, motion_csv
+
+        clip = self._clip()
+        tell(0.3)
+        return "motion.csv", motion_csv(clip, FPS, self._page.commas.on)
 
     def _moment(self) -> sim.Moment:
         """The one that the page shows."""
