@@ -124,6 +124,25 @@ def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() 
     assert broke >= 10
 
 
+def test_what_has_yielded_before_yields_on_as_in_the_solver() -> None:
+    rope = sim.rope(masses=6, length=240.0, direction=(1.0, 0.0), driven=None)
+    springs = tuple(replace(s, yield_force=2e3, hardening=800.0) for s in rope.linear_springs)
+    joints = tuple(replace(j, yield_torque=1e5) for j in rope.angular_springs)
+    scene = by(replace(rope, linear_springs=springs, angular_springs=joints, bodies=()), EULER)
+    simulation = sim.Simulation(scene)
+    simulation.step(200)
+    moment = simulation.capture()
+    assert moment.damage is not None
+    assert min(map(any, (moment.damage.set_lengths, moment.damage.hardened, moment.damage.set_angles)))
+    told = {"data": body_data(moment), "method": EULER, "h": scene.integrator.dt, "count": 200}
+    simulation.step(200)
+    assert simulation.damage is not None
+    assert simulation.damage.hardened != moment.damage.hardened
+    found = run_script([told])[0]
+    assert np.abs(found["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
+    assert found["setLength"] == pytest.approx(np.array(simulation.damage.set_lengths), abs=1e-9)
+
+
 def test_a_step_of_the_tutorial_is_its_own_also_where_keys_are_held() -> None:
     scene = sim.load_scene("tutorial-3.3")
     simulation = sim.Simulation(scene)
