@@ -149,6 +149,15 @@ def test_a_program_begins_at_the_moment_that_it_is_made_of(tmp_path: Path) -> No
         assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
 
 
+def test_programs_of_a_scene_with_another_method_are_those_of_the_tutorials_step(tmp_path: Path) -> None:
+    scene = sim.load_scene("rod")
+    assert scene.integrator.method == "auto"
+    simulation = sim.Simulation(changed(scene, integrator=changed(scene.integrator, method=EULER.method)))
+    simulation.step(STEPS)
+    for places in moved_by_programs(body_of(scene), tmp_path):
+        assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+
+
 def test_what_is_broken_and_bent_for_good_is_so_in_a_program(tmp_path: Path) -> None:
     rope = sim.rope(masses=6, length=240.0, direction=(1.0, 0.0), integrator=EULER)
     springs = tuple(changed(s, strength=1e14, yield_force=1e13) for s in rope.linear_springs)

@@ -36,7 +36,7 @@ _NPM = _HOME / ("node_modules" if sys.platform == "win32" else "lib/node_modules
 def main() -> int:
     """The first exit code that is not 0."""
     npx = [NODE, _NPM / "npx-cli.js", "--yes"]
-    npm = [NODE, _NPM / "npm-cli.js", "--loglevel=error", "--no-audit", "--no-fund"]
+    npm = [NODE, _NPM / "npm-cli.js", "--loglevel=error", "--prefer-offline", "--no-audit"]
     types = [*npx, "--package", TYPESCRIPT, "--", "tsc"]
     options = ["--allowJs", "--checkJs", "--strict", "--noEmit", "--target", "es2022", "--lib", "es2022"]
     tests = [NODE, "--test", "--test-reporter=dot", *sorted(FOLDER.glob("*.test.mjs"))]
