@@ -65,6 +65,20 @@ test("a spring that is pulled too hard breaks, and the body falls", () => {
   assert.ok(body.positions[3] > 500);
 });
 
+test("what is cut holds nothing, and what it held in is out", () => {
+  const loop = { masses: [0, 1, 2], isGas: true, strength: 9000, outside: 0, area: 600 };
+  const body = new SoftBody(pendulum({
+    positions: [0, 0, 30, 0, 0, 40], velocities: [0, 0, 0, 0, 0, 0], mass: [1, 1, 1], held: [1, 0, 0], fillings: [loop],
+    ends: [0, 1, 1, 2, 2, 0], stiffness: [5000, 5000, 5000], damping: [1, 1, 1], restLength: [30, 50, 40],
+  }), 0.001);
+  body.cut(0);
+  body.cut(1);
+  assert.equal(body.fillings.length, 0);
+  body.advance(1);
+  assert.equal(body.positions[2], 30);
+  assert.ok(Math.abs(body.positions[3] - 450) < 1, `${body.positions[3]}`);
+});
+
 test("it says when a body has run away", () => {
   const body = new SoftBody(pendulum(), 0.1);
   assert.equal(body.advance(100), false);
@@ -75,6 +89,7 @@ test("what is wrong is refused by name, and nothing happens", () => {
   for (const [wrong, said] of [
     [() => body.drag(2, 0, 0), "drag: there is no mass 2, but 0 to 1"],
     [() => body.hold(0.5), "hold: there is no mass 0.5, but 0 to 1"],
+    [() => body.cut(1), "cut: there is no spring 1, but 0 to 0"],
     [() => body.push(1, NaN, 0), "push: NaN is not a finite number"],
     [() => body.advance(Infinity), "advance: Infinity is not a finite number"],
     [() => body.stretch(0), "stretch: 0 is not greater than 0"],

@@ -7,6 +7,7 @@
  */
 import { Body } from "./body.js";
 import { energies } from "./energy.js";
+import { leak } from "./limits.js";
 import { advance, METHODS } from "./steps.js";
 
 /** Refuse what is no finite number. @param {string} name of what is done with them @param {number[]} numbers */
@@ -16,11 +17,22 @@ function finite(name, ...numbers) {
 }
 
 /**
+ * Refuse a number that no part has.
+ *
+ * @param {string} name of what is done with the part @param {string} kind of part @param {number} number
+ * @param {number} count of parts
+ */
+function known(name, kind, number, count) {
+  if (Number.isInteger(number) && number >= 0 && number < count) return;
+  throw new RangeError(`${name}: there is no ${kind} ${number}${count ? `, but 0 to ${count - 1}` : ""}`);
+}
+
+/**
  * A body that moves by the tutorial's step. Masses, springs and joints go by their numbers from 0.
  *
  * To be read: `positions`, `velocities`, `time`, `masses` (how many), `ends` (two masses of each spring), `broken` (1 for
  * each spring that is), `angleOf(joint)`. To be written at any time: `positions`, `velocities`, `gravity`, `airFriction`,
- * `wind`, `stiffness`, `damping`, `restLength`; and `restAngle`, `jointStiffness` and `broken`, but call `refresh()` after it.
+ * `wind`, `stiffness`, `damping`, `restLength`; and `restAngle` and `jointStiffness`, but call `refresh()` after it.
  */
 export class SoftBody extends Body {
   /** @type {Map<number, Hand>} */
@@ -68,7 +80,7 @@ export class SoftBody extends Body {
    * @param {number} mass @param {number} x @param {number} y
    */
   drag(mass, x, y) {
-    this.#known("drag", mass);
+    known("drag", "mass", mass, this.masses);
     finite("drag", x, y);
     this.#hands.set(mass, { mass, x, y });
   }
@@ -80,18 +92,26 @@ export class SoftBody extends Body {
 
   /** Hold a mass where it is, as an anchor, or make it free. @param {number} mass @param {boolean} isHeld */
   hold(mass, isHeld = true) {
-    this.#known("hold", mass);
+    known("hold", "mass", mass, this.masses);
     this.held[mass] = Number(isHeld);
     this.velocities.fill(0, 2 * mass, 2 * mass + 2);
   }
 
   /** Push a mass, until it is pushed otherwise: a force, kg px/s². @param {number} mass @param {number} x @param {number} y */
   push(mass, x, y) {
-    this.#known("push", mass);
+    known("push", "mass", mass, this.masses);
     finite("push", x, y);
     const load = this.loads.find((one) => one.mass === mass);
     if (load) Object.assign(load, { x, y });
     else this.loads.push({ mass, x, y });
+  }
+
+  /** Cut a spring for good, and let out what a loop with it holds. @param {number} spring */
+  cut(spring) {
+    known("cut", "spring", spring, this.springs);
+    this.broken[spring] = 1;
+    leak(this);
+    this.refresh();
   }
 
   /** Make all rest lengths this many times as long as at first. @param {number} factor */
@@ -114,11 +134,5 @@ export class SoftBody extends Body {
    */
   energy() {
     return energies(this);
-  }
-
-  /** @param {string} name of what is done with the mass @param {number} mass */
-  #known(name, mass) {
-    if (Number.isInteger(mass) && mass >= 0 && mass < this.masses) return;
-    throw new RangeError(`${name}: there is no mass ${mass}, but 0 to ${this.masses - 1}`);
   }
 }
