@@ -575,7 +575,19 @@ class Move(Gesture, frozen=True):
 class Act(Gesture, frozen=True):
     """Something that needs no place: to a mass; or to what is selected, else what is under the pointer."""
 
-    what: Literal["remove", "pin", "duplicate", "mirror", "corners", "triangulate", "rest", "all", "copy"]
+    what: Literal[
+        "remove",
+        "pin",
+        "duplicate",
+        "mirror",
+        "corners",
+        "triangulate",
+        "rest",
+        "keep",
+        "stiffen",
+        "all",
+        "copy",
+    ]
     mass: Index | None = None
     under: Index | None = None
 

@@ -174,11 +174,14 @@ class Versions(State, frozen=True, kw_only=True):
 
     Attributes:
         count: how many changes can be undone.
+        stiffen: the factor of stiffness with which the body could keep the shape that it could not keep
+            without; 0 for none.
     """
 
     undo: str = ""
     redo: str = ""
     count: int = 0
+    stiffen: float = 0.0
 
 
 class Keepsake(State, frozen=True, kw_only=True):

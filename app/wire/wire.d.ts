@@ -1,5 +1,5 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "dark" | "meter" | "gizmos" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "dark" | "meter" | "gizmos" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
 /** Commands that the page's script does. */
 export type PageCommand = "gallery" | "share" | "fit" | "larger" | "picture" | "edit";
 /** Do a command of the table, see `commands`. */
@@ -129,7 +129,7 @@ export type Stroke = { do: "stroke"; points: [number, number][] };
 /** What is selected, or else one mass, is to be moved by (x, y), and may rest as it is then. */
 export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
-export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "mirror" | "pin" | "remove" | "rest" | "triangulate"; mass?: number | null; under?: number | null };
+export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "keep" | "mirror" | "pin" | "remove" | "rest" | "stiffen" | "triangulate"; mass?: number | null; under?: number | null };
 export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
@@ -178,7 +178,7 @@ export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: 
 /** What is selected. */
 export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
 /** What undo takes back, and what redo does again; empty for nothing. */
-export type Versions = { tell: "versions"; undo: string; redo: string; count: number };
+export type Versions = { tell: "versions"; undo: string; redo: string; count: number; stiffen: number };
 /** What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
 /** What a pupil's page has to know of the class. */
