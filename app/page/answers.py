@@ -73,7 +73,7 @@ class Answers:
             self._line.submit(self.sharing.open, letters)
         elif part.kind == "file":
             if "files" in self._page.controls:
-                self._line.submit(open_file, self._page.session, self._page.notify, letters)
+                self._line.submit(open_file, self._page, letters)
         elif part.kind == "paste":
             if "edit" in self._page.controls:
                 self._line.submit(self.edits.paste, letters)

@@ -43,6 +43,7 @@ import { addShareDialog } from "./files/share.js";
 import { addUnderlay } from "./body/underlay.js";
 import { addTexts } from "./scenes/texts.js";
 import { hearTools } from "./measure/tools.js";
+import { addMeasured } from "./measure/measured.js";
 import { addTraces } from "./measure/trace.js";
 import { addTracing } from "./edit/tracing.js";
 import { addTransport } from "./time/transport.js";
@@ -95,6 +96,7 @@ whenViser((viser) => {
   addShareDialog();
   addUnderlay();
   addTraces();
+  addMeasured();
   addLoads();
   addArrows();
   addCoordinates();

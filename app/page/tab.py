@@ -48,6 +48,7 @@ from .files.export_panel import ExportPanel
 from .files.files_panel import FilesPanel
 from .looks import readouts
 from .making.maker import LessonMaker, Measured
+from .measure.fit_panel import FitPanel
 from .measure.measure_panel import MeasurePanel
 from .measure.tools_panel import ToolsPanel
 from .opening import asked_scene
@@ -177,6 +178,7 @@ class Tab:
         self._plots_kept: tuple[Wish, ...] = ()
         self._arrows_kept: frozenset[str] = frozenset()
         self._measure: MeasurePanel | None = None
+        self._fit: FitPanel | None = None
         self._tools: ToolsPanel | None = None
         self._files: FilesPanel | None = None
         self._session: Session | None = None
@@ -416,11 +418,13 @@ class Tab:
             with self._panel.play_tab:
                 self.client.gui.add_html(self._role.place, order=0)
         self._has_lesson = page.has_lesson
-        self._measure = self._tools = self._files = None
+        self._measure = self._fit = self._tools = self._files = None
         if self._panel.measure_tab is not None:
             if "measure" in page.controls:
                 self._measure = MeasurePanel(page, self._panel.measure_tab)
                 self._measure.plots.remember(self._plots_kept)
+                self._fit = FitPanel(page, self._panel.measure_tab)
+                page.take_table = self._fit.take
             if "tools" in page.controls:
                 with self._panel.measure_tab:
                     self._tools = ToolsPanel(page)
@@ -460,6 +464,8 @@ class Tab:
             self._page.controls = wanted
             if self._measure is not None:
                 self._plots_kept = self._measure.plots.wishes
+            if self._fit is not None:
+                self._fit.forget()
             if self._tools is not None:
                 self._arrows_kept = self._tools.leave()
             self.client.gui.reset()
@@ -475,6 +481,8 @@ class Tab:
         self._show_lessons_things(session)
         if self._measure is not None:
             self._measure.build()
+        if self._fit is not None:
+            self._fit.build()
         self._moved_at = session.now()
         self._generation = session.generation
 

@@ -213,6 +213,10 @@ class Arrows(Numbers, frozen=True, kw_only=True):
     """Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any."""
 
 
+class Measured(Numbers, frozen=True, kw_only=True):
+    """Where a table says that masses were: time, x and y of each place; none where no table is open."""
+
+
 # ------------------------------------------------------------------------- in a class
 class Asking(Struct, frozen=True, kw_only=True):
     """What a class looks at.

@@ -14,13 +14,14 @@ from functools import partial
 import viser
 
 import sim
+from sim.design.measurements import Measurement, parse_measurement
 from sim.edit.texts import UNNAMED, renamed
 from sim.errors import InputError, SceneError
 from sim.store import files
 from sim.store.places import as_utf8
 
 from ...session import commands, log
-from ...session.session import Notice, Session
+from ...session.session import Notice
 from ..page import Page
 from ..viser.handlers import on_press
 from . import keeping
@@ -113,18 +114,26 @@ class FilesPanel:
         on_press(no, modal.close)
 
 
-def open_file(session: Session, notify: Callable[[Notice], None], letters: str) -> None:
-    """Open a scene or a log that a page sends, or say why not.
+_TABLES = (".csv", ".tsv", ".txt", ".dat")
+"""How the names of files end that are tables of what was measured."""
+
+
+def open_file(page: Page, letters: str) -> None:
+    """Open a scene, a log or a table of what was measured that a page sends, or say why not.
 
     Args:
-        session: of the page.
-        notify: tells the user something.
+        page: which.
         letters: the file's name as in an address, a colon, and the file as `keeping.unpacked` takes it.
     """
     quoted, _, packed = letters.partition(":")
     name = urllib.parse.unquote(quoted)[:255]
+    session, notify = page.session, page.notify
     try:
-        data = as_utf8(keeping.unpacked(packed))
+        data = keeping.unpacked(packed)
+        if name.lower().endswith(_TABLES):
+            _open_table(page, parse_measurement(data, name))
+            return
+        data = as_utf8(data)
         if log.is_recorded(data):
             session.post(commands.Replay(log.decode_log(data, name)))
         else:
@@ -133,3 +142,19 @@ def open_file(session: Session, notify: Callable[[Notice], None], letters: str) 
         notify(Notice("error", "That did not work", str(error)))
     except ValueError as error:
         notify(Notice("error", "That did not work", f"{name}: {error}"))
+
+
+def _open_table(page: Page, table: Measurement) -> None:
+    """Have a table offered in the Measure tab.
+
+    Raises:
+        InputError: there is no such tab.
+    """
+
+    def take() -> None:
+        if page.take_table is not None:
+            page.take_table(table)
+
+    if page.take_table is None:
+        raise InputError(f"{table.name}: a table is fitted in the Measure tab, which this page does not have")
+    page.later(take)

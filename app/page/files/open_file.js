@@ -1,5 +1,8 @@
 // @ts-check
-/** Opens a file of this computer, a scene or a log: it is sent to the server, which reads it. */
+/**
+ * Opens a file of this computer, a scene, a log or a table of what was measured, which is chosen or dropped on the
+ * page: it is sent to the server, which reads it.
+ */
 import { send } from "../../wire/channel.js";
 import { make } from "../looks/dialog.js";
 import { OPEN } from "../viser/widgets.js";
@@ -8,20 +11,36 @@ import { sendParts } from "./links.js";
 
 /** Bytes of a file at most: more than any scene or log may have. */
 const MOST = 8_000_000;
+const KINDS = "application/json,.json,.jsonl,.csv,.tsv,.txt,.dat";
 
-/** Begins to listen to the button of the Share tab. */
+/** @param {File | undefined} file */
+async function open(file) {
+  if (!file) return;
+  if (file.size > MOST) send({ do: "unsent", what: "file" });
+  else sendParts("file", `${encodeURIComponent(file.name)}:${await packed(file)}`);
+}
+
+/** Begins to listen to the button of the Share tab, and to files that are dropped. */
 export function listenToOpenFile() {
   const input = make("input", "");
-  Object.assign(input, { type: "file", name: "file", accept: "application/json,.json,.jsonl", hidden: true });
+  Object.assign(input, { type: "file", name: "file", accept: KINDS, hidden: true });
   document.body.append(input);
   document.addEventListener("click", ({ target }) => {
     if (target instanceof Element && target.closest("button")?.querySelector(OPEN)) input.click();
   });
-  input.addEventListener("change", async () => {
+  input.addEventListener("change", () => {
     const [file] = input.files ?? [];
     input.value = "";
-    if (!file) return;
-    if (file.size > MOST) send({ do: "unsent", what: "file" });
-    else sendParts("file", `${encodeURIComponent(file.name)}:${await packed(file)}`);
+    open(file);
+  });
+  /** Whether files are dragged, and not a piece of the page. @param {DragEvent} event */
+  const hasFiles = (event) => event.dataTransfer?.types.includes("Files") ?? false;
+  document.addEventListener("dragover", (event) => {
+    if (hasFiles(event)) event.preventDefault();
+  });
+  document.addEventListener("drop", (event) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    open(event.dataTransfer?.files[0]);
   });
 }

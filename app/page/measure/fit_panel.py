@@ -1,0 +1,304 @@
+"""Fitting the scene to a table of what was measured: the end of the Measure tab, once a table is opened."""
+
+from __future__ import annotations
+
+import html
+import threading
+from functools import partial
+
+import numpy as np
+import viser
+
+import sim
+from sim.compiling.compiler import is_ready, needed_by
+from sim.design.fit import MAX_VARIED, Estimate, Fit
+from sim.design.matching import Match, guesses, matched
+from sim.design.measurements import Measurement
+from sim.design.places import places_of
+from sim.edit.edit import Edit
+from sim.errors import InputError, SceneError, SettingError
+from sim.settings import settings_of
+
+from ...export.workshop import Breath, Workshop
+from ...session import commands
+from ...session.notices import Notice
+from ...wire.to_page import Measured, ShowMeasures
+from ..page import Page
+from ..viser.handlers import on_change, on_press
+
+FIRST = 3000.0
+"""Order of the first control: after all others of the tab."""
+MOST_COLUMNS = 8
+"""Columns that a page can match; the command `softrod fit` takes more."""
+MOST_MASSES, MOST_NUMBERS = 60, 4000
+"""Masses of a body, and numbers of a table, that a page fits: a fit shares the interpreter with the pages."""
+MOST_POINTS = 2000
+"""Places that are drawn."""
+_NOT_SOUGHT = ("dt", "tolerance", "template")
+_NONE = "(left out)"
+
+_shop = Workshop()
+
+
+class _Stopped(Exception):
+    """Nobody waits for the fit any more."""
+
+
+class FitPanel:
+    """The controls; there are none until a table comes.
+
+    Args:
+        page: whose body is fitted.
+        tab: where they stand.
+    """
+
+    def __init__(self, page: Page, tab: viser.GuiTabHandle) -> None:
+        self._page, self._session, self._tab = page, page.session, tab
+        self._table: Measurement | None = None
+        self._found: Fit | None = None
+        self._columns: dict[str, viser.GuiTextHandle] = {}
+        self._switches: dict[str, viser.GuiCheckboxHandle] = {}
+        self._busy = threading.Lock()
+        self._scene: sim.Scene | None = None
+
+    # --------------------------------------------------------------------- the ticker's
+    def take(self, table: Measurement) -> None:
+        """Offer to fit the scene to a table, instead of the one before."""
+        self.forget()
+        self._table, self._scene = table, self._session.scene
+        self._page.mail.tell(ShowMeasures())
+        gui = self._page.client.gui
+        with self._tab:
+            about = (
+                f"<b>{html.escape(table.name)}</b>: {table.time.size} rows. Which quantity is each column?"
+            )
+            self._about = gui.add_html(_text(about), order=FIRST)
+            texts = guesses(table, self._scene)
+            for i, column in enumerate(table.columns[:MOST_COLUMNS]):
+                self._columns[column.name] = gui.add_text(
+                    _short(column.label),
+                    initial_value=texts[column.name],
+                    hint="as mass1.x, -mass1.y or 90 - spring0.direction; empty to leave it out",
+                    order=FIRST + 1 + 0.1 * i,
+                )
+            self._scale = gui.add_number(
+                "Scale",
+                initial_value=1.0,
+                min=1e-6,
+                max=1e9,
+                hint=f"{self._scene.view.unit} to a metre",
+                order=FIRST + 2,
+            )
+            self._sought = gui.add_html(_text("What is sought?"), order=FIRST + 3)
+            for i, (name, label) in enumerate(self._offered().items()):
+                self._switches[name] = gui.add_checkbox(
+                    label, initial_value=name in _USUAL, order=FIRST + 4 + 0.01 * i
+                )
+            self._fit = gui.add_button("Fit", icon=viser.Icon.CHART_DOTS, order=FIRST + 5)
+            self._forget = self._page.button(
+                "Forget the table", viser.Icon.X, lambda: self._page.later(self.forget), order=FIRST + 6
+            )
+            self._result = gui.add_html("", order=FIRST + 7)
+        for control in (*self._columns.values(), self._scale, self._switches["start"]):
+            on_change(control, lambda: self._page.later(self._show_points))
+        on_press(self._fit, lambda: self._page.later(self._begin))
+        self._show_points()
+
+    def forget(self) -> None:
+        """Take the table and all that belongs to it out of the page."""
+        if self._table is None:
+            return
+        self._table = self._found = self._scene = None
+        for control in (
+            self._about,
+            *self._columns.values(),
+            self._scale,
+            self._sought,
+            *self._switches.values(),
+            self._fit,
+            self._forget,
+            self._result,
+        ):
+            control.remove()
+        self._columns.clear()
+        self._switches.clear()
+        self._page.mail.tell(Measured(numbers=np.zeros(0, np.float32)))
+
+    def build(self) -> None:
+        """Another scene: a table of another body is forgotten."""
+        scene = self._scene
+        if scene is not None and len(scene.masses) != len(self._session.scene.masses):
+            self.forget()
+
+    # --------------------------------------------------------------------- what is offered
+    def _offered(self) -> dict[str, str]:
+        """What can be sought, with a label: settings that are no whole numbers, and what is of the table."""
+        settings = {
+            setting.key: setting.label
+            for setting in settings_of(self._session.scene)
+            if not setting.integer and setting.key not in _NOT_SOUGHT
+        }
+        return {**settings, **_OF_TABLE}
+
+    def _match(self) -> tuple[Match, ...]:
+        """The columns as the controls have them.
+
+        Raises:
+            InputError: one of them is not right.
+        """
+        table, scene = self._table, self._session.scene
+        if table is None:
+            raise InputError("there is no table")
+        return matched(table, scene, {name: box.value[:100] for name, box in self._columns.items()})
+
+    def _needs_scale(self, matches: tuple[Match, ...]) -> bool:
+        return any(each.scale is None for each in matches) and not self._switches["length_scale"].value
+
+    def _show_points(self) -> None:
+        """Draw the places of masses as they are matched now, after a fit where it says they are."""
+        table = self._table
+        if table is None:
+            return
+        try:
+            matches = self._match()
+        except InputError:
+            matches = ()
+        self._scale.visible = any(each.scale is None for each in matches)
+        numbers = np.zeros(0, np.float32)
+        if matches:
+            values = self._found.values if self._found is not None else {}
+            scale = _value(values.get("length_scale"), float(self._scale.value))
+            origin = tuple(_value(values.get(f"origin_{axis}"), 0.0) for axis in "xy")
+            rows, places = places_of(matches, self._session.scene, scale, (origin[0], origin[1]))
+            some = np.linspace(0, rows.size - 1, min(rows.size, MOST_POINTS)).astype(int)
+            begin = table.time[0] if self._switches["start"].value else 0.0
+            both = np.column_stack((table.time[rows[some]] - begin, places[some]))
+            both = both[(np.abs(both) < 1e7).all(axis=1)]
+            numbers = both.astype(np.float32).ravel()
+        self._page.mail.tell(Measured(numbers=numbers))
+
+    # --------------------------------------------------------------------- the fit
+    def _begin(self) -> None:
+        """Have the scene fitted in the thread for that, unless it is at work for this page."""
+        table = self._table
+        vary = [name for name, switch in self._switches.items() if switch.value]
+        if table is None or not self._busy.acquire(blocking=False):
+            return
+        try:
+            matches = self._match()
+            self._refuse(matches, vary)
+        except InputError as error:
+            self._busy.release()
+            self._say(error)
+            return
+        texts = {each.column.name: each.text for each in matches}
+        scale = float(self._scale.value) if self._needs_scale(matches) else None
+        self._fit.disabled = True
+        self._result.content = _text("The fit begins ...")
+        scene = self._session.simulation.capture().scene
+        _shop.submit(partial(self._run, table, scene, vary, texts, scale))
+
+    def _refuse(self, matches: tuple[Match, ...], vary: list[str]) -> None:
+        scene, numbers = self._session.scene, sum(each.column.values.size for each in matches)
+        if len(scene.masses) > MOST_MASSES:
+            raise InputError(f"a page fits at most {MOST_MASSES} masses; softrod fit takes more")
+        if numbers > MOST_NUMBERS:
+            raise InputError(f"a page fits at most {MOST_NUMBERS} numbers; softrod fit takes more")
+        if not 1 <= len(vary) <= MAX_VARIED:
+            raise InputError(f"choose from 1 to {MAX_VARIED} numbers that are sought, not {len(vary)}")
+        if not is_ready(needed_by(scene.integrator.method)):
+            raise InputError("the solver is still being compiled; try again in a moment")
+
+    def _run(
+        self,
+        table: Measurement,
+        scene: sim.Scene,
+        vary: list[str],
+        match: dict[str, str],
+        scale: float | None,
+    ) -> None:
+        breath = Breath()
+
+        def progress(what: str) -> None:
+            if self._table is not table:
+                raise _Stopped
+            self._page.later(partial(self._tell, table, f"Fitting: {what} ..."))
+            breath.take()
+
+        try:
+            found = sim.fit(scene, table, vary, match, scale, progress)
+            self._page.later(partial(self._take_found, table, scene, found))
+        except (InputError, SceneError, SettingError) as error:
+            self._page.later(partial(self._say, error))
+        except _Stopped:
+            pass
+        except Exception:
+            self._page.later(partial(self._tell, table, "There was an error on the server."))
+            raise
+        finally:
+            self._busy.release()
+            self._page.later(self._ready)
+
+    def _ready(self) -> None:
+        if self._table is not None:
+            self._fit.disabled = False
+
+    def _tell(self, table: Measurement, text: str) -> None:
+        if self._table is table:
+            self._result.content = _text(html.escape(text))
+
+    def _say(self, error: Exception) -> None:
+        text = str(error).removeprefix("fit: ")
+        self._page.notify(Notice("error", "It cannot be fitted", f"{text[:1].upper()}{text[1:]}."))
+        if self._table is not None:
+            self._result.content = ""
+
+    def _take_found(self, table: Measurement, scene: sim.Scene, found: Fit) -> None:
+        """Show what was found, and put it into the scene as one step of undo."""
+        if self._table is not table:
+            return
+        self._found = found
+        self._result.content = _found_html(found)
+
+        def make(moment: sim.Moment, _: object) -> Edit:
+            if moment.scene is not scene:
+                raise SettingError("the scene was changed while it was fitted; fit it again")
+            return Edit("Fitted", found.scene)
+
+        self._session.post(commands.Change(make))
+        self._session.post(commands.Reset())
+        self._show_points()
+
+
+_OF_TABLE = {
+    "start": "Start (places, velocities)",
+    "origin": "Origin of the table",
+    "length_scale": "Length scale",
+}
+_USUAL = ("linear_stiffness", "linear_damping")
+"""What is sought at first."""
+
+
+def _value(estimate: Estimate | None, otherwise: float) -> float:
+    return otherwise if estimate is None else estimate.value
+
+
+def _short(label: str) -> str:
+    return label if len(label) <= 24 else f"{label[:23]}…"
+
+
+def _text(content: str) -> str:
+    return f'<div class="softrod-text">{content}</div>'
+
+
+def _found_html(found: Fit) -> str:
+    """Numbers with their intervals, what is left, and what the data cannot tell: all as text."""
+    rows = "".join(
+        f"<tr><td>{html.escape(each.name)}</td><td>{html.escape(each.text)}</td></tr>"
+        for each in found.values.values()
+    )
+    left = [
+        f"{each.column}: what is left is {each.noise:.3g} {each.unit}".rstrip() + "." for each in found.series
+    ]
+    said = "".join(f"<p>{html.escape(line)}</p>" for line in (*left, *found.sentences))
+    return _text(f'<table class="softrod-table">{rows}</table>{said}')
