@@ -1,4 +1,4 @@
-"""Fitting the scene to a table of what was measured: the end of the Measure tab, once a table is opened."""
+"""Fitting the scene to a table of what was measured: the top of the Measure tab, once a table is opened."""
 
 from __future__ import annotations
 
@@ -23,11 +23,12 @@ from ...export.workshop import Breath, Workshop
 from ...session import commands
 from ...session.notices import Notice
 from ...wire.to_page import Measured, ShowMeasures
+from ..looks import readouts
 from ..page import Page
 from ..viser.handlers import on_change, on_press
 
-FIRST = 3000.0
-"""Order of the first control: after all others of the tab."""
+FIRST = -10.0
+"""Order of the first control: before all others of the tab, since it is what the tab was opened for."""
 MOST_COLUMNS = 8
 """Columns that a page can match; the command `softrod fit` takes more."""
 MOST_MASSES, MOST_NUMBERS = 60, 4000
@@ -257,15 +258,12 @@ class FitPanel:
         """Show what was found, and put it into the scene as one step of undo."""
         if self._table is not table:
             return
+        if self._session.simulation.capture().scene is not scene:
+            self._say(InputError("the scene was changed meanwhile; fit it again"))
+            return
         self._found = found
         self._result.content = _found_html(found)
-
-        def make(moment: sim.Moment, _: object) -> Edit:
-            if moment.scene is not scene:
-                raise SettingError("the scene was changed while it was fitted; fit it again")
-            return Edit("Fitted", found.scene)
-
-        self._session.post(commands.Change(make))
+        self._session.post(commands.Change(lambda moment, _: Edit("fitted", found.scene)))
         self._session.post(commands.Reset())
         self._show_points()
 
@@ -293,12 +291,9 @@ def _text(content: str) -> str:
 
 def _found_html(found: Fit) -> str:
     """Numbers with their intervals, what is left, and what the data cannot tell: all as text."""
-    rows = "".join(
-        f"<tr><td>{html.escape(each.name)}</td><td>{html.escape(each.text)}</td></tr>"
-        for each in found.values.values()
-    )
+    rows = {html.escape(each.name): html.escape(each.text) for each in found.values.values()}
     left = [
         f"{each.column}: what is left is {each.noise:.3g} {each.unit}".rstrip() + "." for each in found.series
     ]
     said = "".join(f"<p>{html.escape(line)}</p>" for line in (*left, *found.sentences))
-    return _text(f'<table class="softrod-table">{rows}</table>{said}')
+    return readouts.table(rows) + _text(said)
