@@ -176,8 +176,13 @@ def serve(
             webbrowser.open(address)
         start_compiling(scene, ticker, compiler)
         threading.Thread(target=_show_progress, args=(compiler, console), daemon=True).start()
+        told = 0
         while not signals:
             time.sleep(0.1)
+            for sentence in server.gate.advice[told:]:
+                told += 1
+                said = f"A page was refused. {' '.join(sentence.split())}"
+                console.print(said, style="yellow", highlight=False, markup=False, soft_wrap=True)
     console.print("softrod has ended.")
 
 

@@ -1,4 +1,4 @@
-"""Two servers behind one proxy, as a school runs them: a room stays on its server."""
+"""Two servers behind one proxy, as a school runs them: a room stays on its server, and a page works."""
 
 from __future__ import annotations
 
@@ -14,13 +14,14 @@ from typing import get_args
 
 import msgspec
 import pytest
+from websockets.exceptions import InvalidStatus
 
 import sim
 from app.classroom import kept
 from app.classroom.live import Class, Classes
 from app.server.serve import serving
 from app.wire.from_page import Who
-from studies.bench.client import Page, saying
+from studies.bench.client import Page, is_frame, saying
 from tests.browser.wires import certified
 from tests.proxies import FOLDERS, Kind, Proxy
 
@@ -39,9 +40,9 @@ class School:
         name = secrets.token_hex(16)
         return Page(self.proxy.port, path=f"{folder[1:]}at/{name}?{query}", tls=self.tls)
 
-    def get(self, path: str) -> tuple[int, str]:
+    def get(self, path: str, headers: dict[str, str] | None = None) -> tuple[int, str]:
         connection = http.client.HTTPSConnection("localhost", self.proxy.port, timeout=20, context=self.tls)
-        connection.request("GET", path)
+        connection.request("GET", path, headers=headers or {})
         response = connection.getresponse()
         text = response.read().decode()
         connection.close()
@@ -111,3 +112,36 @@ def test_each_room_is_on_its_server_and_stays_there(school: School) -> None:
     here, there = FOLDERS
     with school.page(here, f"room={school.rooms[there].room.code}") as stray:
         assert "There is no class" in seat(stray, Who("f" * 32))[1]
+
+
+@pytest.mark.parametrize("kind", get_args(Kind))
+def test_a_page_works_with_the_option_and_says_which_one_it_lacks(kind: Kind, tmp_path: Path) -> None:
+    certificate, key = certified(tmp_path)
+    proxy = Proxy(kind, tmp_path, certificate, key)
+    known, unknown = FOLDERS
+    with ExitStack() as stack:
+        servers = [
+            stack.enter_context(serving(sim.rope(), "127.0.0.1", 0, public_url=url))[0]
+            for url in (proxy.url(known), None)
+        ]
+        stack.enter_context(proxy.leading(*(server.get_port() for server in servers)))
+        school = School(proxy, ssl.create_default_context(cafile=certificate), {})
+        for folder in FOLDERS:
+            status, page = school.get(f"{folder}s")  # as of a link to a scene
+            script = re.search(r'src="(softrod/\w+/page/main.js)"', page)
+            assert status == 200
+            assert script is not None
+            assert school.get(folder + script[1])[0] == 200
+        origin = proxy.url("")
+        with school.page(known, "scene=ring") as page:
+            page.wait_for(is_frame)
+        assert school.get(f"{known}reach", {"X-Softrod-Origin": origin}) == (200, "")
+        assert not servers[0].gate.advice
+        with pytest.raises(InvalidStatus) as refused, school.page(unknown, ""):
+            pass
+        assert refused.value.response.status_code == 403
+        # A browser does not tell its page what a refusal says; so that asks.
+        status, said = school.get(f"{unknown}reach", {"X-Softrod-Origin": origin})
+        assert status == 403
+        assert f"start softrod with --public-url {origin}/ " in said
+        assert servers[1].gate.advice == [said.strip()]
