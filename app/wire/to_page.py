@@ -483,6 +483,13 @@ class Taken(Event, frozen=True, kw_only=True):
     refused: str = ""
 
 
+class Brought(Event, frozen=True, kw_only=True):
+    """What became of answers that the teacher brought, in a sentence."""
+
+    told: str
+    refused: bool = False
+
+
 class ClassEnded(Event, frozen=True, kw_only=True):
     """The class is over: nothing of it is to be kept."""
 
