@@ -18,7 +18,7 @@ from sim.settings.recipes import Setting
 
 from ...drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
 from ..bundle import bundle
-from ..html_file import html_file, packed, plans, stage
+from ..html_file import Bar, html_file, packed, plans, stage
 from .data import body_data
 
 KEYS = (
@@ -40,14 +40,18 @@ KEYS = (
 
 TUTORIAL = "symplectic_euler"
 
+DARK = '@media (prefers-color-scheme: dark){html:not([data-theme="light"])*}html[data-theme="dark"]*'
+"""Where the paper is dark: as the system has it, or as the file's own attribute says."""
+
 _FOLDER = Path(__file__).parent / "static"
 
 
-def live_html(moment: sim.Moment) -> tuple[bytes, list[str]]:
+def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[str]]:
     """The file, in UTF-8, and what it cannot do: sentences without a full stop.
 
     Args:
         moment: in which the body begins.
+        bar: what leads to other files, for one that is not alone.
 
     Raises:
         InputError: a position or a velocity is not a finite number.
@@ -91,13 +95,13 @@ def live_html(moment: sim.Moment) -> tuple[bytes, list[str]]:
 <output id="clock"></output>
 </div>
 <p id="says" class="hidden" role="status"></p>"""
-    return html_file(scene, body, style, script, {"about": _about(moment)}, note), notes
+    return html_file(scene, body, style, script, {"about": _about(moment)}, note, bar), notes
 
 
 @cache
 def _looks() -> tuple[str, str]:
     """The styles and the script."""
-    colors = style_rules("@media (prefers-color-scheme: dark){*}")
+    colors = style_rules(DARK)
     return colors + (_FOLDER / "live.css").read_text(encoding="utf-8"), bundle(_FOLDER / "live.js")
 
 

@@ -20,7 +20,7 @@
  */
 import { readPlan, UNHARMED } from "../../../drawing/static/plan.js";
 import { paint, screenOf } from "../../static/paint.js";
-import { element, unpacked } from "../../static/parts.js";
+import { element, isDark, unpacked } from "../../static/parts.js";
 import { Body } from "./body.js";
 import { Clock } from "./clock.js";
 import { addHands } from "./hands.js";
@@ -42,11 +42,10 @@ function damageOf(body) {
 /** @param {About} about @param {import("../../../drawing/static/plan.js").Plan[]} plans on white and on dark paper */
 function run(about, plans) {
   const canvas = element("canvas", HTMLCanvasElement);
-  const night = matchMedia("(prefers-color-scheme: dark)");
   let now = begin(about);
   let [playing, speed, before] = [!matchMedia("(prefers-reduced-motion: reduce)").matches, about.speed, 0];
   const place = () => screenOf(about, canvas);
-  const plan = () => plans[night.matches ? 1 : 0];
+  const plan = () => plans[isDark() ? 1 : 0];
   const panel = addPanel(about, {
     play: () => set(!playing),
     step: () => {
