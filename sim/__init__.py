@@ -14,6 +14,7 @@ from .analysis.equilibrium import equilibrium
 from .analysis.predictability import Predictability, predictability
 from .analysis.tuning import Tuning, Vibration, tuning
 from .analysis.vibrations import Vibrations, vibrations
+from .design.keep_shape import DesignError, keep_shape
 from .edit.tune import damp_vibration, make_stable
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import Energies
@@ -71,6 +72,7 @@ __all__ = [
     "Circle",
     "Cloth",
     "Contact",
+    "DesignError",
     "Divergence",
     "Energies",
     "FlagPole",
@@ -113,6 +115,7 @@ __all__ = [
     "girder",
     "hair_tuft",
     "jelly",
+    "keep_shape",
     "list_scenes",
     "load_scene",
     "make_stable",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from functools import cached_property
 
 import msgspec
 import numpy as np
@@ -14,7 +15,7 @@ from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
 from ..forces.joints import JointsTwin
 from ..forces.springs import SpringsTwin
-from ..kernels.core.tables import Floats, Indices
+from ..kernels.core.tables import Floats, Indices, Matrix
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Pose, Scene
@@ -127,7 +128,6 @@ class Resting:
         body = self.tables = self.system.body
         self.surrounded = bool(body.environment.present)
         self.scratch = new_scratch(self.system)
-        self.matrix = new_matrix(body, self.system.held)
         state, here = self.state, slice(1, body.masses + 1)
         free = np.where(self.system.held, 0.0, 1.0)
         weight = 1.0 / self.system.inverse_mass
@@ -140,6 +140,11 @@ class Resting:
         self.still = np.zeros(2 * self.slots)
         lengths = body.rest_length[: body.springs] * scene.rest_length_scale
         self.typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
+
+    @cached_property
+    def matrix(self) -> Matrix:
+        """What its linear systems are factorised in."""
+        return new_matrix(self.tables, self.system.held)
 
     def _stiffness_at_masses(self) -> Floats:
         """(n,) sum of the stiffnesses of all springs and joints that act on each mass, kg/s²; never zero."""

@@ -130,6 +130,12 @@ class Solver:
             auto=AutoState(step=np.zeros(CHOICES), pace=np.zeros(CHOICES)),
         )
         self._forget_turns()
+        # The blocks of memory in which these arrays lie, each of which is cleared at once.
+        blocks = (
+            array if array.base is None else array.base
+            for array in (room, new_q, *(array for _, array in scratch.arrays()))
+        )
+        self._memory = list({id(block): block for block in blocks}.values())
         no_rows = np.zeros((1, 0))
         self.balance = EnergyBalance(
             active=False,
@@ -182,17 +188,8 @@ class Solver:
         Nothing of them is left, not even in scratch, which loops over padding read.
         """
         integrator, run = self.integrator, self.integrator.run
-        new_vectors = integrator.new.q, integrator.new.v, integrator.new.a
-        for array in (
-            integrator.a,
-            *new_vectors,
-            integrator.rows,
-            integrator.alpha.rows,
-            integrator.adams.past,
-        ):
-            array[:] = 0.0
-        for _, array in self.scratch.arrays():
-            array[:] = 0.0
+        for block in self._memory:
+            block.fill(0.0)
         if self._matrix is not None:
             clear_factors(self._matrix)
         for record in (integrator.verlet, integrator.alpha, integrator.adams):

@@ -275,8 +275,9 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     desk.get_by_role("button", name="Put on the wall").click()
     expect(keys.locator(".softrod-on-wall")).to_have_text("Yours is on the wall now.")
     desk.locator(".softrod-desk-seat").get_by_role("button", name="Move to another device").click()
-    until(desk, lambda: bool(room.seats[3].move), "it has two digits")
-    digits = room.seats[3].move
+    seat = next(seat for seat in room.seats.values() if seat.name == names[2])
+    until(desk, lambda: bool(seat.move), "it has two digits")
+    digits = seat.move
     keys.context.clear_cookies()
     keys.evaluate("localStorage.clear()")
     keys.reload()

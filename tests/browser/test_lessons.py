@@ -241,8 +241,13 @@ def test_short_choices_stand_side_by_side_and_a_notice_beside_the_plots(open_pag
     desk = open_page()
     desk.tell(commands.Open(sim.load_scene("lesson-hooke")))
     begins(desk, steps("lesson-hooke")[0])
-    boxes = [choice.bounding_box() for choice in desk.page.locator(".softrod-choice").all()]
-    assert len({box["y"] for box in boxes if box is not None}) == 1
+    tops = "choices => choices.map(choice => choice.getBoundingClientRect().top)"
+
+    def side_by_side() -> bool:
+        heights = desk.page.locator(".softrod-choice").evaluate_all(tops)
+        return len(heights) > 1 and len(set(heights)) == 1
+
+    desk.until(side_by_side, "they stand side by side")
     # Long ones are cut nowhere.
     desk.tell(commands.Open(sim.load_scene("lesson-explosion")))
     begins(desk, steps("lesson-explosion")[0])

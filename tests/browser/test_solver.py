@@ -87,8 +87,8 @@ def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
         "both are held in the same place",
     )
     desk.page.get_by_text("largest distance").wait_for()
-    bars = desk.instances("/body/ghost")
-    assert len(bars) == len(desk.session.scene.linear_springs)
+    springs = len(desk.session.scene.linear_springs)
+    desk.until(lambda: len(desk.instances("/body/ghost")) == springs, "the page shows its springs")
     desk.picture(save="ghost.png")
     desk.tell(commands.Play(False), commands.Reset())
     assert ghost.distance == 0.0

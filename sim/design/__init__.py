@@ -1,0 +1,1 @@
+"""Backwards: from what a body is to do to its numbers."""

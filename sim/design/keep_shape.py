@@ -1,0 +1,375 @@
+"""Rest lengths and rest angles with which a body rests in the pose that it has."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from ..analysis.equilibrium import Resting
+from ..edit.build import in_turn
+from ..edit.edit import Selection, of_parts
+from ..errors import InputError, SceneError
+from ..forces.walls import WallRow
+from ..motion.moment import Moment
+from ..scene.parts import AngularSpring
+from ..scene.types import Pose, Scene
+from ..scene.validate import validate
+from .statics import Bools, Floats, Indices, Statics, Touch, Vectors
+
+_BALANCED = 1e-10
+"""Force that may be left at a mass, relative to the largest force on any: what counts as a balance."""
+_TOUCHES = 1e-6
+"""Distance from a wall, as a part of a typical spring's length, at which a mass touches it."""
+_SINKINGS = 60
+"""Largest number of times that masses are placed anew on walls."""
+_SUNK = 1e-14
+"""Movement, as a part of the largest coordinate, that ends it."""
+_LIGHTER = 40
+"""Largest number of times that what bears too much is given less to bear."""
+_MOST_FOR_PROGRAM = 1500
+"""Largest number of masses for the linear program, whose time grows faster than with their square."""
+_TAUT = (0.01, 0.03, 0.1, 0.2, 0.4)
+"""Tensions, as parts of stiffness times length, to which springs are drawn where the body would buckle."""
+_NEUTRAL, _NEUTRAL_FREE = 1e-13, 1e-9
+"""As of `analysis.equilibrium`: the shift, 1/s², below which a balance counts as stable."""
+_ITERATIONS = 30
+"""Number of inverse iterations for a motion."""
+_ALIKE = 1e-3
+"""Difference, relative to the largest movement, at which a motion is a rotation."""
+_STIFFEST = 1e3
+"""Largest factor by which a body is made stiffer."""
+_FINE = 1.01
+"""Ratio between a factor that is enough and one that is not."""
+
+
+class DesignError(InputError):
+    """What is asked for cannot be had. The message is one sentence that names the part.
+
+    Attributes:
+        motion: (n, 2) how the masses would move, relative to the largest movement; None where it is not a
+            motion that is in the way.
+        stiffening: factor of all stiffness with which it could be had, or None.
+    """
+
+    def __init__(
+        self, sentence: str, motion: NDArray[np.float64] | None = None, stiffening: float | None = None
+    ) -> None:
+        super().__init__(f"keep shape: {sentence}")
+        self.motion, self.stiffening = motion, stiffening
+
+
+def keep_shape(scene: Scene, parts: Selection | None = None, allow_stiffening: bool = False) -> Scene:
+    """The scene with rest lengths and rest angles such that its pose is at rest.
+
+    Gravity, constant forces, the mean wind, fillings, walls and contact are balanced in the pose as it is.
+    Masses that only touch a wall sink into it as far as they must. Of all solutions it is the one that
+    deforms springs and joints least; where that would buckle, one in which springs are drawn tighter. See
+    `statics` for the equations. Masses, damping and stiffness stay.
+
+    Args:
+        scene: a valid scene. The pose is its own, or the masses' own positions.
+        parts: the springs and joints that may change; None for all.
+        allow_stiffening: whether the stiffness of what changes may grow, all by the least factor that helps,
+            where nothing else does.
+
+    Returns:
+        The scene, with the pose at rest.
+
+    Raises:
+        SceneError: the scene is not valid.
+        DesignError: there is no such scene.
+    """
+    scene = of_parts(validate(scene))
+    springs, joints = (np.zeros(len(each), bool) for each in (scene.linear_springs, scene.angular_springs))
+    if parts is None:
+        springs[:] = joints[:] = True
+    else:
+        springs[list(parts.springs)] = joints[list(parts.joints)] = True
+    positions = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
+    at = np.array(positions, float).reshape(-1, 2).view(np.complex128).ravel()
+    body = Resting(scene, balanced=True)
+    statics, x, left = _balance(body, at, springs, joints)
+    if not _is_balanced(statics, left):
+        raise _unheld(statics, parts is not None)
+    x, stiffening, over = _within_bounds(statics, x)
+    if stiffening > 1.0 and not allow_stiffening:
+        raise _overloaded(statics, over, stiffening)
+    best = _with_rest(scene, statics, x, stiffening)
+    shape = _buckling(best)
+    if shape is None:
+        return best
+    for tighter in _tighter(statics, x) if stiffening == 1.0 else ():
+        made = _with_rest(scene, statics, tighter, 1.0)
+        if _buckling(made) is None:
+            return made
+    return _stiff_enough(scene, statics, x, stiffening, shape, allow_stiffening)
+
+
+def keep_shape_at(moment: Moment, parts: Selection | None = None, allow_stiffening: bool = False) -> Scene:
+    """As `keep_shape`, for the pose at a moment, with what keys have changed until then."""
+    scene, shift = of_parts(moment.scene), moment.rest_angle_shift
+    still = tuple((0.0, 0.0) for _ in scene.masses)
+    places = tuple((float(x), float(y)) for x, y in moment.positions)
+    here = msgspec.structs.replace(
+        scene,
+        rest_length_scale=moment.rest_length_scale,
+        angular_springs=_turned(scene, shift),
+        pose=Pose(positions=places, velocities=still, damage=moment.damage),
+    )
+    kept = keep_shape(here, parts, allow_stiffening)
+    return msgspec.structs.replace(
+        kept, rest_length_scale=scene.rest_length_scale, angular_springs=_turned(kept, -shift)
+    )
+
+
+def _turned(scene: Scene, shift: float) -> tuple[AngularSpring, ...]:
+    """The scene's joints with rest angles turned by some degrees."""
+    if not shift:
+        return scene.angular_springs
+    return tuple(
+        msgspec.structs.replace(joint, rest_angle=in_turn(joint.rest_angle + shift))
+        for joint in scene.angular_springs
+    )
+
+
+# ------------------------------------------------------------------------- the balance
+def _balance(body: Resting, at: Vectors, springs: Bools, joints: Bools) -> tuple[Statics, Floats, Floats]:
+    """The balance in a pose, what springs and joints bear in it, and the forces that are left.
+
+    Where there is none, masses that touch walls are set as deep into them as these have to push. What they
+    push is an unknown; where it would have to pull, the mass does not touch after all.
+    """
+    statics = Statics(body, at, springs, joints, Touch.none())
+    x, left = statics.solve(statics.stiffness)
+    touch = _touching(body, at)
+    if _is_balanced(statics, left) or not touch.mass.size:
+        return statics, x, left
+    here = at
+    for _ in range(_SINKINGS):
+        trial = Statics(body, here, springs, joints, touch)
+        pushes = trial.solve(trial.stiffness)[0][trial.stiffness.size - touch.mass.size :]
+        pulls = pushes < 0.0
+        if pulls.any():
+            touch = touch.without(pulls)
+        else:
+            moved = _set_into_walls(body, here, touch, pushes)
+            change = float(np.abs(moved - here).max())
+            here = moved
+            if change <= _SUNK * float(np.abs(here).max()):
+                break
+        if not touch.mass.size:
+            return statics, x, left
+    sunk = Statics(body, here, springs, joints, Touch.none())
+    sunk_x, sunk_left = sunk.solve(sunk.stiffness)
+    return (sunk, sunk_x, sunk_left) if _is_balanced(sunk, sunk_left) else (statics, x, left)
+
+
+def _is_balanced(statics: Statics, left: Floats) -> bool:
+    return bool(np.abs(left).max(initial=0.0) <= _BALANCED * statics.scale)
+
+
+def _touching(body: Resting, at: Vectors) -> Touch:
+    """What touches a wall, or is in one."""
+    free = body.state.inverse_mass[body.system.mass_index] > 0.0
+    masses: list[Indices] = []
+    walls: list[Indices] = []
+    normals: list[Vectors] = []
+    for row, numbers in enumerate(body.tables.environment.walls.rows):
+        wall = WallRow(*numbers)
+        normal = complex(wall.nx, wall.ny)
+        depth = ((complex(wall.x, wall.y) - at) * normal.conjugate()).real
+        here = np.flatnonzero(free & (depth >= -_TOUCHES * body.typical))
+        masses.append(here)
+        walls.append(np.full(here.size, row))
+        normals.append(np.full(here.size, normal))
+    if not masses:
+        return Touch.none()
+    return Touch(np.concatenate(masses), np.concatenate(walls), np.concatenate(normals))
+
+
+def _set_into_walls(body: Resting, at: Vectors, touch: Touch, pushes: Floats) -> Vectors:
+    """The positions with each touching mass as deep in its wall as that pushes it, kg px/s²."""
+    moved = at.copy()
+    for row, numbers in enumerate(body.tables.environment.walls.rows):
+        wall, here = WallRow(*numbers), touch.wall == row
+        masses, normal = touch.mass[here], complex(wall.nx, wall.ny)
+        weights = np.array([body.scene.masses[i].mass for i in masses])
+        depth = ((complex(wall.x, wall.y) - moved[masses]) * normal.conjugate()).real
+        moved[masses] += (depth - np.sqrt(pushes[here] / (weights * wall.hardness))) * normal
+    return moved
+
+
+# ------------------------------------------------------------------------- what parts can bear
+def _within_bounds(statics: Statics, x: Floats) -> tuple[Floats, float, Floats]:
+    """What springs and joints bear, none more than it can; the factor of stiffness that this takes, 1 for
+    none; and how much each bears of what it can.
+
+    What bears too much counts as softer and softer in the sum that is to be small. If that does not help, a
+    linear program finds the solution in which the largest part of what a spring or joint can bear is least;
+    for a large body, the best of those before stands for it.
+    """
+    stiffness, best, least = statics.stiffness.copy(), x, np.inf
+    for _ in range(_LIGHTER):
+        share = statics.share(x)
+        most = float(share.max(initial=0.0))
+        if most < least:
+            best, least = x, most
+        if most <= 1.0:
+            return x, 1.0, share
+        stiffness = stiffness / np.maximum(share, 1.0)
+        x, left = statics.solve(stiffness)
+        if not _is_balanced(statics, left):
+            break
+    if statics.at.size <= _MOST_FOR_PROGRAM:
+        even = statics.most_even()
+        # The program lets all parts bear as much as the one that bears most, though they need not.
+        if float(statics.share(even).max()) < least * (1.0 - _ALIKE):
+            best = even
+    share = statics.share(best)
+    return best, max(1.0, float(share.max())), share
+
+
+def _tighter(statics: Statics, x: Floats) -> Iterator[Floats]:
+    """Solutions in which springs are drawn tighter and tighter, as far as there are any."""
+    for taut in _TAUT:
+        target = np.where(statics.is_spring, taut * statics.most, x)
+        tighter, left = statics.solve(statics.stiffness, target)
+        if _is_balanced(statics, left) and (statics.share(tighter) <= 1.0).all():
+            yield tighter
+
+
+def _stiff_enough(
+    scene: Scene, statics: Statics, x: Floats, stiffening: float, shape: Floats, allowed: bool
+) -> Scene:
+    """The scene with what changes made just so stiff that it does not buckle.
+
+    Raises:
+        DesignError: that is not allowed, or does not help.
+    """
+    low = high = stiffening
+    made = None
+    while made is None and high < _STIFFEST:
+        low, high = high, 2.0 * high
+        made = _standing(scene, statics, x, high)
+    if made is None:
+        raise DesignError(f"it would buckle at mass {_most_moved(shape)}, however stiff it is", shape)
+    while high > _FINE * low:
+        middle = math.sqrt(low * high)
+        stands = _standing(scene, statics, x, middle)
+        low, high, made = (middle, high, made) if stands is None else (low, middle, stands)
+    if allowed:
+        return made
+    raise DesignError(
+        f"it would buckle at mass {_most_moved(shape)}; with {high:.3g} times the stiffness it stands",
+        shape,
+        high,
+    )
+
+
+def _standing(scene: Scene, statics: Statics, x: Floats, stiffening: float) -> Scene | None:
+    """The scene with some factor of stiffness, unless it buckles or a part would be too stiff for a scene."""
+    try:
+        made = _with_rest(scene, statics, x, stiffening)
+    except SceneError:
+        return None
+    return made if _buckling(made) is None else None
+
+
+def _most_moved(motion: Floats) -> int:
+    return int(np.argmax(np.hypot(*motion.T)))
+
+
+# ------------------------------------------------------------------------- rest lengths and rest angles
+def _with_rest(scene: Scene, statics: Statics, x: Floats, stiffening: float) -> Scene:
+    """The scene in which springs and joints bear what they are to, in closed form."""
+    lengths, angles = statics.rest(x, stiffening)
+    damage = scene.pose.damage if scene.pose else None
+    if damage is not None and damage.set_lengths:
+        lengths = lengths - np.array(damage.set_lengths)
+    if damage is not None and damage.set_angles:
+        angles = angles - np.array(damage.set_angles)
+    lengths = lengths / scene.rest_length_scale
+    springs, joints = list(scene.linear_springs), list(scene.angular_springs)
+    for s in np.flatnonzero(statics.springs).tolist():
+        old = springs[s]
+        stiffness = old.stiffness * stiffening
+        springs[s] = msgspec.structs.replace(old, rest_length=float(lengths[s]), stiffness=stiffness)
+    for j in np.flatnonzero(statics.joints).tolist():
+        old = joints[j]
+        stiffness = old.stiffness * stiffening
+        joints[j] = msgspec.structs.replace(old, rest_angle=in_turn(float(angles[j])), stiffness=stiffness)
+    pose = Pose(
+        positions=tuple(zip(statics.at.real.tolist(), statics.at.imag.tolist(), strict=True)),
+        velocities=((0.0, 0.0),) * statics.at.size,
+        damage=damage,
+    )
+    return validate(
+        msgspec.structs.replace(
+            scene, linear_springs=tuple(springs), angular_springs=tuple(joints), pose=pose
+        )
+    )
+
+
+# ------------------------------------------------------------------------- stability
+def _buckling(scene: Scene) -> Floats | None:
+    """(n, 2) how a balanced body leaves its pose, relative to the largest movement; None if it is stable."""
+    body = Resting(scene, balanced=True)
+    neutral = _NEUTRAL if body.system.held.any() else _NEUTRAL_FREE
+    if body.factorise(body.start, neutral):
+        return None
+    # The least shift with which the matrix is positive definite is minus its lowest eigenvalue, and inverse
+    # iteration from just above it leads to that one's motion.
+    low, high = neutral, 1e-9
+    while not body.factorise(body.start, high):
+        low, high = high, 4.0 * high
+    while high > _FINE * low:
+        middle = math.sqrt(low * high)
+        low, high = (low, middle) if body.factorise(body.start, middle) else (middle, high)
+    body.factorise(body.start, high)
+    motion = body.nudge(np.zeros_like(body.start), 1.0)
+    for _ in range(_ITERATIONS):
+        motion = body.solve(motion)
+        motion /= np.abs(motion).max()
+    return _relative(np.column_stack(body.by_mass(motion)))
+
+
+def _relative(motion: Floats) -> Floats:
+    return motion / np.hypot(*motion.T).max()
+
+
+# ------------------------------------------------------------------------- refusals
+def _overloaded(statics: Statics, share: Floats, stiffening: float) -> DesignError:
+    """What to say where some springs or joints bear more than they can."""
+    over = np.flatnonzero(share > 1.0)
+    worst = int(over[np.argmax(share[over])])
+    word, index = statics.name_of(worst)
+    others = f"; {over.size - 1} more would need up to as much" if over.size > 1 else ""
+    return DesignError(
+        f"{word} {index} would need {share[worst]:.3g} times its stiffness{others}", stiffening=stiffening
+    )
+
+
+def _unheld(statics: Statics, are_some: bool) -> DesignError:
+    """What to say where no forces of springs and joints, or of some of them, balance the others."""
+    motion = statics.mechanism()
+    first = int(np.argmax(np.abs(motion)))
+    if are_some:
+        return DesignError(f"what is selected cannot balance mass {first}: select more springs and joints")
+    part = statics.connected(first)
+    held = part & ~statics.free
+    shape = _relative(np.column_stack((motion.real, motion.imag)))
+    if not held.any():
+        return DesignError(f"nothing holds mass {first}: hold a mass that is connected to it", shape)
+    about = int(np.flatnonzero(held)[0])
+    arms = (statics.at - statics.at[about])[part]
+    turn = (arms.conj() @ motion[part]) / max(float((abs(arms) ** 2).sum()), 1e-300)
+    rest = np.abs(motion[part] - 1j * turn.imag * arms).max()
+    if held.sum() == 1 and rest <= _ALIKE * np.abs(motion).max():
+        return DesignError(
+            f"nothing keeps it from turning about mass {about}: hold a second mass or add a joint", shape
+        )
+    return DesignError(f"nothing keeps mass {first} in its place: add a spring or a joint there", shape)

@@ -1,0 +1,314 @@
+"""The balance of a body in a given pose, with the forces of springs and joints as unknowns.
+
+In a pose that stays, the forces on all free masses are linear in the tension T of each spring and the torque
+G of each joint, under every force law. With the vector L = b - a of a spring as a complex number,
+
+- a spring pulls with T L / |L| on its mass a, and with the opposite on b;
+- a joint of the springs A and B pulls with i G A / |A|² on the b end of A and with the opposite on its a end,
+  and with -i G B / |B|² on the b end of B and with the opposite on its a end. What a joint pulls along its
+  springs is a part of their T, see `sim.forces.joints`;
+- a wall pushes a mass that touches it with P n, where n is its normal and P is not negative. Friction holds
+  nothing that is at rest, see `Wall`.
+
+A balance is B x = -f, with a column of B for each unknown and all other forces in f. Of its solutions, the
+one with the smallest sum of T² / k + G² / (K |A||B|) is x = D Bᵀ l with (B D Bᵀ) l = -f, where D has k and
+K |A||B| on its diagonal: it deforms springs and joints least. B D Bᵀ is the stiffness matrix of the body
+without prestress. (Hsu et al. 2022, "A general two-stage initialization for sag-free deformable simulations",
+solve the same for other force laws by descent.)
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..analysis.equilibrium import Resting
+from ..forces.all import TERMS
+from ..forces.joints import ANGLE, CONSERVATIVE, JointsTwin
+from ..forces.springs import SpringsTwin
+from ..forces.walls import WallRow
+from ..scene.columns import ends
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+    from scipy.sparse.linalg import SuperLU
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+Vectors = NDArray[np.complex128]
+
+MOST_BENT = math.radians(60.0)
+"""Largest deflection of a joint that holds a shape. Under the laws with a sine it gets softer the more it is
+bent, and at 90 degrees it bears no more."""
+_SHIFT = 1e-13
+"""What is added to the diagonal of B D Bᵀ, as a part of it, so that mechanisms do no harm."""
+_PLAIN_SHIFT = 1e-7
+"""The same, where the mechanism itself is looked for."""
+_REFINEMENTS = 12
+"""Largest number of iterative refinements."""
+_EXACT = 1e-13
+"""Force that is left, relative to the largest, at which refinement ends."""
+
+
+class Touch(NamedTuple):
+    """Masses that touch a wall, or are in it: the mass and the wall of each, and the normal."""
+
+    mass: Indices
+    wall: Indices
+    normal: Vectors
+
+    @classmethod
+    def none(cls) -> Touch:
+        """Nothing touches anything."""
+        return cls(np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0, complex))
+
+    def without(self, some: Bools) -> Touch:
+        """All but some of them."""
+        return Touch(self.mass[~some], self.wall[~some], self.normal[~some])
+
+
+class Statics:
+    """The balance of a scene's body in a pose.
+
+    Args:
+        body: the tables of a valid scene; their masses are at rest in its pose.
+        at: (n,) the pose, px, in the order of the scene's masses.
+        springs, joints: which springs and joints of the scene are unknowns. What the others do is in f.
+        touching: the masses that walls push with unknown forces; what walls do to others is in f.
+
+    Attributes:
+        at: (n,) the pose, px.
+        free: (n,) whether each mass is free.
+        springs, joints: whether each spring and joint of the scene is an unknown: not where it has no
+            stiffness or is broken.
+        stiffness: (m,) D of all unknowns: of springs, of joints, and of touching masses.
+        most: (m,) the most that each can bear: a spring what would shorten its rest length to nothing, a
+            joint what bends it by `MOST_BENT`. Infinite for touching masses.
+        is_spring: (m,) whether each is a spring.
+        load: (2 f,) f, kg px/s²: x and y for each free mass in turn.
+        scale: the largest of `load` in size.
+    """
+
+    def __init__(self, body: Resting, at: Vectors, springs: Bools, joints: Bools, touching: Touch) -> None:
+        self._body, self.at, self._touching = body, at, touching
+        scene, system, tables = body.scene, body.system, body.tables
+        self.free = body.state.inverse_mass[system.mass_index] > 0.0
+        self._a, self._b = ends(scene.linear_springs)
+        self._first, self._second = ends(scene.angular_springs)
+        k = np.zeros(self._a.size)
+        k[system.spring_order] = tables.stiffness[: tables.springs]
+        self._k, self._vectors = k, at[self._b] - at[self._a]
+        self._lengths = np.maximum(np.abs(self._vectors), 1e-300)
+        self._size = tables.torque_size[1:][system.joint_order]
+        self._size = self._size * self._lengths[self._first] * self._lengths[self._second]  # K |A||B|
+        self.springs, self.joints = springs & (k > 0.0), joints & (self._size > 0.0)
+        self._has_energy, self._is_angle = tables.law in (CONSERVATIVE, ANGLE), tables.law == ANGLE
+        bent = MOST_BENT if self._is_angle else math.sin(MOST_BENT)
+        of_springs, of_joints = k[self.springs], self._size[self.joints]
+        self.stiffness = np.concatenate((of_springs, of_joints, self._stiffness_of_walls()))
+        self.most = np.concatenate(
+            (
+                of_springs * self._lengths[self.springs],
+                bent * of_joints,
+                np.full(touching.mass.size, np.inf),
+            )
+        )
+        self.is_spring = np.arange(self.most.size) < of_springs.size
+        self.load = self._known()[self.free].view(np.float64).copy()
+        self.scale = float(np.abs(self.load).max(initial=0.0))
+
+    def _stiffness_of_walls(self) -> Floats:
+        """(t,) how steep the push of a wall is where it bears a touching mass's own weight, kg/s²."""
+        touch, scene = self._touching, self._body.scene
+        weights = np.array([scene.masses[i].mass for i in touch.mass])
+        hard = self._body.tables.environment.walls.rows[touch.wall, WallRow._fields.index("hardness")]
+        return 2.0 * weights * np.sqrt(hard * max(math.hypot(*scene.gravity), 1.0))
+
+    def _known(self) -> Vectors:
+        """(n,) all forces but those of the unknowns, kg px/s²."""
+        body, state, place = self._body, self._body.state, self._body.system.mass_index
+        x = np.zeros(body.slots, complex)
+        x[place] = self.at
+        still, force = np.zeros_like(x), np.zeros_like(x)
+        for term in TERMS:
+            force += term.twin(body.tables, state).forces(x, still)
+        order = body.system.spring_order
+        others = np.flatnonzero(~self.springs[order])
+        force += SpringsTwin(body.tables, state, others).forces(x, still)
+        others = body.system.joint_order[~self.joints]
+        force += JointsTwin(body.tables, state, others).forces(x, still)
+        weights = np.array([mass.mass for mass in body.scene.masses])
+        known = force[place] + weights * complex(*body.scene.gravity)
+        known += np.array([complex(*(mass.force or (0.0, 0.0))) for mass in body.scene.masses])
+        # What touches a wall is an unknown instead.
+        for row, wall in enumerate(body.tables.environment.walls.rows):
+            here = self._touching.mass[self._touching.wall == row]
+            known[here] -= _push(WallRow(*wall), weights[here], self.at[here])
+        return known
+
+    @cached_property
+    def matrix(self) -> csr_array:
+        """B."""
+        from scipy.sparse import coo_array
+
+        s, j, t = np.flatnonzero(self.springs), np.flatnonzero(self.joints), self._touching
+        unit = self._vectors / self._lengths
+        across = 1j * self._vectors / self._lengths**2
+        of_joint = s.size + np.arange(j.size)
+        first, second = self._first[j], self._second[j]
+        mass = np.concatenate(
+            (self._a[s], self._b[s], self._b[first], self._a[first], self._b[second], self._a[second], t.mass)
+        )
+        column = np.concatenate(
+            (*([np.arange(s.size)] * 2), *([of_joint] * 4), s.size + j.size + np.arange(t.mass.size))
+        )
+        value = np.concatenate(
+            (unit[s], -unit[s], across[first], -across[first], -across[second], across[second], t.normal)
+        )
+        here = self.free[mass]
+        row = 2 * (np.cumsum(self.free) - 1)[mass[here]]
+        rows = np.concatenate((row, row + 1))
+        columns, values = np.tile(column[here], 2), np.concatenate((value[here].real, value[here].imag))
+        shape = self.load.size, self.stiffness.size
+        return coo_array((values, (rows, columns)), shape).tocsr()
+
+    def solve(self, stiffness: Floats, target: Floats | float = 0.0) -> tuple[Floats, Floats]:
+        """The unknowns that are closest to a target, and the forces that are left, kg px/s².
+
+        Args:
+            stiffness: (m,) D; unknowns with zero stay at the target.
+            target: (m,) what they should be.
+        """
+        x = np.zeros(self.stiffness.size) + target
+        left = self.load + self.matrix @ x
+        factors, weighted = self._factors(stiffness, _SHIFT)
+        worst = np.inf
+        for _ in range(_REFINEMENTS):
+            size = float(np.abs(left).max(initial=0.0))
+            if factors is None or size <= _EXACT * self.scale or not size < 0.9 * worst:
+                break
+            worst = size
+            move = weighted @ factors.solve(left)
+            if not np.isfinite(move).all():
+                break
+            x = x - move
+            left = self.load + self.matrix @ x
+        return x, left
+
+    def _factors(
+        self, stiffness: Floats, shift: float, evenly: bool = False
+    ) -> tuple[SuperLU | None, csr_array]:
+        """The factors of B D Bᵀ, or None if it is empty, and D Bᵀ.
+
+        Args:
+            stiffness: (m,) D.
+            shift: what is added to the diagonal, as a part of it.
+            evenly: as a part of its largest element instead.
+        """
+        from scipy.sparse import diags_array
+        from scipy.sparse.linalg import splu
+
+        weighted = (diags_array(stiffness) @ self.matrix.T).tocsr()
+        if not self.load.size or not stiffness.size:
+            return None, weighted
+        square = (self.matrix @ weighted).tocsc()
+        diagonal = square.diagonal()
+        typical = float(diagonal.max(initial=0.0)) or 1.0
+        added = typical if evenly else np.where(diagonal > 0.0, diagonal, typical)
+        shifted = (square + diags_array(np.full(diagonal.size, shift * added))).tocsc()
+        options = {"SymmetricMode": True}
+        return splu(shifted, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options), weighted
+
+    def mechanism(self) -> Vectors:
+        """(n,) the part of the load that no unknown can bear, kg px/s²: a motion that nothing resists."""
+        # With the same shift everywhere, what is left is orthogonal to all that can be borne.
+        factors, weighted = self._factors(self.stiffness, _PLAIN_SHIFT, evenly=True)
+        left = self.load.copy()
+        for _ in range(_REFINEMENTS * (factors is not None)):
+            assert factors is not None
+            left = left - self.matrix @ (weighted @ factors.solve(left))
+        motion = np.zeros(self.free.size, complex)
+        motion[self.free] = left.view(complex)
+        return motion
+
+    def share(self, x: Floats) -> Floats:
+        """(m,) the part of what each unknown can bear; springs bear any pressure."""
+        return np.where(self.is_spring, x, np.abs(x)) / self.most
+
+    def most_even(self) -> Floats:
+        """(m,) unknowns in balance of which the largest `share` is least, by a linear program."""
+        from scipy.optimize import linprog
+        from scipy.sparse import csr_array, diags_array, eye_array, hstack, vstack
+
+        count = self.most.size
+        borne = self.matrix @ diags_array(self.most) / self.scale
+        balance = hstack((borne, csr_array((self.load.size, 1)))).tocsr()
+        bent = int((~self.is_spring).sum())
+        below = hstack((eye_array(count), np.full((count, 1), -1.0)))
+        above = hstack((-eye_array(bent, count, k=count - bent), np.full((bent, 1), -1.0)))
+        result = linprog(
+            np.concatenate((np.zeros(count), (1.0,))),
+            A_ub=vstack((below, above)).tocsr(), b_ub=np.zeros(count + bent),
+            A_eq=balance, b_eq=-self.load / self.scale,
+            bounds=[(None, None)] * count + [(0.0, None)], method="highs",
+        )  # fmt: skip
+        # Its solution is exact to some 1e-7 only.
+        return self.solve(self.stiffness, result.x[:-1] * self.most)[0]
+
+    def rest(self, x: Floats, stiffening: float) -> tuple[Floats, Floats]:
+        """The rest length of each spring, px, and the rest angle of each joint, degrees; NaN where it is none
+        of the unknowns.
+
+        With d = asin(G / (K |A||B|)), or without the arcsine under the angle law, the rest angle is V - d,
+        where V is the angle from A to B. Under a law with an energy the joint pulls on its spring A with its
+        energy over |A|; what is left of T gives the rest length |A| - T / k.
+
+        Args:
+            x: (m,) what they bear.
+            stiffening: a factor of their stiffness.
+        """
+        springs = int(self.is_spring.sum())
+        tension, bend = np.full(self.springs.size, np.nan), np.full(self.joints.size, np.nan)
+        tension[self.springs] = x[:springs]
+        size = self._size * stiffening
+        bend[self.joints] = x[springs : springs + int(self.joints.sum())] / size[self.joints]
+        off = bend if self._is_angle else np.arcsin(bend)
+        if self._has_energy:
+            energy = size * (0.5 * off**2 if self._is_angle else 2.0 * np.sin(0.5 * off) ** 2)
+            for one in (self._first, self._second):
+                pull = np.where(self.joints, energy / self._lengths[one], 0.0)
+                tension -= np.bincount(one, pull, tension.size)
+        angle = np.angle(self._vectors[self._first].conj() * self._vectors[self._second]) - off
+        stiff = np.where(self.springs, self._k * stiffening, 1.0)
+        return self._lengths - tension / stiff, np.degrees(angle)
+
+    def name_of(self, unknown: int) -> tuple[str, int]:
+        """What an unknown is called: "spring" or "joint", and its index in the scene."""
+        springs = np.flatnonzero(self.springs)
+        if unknown < springs.size:
+            return "spring", int(springs[unknown])
+        return "joint", int(np.flatnonzero(self.joints)[unknown - springs.size])
+
+    def connected(self, mass: int) -> Bools:
+        """(n,) whether springs and joints that are unknowns connect each mass with a given one."""
+        from scipy.sparse import coo_matrix
+        from scipy.sparse.csgraph import connected_components
+
+        s, j = np.flatnonzero(self._k > 0.0), np.flatnonzero(self._size > 0.0)
+        one = np.concatenate((self._a[s], self._a[self._first[j]]))
+        other = np.concatenate((self._b[s], self._a[self._second[j]]))
+        graph = coo_matrix((np.ones(one.size), (one, other)), (self.free.size,) * 2)
+        part = connected_components(graph, directed=False)[1]
+        return part == part[mass]
+
+
+def _push(wall: WallRow, weights: Floats, at: Vectors) -> Vectors:
+    """(k,) the force of a wall on masses of some weights (kg) at some positions, kg px/s²."""
+    normal = complex(wall.nx, wall.ny)
+    depth = np.maximum(((complex(wall.x, wall.y) - at) * normal.conjugate()).real, 0.0)
+    return (weights * wall.hardness * depth**2) * np.complex128(normal)
