@@ -19,7 +19,7 @@ from sim.settings.recipes import Setting
 
 from ...drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
 from ..bundle import bundle
-from ..html_file import html_file, packed, plans, stage
+from ..html_file import Bar, html_file, packed, plans, stage
 from .data import body_data
 from .lesson import lesson_data, lesson_notes, listed
 
@@ -45,16 +45,20 @@ KEYS = (
 
 TUTORIAL = "symplectic_euler"
 
+DARK = '@media (prefers-color-scheme: dark){html:not([data-theme="light"])*}html[data-theme="dark"]*'
+"""Where the paper is dark: as the system has it, or as the file's own attribute says."""
+
 _FOLDER = Path(__file__).parent / "static"
 _PAGE = Path(__file__).parents[2] / "page"
 """Whose dialogs and lessons look the same in a file."""
 
 
-def live_html(moment: sim.Moment) -> tuple[bytes, list[str]]:
+def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[str]]:
     """The file, in UTF-8, and what it cannot do: sentences without a full stop.
 
     Args:
         moment: in which the body begins.
+        bar: what leads to other files, for one that is not alone.
 
     Raises:
         InputError: a position or a velocity is not a finite number.
@@ -108,7 +112,7 @@ def live_html(moment: sim.Moment) -> tuple[bytes, list[str]]:
 <button id="view" type="button" aria-label="View and keys">?</button>
 </div>
 <p id="says" class="hidden" role="status"></p>"""
-    return html_file(scene, body, style, script, {"about": _about(moment)}, note), notes
+    return html_file(scene, body, style, script, {"about": _about(moment)}, note, bar), notes
 
 
 def _icon(paths: str) -> str:
@@ -119,7 +123,7 @@ def _icon(paths: str) -> str:
 def _looks() -> tuple[str, str]:
     """The styles and the script."""
     files = (_PAGE / "looks" / "dialogs.css", _PAGE / "scenes" / "lesson.css", _FOLDER / "live.css")
-    rules = (style_rules("[data-dark]*"), *(path.read_text(encoding="utf-8") for path in files))
+    rules = (style_rules(DARK), *(path.read_text(encoding="utf-8") for path in files))
     return "\n".join(rules), bundle(_FOLDER / "live.js")
 
 

@@ -155,7 +155,7 @@ export class Clock {
   /** The likely cause, as `sim/motion/divergence.py` says it: the limit is that of the body at its start, if it is passed. */
   #cause() {
     const { body, method, dt } = this;
-    if (method !== "symplectic_euler") return "it was moved or set up too violently";
+    if (method !== "symplectic_euler") return "It was moved or set up too violently";
     const { positions, jointStiffness, jointDamping } = body;
     const keep = [positions.slice(), jointStiffness.slice(), jointDamping.slice()];
     const limitNow = () => new StabilityMeter(body, method).look();
@@ -170,9 +170,9 @@ export class Clock {
     body.refresh();
     this.meter.limit = limit;
     if (!(dt > limit)) {
-      return "the time step is below the stability limit, but that is for small motions; it was moved or set up too violently";
+      return "The time step is below the stability limit, but that is for small motions; it was moved or set up too violently";
     }
     const what = body.joints && linear > 1.2 * limit ? "angular springs set" : "linear springs set";
-    return `the time step of ${number(dt)} s is above the stability limit of ${number(limit)} s, which the ${what}`;
+    return `The time step of ${number(dt)} s is above the stability limit of ${number(limit)} s, which the ${what}`;
   }
 }
