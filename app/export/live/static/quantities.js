@@ -31,7 +31,7 @@ const READ = {
     body.measure();
     if (body.isLoose(j)) return 0;
     const [p, q] = [body.heldSprings[2 * j], body.heldSprings[2 * j + 1]];
-    return body.bent(j)[0] + body.jointDamping[j] * body.lengths[p] * body.lengths[q] * (body.turning(q) - body.turning(p));
+    return body.torqueOf(j) + body.jointDamping[j] * body.lengths[p] * body.lengths[q] * (body.turning(q) - body.turning(p));
   },
   "spring.length": (body, s) => lengthOf(body, s),
   "spring.elongation": (body, s) => lengthOf(body, s) - body.restLengthOf(s),
