@@ -21,7 +21,7 @@ from ...drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
 from ..bundle import bundle
 from ..html_file import Bar, html_file, packed, plans, stage
 from .data import body_data
-from .lesson import lesson_data, lesson_notes, listed
+from .lesson import TUTORIAL, lesson_data, lesson_notes, listed, scenes_of_steps
 
 KEYS = (
     "linear_stiffness",
@@ -42,8 +42,6 @@ KEYS = (
     "dt",
 )
 """Settings that a file has sliders for, as in `static/settings.js`."""
-
-TUTORIAL = "symplectic_euler"
 
 DARK = '@media (prefers-color-scheme: dark){html:not([data-theme="light"])*}html[data-theme="dark"]*'
 """Where the paper is dark: as the system has it, or as the file's own attribute says."""
@@ -210,7 +208,8 @@ def _law(scene: sim.Scene) -> dict[str, Any]:
 def _notes(scene: sim.Scene) -> list[str]:
     """What the file does otherwise than softrod, or cannot do."""
     notes = []
-    if scene.integrator.method != TUTORIAL:
+    begins = scenes_of_steps(scene)
+    if any(at.integrator.method != TUTORIAL for at in (scene, *begins)):
         notes.append("the body moves by velocity Verlet, without error control")
     if scene.bodies:
         notes.append("the shape of the body is fixed")

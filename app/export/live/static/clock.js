@@ -156,17 +156,21 @@ export class Clock {
   #cause() {
     const { body, method, dt } = this;
     if (method !== "symplectic_euler") return "It was moved or set up too violently";
-    const { positions, jointStiffness, jointDamping } = body;
-    const keep = [positions.slice(), jointStiffness.slice(), jointDamping.slice()];
+    const { positions, velocities, jointStiffness, jointDamping } = body;
+    const arrays = [positions, velocities, jointStiffness, jointDamping];
+    const keep = arrays.map((array) => array.slice());
     const limitNow = () => new StabilityMeter(body, method).look();
+    // Its speed is a consequence of running away.
+    velocities.fill(0);
     positions.set(body.data.positions);
-    body.refresh();
-    const limit = Math.min(this.least, limitNow());
+    const atStart = limitNow();
+    if (!(dt > atStart)) positions.set(keep[0]);
+    const limit = dt > atStart ? atStart : this.least;
     jointStiffness.fill(0);
     jointDamping.fill(0);
     body.refresh();
     const linear = limitNow();
-    [positions, jointStiffness, jointDamping].forEach((array, i) => array.set(keep[i]));
+    arrays.forEach((array, i) => array.set(keep[i]));
     body.refresh();
     this.meter.limit = limit;
     if (!(dt > limit)) {

@@ -198,7 +198,7 @@ export function addPanel(about, does) {
       if (at < due) return;
       due = at + EVERY;
       clock.value = `${body.time.toFixed(2)} s`;
-      hud.replaceChildren(...head(body, time, playing));
+      hud.replaceChildren(...head(shown, body, time, playing));
       readings.replaceChildren(...numbers(shown, body, time));
     },
   };
