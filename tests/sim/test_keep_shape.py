@@ -17,6 +17,7 @@ from sim.analysis.equilibrium import Resting
 from sim.design.keep_shape import keep_shape_at
 from sim.edit.edit import Selection
 from sim.physics import Physics
+from sim.scene.makers import fine_rope
 from sim.scene.types import Damage
 from tests.amount import part_of
 from tests.sim.bodies import LAWS, SHAPES, body
@@ -168,6 +169,17 @@ def test_on_the_floor_masses_sink_as_deep_as_they_must() -> None:
     assert np.abs(sunk[:, 0]).max() == 0.0
     assert net_force(kept) <= 1e-10
     assert drift(kept) <= 1e-6
+
+
+@pytest.mark.parametrize("masses", [100, 1000])
+def test_long_rods_are_kept_to_rounding(masses: int) -> None:
+    """The stiffnesses of a fine rod are large beside the weights of its masses."""
+    scene = fine_rope(masses, gravity=(0.0, 1000.0))
+    clamped = (sim.Anchor(mass=0), sim.Anchor(mass=1))
+    kept = sim.keep_shape(msgspec.structs.replace(scene, bodies=(), links=(), anchors=clamped))
+    body = Resting(kept, balanced=False)
+    assert (np.abs(body.accelerations(body.start)) <= body.rounding(body.start)).all()
+    assert drift(kept, 1.0) <= 1e-6
 
 
 def test_mean_wind_and_loads_are_balanced_too() -> None:
