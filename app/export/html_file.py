@@ -38,13 +38,11 @@ class Bar:
     Attributes:
         html: of the bar.
         style: of what is in it.
-        early: a script that is no module and runs before anything is shown.
         script: a module that runs before the file's own.
     """
 
     html: str
     style: str
-    early: str
     script: str
 
 
@@ -55,6 +53,7 @@ def html_file(
     script: str,
     data: Mapping[str, object],
     note: str = "",
+    early: str = "",
     bar: Bar | None = None,
 ) -> bytes:
     """The file, in UTF-8.
@@ -64,22 +63,21 @@ def html_file(
         body: what follows these, as HTML.
         style, script: of the file; the script is a module.
         data: what the script reads, by the ids of the elements that hold it as JSON.
-        note: a sentence after the description.
+        note: a sentence before the description.
+        early: a script that is no module and runs before anything is shown.
         bar: what leads to other files, for one that is not alone.
     """
     title = html.escape(shown_name(scene))
-    told = f'\n<p class="note">{html.escape(note)}</p>' if note else ""
+    told = f'<p class="note">{html.escape(note)}</p>\n' if note else ""
     over = f"\n{bar.html}" if bar else ""
     header = f"""<header>{over}
 <h1>{title}</h1>
-<p>{html.escape(scene.description)}</p>{told}
+{told}<p>{html.escape(scene.description)}</p>
 <p role="alert"></p>
 <noscript><p>The motion is shown by a script, which this browser does not run.</p></noscript>
 </header>"""
     styles, scripts = ([style, bar.style], [bar.script, script]) if bar else ([style], [script])
-    return document(
-        shown_name(scene), f"{header}\n{body}", styles, scripts, data, early=bar.early if bar else ""
-    )
+    return document(shown_name(scene), f"{header}\n{body}", styles, scripts, data, early)
 
 
 def document(

@@ -89,7 +89,7 @@ def found(folder: Path) -> set[str]:
 
 
 def check_links(folder: Path, whole: bool = True) -> None:
-    """Every address of every page leads to a file of the folder, and in one that is whole to a place in it."""
+    """Every address of every page leads to a file of the folder, and in a whole one to a place in it."""
     for path in folder.glob("*.html"):
         for address in Page(path).addresses:
             if address.startswith("data:image/svg+xml,"):

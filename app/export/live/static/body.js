@@ -213,7 +213,7 @@ export class Body {
   }
 
   /** Rate at which a spring turns, 1/s. @param {number} s */
-  #turning(s) {
+  turning(s) {
     const { velocities: v, ends, vectors, lengths } = this;
     const [one, two] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
     const cross = vectors[2 * s] * (v[two + 1] - v[one + 1]) - vectors[2 * s + 1] * (v[two] - v[one]);
@@ -253,7 +253,7 @@ export class Body {
       const energy = this.law === "tutorial" ? 0 : stored;
       let torque = undamped;
       if (this.jointDamping[j]) {
-        torque += this.jointDamping[j] * lengths[p] * lengths[q] * (this.#turning(q) - this.#turning(p));
+        torque += this.jointDamping[j] * lengths[p] * lengths[q] * (this.turning(q) - this.turning(p));
       }
       // The torque turns both springs towards the rest angle; the energy grows with their lengths, and pulls along them.
       for (const [s, turn] of [[p, torque], [q, -torque]]) {
