@@ -7,6 +7,7 @@ import html
 import json
 import re
 import subprocess
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ from app.cli import main
 from app.export.live.data import body_data
 from app.export.live.lesson import MEASURED
 from app.export.live.live import live_html
+from app.export.live.program import javascript_program
 from sim.settings import set_value
 from sim.store.files import list_scenes
 from tests.page.check import FOLDER, NODE
@@ -28,7 +30,8 @@ STEPS = 400
 CLOSE = 1e-9
 """px"""
 PRESETS = [info.name for info in list_scenes() if info.built_in]
-METHODS = {"symplectic_euler": "symplectic_euler", "velocity_verlet": "verlet"}
+EULER = "symplectic_euler"
+METHODS = {EULER: "symplectic_euler", "velocity_verlet": "verlet"}
 """The solver's, and the file's."""
 
 
@@ -41,7 +44,7 @@ def by(scene: sim.Scene, method: Any) -> sim.Scene:
 
 
 def by_script(scenes: list[sim.Scene], steps: int = STEPS) -> list[dict[str, np.ndarray]]:
-    """Where the masses of scenes are after some steps in the script of live files."""
+    """Where the masses of scenes are after some steps in the script of live files, and so in a program."""
     told = [
         {
             "data": body_data(sim.Simulation(scene).capture()),
@@ -51,15 +54,20 @@ def by_script(scenes: list[sim.Scene], steps: int = STEPS) -> list[dict[str, np.
         }
         for scene in scenes
     ]
-    return run_script(told)
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "program.mjs"
+        program.write_bytes(javascript_program(sim.Simulation(scenes[0]).capture())[0])
+        found = run_script(told, program)
+    assert all(one["same"].all() for one in found)
+    assert sum(one["same"].size for one in found) == sum(s.integrator.method == EULER for s in scenes)
+    return found
 
 
-def run_script(told: list[dict[str, Any]]) -> list[dict[str, np.ndarray]]:
+def run_script(told: list[dict[str, Any]], *program: Path) -> list[dict[str, np.ndarray]]:
     """What comes of bodies in the script, see `tests/page/steps.mjs`."""
     lines = "".join(json.dumps(one) + "\n" for one in told)
-    run = subprocess.run(
-        [NODE, FOLDER / "steps.mjs"], input=lines, capture_output=True, text=True, check=False
-    )
+    words = [NODE, FOLDER / "steps.mjs", *program]
+    run = subprocess.run(words, input=lines, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
     return [{k: np.array(v) for k, v in json.loads(line).items()} for line in run.stdout.splitlines()]
 
@@ -116,6 +124,25 @@ def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() 
             assert script["setLength"] == pytest.approx(np.array(damage.set_lengths), abs=1e-9), seed
     assert compared >= 40
     assert broke >= 10
+
+
+def test_what_has_yielded_before_yields_on_as_in_the_solver() -> None:
+    rope = sim.rope(masses=6, length=240.0, direction=(1.0, 0.0), driven=None)
+    springs = tuple(replace(s, yield_force=2e3, hardening=800.0) for s in rope.linear_springs)
+    joints = tuple(replace(j, yield_torque=1e5) for j in rope.angular_springs)
+    scene = by(replace(rope, linear_springs=springs, angular_springs=joints, bodies=()), EULER)
+    simulation = sim.Simulation(scene)
+    simulation.step(200)
+    moment = simulation.capture()
+    assert moment.damage is not None
+    assert min(map(any, (moment.damage.set_lengths, moment.damage.hardened, moment.damage.set_angles)))
+    told = {"data": body_data(moment), "method": EULER, "h": scene.integrator.dt, "count": 200}
+    simulation.step(200)
+    assert simulation.damage is not None
+    assert simulation.damage.hardened != moment.damage.hardened
+    found = run_script([told])[0]
+    assert np.abs(found["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
+    assert found["setLength"] == pytest.approx(np.array(simulation.damage.set_lengths), abs=1e-9)
 
 
 def test_a_step_of_the_tutorial_is_its_own_also_where_keys_are_held() -> None:
