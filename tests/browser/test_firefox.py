@@ -87,7 +87,7 @@ def search_and_drag(tab: Firefox, base: str) -> None:
     assert tab.run("document.documentElement.scrollWidth") <= 390
     tab.open(f"{base}index.html#scene=lesson-hooke")
     tab.until(
-        f"location.pathname.endsWith('/lesson-hooke.html') && window.__softrod?.now()",
+        "location.pathname.endsWith('/lesson-hooke.html') && window.__softrod?.now()",
         "a link leads to a scene",
     )
     assert tab.run("document.documentElement.scrollWidth") <= 390
