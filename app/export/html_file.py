@@ -38,13 +38,11 @@ class Bar:
     Attributes:
         html: of the bar.
         style: of what is in it.
-        early: a script that is no module and runs before anything is shown.
         script: a module that runs before the file's own.
     """
 
     html: str
     style: str
-    early: str
     script: str
 
 
@@ -55,6 +53,7 @@ def html_file(
     script: str,
     data: Mapping[str, object],
     note: str = "",
+    early: str = "",
     bar: Bar | None = None,
 ) -> bytes:
     """The file, in UTF-8.
@@ -65,6 +64,7 @@ def html_file(
         style, script: of the file; the script is a module.
         data: what the script reads, by the ids of the elements that hold it as JSON.
         note: a sentence before the description.
+        early: a script that is no module and runs before anything is shown.
         bar: what leads to other files, for one that is not alone.
     """
     title = html.escape(shown_name(scene))
@@ -77,9 +77,7 @@ def html_file(
 <noscript><p>The motion is shown by a script, which this browser does not run.</p></noscript>
 </header>"""
     styles, scripts = ([style, bar.style], [bar.script, script]) if bar else ([style], [script])
-    return document(
-        shown_name(scene), f"{header}\n{body}", styles, scripts, data, early=bar.early if bar else ""
-    )
+    return document(shown_name(scene), f"{header}\n{body}", styles, scripts, data, early)
 
 
 def document(

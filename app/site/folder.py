@@ -23,7 +23,7 @@ MARKER, INDEX = "softrod-gallery.json", "index.html"
 _ASIDE = ".softrod-new"
 """The folder, inside of the gallery's, where its files are until all of them are there."""
 
-_OWN = r"^([a-z0-9][a-z0-9.-]*\.html|pictures/(light|dark)/[a-z0-9][a-z0-9.-]*\.webp)$"
+_OWN = r"^([a-z0-9][a-z0-9.-]*\.html|pictures/(light|dark)/[a-z0-9][a-z0-9.-]*\.webp)\Z"
 """What a gallery's files are called: a forged list deletes nothing but such files inside of the folder."""
 
 
@@ -103,13 +103,13 @@ class Folder:
                 very end, one that another run overwrites.
         """
         path, aside = self._path, self._path / _ASIDE
-        is_new = not path.exists()
+        is_new, is_marked = not path.exists(), (path / MARKER).exists()
         size = 0
         try:
             path.mkdir(exist_ok=True)
             # So that a run that is cut off leaves a folder that another one takes.
-            if is_new or not (path / MARKER).exists():
-                self._mark(self._old)
+            if not is_marked:
+                self._mark(())
             shutil.rmtree(aside, ignore_errors=True)
             aside.mkdir()
             for file, make in made:
@@ -127,11 +127,17 @@ class Folder:
             raise self._cannot(error) from None
         finally:
             shutil.rmtree(aside, ignore_errors=True)
-            if is_new:
-                with contextlib.suppress(OSError):
-                    if [entry.name for entry in path.iterdir()] == [MARKER]:
-                        shutil.rmtree(path)
+            if not is_marked:
+                self._forsake(is_new)
         return size
+
+    def _forsake(self, is_new: bool) -> None:
+        """Leave nothing of a first gallery of which nothing is there, nor its folder if that is new."""
+        with contextlib.suppress(OSError):
+            if [entry.name for entry in self._path.iterdir()] == [MARKER]:
+                (self._path / MARKER).unlink()
+                if is_new:
+                    self._path.rmdir()
 
     def _mark(self, files: Iterable[str]) -> None:
         marker = Marker("softrod-gallery", tuple(sorted(files)))

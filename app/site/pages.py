@@ -15,7 +15,7 @@ from sim.errors import InputError
 from ..drawing.looks import style_rules
 from ..export.bundle import bundle
 from ..export.html_file import Bar, document
-from ..export.live.live import DARK, live_html
+from ..export.live.live import DARK, early_script, live_html
 from ..page.scenes import thumbnails
 from .entries import Shown
 from .folder import INDEX
@@ -74,8 +74,7 @@ def _painted(scene: Shown, dark: bool) -> bytes:
 
 # ------------------------------------------------------------------------- pages
 def _live(scene: Shown, before: Shown | None, after: Shown | None) -> bytes:
-    style, early, script = _parts("bar")
-    bar = Bar(_bar(scene, before, after), style, early, script)
+    bar = Bar(_bar(scene, before, after), *_parts("bar"))
     try:
         return live_html(sim.Simulation(scene.scene).capture(), bar)[0]
     except InputError as error:
@@ -97,18 +96,11 @@ def _bar(scene: Shown, before: Shown | None, after: Shown | None) -> str:
 {links}
 <button id="save" type="button" title="Save this page as one file" aria-label="Save this page as one file"
  data-file="{_page(scene)}">{_icon("save")}</button>
-{_dark()}
 </nav>"""
 
 
 def _icon(name: str) -> str:
     return f'<svg class="icon" viewBox="0 0 24 24" aria-hidden="true">{_ICONS[name]}</svg>'
-
-
-def _dark() -> str:
-    return (
-        f'<button id="dark" type="button" title="Dark page" aria-label="Dark page">{_icon("dark")}</button>'
-    )
 
 
 # ------------------------------------------------------------------------- index
@@ -134,7 +126,7 @@ def _index(scenes: Sequence[Shown], title: str) -> bytes:
 <input id="search" type="search" placeholder="Find a scene" aria-label="Find a scene" autocomplete="off"
  aria-keyshortcuts="/">
 <output id="count" for="search">{count}</output>
-{_dark()}
+<button id="dark" type="button" title="Dark page" aria-label="Dark page">{_icon("dark")}</button>
 <nav aria-label="Groups">{jumps if len(groups) > 1 else ""}</nav>
 </div>
 <main>
@@ -146,8 +138,9 @@ def _index(scenes: Sequence[Shown], title: str) -> bytes:
         {"name": one.name, "file": one.file, "title": one.title, "text": one.text, "group": one.group}
         for one in scenes
     ]
-    style, early, script = _parts("index")
-    return document(title, body, [style], [script], {"scenes": told}, early, images="'self' data:")
+    style, script = _parts("index")
+    styles = [f"{style_rules(DARK)}\n{style}"]
+    return document(title, body, styles, [script], {"scenes": told}, early_script(), images="'self' data:")
 
 
 def _anchor(group: str) -> str:
@@ -170,11 +163,7 @@ def _card(scene: Shown) -> str:
     )
 
 
-# ------------------------------------------------------------------------- what they have in common
 @cache
-def _parts(name: str) -> tuple[str, str, str]:
-    """Styles, the script that runs early, and the script of a kind of page."""
-    style = "\n".join((_FOLDER / file).read_text(encoding="utf-8") for file in ("dark.css", f"{name}.css"))
-    if name == "index":
-        style = f"{style_rules(DARK)}\n{style}"
-    return style, bundle(_FOLDER / "dark.js"), bundle(_FOLDER / f"{name}.js")
+def _parts(name: str) -> tuple[str, str]:
+    """The style and the script of a kind of page."""
+    return (_FOLDER / f"{name}.css").read_text(encoding="utf-8"), bundle(_FOLDER / f"{name}.js")

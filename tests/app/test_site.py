@@ -89,7 +89,7 @@ def found(folder: Path) -> set[str]:
 
 
 def check_links(folder: Path, whole: bool = True) -> None:
-    """Every address of every page leads to a file of the folder, and in one that is whole to a place in it."""
+    """Every address of every page leads to a file of the folder, and in a whole one to a place in it."""
     for path in folder.glob("*.html"):
         for address in Page(path).addresses:
             if address.startswith("data:image/svg+xml,"):
@@ -272,7 +272,8 @@ def test_a_gallery_is_replaced_and_nothing_else_is_touched(
 def test_a_gallery_that_fails_on_the_way_leaves_the_old_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    out, new = tmp_path / "site", tmp_path / "new"
+    out, new, empty = tmp_path / "site", tmp_path / "new", tmp_path / "empty"
+    empty.mkdir()
     make(capsys, out, "ring", "rope")
     before = {path: (out / path).read_bytes() for path in found(out)}
 
@@ -280,10 +281,11 @@ def test_a_gallery_that_fails_on_the_way_leaves_the_old_one(
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(pages, "_index", full)
-    for folder in (out, new):
+    for folder in (out, new, empty):
         refused(softrod_here(capsys, "gallery", "--out", folder, "box"), "cannot be written (No space left")
     assert {path: (out / path).read_bytes() for path in found(out)} == before
     assert not new.exists()
+    assert not found(empty)
     # A run that was killed leaves a folder that the next one takes.
     (out / ".softrod-new").mkdir()
     (out / ".softrod-new" / "half.html").write_text("<")

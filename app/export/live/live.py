@@ -43,8 +43,8 @@ KEYS = (
 )
 """Settings that a file has sliders for, as in `static/settings.js`."""
 
-DARK = '@media (prefers-color-scheme: dark){html:not([data-theme="light"])*}html[data-theme="dark"]*'
-"""Where the paper is dark: as the system has it, or as the file's own attribute says."""
+DARK = "[data-dark]*"
+"""Where the paper is dark, see `static/dark.js`."""
 
 _FOLDER = Path(__file__).parent / "static"
 _PAGE = Path(__file__).parents[2] / "page"
@@ -110,11 +110,17 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 <button id="view" type="button" aria-label="View and keys">?</button>
 </div>
 <p id="says" class="hidden" role="status"></p>"""
-    return html_file(scene, body, style, script, {"about": _about(moment)}, note, bar), notes
+    return html_file(scene, body, style, script, {"about": _about(moment)}, note, early_script(), bar), notes
 
 
 def _icon(paths: str) -> str:
     return f'<svg viewBox="0 0 24 24" aria-hidden="true">{paths}</svg>'
+
+
+@cache
+def early_script() -> str:
+    """What makes the paper dark before anything is shown."""
+    return bundle(_FOLDER / "dark.js")
 
 
 @cache

@@ -8,9 +8,6 @@ export function element(id, kind) {
   return found;
 }
 
-/** Whether the paper is dark: as the file's attribute says, or else the system. */
-export const isDark = () => (document.documentElement.dataset.theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light")) === "dark";
-
 /** The bytes of packed arrays. @param {string} text base64 of what was packed */
 export async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));

@@ -8,7 +8,7 @@ const whole = /** @type {HTMLElement} */ (document.documentElement.cloneNode(tru
 /** Save the page without its bar, which would lead nowhere from a file that is alone. @param {string} name */
 function save(name) {
   whole.querySelector("#bar")?.remove();
-  delete whole.dataset.theme;
+  delete whole.dataset.dark;
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([`<!doctype html>\n${whole.outerHTML}\n`], { type: "text/html" }));
   link.download = name;

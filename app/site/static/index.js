@@ -19,6 +19,8 @@ const search = element("search", HTMLInputElement);
 const count = element("count", HTMLOutputElement);
 const none = element("none", HTMLElement);
 const all = count.value;
+const dark = element("dark", HTMLButtonElement);
+const root = document.documentElement;
 let late = 0;
 
 /** @param {Scene} scene */
@@ -131,5 +133,9 @@ document.addEventListener("keydown", (event) => {
   } else return;
   event.preventDefault();
 });
+const shadow = () => (dark.ariaPressed = String(root.hasAttribute("data-dark")));
+dark.addEventListener("click", () => root.toggleAttribute("data-dark"));
+new MutationObserver(shadow).observe(root, { attributeFilter: ["data-dark"] });
+shadow();
 window.addEventListener("hashchange", follow);
 follow();

@@ -23,7 +23,7 @@
  */
 import { readPlan, UNHARMED } from "../../../drawing/static/plan.js";
 import { paint, screenOf } from "../../static/paint.js";
-import { element, isDark, unpacked } from "../../static/parts.js";
+import { element, unpacked } from "../../static/parts.js";
 import { Body } from "./body.js";
 import { makeChart } from "./chart.js";
 import { Clock } from "./clock.js";
@@ -33,6 +33,7 @@ import { addPanel } from "./panel.js";
 import { Recording } from "./quantities.js";
 import { partOfLimit } from "./readings.js";
 import { write } from "./settings.js";
+import { isDark } from "./view.js";
 
 /** The body and its time, as they are now; another one after a reset. @param {About} about */
 function begin(about) {

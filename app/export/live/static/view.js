@@ -1,7 +1,7 @@
 // @ts-check
 /** How a live file looks: on white or dark paper, larger for a projector; and the dialog with these and with the keys. */
 import { make, makeButton, makeDialog } from "../../../page/looks/dialog.js";
-import { element, isDark } from "../../static/parts.js";
+import { element } from "../../static/parts.js";
 
 /** How many times larger all is for a projector. */
 const LARGER = 1.5;
@@ -20,16 +20,15 @@ const KEYS = [
   ["?", "this help"],
 ];
 
+/** Whether the file is on dark paper; `dark.js` says where it is, and keeps it. */
+export const isDark = () => document.documentElement.hasAttribute("data-dark");
+
 /** @param {{arrows: boolean, follow: boolean}} has what the body can do */
 export function addView(has) {
   const root = document.documentElement;
-  const turn = () => {
-    root.dataset.theme = isDark() ? "light" : "dark";
+  const darken = () => {
+    root.toggleAttribute("data-dark");
     dark.ariaPressed = String(isDark());
-  };
-  const help = () => {
-    dark.ariaPressed = String(isDark());
-    dialog.showModal();
   };
   const enlarge = () => {
     const on = larger.ariaPressed !== "true";
@@ -38,7 +37,7 @@ export function addView(has) {
     root.style.setProperty("--softrod-larger", String(on ? LARGER : 1));
   };
   const { dialog, body } = makeDialog("View and keys", "softrod-view");
-  const dark = makeButton("Dark", turn);
+  const dark = makeButton("Dark", darken);
   const larger = makeButton("Larger, for a projector", enlarge);
   larger.ariaPressed = "false";
   const row = make("div", "softrod-dialog-line");
@@ -51,6 +50,10 @@ export function addView(has) {
     table.append(line);
   }
   body.append(row, table);
-  element("view", HTMLButtonElement).addEventListener("click", help);
-  return { dark: turn, larger: enlarge, help };
+  const show = () => {
+    dark.ariaPressed = String(isDark());
+    dialog.showModal();
+  };
+  element("view", HTMLButtonElement).addEventListener("click", show);
+  return { dark: darken, larger: enlarge, help: show };
 }
