@@ -139,7 +139,7 @@ export function addPanel(about, does) {
 
   document.addEventListener("keydown", (event) => {
     const { target, key, ctrlKey, metaKey, altKey, repeat } = event;
-    if (ctrlKey || metaKey || altKey || !(target instanceof Element) || target.closest("dialog")) return;
+    if (ctrlKey || metaKey || altKey || !(target instanceof Element) || target.closest("dialog[open]")) return;
     if (target.matches("select, textarea, input:not([type=range])")) return;
     const isSlider = target.matches("input");
     if (key in ARROWS && !isSlider && (about.up || about.right)) {
