@@ -203,3 +203,19 @@ def test_the_teachers_page_alone_brings_answers() -> None:
     assert [one.refused for one in told] == [False, True]
     assert "Zoë: 5 answers" in told[0].told
     assert len(klass.room.answers) == 5
+
+
+def test_the_teachers_page_saves_the_lesson_as_a_file() -> None:
+    klass, session = Class(a_room()), Session(sim.rope(4), wait=False)
+    saved: dict[str, bytes] = {}
+    role = DeskRole(klass, Letters(), "", "", saved.__setitem__)
+    role.introduce(from_page.Who("0" * 32, "", "key"), session)
+    klass.room.go(1, Phase.SHOW)
+    made = klass.lesson_file()
+    role.hear(from_page.Arrange("lessonFile"), session)
+    data = made.result(60.0)
+    while not saved:
+        role.frame(session)
+    assert saved == {"rope.html": data}
+    assert lesson_code(a_scene()) in data.decode()
+    klass.end()
