@@ -2,8 +2,8 @@
 # What has to be green, on a machine with nothing but Python >= 3.11: finds or installs uv, a Chromium, a C
 # compiler, nginx and Caddy, then runs ruff, pyright and pytest, browser tests included. Fails when one of them
 # cannot be had.
-# With --night it runs all of the long random tests instead of a part, and the solver's once more as on a
-# processor without anything special. Whatever else it is given goes to pytest.
+# With --night it runs all of the long random tests instead of a part, the solver's once more as on a processor
+# without anything special, and finds or installs a Firefox. Whatever else it is given goes to pytest.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -61,6 +61,16 @@ for proxy in nginx caddy; do
         exit 1
     }
 done
+
+# Exported files are tried in Firefox, too; by day only where there is one, for it is large.
+find_firefox() { command -v "${SOFTROD_FIREFOX:-firefox-esr}" || command -v firefox; }
+if [ -n "$night" ] && ! find_firefox >/dev/null; then
+    install firefox-esr
+    find_firefox >/dev/null || {
+        echo "no Firefox was found or could be installed: install it, or name it in SOFTROD_FIREFOX" >&2
+        exit 1
+    }
+fi
 
 find_browser >/dev/null || install chromium
 if ! find_browser >/dev/null; then
