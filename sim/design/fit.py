@@ -23,10 +23,6 @@ from typing import Any, cast
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
-from scipy.optimize import least_squares
-from scipy.stats import qmc
-from scipy.stats import t as student
 
 from ..errors import InputError, SceneError, SettingError
 from ..methods.registry import METHODS
@@ -541,6 +537,8 @@ class _Runner:
             raise InputError(
                 f"fit: {time[-1]:g} s in steps of {step:g} s are {steps} steps, more than {MAX_STEPS}"
             )
+        from scipy.interpolate import CubicSpline
+
         simulation = Simulation(msgspec.structs.replace(scene, integrator=integrator))
         found = np.empty((len(quantities), steps + 1))
         for k in range(steps + 1):
@@ -624,6 +622,8 @@ class _Search:
 
     def _starts(self, first: Floats) -> Iterator[Floats]:
         """The scene's own numbers, and then others, those that fit the first rows best first."""
+        from scipy.stats import qmc
+
         yield first
         spread = np.array([p.spread for p in self._problem.parameters])
         if not spread.any():
@@ -641,6 +641,8 @@ class _Search:
         yield from (every[i] for i in np.argsort(costs)[: _TRIED - 1])
 
     def _down(self, u: Floats, part: float) -> Floats:
+        from scipy.optimize import least_squares
+
         low, high = self._low - 1e-9, self._high + 1e-9
         last: dict[bytes, Floats] = {}
 
@@ -703,6 +705,8 @@ class _Search:
 
     # --------------------------------------------------------------------- what it means
     def _summed_up(self, u: Floats) -> Fit:
+        from scipy.stats import t as student
+
         problem = self._problem
         left = self._left(u)
         shares = [np.array([counted_once(row) for row in each]) for each in left]
