@@ -13,8 +13,8 @@ import msgspec
 from rich.console import Console
 
 import sim
-from studies.sweep.folder import Line
 from studies.sweep.grid import make_grid
+from studies.sweep.kept import Line
 from studies.sweep.measures import parse_measures
 from studies.sweep.runs import run
 from studies.sweep.sweep import sweep
