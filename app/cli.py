@@ -235,7 +235,7 @@ _COMMANDS: dict[str, type[Command]] = {
     "class": TeachClass,
 }
 
-STUDIES = ("bench", "validate", "stability", "study", "sweep")
+STUDIES = ("bench", "validate", "stability", "study", "sweep", "improve")
 """Commands of the package `studies`, which is loaded for them alone."""
 
 _SOLVING = ("run", "export", *STUDIES)
