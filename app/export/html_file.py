@@ -37,7 +37,7 @@ def html_file(
         body: what follows these, as HTML.
         style, script: of the file; the script is a module.
         data: what the script reads, by the ids of the elements that hold it as JSON.
-        note: a sentence after the description.
+        note: a sentence before the description.
     """
     assert "</script" not in script.lower()
     title = html.escape(shown_name(scene))
@@ -50,7 +50,7 @@ def html_file(
             "form-action 'none'",
         )
     )
-    told = f'\n<p class="note">{html.escape(note)}</p>' if note else ""
+    told = f'<p class="note">{html.escape(note)}</p>\n' if note else ""
     held = "\n".join(
         f'<script type="application/json" id="{id}">{_safe(value)}</script>' for id, value in data.items()
     )
@@ -67,7 +67,7 @@ def html_file(
 <body>
 <header>
 <h1>{title}</h1>
-<p>{html.escape(scene.description)}</p>{told}
+{told}<p>{html.escape(scene.description)}</p>
 <p role="alert"></p>
 <noscript><p>The motion is shown by a script, which this browser does not run.</p></noscript>
 </header>

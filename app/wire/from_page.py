@@ -361,6 +361,12 @@ class ToWall(Lead, frozen=True):
     answer: Annotated[str, Meta(pattern=r"^([0-9a-f]{16})?$")]
 
 
+class Bring(Lead, frozen=True):
+    """Answers that a pupil gave in a file: the text of the file that was saved there, or of its QR code."""
+
+    text: Annotated[str, Meta(min_length=1, max_length=48_000)]
+
+
 class OneSeat(Lead, frozen=True):
     """Something is to be done with one seat.
 
@@ -569,7 +575,19 @@ class Move(Gesture, frozen=True):
 class Act(Gesture, frozen=True):
     """Something that needs no place: to a mass; or to what is selected, else what is under the pointer."""
 
-    what: Literal["remove", "pin", "duplicate", "mirror", "corners", "triangulate", "rest", "all", "copy"]
+    what: Literal[
+        "remove",
+        "pin",
+        "duplicate",
+        "mirror",
+        "corners",
+        "triangulate",
+        "rest",
+        "keep",
+        "stiffen",
+        "all",
+        "copy",
+    ]
     mass: Index | None = None
     under: Index | None = None
 

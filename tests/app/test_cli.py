@@ -21,7 +21,6 @@ import sim
 from app.cli import main
 from app.page.tab import told_of_compiling
 from app.session.log import Keys, read_log
-from sim.compiling.compiler import EntryPoint
 from sim.errors import InputError
 
 Result = subprocess.CompletedProcess[str]
@@ -295,7 +294,6 @@ def test_a_cache_folder_that_cannot_be_written_is_said_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "file").write_bytes(b"")
-    monkeypatch.setattr(EntryPoint, "marker", None)
     monkeypatch.setattr(platformdirs, "user_cache_path", lambda *_, **__: tmp_path / "file")
     trouble = f"compiled anew at every start, since the folder {tmp_path / 'file'} cannot be written"
     result = softrod_here(capsys, "run", "ring", "--steps", "3", "--out", tmp_path / "ring.csv")

@@ -9,6 +9,7 @@ from typing import Literal
 import msgspec
 import numpy as np
 
+from app.classroom import sheets
 from app.classroom.live import Class, Doing, Front, is_key
 from app.classroom.room import FREE, PHASE_OF, Phase, Refused, Vote, Work
 from sim.errors import InputError, SettingError
@@ -18,7 +19,7 @@ from ...session.log import decode_log
 from ...session.session import Notice, Session
 from ...wire import from_page
 from ...wire.carrier import Mail
-from ...wire.to_page import Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
+from ...wire.to_page import Brought, Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
 from ..check.page import check_address
 from ..controls import Controls
 from ..files.sharing import qr_code
@@ -105,6 +106,8 @@ class DeskRole(ClassRole):
                     room.star(answer, on)
                 case from_page.ToWall(answer):
                     room.put_on_wall(answer)
+                case from_page.Bring(text):
+                    self._bring(text)
                 case from_page.OneSeat(seat, what):
                     self._do_with(seat, what)
                 case from_page.Arrange(what):
@@ -175,6 +178,19 @@ class DeskRole(ClassRole):
             case "end":
                 self.klass.end()
         room.version += 1
+
+    def _bring(self, text: str) -> None:
+        """Take answers that a pupil gave in a file, and tell what became of them."""
+        try:
+            taken = sheets.take(self.room, text)
+        except Refused as error:
+            self._mail.tell(Brought(told=str(error), refused=True))
+            return
+        count = f"{taken.new} {'answer' if taken.new == 1 else 'answers'}"
+        known = f", {taken.known} had been brought before" if taken.known else ""
+        steps = ", ".join(map(str, taken.reached))
+        goals = f". As its own file says, it reached the goal of step {steps}" if steps else ""
+        self._mail.tell(Brought(told=f"{taken.name}: {count}{known}{goals}."))
 
     def _hand_over(self, made: Future[bytes], session: Session) -> None:
         """Have the browser save the zip."""

@@ -23,6 +23,8 @@ import { pushAndFriction } from "./push.js";
  *   apart: number[][]}} Contact px, kg/(px s²), 1, px/s, s/px, px; for each spring, the masses that never touch it
  * @typedef {{strength: number[], yieldForce: number[], hardening: number[], yieldTorque: number[]}} Limits of springs and
  *   joints: kg px/s², kg/s², kg px²/s²; 1e300 for what has none
+ * @typedef {{length: number[], hardened: number[], angle: number[]}} Yielded what has yielded before: rest lengths by how
+ *   much, px, yield forces, kg px/s², rest angles, degrees; empty where none has
  *
  * @typedef {object} BodyData a body at one moment, as `app/export/live/data.py` writes it
  * @property {number} time s
@@ -52,12 +54,14 @@ import { pushAndFriction } from "./push.js";
  * @property {Filling[]} fillings
  * @property {Contact | null} contact
  * @property {Limits | null} limits
+ * @property {Yielded | null} yielded
  */
 
 /** Area of a gas, as a fraction of its own area, below which its pressure grows linearly. */
 const SMALLEST = 0.01;
 const DEGREE = Math.PI / 180;
-const TURN = 2 * Math.PI;
+/** Of a circle, radians. */
+export const TURN = 2 * Math.PI;
 
 /** An angle, wrapped once into (-180, 180] degrees. @param {number} angle */
 const wrapped = (angle) => (angle > 180 ? angle - 360 : angle <= -180 ? angle + 360 : angle);
@@ -89,6 +93,7 @@ export class Body {
     this.jointDamping = Float64Array.from(data.jointDamping);
     this.restAngle = Float64Array.from(data.restAngle);
     this.broken = new Uint8Array(this.springs);
+    this.loads = data.loads.map(([mass, x, y]) => ({ mass, x, y }));
     this.walls = data.walls.map((wall) => /** @type {Wall} */ ([...wall]));
     this.waves = data.waves;
     this.fillings = data.fillings.map((filling) => ({ ...filling }));
@@ -100,6 +105,9 @@ export class Body {
     this.setLength = new Float64Array(this.springs);
     this.setAngle = new Float64Array(this.joints);
     this.hardened = new Float64Array(this.springs);
+    this.setLength.set(data.yielded?.length ?? []);
+    this.setAngle.set(data.yielded?.angle ?? []);
+    this.hardened.set(data.yielded?.hardened ?? []);
     // In each evaluation: of each spring its vector, px, its length, px, and the force on its b end, kg px/s².
     this.vectors = new Float64Array(2 * this.springs);
     this.lengths = new Float64Array(this.springs);
@@ -145,11 +153,11 @@ export class Body {
    *   steps gains no energy, see `sim/forces/push.py`
    */
   accelerate(softeningStep) {
-    const { accelerations: a, mass, held, gravity, data } = this;
+    const { accelerations: a, mass, held, gravity } = this;
     a.fill(0);
-    for (const [m, x, y] of data.loads) {
-      a[2 * m] += x;
-      a[2 * m + 1] += y;
+    for (const load of this.loads) {
+      a[2 * load.mass] += load.x;
+      a[2 * load.mass + 1] += load.y;
     }
     this.#addSprings();
     this.#addFillings();
@@ -213,7 +221,7 @@ export class Body {
   }
 
   /** Rate at which a spring turns, 1/s. @param {number} s */
-  #turning(s) {
+  turning(s) {
     const { velocities: v, ends, vectors, lengths } = this;
     const [one, two] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
     const cross = vectors[2 * s] * (v[two + 1] - v[one + 1]) - vectors[2 * s + 1] * (v[two] - v[one]);
@@ -253,7 +261,7 @@ export class Body {
       const energy = this.law === "tutorial" ? 0 : stored;
       let torque = undamped;
       if (this.jointDamping[j]) {
-        torque += this.jointDamping[j] * lengths[p] * lengths[q] * (this.#turning(q) - this.#turning(p));
+        torque += this.jointDamping[j] * lengths[p] * lengths[q] * (this.turning(q) - this.turning(p));
       }
       // The torque turns both springs towards the rest angle; the energy grows with their lengths, and pulls along them.
       for (const [s, turn] of [[p, torque], [q, -torque]]) {
