@@ -402,13 +402,14 @@ def tell(wanted: Wanted, improved: Improved, out: Path, console: Console) -> int
         what = "Interrupted: no" if improved.interrupted else "No"
         console.print(f"{what} run came to a result; {out / 'table.csv'} has them all.", highlight=False)
         return 130 if improved.interrupted else 1
-    start = trials.get(0)
-    console.print(
-        f"{goal.result}: [bold]{shown(best.result, goal.unit)}[/]"
-        + (f", {shown(start.result, goal.unit)} with the scene as it is" if start and best.number else "")
-        + ("; nothing better than the scene as it is was found" if not best.number else ""),
-        highlight=False,
-    )
+    start, found = trials.get(0), shown(best.result, goal.unit)
+    if not best.number:
+        found += "; nothing better than the scene as it is was found"
+    elif best.result is None:
+        found += " in any run, and this is the nearest"
+    elif start and not start.ended:
+        found += f"; {shown(start.result, goal.unit)} with the scene as it is"
+    console.print(f"{goal.result}: {found}", soft_wrap=True, highlight=False, markup=False)
     for each, text in zip(wanted.ranges, best.point, strict=True):
         unit = wanted.unit(each.key)
         end = each.end(float(text))

@@ -102,6 +102,6 @@ def _results(
         else:
             margin = 0.08 * float(np.ptp(near))
             axes.set_ylim(near.min() - margin, near.max() + margin)
-    axes.set_ylabel(name, parse_math=False)
-    axes.legend(frameon=False, fontsize=8, ncols=5, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+    axes.set_title(name, parse_math=False, fontsize=9, loc="left")
+    axes.legend(frameon=False, fontsize=8, ncols=5, loc="lower left", bbox_to_anchor=(-0.02, 1.07))
     tidy(axes)

@@ -36,8 +36,9 @@ def values_of(scene: sim.Scene, goal: str, duration: float = 4.0, settings: tupl
 
 def best_of(found: Improved) -> tuple[float, float]:
     """The first setting and the result of the best run."""
-    assert found.best is not None and found.best.result is not None
-    return float(found.best.point[0]), found.best.result
+    best = found.best
+    assert best is not None and best.result is not None
+    return float(best.point[0]), best.result
 
 
 # ------------------------------------------------------------------------- known optima
@@ -67,7 +68,7 @@ def test_the_damping_with_the_least_mean_energy_is_found(tmp_path: Path) -> None
     assert status == 0
     assert damping == pytest.approx(20.0 / math.sqrt(2.0), rel=0.01)
     assert mean == pytest.approx(5000.0 * 2.0 / (2.0 * math.sqrt(0.5) * 10.0) / 4.0, rel=0.01)
-    assert f"mean of energy.total: {mean:.6g} kg px²/s², " in text
+    assert f"mean of energy.total: {mean:.6g} kg px²/s²; " in text
 
 
 def test_the_length_of_a_pendulum_for_a_period_is_found(tmp_path: Path) -> None:
@@ -190,6 +191,16 @@ def test_a_search_goes_round_what_counts_as_worst_and_says_so(tmp_path: Path) ->
     assert all(float(each.point[0]) > 119.0 for each in broken)
     assert stiffness == pytest.approx(120.0, rel=0.01)
     assert f"Of 50 runs these count as worst: {len(broken)} broke" in text
+
+
+def test_a_range_that_no_run_reaches_is_come_near_to(tmp_path: Path) -> None:
+    wanted = wanted_of(SWINGS, ("linear_damping=2..100",), "reach ..50 mass1.x", 1.0, 20)
+    status, _, text, found = improved(tmp_path, wanted)
+    assert found.best is not None
+    assert (status, found.best.result) == (0, None)
+    assert "mass1.x stays in its range: not reached in any run, and this is the nearest" in text
+    # The less it is damped, the nearer it swings.
+    assert found.best.point[0] == min((each.point[0] for n, each in found.trials.items() if n), key=float)
 
 
 def test_without_any_result_it_says_so(tmp_path: Path) -> None:
