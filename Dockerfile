@@ -3,7 +3,7 @@ FROM python:3.13-slim AS build
 RUN python -m pip install --quiet --root-user-action=ignore --target=/uv uv
 WORKDIR /source
 COPY . .
-ENV UV_PROJECT_ENVIRONMENT=/opt/softrod UV_LINK_MODE=copy UV_COMPILE_BYTECODE=1 UV_PYTHON_DOWNLOADS=never
+ENV UV_PROJECT_ENVIRONMENT=/opt/softrod UV_COMPILE_BYTECODE=1 UV_PYTHON_DOWNLOADS=never
 RUN /uv/bin/uv sync --quiet --no-dev --no-editable
 
 FROM python:3.13-slim

@@ -28,6 +28,7 @@ from .lessons import check_lesson
 from .linking import Link
 from .page.controls import of_scene
 from .session.log import Log, read_log
+from .site.command import MakeGallery
 from .teaching import TeachClass
 
 DEFAULT_SCENE = "rope"
@@ -244,6 +245,7 @@ _COMMANDS: dict[str, type[Command]] = {
     "schema": Schema,
     "link": Link,
     "export": Export,
+    "gallery": MakeGallery,
     "class": TeachClass,
 }
 

@@ -41,6 +41,7 @@ LARGEST = 48_000
 _NO_TEXT = "That is no code of answers: it begins with SR1 and has letters and digits."
 _NO_FILE = "That file has no answers to a lesson."
 _MISREAD = "The code was read with a wrong letter: scan it again."
+_CHANGED = str.maketrans("YZ", "ZY")
 _ENDS = 192, 64
 """A byte of a place at the high and at the low end of the frame."""
 
@@ -167,14 +168,15 @@ def _bytes_of(text: str) -> bytes:
     letters = text.upper()
     if not letters.startswith(MARK) or len(letters) > 200:
         raise Refused(_NO_TEXT)
-    letters = letters[len(MARK) :]
-    try:
-        data = base64.b32decode(letters + "=" * (-len(letters) % 8))
-    except (binascii.Error, ValueError):
-        raise Refused(_MISREAD) from None
-    if len(data) < 15 or binascii.crc_hqx(data[:-2], 0xFFFF) != int.from_bytes(data[-2:], "big"):
-        raise Refused(_MISREAD)
-    return data[:-2]
+    # A scanner that types for an English keyboard has Y and Z change places on a German one.
+    for body in (letters[len(MARK) :], letters[len(MARK) :].translate(_CHANGED)):
+        try:
+            data = base64.b32decode(body + "=" * (-len(body) % 8))
+        except (binascii.Error, ValueError):
+            raise Refused(_MISREAD) from None
+        if len(data) >= 15 and binascii.crc_hqx(data[:-2], 0xFFFF) == int.from_bytes(data[-2:], "big"):
+            return data[:-2]
+    raise Refused(_MISREAD)
 
 
 class _Reader:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import csv
 import json
-import os
 import signal
 import socket
 import subprocess
 import sys
+import urllib.error
 import urllib.request
 from pathlib import Path
 
@@ -383,14 +383,20 @@ def test_a_scene_that_is_not_valid_is_not_served(tmp_path: Path, capsys: pytest.
 
 
 def test_an_open_address_says_what_it_exposes() -> None:
-    process, _ = start("ring", "--port", "0", "--host", "0.0.0.0")
+    process, address = start("ring", "--port", "0", "--host", "0.0.0.0")
     try:
+        # Who comes by a name that it does not know is told the option, and so is the terminal.
+        strange = urllib.request.Request(address.partition("#")[0], headers={"Host": "school.example"})
+        for _ in range(2):
+            with pytest.raises(urllib.error.HTTPError, match="421"):
+                urllib.request.urlopen(strange, timeout=30)
         process.send_signal(signal.SIGTERM)
         output = rest_of(process)
     finally:
         process.kill()
     assert "password" in output
-    assert os.linesep in output
+    assert output.count("A page was refused. softrod does not answer to the address school.example.") == 1
+    assert "start it with --allow-host school.example" in output
 
 
 def test_run_records_quantities_with_units_instead_of_positions(

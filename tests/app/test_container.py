@@ -43,7 +43,8 @@ def image() -> Iterator[Image]:
     assert uv is not None
     cache = subprocess.run([uv, "cache", "dir"], capture_output=True, text=True, check=True).stdout.strip()
     # How packages are fetched on this machine.
-    env = {name: value for name, value in os.environ.items() if re.match(r"(PIP|UV|SSL|HTTPS?|NO)_", name)}
+    fetching = re.compile(r"(PIP|UV|SSL|HTTPS?|NO)_(?!CACHE_DIR)", re.IGNORECASE)
+    env = {name: value for name, value in os.environ.items() if fetching.match(name)}
     folder = Path(tempfile.mkdtemp(prefix="softrod-"))
     folder.chmod(0o755)
 

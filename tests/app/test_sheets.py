@@ -126,6 +126,8 @@ def test_every_answer_counts_once_and_a_later_sheet_goes_before() -> None:
     assert take(room, json.dumps(later)).new == 1
     assert [a.content for a in room.given(1, 0, Vote)] == [Vote(0)]
     assert take(room, json.dumps(FULL)).new == 0
+    assert "Y" in text or "Z" in text
+    assert take(room, text.translate(str.maketrans("YZ", "ZY"))).known == 5  # by a German keyboard
     assert len(room.seats) == 1
     assert take(room, json.dumps({**FULL, "id": "99112233aa"})).name == "Zoë 2"
     assert len(room.seats) == 2
@@ -201,3 +203,19 @@ def test_the_teachers_page_alone_brings_answers() -> None:
     assert [one.refused for one in told] == [False, True]
     assert "Zoë: 5 answers" in told[0].told
     assert len(klass.room.answers) == 5
+
+
+def test_the_teachers_page_saves_the_lesson_as_a_file() -> None:
+    klass, session = Class(a_room()), Session(sim.rope(4), wait=False)
+    saved: dict[str, bytes] = {}
+    role = DeskRole(klass, Letters(), "", "", saved.__setitem__)
+    role.introduce(from_page.Who("0" * 32, "", "key"), session)
+    klass.room.go(1, Phase.SHOW)
+    made = klass.lesson_file()
+    role.hear(from_page.Arrange("lessonFile"), session)
+    data = made.result(60.0)
+    while not saved:
+        role.frame(session)
+    assert saved == {"rope.html": data}
+    assert lesson_code(a_scene()) in data.decode()
+    klass.end()

@@ -19,9 +19,9 @@ from sim.settings.recipes import Setting
 
 from ...drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
 from ..bundle import bundle
-from ..html_file import html_file, packed, plans, stage
+from ..html_file import Bar, html_file, packed, plans, stage
 from .data import body_data
-from .lesson import lesson_data, lesson_notes, listed
+from .lesson import TUTORIAL, lesson_data, lesson_notes, listed, scenes_of_steps
 
 KEYS = (
     "linear_stiffness",
@@ -43,18 +43,20 @@ KEYS = (
 )
 """Settings that a file has sliders for, as in `static/settings.js`."""
 
-TUTORIAL = "symplectic_euler"
+DARK = "[data-dark]*"
+"""Where the paper is dark, see `static/dark.js`."""
 
 _FOLDER = Path(__file__).parent / "static"
 _PAGE = Path(__file__).parents[2] / "page"
 """Whose dialogs and lessons look the same in a file."""
 
 
-def live_html(moment: sim.Moment) -> tuple[bytes, list[str]]:
+def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[str]]:
     """The file, in UTF-8, and what it cannot do: sentences without a full stop.
 
     Args:
         moment: in which the body begins.
+        bar: what leads to other files, for one that is not alone.
 
     Raises:
         InputError: a position or a velocity is not a finite number.
@@ -108,7 +110,7 @@ def live_html(moment: sim.Moment) -> tuple[bytes, list[str]]:
 <button id="view" type="button" aria-label="View and keys">?</button>
 </div>
 <p id="says" class="hidden" role="status"></p>"""
-    return html_file(scene, body, style, script, {"about": _about(moment)}, note), notes
+    return html_file(scene, body, style, script, {"about": _about(moment)}, note, early_script(), bar), notes
 
 
 def _icon(paths: str) -> str:
@@ -116,10 +118,16 @@ def _icon(paths: str) -> str:
 
 
 @cache
+def early_script() -> str:
+    """What makes the paper dark before anything is shown."""
+    return bundle(_FOLDER / "dark.js")
+
+
+@cache
 def _looks() -> tuple[str, str]:
     """The styles and the script."""
     files = (_PAGE / "looks" / "dialogs.css", _PAGE / "scenes" / "lesson.css", _FOLDER / "live.css")
-    rules = (style_rules("[data-dark]*"), *(path.read_text(encoding="utf-8") for path in files))
+    rules = (style_rules(DARK), *(path.read_text(encoding="utf-8") for path in files))
     return "\n".join(rules), bundle(_FOLDER / "live.js")
 
 
@@ -206,7 +214,8 @@ def _law(scene: sim.Scene) -> dict[str, Any]:
 def _notes(scene: sim.Scene) -> list[str]:
     """What the file does otherwise than softrod, or cannot do."""
     notes = []
-    if scene.integrator.method != TUTORIAL:
+    begins = scenes_of_steps(scene)
+    if any(at.integrator.method != TUTORIAL for at in (scene, *begins)):
         notes.append("the body moves by velocity Verlet, without error control")
     if scene.bodies:
         notes.append("the shape of the body is fixed")

@@ -1,7 +1,7 @@
 // @ts-check
 /** The part of the teacher's page that takes answers which pupils gave in files: as files, or by their QR codes. */
 import { onTold, send } from "../../wire/channel.js";
-import { make } from "../looks/dialog.js";
+import { make, makeButton } from "../looks/dialog.js";
 
 /** Letters of a file that the server takes, at most. */
 const MOST = 48_000;
@@ -37,6 +37,8 @@ function bring(text) {
 export function brought(changed) {
   const box = make("div", "softrod-brought");
   box.append(make("p", "softrod-quiet", "From pupils who had the lesson as a file: they count as late answers, each once."));
+  const save = makeButton("Save the lesson as a file for them", () => send({ do: "arrange", what: "lessonFile" }), "softrod-small");
+  save.dataset.focus = "lessonFile";
   const files = make("label", "", "Their files ");
   const pick = make("input", "");
   Object.assign(pick, { type: "file", accept: ".json,application/json", multiple: true });
@@ -64,6 +66,6 @@ export function brought(changed) {
   const list = make("ul", "");
   list.setAttribute("role", "status");
   for (const { told, refused } of results) list.append(make("li", refused ? "softrod-warning" : "", told));
-  box.append(files, form, list);
+  box.append(save, files, form, list);
   return box;
 }

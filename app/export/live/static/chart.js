@@ -51,8 +51,9 @@ export function makeChart(plot) {
   const element = make("figure", "chart");
   const title = make("figcaption", "");
   names.forEach((name, i) => {
-    const key = make("i", `key-${COLORS[i % COLORS.length]}`);
-    title.append(key, make("span", "", `${name}${units[i] && `, ${units[i]}`}${turned ? ", downwards" : ""}`));
+    const key = make("span", "", `${name}${units[i] && `, ${units[i]}`}${turned ? ", downwards" : ""}`);
+    key.prepend(make("i", `key-${COLORS[i % COLORS.length]}`));
+    title.append(key, " ");
   });
   if (over) title.append(make("span", "", `over ${over}${overUnit && `, ${overUnit}`}`));
   const canvas = make("canvas", "");

@@ -155,24 +155,28 @@ export class Clock {
   /** The likely cause, as `sim/motion/divergence.py` says it: the limit is that of the body at its start, if it is passed. */
   #cause() {
     const { body, method, dt } = this;
-    if (method !== "symplectic_euler") return "it was moved or set up too violently";
-    const { positions, jointStiffness, jointDamping } = body;
-    const keep = [positions.slice(), jointStiffness.slice(), jointDamping.slice()];
+    if (method !== "symplectic_euler") return "It was moved or set up too violently";
+    const { positions, velocities, jointStiffness, jointDamping } = body;
+    const arrays = [positions, velocities, jointStiffness, jointDamping];
+    const keep = arrays.map((array) => array.slice());
     const limitNow = () => new StabilityMeter(body, method).look();
+    // Its speed is a consequence of running away.
+    velocities.fill(0);
     positions.set(body.data.positions);
-    body.refresh();
-    const limit = Math.min(this.least, limitNow());
+    const atStart = limitNow();
+    if (!(dt > atStart)) positions.set(keep[0]);
+    const limit = dt > atStart ? atStart : this.least;
     jointStiffness.fill(0);
     jointDamping.fill(0);
     body.refresh();
     const linear = limitNow();
-    [positions, jointStiffness, jointDamping].forEach((array, i) => array.set(keep[i]));
+    arrays.forEach((array, i) => array.set(keep[i]));
     body.refresh();
     this.meter.limit = limit;
     if (!(dt > limit)) {
-      return "the time step is below the stability limit, but that is for small motions; it was moved or set up too violently";
+      return "The time step is below the stability limit, but that is for small motions; it was moved or set up too violently";
     }
     const what = body.joints && linear > 1.2 * limit ? "angular springs set" : "linear springs set";
-    return `the time step of ${number(dt)} s is above the stability limit of ${number(limit)} s, which the ${what}`;
+    return `The time step of ${number(dt)} s is above the stability limit of ${number(limit)} s, which the ${what}`;
   }
 }

@@ -94,6 +94,8 @@ export function addHands(canvas, { body, plan, place }) {
       canvas.classList.toggle("holds", led.size > 0);
     });
   }
+  // Two fingers of which one holds a mass do not zoom; its pointer is pressed before its touch starts.
+  canvas.addEventListener("touchstart", (event) => led.size && event.preventDefault(), { passive: false });
   const name = () => `mass ${chosen} of 0 to ${body().masses - 1}`;
   canvas.addEventListener("focus", () => {
     if (!canvas.matches(":focus-visible")) return;

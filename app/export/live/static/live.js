@@ -31,6 +31,7 @@ import { addCourse } from "./course.js";
 import { addHands } from "./hands.js";
 import { addPanel } from "./panel.js";
 import { Recording } from "./quantities.js";
+import { partOfLimit } from "./readings.js";
 import { write } from "./settings.js";
 import { isDark } from "./view.js";
 
@@ -70,11 +71,12 @@ function run(about, plans) {
     write(now.body, setting, value);
     if (setting.key === "dt") now.clock.dt = Number(value);
   };
+  const look = () => record.take(now.body, !now.clock.exploded, partOfLimit(now.clock));
   const reset = () => {
     now = begin(shown);
     for (const [setting, value] of panel.values()) put(setting, value);
     record = new Recording(record);
-    record.take(now.body, true);
+    look();
     hands.letGo();
   };
   const panel = addPanel(about, {
@@ -141,7 +143,7 @@ function run(about, plans) {
   const next = (time) => {
     if (playing) {
       now.clock.go(((time - before) / 1e3) * speed, hands.hands(), panel.presses());
-      if (record.names.length || course) record.take(now.body, !now.clock.exploded);
+      if (course) look();
       if (course?.look(now.body.time, record)) playing = false;
     } else if (!now.clock.exploded) hands.moveAtOnce();
     before = time;

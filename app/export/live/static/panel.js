@@ -139,7 +139,7 @@ export function addPanel(about, does) {
 
   document.addEventListener("keydown", (event) => {
     const { target, key, ctrlKey, metaKey, altKey, repeat } = event;
-    if (ctrlKey || metaKey || altKey || !(target instanceof Element) || target.closest("dialog")) return;
+    if (ctrlKey || metaKey || altKey || !(target instanceof Element) || target.closest("dialog[open]")) return;
     if (target.matches("select, textarea, input:not([type=range])")) return;
     const isSlider = target.matches("input");
     if (key in ARROWS && !isSlider && (about.up || about.right)) {
@@ -183,9 +183,12 @@ export function addPanel(about, does) {
     values: () => [...set],
     /** Show how things are. @param {About} shown @param {{body: Body, clock: Clock}} now @param {boolean} playing @param {boolean} follows */
     show(shown, { body, clock: time }, playing, follows) {
-      clock.value = `${body.time.toFixed(2)} s`;
-      play.dataset.icon = playing ? "pause" : "play";
-      play.ariaLabel = playing ? "Pause" : "Play";
+      const icon = playing ? "pause" : "play";
+      if (play.dataset.icon !== icon) {
+        play.dataset.icon = icon;
+        play.ariaLabel = playing ? "Pause" : "Play";
+        due = 0;
+      }
       follow.ariaPressed = String(follows);
       if (stopped.hidden === time.exploded) {
         stopped.hidden = !time.exploded;
@@ -194,7 +197,8 @@ export function addPanel(about, does) {
       const at = performance.now();
       if (at < due) return;
       due = at + EVERY;
-      hud.replaceChildren(...head(body, time, playing));
+      clock.value = `${body.time.toFixed(2)} s`;
+      hud.replaceChildren(...head(shown, body, time, playing));
       readings.replaceChildren(...numbers(shown, body, time));
     },
   };

@@ -7,6 +7,8 @@
 
 /** Simulated seconds between two moments that are kept, and how many there are. */
 const [EVERY, KEPT] = [0.25, 8];
+/** Times its rest length to which a spring is pulled in a body that runs away. */
+const TORN = 4;
 /** What changes while a body moves, beside its time. */
 const ARRAYS = /** @type {const} */ (["positions", "velocities", "broken", "setLength", "setAngle", "hardened"]);
 
@@ -24,11 +26,17 @@ export class Past {
     this.moments = [momentOf(body)];
   }
 
-  /** Keep the present moment, if the last one that was kept is some time ago. */
+  /** Keep the present moment, if the last one that was kept is some time ago, and the body is not running away. */
   keep() {
-    if (this.body.time < this.moments[this.moments.length - 1].time + EVERY) return;
+    if (this.body.time < this.moments[this.moments.length - 1].time + EVERY || this.#isTorn()) return;
     this.moments.push(momentOf(this.body));
     if (this.moments.length > KEPT) this.moments.shift();
+  }
+
+  #isTorn() {
+    const { body } = this;
+    body.measure();
+    return body.lengths.some((length, s) => !body.broken[s] && length > TORN * Math.max(body.restLengthOf(s), 1));
   }
 
   /** Make the body what it was at the last moment but one: at the last one it may have been on its way out already. */

@@ -31,7 +31,7 @@ const READ = {
     body.measure();
     if (body.isLoose(j)) return 0;
     const [p, q] = [body.heldSprings[2 * j], body.heldSprings[2 * j + 1]];
-    return body.bent(j)[0] + body.jointDamping[j] * body.lengths[p] * body.lengths[q] * (body.turning(q) - body.turning(p));
+    return body.torqueOf(j) + body.jointDamping[j] * body.lengths[p] * body.lengths[q] * (body.turning(q) - body.turning(p));
   },
   "spring.length": (body, s) => lengthOf(body, s),
   "spring.elongation": (body, s) => lengthOf(body, s) - body.restLengthOf(s),
@@ -81,13 +81,17 @@ export class Recording {
     this.since = NaN;
   }
 
-  /** Look at a body. Time may have gone back: what was read after that is forgotten. @param {Body} body @param {boolean} runs whether it has not run away */
-  take(body, runs) {
+  /**
+   * Look at a body. Time may have gone back: what was read after that is forgotten.
+   *
+   * @param {Body} body @param {boolean} runs whether it has not run away @param {number} part that its step is of the limit
+   */
+  take(body, runs, part) {
     const { times } = this;
     const all = [...this.values.values()];
     while (times.length && times[times.length - 1] >= body.time) [times, ...all].forEach((one) => one.pop());
     times.push(body.time);
-    for (const [name, values] of this.values) values.push(measure(body, name));
+    for (const [name, values] of this.values) values.push(name === "stability.dt_over_limit" ? part : measure(body, name));
     if (times[0] < body.time - SPAN - 1) {
       const old = times.findIndex((time) => time >= body.time - SPAN);
       [times, ...all].forEach((one) => one.splice(0, old));

@@ -23,7 +23,7 @@ export const said = (value) =>
 const springs = (count) => `${count} ${count === 1 ? "spring" : "springs"}`;
 
 /** The time step as a part of the largest stable one; 0 where the file chooses its steps. @param {Clock} clock */
-const partOfLimit = ({ method, dt, meter }) => (method === "symplectic_euler" && meter.limit < 1 ? dt / meter.limit : 0);
+export const partOfLimit = ({ method, dt, meter }) => (method === "symplectic_euler" && meter.limit < 1 ? dt / meter.limit : 0);
 
 /** A bar of the time step over the largest stable one, and what it says. @param {Clock} clock @param {number} part */
 function bar({ dt }, part) {
@@ -36,8 +36,8 @@ function bar({ dt }, part) {
   return box;
 }
 
-/** What stands over the body. @param {Body} body @param {Clock} clock @param {boolean} playing @returns {HTMLElement[]} */
-export function head(body, clock, playing) {
+/** What stands over the body. @param {About} about @param {Body} body @param {Clock} clock @param {boolean} playing @returns {HTMLElement[]} */
+export function head(about, body, clock, playing) {
   const states = [];
   if (clock.exploded) states.push("stopped");
   else if (!playing) states.push("paused");
@@ -47,7 +47,7 @@ export function head(body, clock, playing) {
   const yielded = body.setLength.reduce((sum, moved, s) => sum + Number(Math.abs(moved) > YIELDED * body.restLength[s] && !body.broken[s]), 0);
   if (yielded) states.push(`${springs(yielded)} yielded`);
   const part = partOfLimit(clock);
-  return [make("b", "", states.join(" · ")), ...(part >= NEAR ? [bar(clock, part)] : [])];
+  return [make("b", "", states.join(" · ")), ...(part >= (about.lesson ? Number.MIN_VALUE : NEAR) ? [bar(clock, part)] : [])];
 }
 
 /** The numbers beside the body. @param {About} about @param {Body} body @param {Clock} clock @returns {HTMLElement[]} */

@@ -55,6 +55,9 @@ function eulerStep(body, h, lead) {
   }
 }
 
+/** Room for what a body was like at the begin of a step. @type {WeakMap<Body, {v: Float64Array, a: Float64Array}>} */
+const rooms = new WeakMap();
+
 /**
  * Velocity Verlet: x += h v + h²/2 a, v += h/2 (a + a'). Forces at the end of the step see the velocities v + h a.
  *
@@ -63,7 +66,10 @@ function eulerStep(body, h, lead) {
 function verletStep(body, h, lead) {
   const { positions: x, velocities: v, accelerations: a, held } = body;
   const end = body.time + h;
-  const before = { v: v.slice(), a: a.slice() };
+  const before = rooms.get(body) ?? { v: new Float64Array(v.length), a: new Float64Array(v.length) };
+  rooms.set(body, before);
+  before.v.set(v);
+  before.a.set(a);
   for (let i = 0; i < x.length; i++) {
     if (held[i >> 1]) continue;
     x[i] += h * (v[i] + 0.5 * h * a[i]);

@@ -20,17 +20,15 @@ const KEYS = [
   ["?", "this help"],
 ];
 
-/** Whether the file is on dark paper. */
+/** Whether the file is on dark paper; `dark.js` says where it is, and keeps it. */
 export const isDark = () => document.documentElement.hasAttribute("data-dark");
 
 /** @param {{arrows: boolean, follow: boolean}} has what the body can do */
 export function addView(has) {
   const root = document.documentElement;
-  const night = matchMedia("(prefers-color-scheme: dark)");
-  /** @param {boolean} on */
-  const darken = (on) => {
-    root.toggleAttribute("data-dark", on);
-    dark.ariaPressed = String(on);
+  const darken = () => {
+    root.toggleAttribute("data-dark");
+    dark.ariaPressed = String(isDark());
   };
   const enlarge = () => {
     const on = larger.ariaPressed !== "true";
@@ -39,7 +37,7 @@ export function addView(has) {
     root.style.setProperty("--softrod-larger", String(on ? LARGER : 1));
   };
   const { dialog, body } = makeDialog("View and keys", "softrod-view");
-  const dark = makeButton("Dark", () => darken(!isDark()));
+  const dark = makeButton("Dark", darken);
   const larger = makeButton("Larger, for a projector", enlarge);
   larger.ariaPressed = "false";
   const row = make("div", "softrod-dialog-line");
@@ -52,12 +50,10 @@ export function addView(has) {
     table.append(line);
   }
   body.append(row, table);
-  element("view", HTMLButtonElement).addEventListener("click", () => dialog.showModal());
-  darken(night.matches);
-  night.addEventListener("change", () => darken(night.matches));
-  return {
-    dark: () => darken(!isDark()),
-    larger: enlarge,
-    help: () => dialog.showModal(),
+  const show = () => {
+    dark.ariaPressed = String(isDark());
+    dialog.showModal();
   };
+  element("view", HTMLButtonElement).addEventListener("click", show);
+  return { dark: darken, larger: enlarge, help: show };
 }
