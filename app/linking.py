@@ -19,6 +19,9 @@ from sim.store.shared import share_scene
 
 from .command import Settings, fail, scene_of
 
+ADDRESS = "http://127.0.0.1:8080"
+"""Of the page that softrod serves on this machine unless told otherwise."""
+
 
 @dataclass
 class Link:
@@ -28,7 +31,7 @@ class Link:
     """A preset's name, a file's path or another link."""
     pose: bool = False
     """Keep the pose that was saved with the scene."""
-    address: str = "http://127.0.0.1:8080"
+    address: str = ADDRESS
     """Of the page that is to open it."""
     short: bool = False
     """Print a short address instead, for pages of this machine: of a preset by its name, of any other scene
@@ -47,11 +50,24 @@ class Link:
             return fail(
                 f"--address: {self.address!r} is not the address of a page, as in http://127.0.0.1:8080"
             )
-        text = short_address(f"{address}/", scene) if self.short else f"{address}{PATH}#{pack_scene(scene)}"
+        text = short_address(f"{address}/", scene) if self.short else link_to(scene, address)
         print(text)
         if self.qr:
             print_qr_code(text)
         return 0
+
+
+def link_to(scene: Scene, address: str = ADDRESS) -> str:
+    """A link that holds a scene.
+
+    Args:
+        scene: with its pose, if it has one.
+        address: of the page that is to open it, without a slash at its end.
+
+    Raises:
+        SceneError: the scene is not valid, or too large for a link.
+    """
+    return f"{address}{PATH}#{pack_scene(scene)}"
 
 
 def short_address(base: str, scene: Scene) -> str:

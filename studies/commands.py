@@ -1,5 +1,4 @@
-"""The commands that measure the solver: `softrod bench`, `validate`, `stability`, `study` and `sweep`; and
-`softrod fit`.
+"""The commands of studies: `softrod bench`, `validate`, `stability`, `study`, `sweep`, `improve` and `fit`.
 
 Each imports what it needs when it runs.
 """
@@ -18,10 +17,10 @@ from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
 from app.command import CsvComma, Settings, fail, scene_of
-from sim.design.fit import OF_MEASUREMENT
 from sim.errors import InputError
 
 from .sweep.measures import MEASURES, parse_measures
+from .sweep.workers import Making
 
 
 @dataclass
@@ -198,6 +197,30 @@ class Study:
         return study(scenes, integrators, errors, self.random, self.out, Console())
 
 
+Jobs = Annotated[
+    int | None, arg(help="processes that compute at the same time; one for each core unless given")
+]
+Cluster = Annotated[
+    str | None,
+    arg(help="address of a Dask scheduler whose workers compute instead, as in tcp://host:8786"),
+]
+
+
+def _workers(jobs: int | None, address: str | None) -> Making:
+    """What makes those who compute.
+
+    Raises:
+        InputError: the number of processes makes no sense.
+    """
+    from .sweep.workers import cluster, processes
+
+    if jobs is not None and not 1 <= jobs <= 1000:
+        raise InputError(f"--jobs: {jobs} is not in the range 1..1000")
+    if jobs is not None and address is not None:
+        raise InputError("--jobs: how many compute is up to the cluster")
+    return partial(processes, jobs or os.cpu_count() or 1) if address is None else partial(cluster, address)
+
+
 @dataclass
 class Sweep:
     """Run a scene many times over a grid of its settings; write a table and a plot of what is measured."""
@@ -225,10 +248,8 @@ class Sweep:
     ] = ()
     duration: float = 10.0
     """Simulated seconds of each run."""
-    jobs: int | None = None
-    """Processes that compute at the same time; one for each core unless given."""
-    cluster: str | None = None
-    """Address of a Dask scheduler whose workers compute instead, as in tcp://host:8786."""
+    jobs: Jobs = None
+    cluster: Cluster = None
     csv_comma: CsvComma = False
     settings: Settings = ()
 
@@ -236,19 +257,80 @@ class Sweep:
         """Compute and write."""
         from .sweep.grid import make_grid
         from .sweep.sweep import sweep
-        from .sweep.workers import cluster, processes
 
         if not 1e-3 <= self.duration <= 1e4:
             return fail(f"--duration: {self.duration:g} is not in the range 0.001..10000 s")
-        if self.jobs is not None and not 1 <= self.jobs <= 1000:
-            return fail(f"--jobs: {self.jobs} is not in the range 1..1000")
-        if self.jobs is not None and self.cluster is not None:
-            return fail("--jobs: how many compute is up to the cluster")
+        workers = _workers(self.jobs, self.cluster)
         grid = make_grid(sim.load_scene(self.scene), self.settings, self.vary)
-        measures, address = parse_measures(self.measure), self.cluster
-        jobs = self.jobs or os.cpu_count() or 1
-        workers = partial(processes, jobs) if address is None else partial(cluster, address)
+        measures = parse_measures(self.measure)
         return sweep(grid, measures, self.duration, workers, self.out, Console(), self.csv_comma)
+
+
+@dataclass
+class Improve:
+    """Search for the settings with which a scene comes nearest to a goal; write the best as file and link."""
+
+    scene: Annotated[Positional[str], arg(metavar="SCENE")]
+    """A preset's name, a file's path or a link."""
+    goal: Annotated[
+        str,
+        arg(
+            metavar="GOAL",
+            help='what is wanted of a run: "max QUANTITY", "min QUANTITY" or "near VALUE QUANTITY" at its '
+            'end, or with mean, largest, smallest or period before the quantity, as in "min largest '
+            'spring0.force"; "reach LOW..HIGH QUANTITY for SECONDS", as soon as possible; or "step N", the '
+            "goal of a step of the scene's lesson. Quantities are those of softrod run --record",
+        ),
+    ]
+    out: Path = Path("improved")
+    """Folder for best.json, link.txt, table.csv, progress.png and improve.jsonl; the same command goes on
+    with what is missing there, also with more --runs."""
+    duration: Annotated[float, arg(name="for")] = 10.0
+    """Simulated seconds of each run."""
+    vary: Annotated[
+        UseAppendAction[tuple[str, ...]],
+        arg(
+            metavar="KEY=A..B",
+            help="a setting, as for --set, and its range; may be repeated. Where both ends are above 0, "
+            "it is searched by ratios",
+        ),
+    ] = ()
+    runs: int = 300
+    """Runs at most, 10 to 100000, with that of the scene as it is."""
+    population: int | None = None
+    """Runs of a generation, 4 to 1000, which are computed at the same time; 4 + 3 ln(number of settings)
+    unless given. With more, a search is more thorough and slower, and keeps more cores busy."""
+    seed: int = 1
+    """Of the search's random numbers, from 0; the same seed finds the same."""
+    jobs: Jobs = None
+    cluster: Cluster = None
+    csv_comma: CsvComma = False
+    settings: Settings = ()
+
+    def run(self) -> int:
+        """Compute, print and write."""
+        from .improve.goals import parse_goal
+        from .improve.improve import Wanted, improve, tell
+        from .improve.ranges import make_ranges
+        from .improve.search import usual_population
+
+        if not 1e-3 <= self.duration <= 1e4:
+            return fail(f"--for: {self.duration:g} is not in the range 0.001..10000 s")
+        if not 10 <= self.runs <= 100_000:
+            return fail(f"--runs: {self.runs} is not in the range 10..100000")
+        if self.population is not None and not 4 <= self.population <= 1000:
+            return fail(f"--population: {self.population} is not in the range 4..1000")
+        if not 0 <= self.seed < 2**32:
+            return fail(f"--seed: {self.seed} is not in the range 0..{2**32 - 1}")
+        workers = _workers(self.jobs, self.cluster)
+        goal, scene = parse_goal(self.goal, sim.load_scene(self.scene))
+        if goal.seconds > self.duration:
+            return fail(f"--goal {goal.text}: a run has only {self.duration:g} s; --for says how many")
+        grid, ranges = make_ranges(scene, self.settings, self.vary)
+        population = self.population or usual_population(len(ranges))
+        wanted = Wanted(grid, ranges, goal, self.duration, self.runs, population, self.seed)
+        console = Console()
+        return tell(wanted, improve(wanted, workers, self.out, console, self.csv_comma), self.out, console)
 
 
 @dataclass
@@ -312,10 +394,11 @@ def _assignment(text: str) -> tuple[str, str]:
 
 
 COMMANDS = {
-    "fit": FitScene,
     "bench": Bench,
     "validate": Validate,
     "stability": Stability,
     "study": Study,
     "sweep": Sweep,
+    "improve": Improve,
+    "fit": FitScene,
 }

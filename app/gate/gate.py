@@ -91,6 +91,9 @@ PAGE_PATHS = ("/", "/index.html", "/s")
 CHECK = "/check"
 """The page on which a device tries whether it can take part in a class."""
 
+VIDEO = "/video"
+"""The page that reads places off a video."""
+
 REACH = "/reach"
 """A page that gets no connection asks here why: a browser does not tell it what a refusal says."""
 

@@ -8,9 +8,10 @@ from functools import cache
 from pathlib import Path
 
 from ..drawing.looks import style_rules
-from ..gate.gate import CHECK, PAGE_PATHS, GateError, StaticFile
+from ..gate.gate import CHECK, PAGE_PATHS, VIDEO, GateError, StaticFile
 from ..viser_inside import PLACE, page_script
 from .check.page import SCRIPT, check_page
+from .video.page import SCRIPTS, video_page
 
 _APP = Path(__file__).parents[1]
 _FOLDER = _APP / "page"
@@ -54,9 +55,10 @@ def page_files() -> dict[str, StaticFile]:
         f"/{folder}{name}": StaticFile(gzip.compress(text, mtime=0), _TYPES[Path(name).suffix], _FOREVER)
         for name, text in sources.items()
     }
-    scripts = [folder + name for name in sources if name.endswith(".js") and name != SCRIPT]
+    scripts = [folder + name for name in sources if name.endswith(".js") and name not in (SCRIPT, *SCRIPTS)]
     index = _html(_index(folder, scripts))
-    return {**files, **dict.fromkeys(PAGE_PATHS, index), CHECK: _html(check_page(folder))}
+    others = {CHECK: _html(check_page(folder)), VIDEO: _html(video_page(folder))}
+    return {**files, **dict.fromkeys(PAGE_PATHS, index), **others}
 
 
 def _html(page: str) -> StaticFile:

@@ -38,6 +38,7 @@ export const COMMANDS = {
   dark: {"label": "Dark", "keys": [], "needs": "view"},
   meter: {"label": "Stability bar", "keys": [], "hint": "always, not only where the time step is near its limit", "needs": "view"},
   gizmos: {"label": "Arrows at held masses", "keys": [], "hint": "to drag them along one axis", "needs": "view"},
+  video: {"label": "Measure in a video", "keys": [], "needs": "files", "page": true},
   picture: {"label": "Picture of the page (PNG)", "keys": ["i"], "shown": "I", "page": true},
   energy: {"label": "Energy: follow it, or stop", "keys": [], "needs": "solver"},
   foretell: {"label": "Predictability: measure it, or stop", "keys": [], "needs": "solver"},

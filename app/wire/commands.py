@@ -180,6 +180,7 @@ COMMANDS: dict[str, Row] = {
     "gizmos": Row(
         "Arrows at held masses", _toggle("gizmos"), hint="to drag them along one axis", needs="view"
     ),
+    "video": Row("Measure in a video", "page", needs="files"),
     "picture": Row("Picture of the page (PNG)", "page", ("I",), "a picture of the page, as a file"),
     "energy": Row("Energy: follow it, or stop", _energy, needs="solver"),
     "foretell": Row("Predictability: measure it, or stop", _foretell, needs="solver"),

@@ -18,6 +18,7 @@ const OWN = {
   fit: () => void fit(true),
   larger: () => toggleProjector(),
   picture: () => void takePicture(),
+  video: () => void window.open("video", "_blank", "noopener"),
   edit: () => setEditing(!editing.on),
 };
 

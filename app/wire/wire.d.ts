@@ -1,7 +1,7 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "dark" | "meter" | "gizmos" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
 /** Commands that the page's script does. */
-export type PageCommand = "gallery" | "share" | "fit" | "larger" | "picture" | "edit";
+export type PageCommand = "gallery" | "share" | "fit" | "larger" | "video" | "picture" | "edit";
 /** Do a command of the table, see `commands`. */
 export type Perform = { do: "perform"; command: CommandName };
 /** The arrow keys that are held; said again and again while any is. */

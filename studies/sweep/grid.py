@@ -37,7 +37,7 @@ class Axis:
     @property
     def numbers(self) -> list[float] | None:
         """The values as numbers; None where one is a name."""
-        found = [_number(value) for value in self.values]
+        found = [number_in(value) for value in self.values]
         return None if None in found else [number for number in found if number is not None]
 
 
@@ -66,10 +66,10 @@ def parse_axis(text: str) -> Axis:
         if len(values) > MOST_VALUES:
             raise InputError(f"--vary {key}: {len(values)} values are more than {MOST_VALUES}")
     for value in values:
-        number = _number(value)
+        number = number_in(value)
         if number is not None and not math.isfinite(number):
             raise InputError(f"--vary {text}: {value} is not a finite number")
-    exact = [value if (number := _number(value)) is None else _text(number) for value in values]
+    exact = [value if (number := number_in(value)) is None else text_of(number) for value in values]
     for i, value in enumerate(exact):
         if value in exact[:i]:
             raise InputError(f"--vary {text}: {value} comes twice")
@@ -78,7 +78,7 @@ def parse_axis(text: str) -> Axis:
 
 def _spaced(text: str, first: str, last: str, count: str, logarithmic: bool) -> list[str]:
     """Numbers from the first to the last, both exactly, with equal differences or equal ratios."""
-    a, b = _number(first), _number(last)
+    a, b = number_in(first), number_in(last)
     if a is None or b is None or not (math.isfinite(a) and math.isfinite(b)):
         raise InputError(f"--vary {text}: from {first.strip()} to {last.strip()} are not two finite numbers")
     if not count.strip().isdecimal() or not 2 <= int(count) <= MOST_VALUES:
@@ -92,17 +92,19 @@ def _spaced(text: str, first: str, last: str, count: str, logarithmic: bool) -> 
         between = [a * (b / a) ** (i / (n - 1)) for i in range(1, n - 1)]
     else:
         between = [a + (b - a) * (i / (n - 1)) for i in range(1, n - 1)]
-    return [_text(value) for value in (a, *between, b)]
+    return [text_of(value) for value in (a, *between, b)]
 
 
-def _number(text: str) -> float | None:
+def number_in(text: str) -> float | None:
+    """The number that a text is; None where it is none."""
     try:
         return float(text)
     except ValueError:
         return None
 
 
-def _text(number: float) -> str:
+def text_of(number: float) -> str:
+    """A number in as many digits as it takes to read it back exactly."""
     return repr(number).removesuffix(".0")
 
 
@@ -132,7 +134,7 @@ class Grid:
         """
         varied = (f"{axis.key}={value}" for axis, value in zip(self.axes, point, strict=True))
         every = [assignment.partition("=") for assignment in (*self.settings, *varied)]
-        every.sort(key=lambda parts: _number(parts[2]) is not None)
+        every.sort(key=lambda parts: number_in(parts[2]) is not None)
         return tuple("".join(parts) for parts in every)
 
     def scene_at(self, point: Sequence[str]) -> sim.Scene:
@@ -151,7 +153,7 @@ class Grid:
 
     def unit(self, key: str) -> str:
         """The unit of a setting, empty where it has none; "px" stands for the scene's own unit of length."""
-        first = self.scene_at(self.points[0])
+        first = self.scene_at([axis.values[0] for axis in self.axes])
         units = {setting.key: setting.unit for setting in settings_of(first)}
         return units.get(key, "")
 
@@ -165,13 +167,22 @@ def make_grid(scene: sim.Scene, settings: Sequence[str], vary: Sequence[str]) ->
     if not vary:
         raise InputError("--vary: name at least one setting, as in --vary gravity=0..2000:5")
     axes = tuple(parse_axis(text) for text in vary)
+    check_keys(axes, settings)
+    runs = math.prod(len(axis.values) for axis in axes)
+    if runs > MOST_RUNS:
+        raise InputError(f"--vary: {runs} runs are more than {MOST_RUNS}")
+    return Grid(scene, tuple(settings), axes)
+
+
+def check_keys(axes: Sequence[Axis], settings: Sequence[str]) -> None:
+    """Refuse what is named more than once.
+
+    Raises:
+        InputError: a setting is varied twice, or set as well.
+    """
     keys = [axis.key for axis in axes]
     for i, key in enumerate(keys):
         if key in keys[:i]:
             raise InputError(f"--vary {key}: it is varied twice")
         if key in (assignment.partition("=")[0].strip() for assignment in settings):
             raise InputError(f"--set {key}: it is varied as well")
-    runs = math.prod(len(axis.values) for axis in axes)
-    if runs > MOST_RUNS:
-        raise InputError(f"--vary: {runs} runs are more than {MOST_RUNS}")
-    return Grid(scene, tuple(settings), axes)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from importlib.metadata import version
 from typing import NamedTuple
@@ -64,21 +64,35 @@ def run(
         measures: names.
         reference: near-exact positions at the end, px, for the measure `error`.
     """
-    scene = apply_assignments(_decoded(data), assignments)
-    simulation = sim.Simulation(scene)
+    simulation = simulation_of(data, assignments)
     track = Track(simulation, measures)
-    track.look()
-    steps = steps_of(scene, duration)
-    between = max(1, round(1.0 / (LOOKS * scene.integrator.dt)))
-    while simulation.step_count < steps:
-        arrived = _go(simulation, min(between, steps - simulation.step_count))
-        if not arrived:
-            ended = GAVE_UP if simulation.divergence is None else False
-            return Row(tuple(ended if name == "survived" else None for name in measures), made_by())
-        track.look()
+    if not follow(simulation, duration, track.look):
+        ended = GAVE_UP if simulation.divergence is None else False
+        return Row(tuple(ended if name == "survived" else None for name in measures), made_by())
     exact = None if reference is None else np.array(reference)
     values = track.values(measures, exact)
     return Row(tuple(map(_finite, values)), made_by())
+
+
+def simulation_of(data: bytes, assignments: Sequence[str]) -> sim.Simulation:
+    """The start of a run; arguments as of `run`."""
+    return sim.Simulation(apply_assignments(_decoded(data), assignments))
+
+
+def follow(simulation: sim.Simulation, duration: float, look: Callable[[], None]) -> bool:
+    """Simulate for so many seconds, rounded to whole time steps, and look at the body now and then.
+
+    Returns:
+        Whether it got there: False where it ran away, or where its method would hardly ever get to the end.
+    """
+    look()
+    steps = steps_of(simulation.scene, duration)
+    between = max(1, round(1.0 / (LOOKS * simulation.dt)))
+    while simulation.step_count < steps:
+        if not _go(simulation, min(between, steps - simulation.step_count)):
+            return False
+        look()
+    return True
 
 
 def _go(simulation: sim.Simulation, steps: int) -> bool:

@@ -12,7 +12,6 @@ from pathlib import Path
 from rich.console import Console
 
 from sim.compiling.compiler import all_of, fetch
-from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.store.files import decode_scene, encode_scene
 
@@ -71,7 +70,7 @@ class Sweep:
         asked: dict[Reference, list[int]] = {}
         running: dict[concurrent.futures.Future, int | Reference] = {}
         submit = workers.executor.submit
-        try:
+        with workers.losing("sweep"):
             while waiting or ready or running:
                 while (waiting or ready) and len(running) < AHEAD:
                     if ready:
@@ -100,11 +99,6 @@ class Sweep:
                     else:
                         exact[what] = call.result()
                         ready.extend((number, exact[what]) for number in asked.pop(what))
-        except tuple(workers.failures) as error:
-            what = next(text for kind, text in workers.failures.items() if isinstance(error, kind))
-            if reason := " ".join(str(error).split()):
-                what += f" ({reason})"
-            raise InputError(f"sweep: {what}; what is done is kept, and the same command goes on") from None
 
 
 def sweep(

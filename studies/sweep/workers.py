@@ -32,6 +32,23 @@ class Workers:
         default_factory=lambda: {concurrent.futures.BrokenExecutor: "a worker was lost"}
     )
 
+    @contextmanager
+    def losing(self, command: str) -> Iterator[None]:
+        """Say in a sentence if nothing more can come; what is done must be kept by then.
+
+        Raises:
+            InputError: that sentence.
+        """
+        try:
+            yield
+        except tuple(self.failures) as error:
+            what = next(text for kind, text in self.failures.items() if isinstance(error, kind))
+            if reason := " ".join(str(error).split()):
+                what += f" ({reason})"
+            raise InputError(
+                f"{command}: {what}; what is done is kept, and the same command goes on"
+            ) from None
+
 
 Making = Callable[[], AbstractContextManager[Workers]]
 

@@ -13,10 +13,9 @@ import msgspec
 from rich.console import Console
 
 import sim
-from studies.sweep.folder import Line
 from studies.sweep.grid import make_grid
+from studies.sweep.kept import Line
 from studies.sweep.measures import parse_measures
-from studies.sweep.runs import run
 from studies.sweep.sweep import sweep
 from studies.sweep.workers import Workers
 
@@ -45,12 +44,12 @@ def numbers_of(out: Path) -> list[int]:
 class Here(concurrent.futures.Executor):
     """Computes in this process, and notes what it was asked for."""
 
-    def __init__(self, interrupt_at: int | None = None) -> None:
+    def __init__(self, interrupt_at: int | None = None, counted: str = "run") -> None:
         self.asked: list[str] = []
-        self._interrupt_at = interrupt_at
+        self._interrupt_at, self._counted = interrupt_at, counted
 
     def submit(self, call, /, *arguments, **named):
-        if call is run and self.asked.count("run") == self._interrupt_at:
+        if call.__name__ == self._counted and self.asked.count(self._counted) == self._interrupt_at:
             raise KeyboardInterrupt
         self.asked.append(call.__name__)
         future = concurrent.futures.Future()

@@ -5,16 +5,12 @@ from __future__ import annotations
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager
 from functools import cache, partial
 from pathlib import Path
-from typing import NamedTuple
 
-import msgspec
 import pytest
 
+from tests.studies.others import PATIENCE, Cluster, cluster, wait_for_rows
 from tests.studies.sweeping import numbers_of, rows_of
 
 GRID = (
@@ -25,21 +21,9 @@ GRID = (
 )
 """A sweep of 24 runs that takes so long that one can get in between."""
 
-PATIENCE = 300.0
-"""Seconds after which a process that should have done something has failed, however busy the machine is."""
-
 
 def command(out: Path, *more: str) -> list[str]:
     return [sys.executable, "-m", "app", "sweep", "tutorial-3.3", *GRID, *more, "--out", str(out)]
-
-
-def wait_for_rows(out: Path, count: int, process: subprocess.Popen[str]) -> None:
-    """Wait until so many runs are done, while others are not."""
-    path, patience = out / "sweep.jsonl", time.monotonic() + PATIENCE
-    while not path.exists() or path.read_bytes().count(b"\n") <= count:
-        assert process.poll() is None, "it ended before anything could be done to it"
-        assert time.monotonic() < patience
-        time.sleep(0.005)
 
 
 @cache
@@ -68,7 +52,7 @@ def test_a_sweep_that_was_interrupted_ends_with_the_same_table(undisturbed: byte
         preexec_fn=partial(signal.signal, signal.SIGINT, signal.SIG_DFL),
     )
     try:
-        wait_for_rows(out, 1, process)
+        wait_for_rows(out / "sweep.jsonl", 1, process)
         process.send_signal(signal.SIGINT)
         said, _ = process.communicate(timeout=PATIENCE)
     finally:
@@ -87,49 +71,6 @@ def test_a_sweep_that_was_interrupted_ends_with_the_same_table(undisturbed: byte
 
 
 # ------------------------------------------------------------------------- a cluster
-class Cluster(NamedTuple):
-    """A scheduler, one of its workers, and a way to start more."""
-
-    address: str
-    scheduler: subprocess.Popen[str]
-    worker: subprocess.Popen[str]
-    another_worker: Callable[[], AbstractContextManager[subprocess.Popen[str]]]
-
-
-@contextmanager
-def started(*words: str | Path) -> Iterator[subprocess.Popen[str]]:
-    """A process of Dask, which is ended with this context."""
-    dask = Path(sys.executable).with_name("dask")
-    process = subprocess.Popen(
-        [str(dask), *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, text=True
-    )
-    try:
-        yield process
-    finally:
-        process.kill()
-        process.wait()
-
-
-@contextmanager
-def cluster(folder: Path) -> Iterator[Cluster]:
-    """A scheduler and a worker of it."""
-    folder.mkdir()
-    where = folder / "scheduler.json"
-    to_it = ("--scheduler-file", where, "--no-dashboard")
-    worker = ("worker", *to_it, "--nthreads", "1", "--no-nanny", "--host", "127.0.0.1")
-    with (
-        started("scheduler", *to_it, "--host", "127.0.0.1", "--port", "0") as scheduler,
-        started(*worker) as first,
-    ):
-        patience = time.monotonic() + PATIENCE
-        # The file is there before it is whole.
-        while not (where.exists() and where.read_bytes().rstrip().endswith(b"}")):
-            assert time.monotonic() < patience, "there is no scheduler"
-            time.sleep(0.01)
-        address = msgspec.json.decode(where.read_bytes())["address"]
-        yield Cluster(address, scheduler, first, lambda: started(*worker))
-
-
 def swept_by(cluster: Cluster, out: Path, rows: int, doomed: subprocess.Popen[str]) -> tuple[int, str]:
     """The exit status of a sweep during which a process is ended, after so many rows, and what it said."""
     process = subprocess.Popen(
@@ -139,7 +80,7 @@ def swept_by(cluster: Cluster, out: Path, rows: int, doomed: subprocess.Popen[st
         text=True,
     )
     try:
-        wait_for_rows(out, rows, process)
+        wait_for_rows(out / "sweep.jsonl", rows, process)
         assert doomed.poll() is None
         doomed.kill()
         assert len(numbers_of(out)) < 24

@@ -1,0 +1,1 @@
+"""The page that reads places off a video."""

@@ -1,0 +1,274 @@
+// @ts-check
+/* The page that makes a table of a video: its frames, what is marked in them, and what that becomes. */
+import { HALF, cutOut, find, greyOf } from "./follow.js";
+import { tableOf } from "./table.js";
+
+/** @typedef {import("./table.js").Place} Place */
+/** @typedef {import("./table.js").Point} Point */
+
+/** Of Okabe and Ito, which the colour-blind can tell apart. */
+const COLOURS = ["#d55e00", "#0072b2", "#009e73"];
+/** Frames of the longest video. */
+const MOST_FRAMES = 20000;
+/** Milliseconds in which a browser tells the time of a frame, unless it shows the same one as before. */
+const PATIENCE = 500;
+
+/** @template {HTMLElement} T @param {string} id @returns {T} */
+const byId = (id) => /** @type {T} */ (document.getElementById(id));
+/** @type {HTMLCanvasElement} */
+const canvas = byId("frame");
+const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", { willReadFrequently: true }));
+/** The frame without marks. */
+const plain = document.createElement("canvas");
+const plainPen = /** @type {CanvasRenderingContext2D} */ (plain.getContext("2d", { willReadFrequently: true }));
+const video = document.createElement("video");
+Object.assign(video, { muted: true, playsInline: true, preload: "auto" });
+/** @type {HTMLInputElement} */
+const slider = byId("slider");
+/** @type {HTMLInputElement} */
+const rate = byId("rate");
+
+/** @type {Point[]} */
+const points = COLOURS.map((_, i) => ({ name: `mass${i + 1}`, places: new Map() }));
+/** Times of the frames that were seen, s. @type {Map<number, number>} */
+const times = new Map();
+/** @type {Place[]} */
+let ruler = [];
+/** @type {Place} */
+let origin = { x: 0, y: 0 };
+/** What a click marks: a point by its number, or "ruler" or "origin". @type {string} */
+let tool = "0";
+let frame = 0;
+let following = false;
+/** Time of the frame that is shown, as the browser told it, s; null where it never tells. @type {number | null} */
+let shownAt = null;
+/** Seeking goes on one after the other. */
+let queue = Promise.resolve();
+
+/** @param {string} text */
+const say = (text) => void (byId("said").textContent = text);
+const framesASecond = () => Math.max(1, Math.min(1000, Number(rate.value) || 30));
+const frames = () => Math.max(1, Math.min(MOST_FRAMES, Math.round(video.duration * framesASecond())));
+
+/** @param {string} event */
+const heard = (event) => new Promise((done) => video.addEventListener(event, done, { once: true }));
+
+/** @param {File | undefined} file */
+async function open(file) {
+  if (!file) return;
+  URL.revokeObjectURL(video.src);
+  const come = Promise.race([heard("loadeddata").then(() => true), heard("error").then(() => false)]);
+  video.src = URL.createObjectURL(file);
+  if (!(await come) || !video.videoWidth) return say(`${file.name}: this browser cannot show it as a video`);
+  if (!Number.isFinite(video.duration)) {
+    // What a browser records has no length in its header; the end tells it.
+    const end = heard("seeked");
+    video.currentTime = 1e9;
+    await end;
+  }
+  [canvas.width, canvas.height] = [plain.width, plain.height] = [video.videoWidth, video.videoHeight];
+  canvas.style.width = `min(100%, calc(62vh * ${video.videoWidth / video.videoHeight}))`;
+  forget();
+  ruler = [];
+  origin = { x: 0, y: 0 };
+  shownAt = null;
+  byId("drop").hidden = byId("about").hidden = true;
+  byId("work").hidden = false;
+  slider.max = String(frames() - 1);
+  await show(0);
+  say("Click a point in the frame. Follow looks for it in the next ones.");
+}
+
+/** Shows a frame, after those that were asked for before. @param {number} wanted */
+function show(wanted) {
+  queue = queue.then(() => seek(Math.max(0, Math.min(frames() - 1, wanted))));
+  return queue;
+}
+
+/** @param {number} wanted */
+async function seek(wanted) {
+  const seeked = heard("seeked");
+  /** @type {Promise<number | null>} */
+  const told = new Promise((done) => {
+    if (!("requestVideoFrameCallback" in video)) return done(null);
+    return video.requestVideoFrameCallback((_, { mediaTime }) => done(mediaTime));
+  });
+  // The middle of a frame, so that rounding leads to no other.
+  video.currentTime = Math.min((wanted + 0.5) / framesASecond(), video.duration);
+  await seeked;
+  const time = await Promise.race([told, new Promise((done) => setTimeout(done, PATIENCE, null))]);
+  frame = wanted;
+  shownAt = time ?? shownAt;
+  times.set(frame, shownAt ?? wanted / framesASecond());
+  plainPen.drawImage(video, 0, 0);
+  draw();
+}
+
+function draw() {
+  pen.drawImage(plain, 0, 0);
+  const size = canvas.width / Math.max(1, canvas.clientWidth);
+  pen.lineWidth = 2 * size;
+  points.forEach(({ places }, i) => {
+    pen.strokeStyle = pen.fillStyle = COLOURS[i];
+    for (const [at, { x, y }] of places) if (at !== frame) pen.fillRect(x - size, y - size, 2 * size, 2 * size);
+    const here = places.get(frame);
+    if (here) cross(here, 9 * size);
+  });
+  pen.strokeStyle = "#d6336c";
+  if (ruler.length === 2) {
+    pen.beginPath();
+    pen.moveTo(ruler[0].x, ruler[0].y);
+    pen.lineTo(ruler[1].x, ruler[1].y);
+    pen.stroke();
+  }
+  for (const place of [...ruler, ...(origin.x || origin.y ? [origin] : [])]) cross(place, 6 * size);
+  slider.value = String(frame);
+  byId("where").textContent = `${frame + 1} of ${frames()}, ${(times.get(frame) ?? 0).toFixed(3)} s`;
+}
+
+/** @param {Place} place @param {number} size */
+function cross({ x, y }, size) {
+  pen.beginPath();
+  pen.moveTo(x - size, y);
+  pen.lineTo(x + size, y);
+  pen.moveTo(x, y - size);
+  pen.lineTo(x, y + size);
+  pen.stroke();
+}
+
+/** @param {Place} place */
+function mark(place) {
+  if (tool === "ruler") {
+    ruler = ruler.length === 1 ? [ruler[0], place] : [place];
+    say(ruler.length === 1 ? "Click the other end of the ruler." : "Say below how long the ruler is.");
+  } else if (tool === "origin") origin = place;
+  else points[Number(tool)].places.set(frame, place);
+  draw();
+}
+
+/** Follows the points that are marked in this frame through the next ones, until one is lost or it is stopped. */
+async function follow() {
+  const grey = () => greyOf(plainPen.getImageData(0, 0, plain.width, plain.height).data, plain.width, plain.height);
+  const first = grey();
+  const marked = points.filter(({ places }) => places.has(frame));
+  if (!marked.length) return say("Mark a point in this frame first.");
+  const followed = [];
+  for (const { name, places } of marked) {
+    const place = /** @type {Place} */ (places.get(frame));
+    const template = cutOut(first, place.x, place.y);
+    if (!template) {
+      return say(`${name}: there is nothing to recognise within ${HALF} pixels, or it is too near to the edge.`);
+    }
+    followed.push({ name, places, template, place, step: { x: 0, y: 0 } });
+  }
+  following = true;
+  byId("follow").textContent = "Stop";
+  let lost = "";
+  while (following && !lost && frame < frames() - 1) {
+    await show(frame + 1);
+    const now = grey();
+    for (const each of followed) {
+      const { place, step } = each;
+      // It goes on as it went.
+      const found = find(now, each.template, place.x + step.x, place.y + step.y);
+      if (found) {
+        each.step = { x: found.x - place.x, y: found.y - place.y };
+        each.place = { x: found.x, y: found.y };
+        each.places.set(frame, each.place);
+      } else lost ||= each.name;
+    }
+    draw();
+  }
+  following = false;
+  byId("follow").textContent = "Follow";
+  say(lost ? `${lost} is lost in frame ${frame + 1}: click it there, and follow on.` : "Followed.");
+}
+
+function forget() {
+  for (const { places } of points) places.clear();
+  times.clear();
+}
+
+function save() {
+  if (points.every(({ places }) => !places.size)) return say("Mark a point first.");
+  const length = Number(/** @type {HTMLInputElement} */ (byId("length")).value);
+  const [a, b] = ruler;
+  const drawn = b ? Math.hypot(b.x - a.x, b.y - a.y) : 0;
+  if (b && !(length > 0 && Number.isFinite(length) && drawn > 0)) return say("The ruler has no length.");
+  const unit = /** @type {HTMLInputElement} */ (byId("unit")).value.replace(/[^\p{L}\p{N}]/gu, "") || "px";
+  const down = /** @type {HTMLSelectElement} */ (byId("direction")).value === "down";
+  const scale = { origin, pixels: b ? drawn / length : 1, unit: b ? unit : "px", down };
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([tableOf(points, times, scale)], { type: "text/csv" }));
+  link.download = "video.csv";
+  link.click();
+  URL.revokeObjectURL(link.href);
+  say(b ? "Saved." : "Saved in pixels: no ruler was drawn.");
+}
+
+/** The buttons that choose what a click marks. */
+function makeTools() {
+  /** @param {string} what @param {string} label @param {string} [colour] */
+  const add = (what, label, colour) => {
+    const button = document.createElement("button");
+    button.textContent = label;
+    button.dataset.tool = what;
+    if (colour) button.style.borderColor = colour;
+    button.onclick = () => choose(what);
+    const together = document.createElement("span");
+    together.append(button);
+    byId("tools").append(together);
+    return together;
+  };
+  points.forEach((point, i) => {
+    const together = add(String(i), `Point ${i + 1}`, COLOURS[i]);
+    const name = document.createElement("input");
+    Object.assign(name, { className: "name", value: point.name, maxLength: 20 });
+    name.setAttribute("aria-label", `Name of point ${i + 1} in the table`);
+    name.onchange = () => (point.name = name.value = name.value.replace(/[^\p{L}\p{N}]/gu, "") || `mass${i + 1}`);
+    together.append(name);
+  });
+  add("ruler", "Ruler");
+  add("origin", "Origin");
+  choose(tool);
+}
+
+/** @param {string} name */
+function choose(name) {
+  tool = name;
+  for (const button of byId("tools").querySelectorAll("button")) {
+    button.setAttribute("aria-pressed", String(button.dataset.tool === name));
+  }
+}
+
+makeTools();
+byId("file").addEventListener("change", ({ target }) => open(/** @type {HTMLInputElement} */ (target).files?.[0]));
+addEventListener("dragover", (event) => event.preventDefault());
+addEventListener("drop", (event) => {
+  event.preventDefault();
+  void open(event.dataTransfer?.files[0]);
+});
+canvas.addEventListener("click", ({ offsetX, offsetY }) => {
+  if (following) return;
+  mark({ x: (offsetX * canvas.width) / canvas.clientWidth, y: (offsetY * canvas.height) / canvas.clientHeight });
+});
+addEventListener("keydown", ({ key, target }) => {
+  if (target instanceof HTMLInputElement || target instanceof HTMLSelectElement || following) return;
+  if (key === "," || key === "ArrowLeft") void show(frame - 1);
+  if (key === "." || key === "ArrowRight") void show(frame + 1);
+});
+byId("back").onclick = () => void (following || show(frame - 1));
+byId("on").onclick = () => void (following || show(frame + 1));
+slider.oninput = () => void (following || show(Number(slider.value)));
+rate.onchange = () => {
+  forget();
+  slider.max = String(frames() - 1);
+  void show(0);
+};
+byId("follow").onclick = () => void (following ? (following = false) : follow());
+byId("clear").onclick = () => {
+  if (following) return;
+  for (const { places } of points) places.clear();
+  draw();
+};
+byId("save").onclick = save;

@@ -1,0 +1,1 @@
+"""`softrod improve`: a search for the settings with which a scene comes nearest to a goal."""

@@ -1,0 +1,108 @@
+"""`softrod improve` by several processes and by a cluster, some of which are ended in the middle."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+
+import psutil
+import pytest
+
+import sim
+from tests.studies.improving import improved, rows_by_number, wanted_of
+from tests.studies.others import PATIENCE, cluster, wait_for_rows
+
+SETTINGS, VARY = ("method=rk4", "dt=2e-5", "masses=8"), ("gravity=200..2000", "rest_angle=-20..50")
+GOAL, DURATION, RUNS, SEED = "min mean mass7.y", 0.4, 16, 7
+"""A search that takes so long that one can get in between."""
+
+FILES = ("table.csv", "best.json", "link.txt", "progress.png")
+
+
+def command(out: Path, *more: str) -> list[str]:
+    options = [f"--{name}={text}" for name, texts in (("set", SETTINGS), ("vary", VARY)) for text in texts]
+    search = ["--goal", GOAL, "--for", str(DURATION), "--runs", str(RUNS), "--seed", str(SEED)]
+    return [
+        sys.executable,
+        "-m",
+        "app",
+        "improve",
+        "tutorial-3.3",
+        *options,
+        *search,
+        *more,
+        "--out",
+        str(out),
+    ]
+
+
+@cache
+def folder_of_one_process(folder: Path) -> Path:
+    """What this process leaves, if nothing disturbs it."""
+    out = folder / "undisturbed"
+    scene = sim.load_scene("tutorial-3.3")
+    status, *_ = improved(out, wanted_of(scene, VARY, GOAL, DURATION, RUNS, SEED, SETTINGS))
+    assert status == 0
+    return out
+
+
+@pytest.fixture
+def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return folder_of_one_process(tmp_path_factory.getbasetemp())
+
+
+def assert_same(out: Path, other: Path) -> None:
+    """Bit for bit the same runs, and the same best."""
+    assert rows_by_number(out) == rows_by_number(other)
+    for name in FILES:
+        assert (out / name).read_bytes() == (other / name).read_bytes(), name
+
+
+def test_a_worker_that_is_killed_loses_nothing(undisturbed: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    process = subprocess.Popen(
+        command(out, "--jobs", "2"), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
+    try:
+        wait_for_rows(out / "improve.jsonl", 7, process)
+        children = psutil.Process(process.pid).children()
+        next(child for child in children if "spawn_main" in " ".join(child.cmdline())).kill()
+        said, _ = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert process.returncode == 1, said
+    assert "softrod: improve: a worker was lost" in said
+    assert "what is done is kept, and the same command goes on" in said
+    assert "Traceback" not in said
+    before, whole = rows_by_number(out), rows_by_number(undisturbed)
+    assert 7 <= len(before) < RUNS
+    assert before.items() <= whole.items()
+    assert (out / "best.json").exists()
+    lines = (out / "improve.jsonl").read_bytes()
+    done = subprocess.run(command(out, "--jobs", "2"), capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert (out / "improve.jsonl").read_bytes().startswith(lines)
+    assert_same(out, undisturbed)
+
+
+def test_a_cluster_finds_the_same_though_a_worker_is_lost(undisturbed: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    with cluster(tmp_path / "cluster") as there, there.another_worker():
+        process = subprocess.Popen(
+            command(out, "--cluster", there.address),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+        try:
+            wait_for_rows(out / "improve.jsonl", 4, process)
+            there.worker.kill()
+            assert len(rows_by_number(out)) < RUNS
+            said, _ = process.communicate(timeout=PATIENCE)
+        finally:
+            process.kill()
+    assert process.returncode == 0, said
+    assert_same(out, undisturbed)
+    assert "softrod: " not in said
