@@ -15,6 +15,8 @@ from .analysis.predictability import Predictability, predictability
 from .analysis.tuning import Tuning, Vibration, tuning
 from .analysis.vibrations import Vibrations, vibrations
 from .design.keep_shape import DesignError, keep_shape
+from .design.sensitivity import Sensitivity, sensitivities
+from .design.wishes import Design, set_wishes
 from .edit.tune import damp_vibration, make_stable
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import Energies
@@ -72,6 +74,7 @@ __all__ = [
     "Circle",
     "Cloth",
     "Contact",
+    "Design",
     "DesignError",
     "Divergence",
     "Energies",
@@ -95,6 +98,7 @@ __all__ = [
     "Rope",
     "Scene",
     "SceneError",
+    "Sensitivity",
     "SettingError",
     "Simulation",
     "Tree",
@@ -125,8 +129,10 @@ __all__ = [
     "rod",
     "rope",
     "save_scene",
+    "sensitivities",
     "set_choice",
     "set_value",
+    "set_wishes",
     "tree",
     "tuning",
     "validate",
