@@ -29,8 +29,10 @@ _CREEP = 1e-3
 """Speed at which friction is looked at, as a part of the smallest slip speed."""
 MOST_VIBRATIONS = 100
 """How many vibrations are looked at, the slowest first."""
-_LOOKS = (12, 36, MOST_VIBRATIONS)
-"""How many are found at a time until one of them is elastic."""
+_LOOKS = (24, MOST_VIBRATIONS)
+"""How many are found at a time until one of them is elastic; of a small body all."""
+_SMALL = 120
+"""Number of ways to move of a small body."""
 
 
 @dataclass(frozen=True)
@@ -374,7 +376,7 @@ def elastic_vibration(scene: Scene, dampers: Dampers) -> tuple[Vibrations, int |
         InputError: as `free_vibrations`.
     """
     freedoms, looked, found = _freedoms(scene), 0, Vibrations(np.zeros(0), np.zeros((0, 0, 2)))
-    for count in _LOOKS:
+    for count in (freedoms,) if freedoms < _SMALL else _LOOKS:
         found = free_vibrations(scene, min(count, freedoms))
         for i in range(looked, len(found.frequencies)):
             if dampers.hold(float(found.frequencies[i]), found.shapes[i]).is_elastic:

@@ -23,9 +23,11 @@ from typing import TypeVar
 import msgspec
 import numpy as np
 
+from ..analysis.tuning import Numbers
 from ..analysis.vibrations import MOST_MASSES
-from ..edit.edit import of_parts
-from ..errors import InputError, SceneError
+from ..body.system import same_topology
+from ..edit.edit import Edit, of_parts
+from ..errors import InputError, SceneError, SettingError
 from ..methods.registry import METHODS
 from ..motion.stability import limit_at_start
 from ..scene.columns import ends
@@ -63,11 +65,14 @@ _STEP = 0.05
 """Change of a logarithm in differences of stability limits, which are known within a per cent."""
 _SHALLOW = 0.1
 """Part of the sag that is wished below which its logarithm is continued by a straight line."""
-_MODES = 24
-"""Number of vibrations that damping may couple."""
+_MODES = 120
+"""Largest number of vibrations that damping may couple."""
 _ROUNDS, _SETTLED = 60, 1e-10
 """Largest number of iterations for a decay rate, and the relative change that ends them."""
 
+
+_DAMPINGS = "linear_damping", "angular_damping"
+"""The settings of all springs' damping, and of all joints'."""
 
 P = TypeVar("P", LinearSpring, AngularSpring)
 
@@ -114,8 +119,7 @@ class Factors:
             SceneError: a number would leave its range.
         """
         scene = self.with_stiffness(scene)
-        dampings = {"linear_damping": self.spring_damping, "angular_damping": self.joint_damping}
-        for key, damping in dampings.items():
+        for key, damping in zip(_DAMPINGS, (self.spring_damping, self.joint_damping), strict=True):
             if damping is not None and damping != SETTINGS[key].read(scene):
                 scene = validate(SETTINGS[key].write(scene, damping))
         return scene
@@ -162,7 +166,7 @@ def set_wishes(
     All springs get one factor of their stiffness and all joints another, as small as they may be. Where these
     do not do, a taper from root to tip makes one end stiffer than the other. Masses, lengths, angles and
     gravity stay. To be calm sooner, the damping of what holds the vibration more, springs or joints, is
-    raised; to be calm later, all damping is lowered.
+    raised; to be calm later, or for a longer time step, all damping is lowered.
 
     Args:
         scene: a valid scene of at most 1000 masses.
@@ -198,6 +202,24 @@ def set_wishes(
     made = best.factors.applied(scene)
     conflict = _sentence(wishes, against, reached, scene.view.unit) if against else ""
     return Design(made, best.factors, reached, against, conflict)
+
+
+def edit_of(design: Design, origin: Scene, scene: Scene, label: str) -> Edit:
+    """An edit of a scene that gives it the stiffnesses and dampings of a design.
+
+    Args:
+        design: the design.
+        origin: what it was made of: the scene, at another moment.
+        scene: the scene.
+        label: what was done.
+
+    Raises:
+        SettingError: the scene has other parts, or other stiffnesses and dampings, than then.
+    """
+    same = same_topology(origin, scene) and all(map(np.array_equal, Numbers.of(origin), Numbers.of(scene)))
+    if not same:
+        raise SettingError(f"{label}: the body was changed meanwhile, so that it is not that one any more")
+    return Edit(label, design.factors.applied(scene))
 
 
 def _refuse_senseless(scene: Scene, wishes: _Wishes, mass: int | None) -> None:
@@ -317,8 +339,12 @@ class _Search:
         found = self._descend(looked, changes) if looked.names else first
         if wishes.dt is None:
             return found
-        found = self._try(wishes, names, self._unknowns(found, names))
-        return found if found.is_enough else self._descend(wishes, changes, self._unknowns(found, names))
+        start = self._unknowns(found, names)
+        found = self._try(wishes, names, start)
+        if found.is_enough or wishes.calm_after is not None:
+            return found if found.is_enough else self._descend(wishes, changes, start)
+        # Damping, of which nothing is wished, shortens the steps that a body bears.
+        return self._descend(wishes, [*changes, ("damping", _damped)], np.append(start, 0.0))
 
     @staticmethod
     def _unknowns(trial: _Trial, names: Sequence[str]) -> Floats:
@@ -368,6 +394,9 @@ class _Search:
             taper=logs.get("taper", 0.0),
         )
         lost = _Trial(factors, {}, np.full(len(wishes.names), _LOST))
+        if damping := logs.get("damping"):
+            own = [math.exp(damping) * SETTINGS[key].read(self._scene) for key in _DAMPINGS]
+            factors = replace(factors, spring_damping=own[0], joint_damping=own[1])
         try:
             stiff = factors.with_stiffness(self._scene)
             rest = AtRest(self._from(stiff))
@@ -514,9 +543,10 @@ class _Calming:
         coupling, before = 0.0 + 0.0j, np.inf + 0.0j
         root = before
         for _ in range(_ROUNDS):
-            # The slower of the two roots where both are real.
+            # The slower of the two roots where both are real, else always the same one.
             a, b = 1.0 - coupling, complex(c[e, e])
-            root = (-b + np.sqrt(b * b - 4.0 * a * self._omega[e] ** 2 + 0j)) / (2.0 * a)
+            half = np.sqrt(b * b - 4.0 * a * self._omega[e] ** 2 + 0j)
+            root = (-b + (-half if half.imag < 0.0 else half)) / (2.0 * a)
             if abs(root - before) <= _SETTLED * abs(root) or not across.size:
                 break
             before = root
@@ -530,6 +560,13 @@ def _between(shapes: Floats, drag: Callable[[Floats], Floats]) -> Floats:
     """(m, m) the damping between each two vibrations, 1/s."""
     drags = np.array([drag(shape) for shape in shapes])
     return np.einsum("iab,jab->ij", shapes, drags)
+
+
+def _damped(scene: Scene, step: float) -> Scene:
+    """A scene with all damping multiplied by exp(step)."""
+    for key in _DAMPINGS:
+        scene = scaled(scene, key, math.exp(step))
+    return scene
 
 
 def tapered(scene: Scene, steepness: float) -> Scene:
