@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import sim
+from sim.analysis.equilibrium import loaded_equilibrium
 from sim.compiling.compiler import FOR_FALLBACK, is_ready
 
 MOST_MASSES = 200
@@ -17,7 +18,7 @@ MOST_MASSES = 200
 SHOWN_FOR = 0.6
 """Seconds after the last change of a number for which its pose at rest is shown."""
 _QUICK = 0.05
-"""Seconds of computing up to which a pose at rest is quick to find; what takes longer is not looked for again."""
+"""Seconds of computing up to which a pose at rest is found; what takes longer is not looked for again."""
 
 
 class Foreseen:
@@ -41,9 +42,7 @@ class Foreseen:
         if masses > MOST_MASSES or masses == self._slow or not is_ready(FOR_FALLBACK):
             return
         places = tuple((float(x), float(y)) for x, y in simulation.positions)
-        pose = sim.Pose(
-            positions=places, velocities=((0.0, 0.0),) * masses, damage=simulation.capture().damage
-        )
+        pose = sim.Pose(positions=places, velocities=((0.0, 0.0),) * masses, damage=simulation.damage)
         with self._lock:
             if now > self._until:
                 self._found = None
@@ -68,7 +67,7 @@ class Foreseen:
                     return
             began = time.thread_time()
             try:
-                found = np.array(sim.equilibrium(scene).positions)
+                found = np.array(loaded_equilibrium(scene)[0].positions)
             except sim.InputError:
                 found = None  # it falls, or comes to no rest
             if time.thread_time() - began > _QUICK:

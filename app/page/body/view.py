@@ -251,12 +251,16 @@ def _near(before: tuple[float, ...], now: tuple[float, ...], most: float) -> boo
 
 
 def picture_of(session: Session) -> Picture:
-    """The body, and the ghost or, without one, what would have come had the user not gone back."""
+    """The body, and the ghost or, without one, where it will rest while a slider moves, or what would have
+    come had the user not gone back."""
     simulation, ghost, future = session.simulation, session.ghost, session.old_future
     other = damage = None
+    rest = session.foreseen.positions(len(simulation.scene.masses), session.now())
     if ghost is not None:
         if not ghost.waits:
             other, damage = ghost.simulation.positions, ghost.simulation.damage
+    elif rest is not None:
+        other, damage = rest, simulation.damage
     elif future is not None:
         other, damage = future.positions_at(simulation.time), future.damage_at(simulation.time)
     return Picture.of(simulation, other, damage)

@@ -116,6 +116,10 @@ class SliderBox:
         if scene is not self._scene:
             self._scene = scene
             self._show_mixed(self.setting.differs(scene))
+        self.show_value(value)
+
+    def show_value(self, value: float) -> None:
+        """Show a number, if that is not what this page's user is just setting."""
         if time.monotonic() - self._touched < TOUCHED:
             return
         self._known, self.settled = value, True
