@@ -19,6 +19,7 @@ from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
 from sim.motion.quantities import PARTS
 from sim.store.files import read_scene
+from sim.store.schema import schema_bytes
 
 from . import headless
 from .command import CsvComma, Settings, fail, scene_of
@@ -27,6 +28,7 @@ from .lessons import check_lesson
 from .linking import Link
 from .page.controls import of_scene
 from .session.log import Log, read_log
+from .site.command import MakeGallery
 from .teaching import TeachClass
 
 DEFAULT_SCENE = "rope"
@@ -201,6 +203,16 @@ class Check:
         return failed
 
 
+@dataclass
+class Schema:
+    """Print the JSON Schema of scene files, by which editors check and complete them."""
+
+    def run(self) -> int:
+        """Print it."""
+        print(schema_bytes().decode(), end="")
+        return 0
+
+
 _COARSE = 0.01
 """Part of a body's size from which on a tolerance is called coarse; that of the presets is a thousandth."""
 
@@ -230,8 +242,10 @@ _COMMANDS: dict[str, type[Command]] = {
     "run": Run,
     "scenes": Scenes,
     "check": Check,
+    "schema": Schema,
     "link": Link,
     "export": Export,
+    "gallery": MakeGallery,
     "class": TeachClass,
 }
 

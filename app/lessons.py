@@ -1,11 +1,16 @@
-"""Whether every step of a scene's lesson can begin, for `softrod check`."""
+"""Lessons: whether every step can begin, for `softrod check`, goals in words, and how answers know them."""
 
 from __future__ import annotations
+
+import hashlib
+
+import msgspec
 
 import sim
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.motion.quantities import quantity
+from sim.scene.lesson import Goal, Reading
 from sim.settings import CHOICES, scene_of_step, setting_of
 
 from .session.ghost import REFERENCE
@@ -41,3 +46,34 @@ def check_lesson(scene: sim.Scene) -> None:
                     quantity(reading.quantity, scene)
                 except InputError as error:
                     raise InputError(f"lesson.steps[{number}].{field}.quantity: {error}") from None
+
+
+def lesson_code(scene: sim.Scene) -> str:
+    """Eight hexadecimal digits by which answers know the lesson of a scene.
+
+    They are others for other questions, choices, predictions or masses. What else a lesson has may be mended
+    without losing its answers.
+    """
+    steps = scene.lesson.steps if scene.lesson is not None else ()
+    asked = [
+        (step.question.text, step.question.choices, step.predict) if step.question else ("", (), step.predict)
+        for step in steps
+    ]
+    return hashlib.sha256(msgspec.json.encode((len(scene.masses), asked))).hexdigest()[:8]
+
+
+def reading_text(reading: Reading, scene: sim.Scene) -> str:
+    """A reading in words, as in "period of mass1.y"."""
+    return f"period of {reading.quantity}" if reading.of == "period" else reading.quantity
+
+
+def goal_text(goal: Goal, scene: sim.Scene) -> str:
+    """A goal in words, as in "period of mass1.y: 1.98 to 2.02 s"."""
+    try:
+        unit = "s" if goal.of == "period" else quantity(goal.quantity, scene).unit
+    except InputError:
+        unit = ""
+    low, high = (None if bound is None else f"{bound:.6g}" for bound in (goal.low, goal.high))
+    span = f"{low} to {high}" if low and high else f"at least {low}" if low else f"at most {high}"
+    held = f", for {goal.seconds:g} s" if goal.seconds else ""
+    return f"{reading_text(goal, scene)}: {span} {unit}".rstrip() + held

@@ -68,9 +68,9 @@ class Proxy:
     key: Path
     port: int = field(default_factory=lambda: _free_port())
 
-    def url(self, folder: str) -> str:
-        """The address of one of the two servers, as one of `FOLDERS`."""
-        return f"https://localhost:{self.port}{folder}"
+    def url(self, folder: str, name: str = "localhost") -> str:
+        """The address of one of the two servers, in one of `FOLDERS`; the other name is `school.example`."""
+        return f"https://{name}:{self.port}{folder}"
 
     def access_log(self) -> str:
         """What it has written of the requests that it led on."""
@@ -112,7 +112,7 @@ class Proxy:
         if self.kind == "nginx":
             known |= {
                 "listen 443 ssl": f"listen 127.0.0.1:{self.port} ssl",
-                "server_name school.example": "server_name localhost",
+                "server_name school.example": "server_name localhost school.example",
                 "/etc/ssl/school.pem": str(self.certificate),
                 "/etc/ssl/school.key": str(self.key),
             }
@@ -122,9 +122,8 @@ class Proxy:
             (self.folder / "nginx.conf").write_text(_NGINX.format(user=user))
             prefix = f"{self.folder}/"
             return [program, "-p", prefix, "-c", "nginx.conf", "-e", "error.log", "-g", "daemon off;"]
-        tls = (
-            f"https://localhost:{self.port} {{\n  bind 127.0.0.1\n  log\n  tls {self.certificate} {self.key}"
-        )
+        names = f"https://localhost:{self.port}, https://school.example:{self.port}"
+        tls = f"{names} {{\n  bind 127.0.0.1\n  log\n  tls {self.certificate} {self.key}"
         known["school.example {"] = tls
         (self.folder / "Caddyfile").write_text(_CADDY + _replaced("Caddyfile", known))
         return [program, "run", "--config", "Caddyfile", "--adapter", "caddyfile"]

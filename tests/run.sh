@@ -2,8 +2,8 @@
 # What has to be green, on a machine with nothing but Python >= 3.11: finds or installs uv, a Chromium, a C
 # compiler, nginx and Caddy, then runs ruff, pyright and pytest, browser tests included. Fails when one of them
 # cannot be had.
-# With --night it runs all of the long random tests instead of a part, and the solver's once more as on a
-# processor without anything special. Whatever else it is given goes to pytest.
+# With --night it runs all of the long random tests instead of a part, the solver's once more as on a processor
+# without anything special, and finds or installs a Firefox. Whatever else it is given goes to pytest.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -33,51 +33,60 @@ find_browser() {
 
 find_compiler() { command -v cc || command -v gcc || command -v clang; }
 
+# Packages of the system, where they may be installed; whoever needs them looks for them afterwards.
+install() {
+    if [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null 2>&1; then
+        return
+    fi
+    echo "installing $* with apt-get"
+    { apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq "$@" >/dev/null; } ||
+        echo "apt-get could not install $*" >&2
+}
+
 uv sync --quiet
 
 # Exported programs in C are compiled and run.
-if ! find_compiler >/dev/null; then
-    if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null 2>&1; then
-        echo "installing gcc with apt-get"
-        apt-get update -qq
-        DEBIAN_FRONTEND=noninteractive apt-get install -y -qq gcc libc6-dev >/dev/null
-    fi
-    find_compiler >/dev/null || {
-        echo "no C compiler was found or could be installed: install gcc" >&2
-        exit 1
-    }
-fi
+find_compiler >/dev/null || install gcc libc6-dev
+find_compiler >/dev/null || {
+    echo "no C compiler was found or could be installed: install gcc" >&2
+    exit 1
+}
 
 # Servers behind a proxy are tested with these, as they are installed from packages.
 for proxy in nginx caddy; do
     find_proxy() { PATH="$PATH:/usr/sbin:/usr/local/sbin" type -P "$proxy"; }
-    if ! find_proxy >/dev/null && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null 2>&1; then
-        echo "installing $proxy with apt-get"
-        apt-get update -qq
-        DEBIAN_FRONTEND=noninteractive apt-get install -y -qq "$proxy" >/dev/null
-    fi
+    find_proxy >/dev/null || install "$proxy"
     find_proxy >/dev/null || {
         echo "no $proxy was found or could be installed: install $proxy" >&2
         exit 1
     }
 done
 
+# Exported files are tried in Firefox, too; by day only where there is one, for it is large.
+find_firefox() { command -v "${SOFTROD_FIREFOX:-firefox-esr}" || command -v firefox; }
+if [ -n "$night" ] && ! find_firefox >/dev/null; then
+    install firefox-esr
+    find_firefox >/dev/null || {
+        echo "no Firefox was found or could be installed: install it, or name it in SOFTROD_FIREFOX" >&2
+        exit 1
+    }
+fi
+
+find_browser >/dev/null || install chromium
 if ! find_browser >/dev/null; then
-    if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null 2>&1; then
-        echo "installing Chromium with apt-get"
-        apt-get update -qq
-        DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium >/dev/null
-    else
-        echo "installing Chromium with Playwright"
-        uv run playwright install chromium
+    echo "installing Chromium with Playwright"
+    if uv run playwright install chromium; then
         SOFTROD_BROWSER=$(uv run python -c '
 from playwright.sync_api import sync_playwright
 with sync_playwright() as playwright:
     print(playwright.chromium.executable_path)')
+    else
+        echo "Playwright could not install Chromium" >&2
     fi
 fi
 SOFTROD_BROWSER=$(find_browser) || {
-    echo "no Chromium or Chrome was found, and none could be installed; the browser tests need one" >&2
+    echo "no Chromium or Chrome was found or could be installed, and the browser tests need one: install one, and" \
+        "set SOFTROD_BROWSER to its path if it has another name" >&2
     exit 1
 }
 export SOFTROD_BROWSER

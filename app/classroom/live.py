@@ -236,6 +236,14 @@ class Class:
         present = msgspec.json.decode(kept.encode(self.room), type=Room)
         return self._writer.submit(pack, present)
 
+    def lesson_file(self) -> Future[bytes]:
+        """Have the scene of the present stop made into a file that lives without a server.
+
+        The future fails with a `SettingError` where a step of its lesson cannot begin.
+        """
+        scene = self.room.scenes[self.room.stops[self.room.at].scene]
+        return self._writer.submit(_live_file, scene)
+
     def tend(self) -> None:
         """Have written what is new, if it is time; whatever is acknowledged is on the disk before."""
         self._take_verdicts()
@@ -280,6 +288,12 @@ class Class:
         self.room.answers.clear()
         self._bodies.clear()
         self.room.version += 1
+
+
+def _live_file(scene: sim.Scene) -> bytes:
+    from ..export.live.live import live_html
+
+    return live_html(sim.Simulation(scene).capture())[0]
 
 
 def _keep_log(code: str, name: str, data: bytes) -> None:

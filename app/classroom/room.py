@@ -15,7 +15,7 @@ import hashlib
 import math
 import secrets
 import unicodedata
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from typing import Annotated
 
 import msgspec
@@ -454,6 +454,14 @@ class Room(Struct, kw_only=True):
                 return seat
         if not self.is_open:
             raise Refused("The class has begun; ask your teacher to open the door.")
+        return self._new_seat(token, here)
+
+    def _new_seat(self, token: str, here: Collection[int] | None) -> Seat:
+        """A new seat; see `enter`.
+
+        Raises:
+            Refused: the class is full.
+        """
         if sum(not seat.removed for seat in self.seats.values()) >= MOST_SEATS:
             needed = {answer.seat for answer in self.answers.values()} | set(
                 self.seats if here is None else here
@@ -564,6 +572,52 @@ class Room(Struct, kw_only=True):
         self.answers[answer.id] = taken
         self.version += 1
         return True
+
+    def take_brought(self, secret: str, name: str, answers: Sequence[Answer]) -> tuple[Seat, int]:
+        """Take answers that the teacher brings, since they were given without a page of this class.
+
+        They have a seat of their own, also where the door is closed. They are late, whether the class has
+        been asked already or not yet, and are taken all or not at all.
+
+        Args:
+            secret: by which their seat is known again.
+            name: that was typed where they were given; empty for one of the class's.
+            answers: as they came; whose they say that they are does not count.
+
+        Returns:
+            the seat, and how many of the answers count from now on.
+
+        Raises:
+            Refused: this class could not be given one of them; nothing is changed.
+        """
+        answers = [msgspec.structs.replace(answer, content=self._fitting(answer)) for answer in answers]
+        token = digest(secret)
+        seat = next((seat for seat in self.seats.values() if seat.token == token), None)
+        if seat is not None and seat.removed:
+            raise Refused("The teacher has closed this seat.")
+        if seat is None:
+            seat = self._new_seat(token, None)
+            seat.name = self._free_name(plain(name, MOST_NAME)) or seat.name
+        new = 0
+        for answer in answers:
+            answer = msgspec.structs.replace(answer, seat=seat.number, late=True)
+            before = self.before(answer)
+            if answer.id in self.answers or (before is not None and before.turn >= answer.turn):
+                continue
+            if before is not None:
+                del self.answers[before.id]
+            self.answers[answer.id] = answer
+            new += 1
+        self.version += 1
+        return seat, new
+
+    def _free_name(self, wanted: str) -> str:
+        """A name that nobody has, with a number where somebody has it; empty for an empty one."""
+        taken = {seat.name.casefold() for seat in self.seats.values()}
+        if not wanted or wanted.casefold() not in taken:
+            return wanted
+        numbered = (f"{wanted[: MOST_NAME - 4]} {i}" for i in range(2, MOST_SEATS + 3))
+        return next(name for name in numbered if name.casefold() not in taken)
 
     def before(self, answer: Answer) -> Answer | None:
         """The answer whose place another one takes."""

@@ -1,7 +1,7 @@
-"""Modules of a script as one script, for a file that fetches nothing.
+"""Modules of a script as one script: for a file that fetches nothing, or to be read.
 
-Each module becomes a function that returns what it exports, and comments are left out. It knows the forms of
-import and export that softrod's own modules use, and refuses others; it is no bundler for scripts in general.
+It knows the forms of import and export that softrod's own modules use, and refuses others; it is no bundler
+for scripts in general.
 """
 
 from __future__ import annotations
@@ -15,6 +15,12 @@ _AS = re.compile(r"(\w+) as (\w+)")
 _EXPORT = re.compile(r"^export ((?:async )?function|const|class) (\w+)", re.MULTILINE)
 _COMMENT = re.compile(r"[ \t]*/\*\*.*?\*/\n?|^[ \t]*//[^\n]*\n", re.DOTALL | re.MULTILINE)
 _LEFT = re.compile(r"^(import|export)\b.*", re.MULTILINE)
+_TYPE = re.compile(r'^ \* @typedef \{import\("\./[\w.]+"\)\.(\w+)\} \1\n', re.MULTILINE)
+_HEAD = re.compile(r"^// @ts-check\n", re.MULTILINE)
+_BLANK = re.compile(r"\n \*(?=\n \*/)")
+_TOP = re.compile(
+    r"^(?:async )?(?:const|let|class|function) (\w+|\[[\w, ]+\])|@typedef .*\} (\w+)", re.MULTILINE
+)
 
 
 class BundleError(ValueError):
@@ -22,7 +28,9 @@ class BundleError(ValueError):
 
 
 def bundle(start: Path) -> str:
-    """A module and all that it imports, as the text of one module.
+    """A module and all that it imports, as the text of one module without comments.
+
+    Each of them becomes a function that returns what it exports.
 
     Raises:
         BundleError: a module imports or exports in another form.
@@ -58,3 +66,35 @@ def _included(path: Path, names: dict[Path, str], parts: list[str]) -> tuple[str
     if left := _LEFT.search(text):
         raise BundleError(f"{path}: {left[0]!r} is not known to the bundler")
     return text, exported
+
+
+def joined(start: Path) -> str:
+    """A module and all that it imports, as the text of one module to be read: with comments and their types.
+
+    It exports what the first one does.
+
+    Raises:
+        BundleError: a module imports or exports in another form, or two have the same name at their top.
+    """
+    parts: dict[Path, str] = {}
+    start = start.resolve()
+    _join(start, parts)
+    parts = {path: _EXPORT.sub(r"\1 \2", text) if path != start else text for path, text in parts.items()}
+    text = "\n".join(parts.values())
+    if left := re.search(r'^import\b.*|.*\bimport\(".*', text, re.MULTILINE):
+        raise BundleError(f"{start}: {left[0]!r} is not known to the bundler")
+    plain = _EXPORT.sub(r"\1 \2", text)
+    names = [name for match in _TOP.finditer(plain) for name in re.findall(r"\w+", match[1] or match[2])]
+    if twice := {name for name in names if names.count(name) > 1}:
+        raise BundleError(f"{start}: more than one module has {', '.join(sorted(twice))}")
+    return re.sub(r"\n{3,}", "\n\n", text)
+
+
+def _join(path: Path, parts: dict[Path, str]) -> None:
+    """Adds the text of a module without its imports, after all that it needs."""
+    text = _HEAD.sub("", path.read_text(encoding="utf-8"))
+    for match in _NAMED.finditer(text):
+        other = (path.parent / match[2]).resolve()
+        if other not in parts:
+            _join(other, parts)
+    parts[path] = _BLANK.sub("", _TYPE.sub("", _NAMED.sub("", text))).strip() + "\n"

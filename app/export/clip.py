@@ -1,4 +1,4 @@
-"""A piece of a body's motion: what a film and a replay are made of."""
+"""A piece of a body's motion: what films, replays and keyframes are made of."""
 
 from __future__ import annotations
 
@@ -92,6 +92,11 @@ class Clip:
         """Moments an interval of so many seconds apart, ascending; the last is the last of all."""
         for k in range(self.count(interval) - 1, -1, -1):
             yield self._between(self._times[-1] - k * interval) if k else self.shots[-1]
+
+    def frames(self, rate: float) -> Iterable[Shot]:
+        """Moments at so many a second, ascending; the first is where the clip begins."""
+        begin = self._times[-1] - self.seconds
+        return (self._between(begin + k / rate) for k in range(self.count(1.0 / rate)))
 
     def _between(self, time: float) -> Shot:
         after = max(bisect_right(self._times, time), 1)

@@ -21,17 +21,28 @@ from sim.store.files import write_file
 from ..command import CsvComma
 from ..session.log import read_log
 from .clip import LONGEST, SHORTEST, Clip, Shot
+from .keyframes import FASTEST, FPS, SLOWEST, motion_csv
 
 PICTURE = 1280
 """Pixels of a picture's longer side."""
 
 _SIZE = re.compile(r"(\d{2,4})x(\d{2,4})")
 
-_ENDINGS = {"csv": "zip", "python": "py", "live": "html"}
+_ENDINGS = {
+    "csv": ("zip",),
+    "python": ("py",),
+    "javascript": ("js", "mjs"),
+    "live": ("html",),
+    "motion": ("csv",),
+    "animation": ("glb",),
+}
 """Of files whose option has another name."""
 
-_OF_BODY = frozenset(("live", "json", "csv", "python", "c"))
+_OF_BODY = frozenset(("live", "json", "csv", "python", "c", "javascript"))
 """What needs no motion."""
+
+_KEYFRAMES = frozenset(("motion", "animation"))
+"""What has frames at a rate of its own."""
 
 
 @dataclass
@@ -51,6 +62,10 @@ class Export:
     """The body itself, which moves and is dragged in any browser without a network, FILE.html."""
     glb: Path | None = None
     """A model of the end in three dimensions, FILE.glb."""
+    motion: Path | None = None
+    """Where all masses are in each frame, as a table in CSV, FILE.csv."""
+    animation: Path | None = None
+    """A model in three dimensions that moves, with keyframes, FILE.glb."""
     json: Path | None = None
     """The body's numbers as plain arrays, FILE.json."""
     csv: Path | None = None
@@ -59,10 +74,14 @@ class Export:
     """A program in Python with NumPy that moves the body by the tutorial's step, FILE.py."""
     c: Path | None = None
     """The same in C99, FILE.c."""
+    javascript: Path | None = None
+    """A module in JavaScript for games, which moves, pushes and drags the body, FILE.js or FILE.mjs."""
     seconds: float = 5.0
     """Simulated seconds, 0..60: of a log the last ones."""
     after: float = 0.0
     """Simulated seconds before these."""
+    fps: int = FPS
+    """Frames a second of --motion and --animation, 1..240."""
     size: str = ""
     """Of the picture and the film, pixels, as in 640x360; by the scene's frame unless given."""
     dark: bool = False
@@ -83,9 +102,11 @@ class Export:
         """
         wanted = {"png": self.png, "gif": self.gif, "html": self.html, "glb": self.glb}
         wanted |= {"live": self.live, "json": self.json, "csv": self.csv, "python": self.python, "c": self.c}
+        wanted |= {"javascript": self.javascript, "motion": self.motion, "animation": self.animation}
         outputs = {kind: path for kind, path in wanted.items() if path is not None}
         size = self._checked(outputs)
-        moments = self._moments(0.0 if set(outputs) <= _OF_BODY else self.seconds)
+        rate = self.fps if _KEYFRAMES & set(outputs) else None
+        moments = self._moments(0.0 if set(outputs) <= _OF_BODY else self.seconds, rate)
         makers = self._makers(moments, size)
         for kind, path in outputs.items():
             data = makers[kind]()
@@ -103,18 +124,20 @@ class Export:
 
         if not outputs:
             raise InputError(
-                "export: name what to write, with --png, --gif, --html, --live, --glb, --json, --csv, "
-                "--python or --c"
+                "export: name what to write, with --png, --gif, --html, --live, --glb, --motion, "
+                "--animation, --json, --csv, --python, --c or --javascript"
             )
         for kind, path in outputs.items():
-            ending = _ENDINGS.get(kind, kind)
-            if path.suffix.lower() != f".{ending}":
-                raise InputError(f"--{kind} {path}: the file must end in .{ending}")
+            endings = [f".{ending}" for ending in _ENDINGS.get(kind, (kind,))]
+            if path.suffix.lower() not in endings:
+                raise InputError(f"--{kind} {path}: the file must end in {' or '.join(endings)}")
             if not path.parent.is_dir():
                 raise InputError(f"--{kind} {path}: the folder {path.parent} does not exist")
-        least = SHORTEST if {"gif", "html"} & set(outputs) else 0.0
+        least = SHORTEST if {"gif", "html", *_KEYFRAMES} & set(outputs) else 0.0
         if not least <= self.seconds <= LONGEST:
             raise InputError(f"--seconds: {self.seconds:g} is not in the range {least:g}..{LONGEST:g} s")
+        if not SLOWEST <= self.fps <= FASTEST:
+            raise InputError(f"--fps: {self.fps} is not in the range {SLOWEST}..{FASTEST}")
         if not 0.0 <= self.after <= 1e4:
             raise InputError(f"--after: {self.after:g} is not in the range 0..10000 s")
         if not self.size:
@@ -125,7 +148,7 @@ class Export:
             raise InputError(f"--size {self.size}: two numbers from {SMALLEST} to {LARGEST}, as in 640x360")
         return size
 
-    def _moments(self, seconds: float) -> list[sim.Moment]:
+    def _moments(self, seconds: float, rate: int | None) -> list[sim.Moment]:
         from .making import replayed, simulated
 
         console = Console(stderr=True)
@@ -133,7 +156,7 @@ class Export:
             if not self.scene:
                 raise InputError("export: name a scene, or a recorded log with --inputs")
             scene = apply_assignments(sim.load_scene(self.scene), self.settings)
-            return simulated(scene, seconds, self.after, console)
+            return simulated(scene, seconds, self.after, console, rate)
         record = read_log(self.inputs)
         if self.scene or self.settings or self.after:
             raise InputError("export: a recorded log is shown as it was, without SCENE, --set and --after")
@@ -150,6 +173,7 @@ class Export:
         from .body.data import body_csv, body_json
         from .body.program import c_program, python_program
         from .live.live import live_html
+        from .live.program import javascript_program
 
         last = Shot.of(moments[-1])
         # The start of a film; of a log there is only its end.
@@ -169,6 +193,11 @@ class Export:
 
             return glb(last.scene, last.picture)
 
+        def animated() -> bytes:
+            from .animation import animated_glb
+
+            return animated_glb(clip(), self.fps)
+
         def moving() -> bytes:
             console = Console(stderr=True)
             with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
@@ -180,9 +209,12 @@ class Export:
             "gif": moving,
             "html": lambda: replay.replay_html(clip()),
             "glb": model,
+            "motion": lambda: motion_csv(clip(), self.fps, self.csv_comma),
+            "animation": animated,
             "json": lambda: body_json(Body.of(begin)),
             "csv": lambda: body_csv(Body.of(begin), self.csv_comma),
             "live": lambda: noted(live_html(begin), self.live),
             "python": lambda: noted(python_program(Body.of(begin)), self.python),
             "c": lambda: noted(c_program(Body.of(begin)), self.c),
+            "javascript": lambda: noted(javascript_program(begin), self.javascript),
         }

@@ -11,7 +11,11 @@ import hashlib
 import html
 import json
 import zlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from urllib.parse import quote
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,8 +31,30 @@ from .window import bounds
 _MESHES = ("disc", "ring", "pin", "bar", "slice")
 
 
+@dataclass(frozen=True)
+class Bar:
+    """What a file has over its title to lead to others.
+
+    Attributes:
+        html: of the bar.
+        style: of what is in it.
+        script: a module that runs before the file's own.
+    """
+
+    html: str
+    style: str
+    script: str
+
+
 def html_file(
-    scene: sim.Scene, body: str, style: str, script: str, data: Mapping[str, object], note: str = ""
+    scene: sim.Scene,
+    body: str,
+    style: str,
+    script: str,
+    data: Mapping[str, object],
+    note: str = "",
+    early: str = "",
+    bar: Bar | None = None,
 ) -> bytes:
     """The file, in UTF-8.
 
@@ -37,23 +63,61 @@ def html_file(
         body: what follows these, as HTML.
         style, script: of the file; the script is a module.
         data: what the script reads, by the ids of the elements that hold it as JSON.
-        note: a sentence after the description.
+        note: a sentence before the description.
+        early: a script that is no module and runs before anything is shown.
+        bar: what leads to other files, for one that is not alone.
     """
-    assert "</script" not in script.lower()
     title = html.escape(shown_name(scene))
+    told = f'<p class="note">{html.escape(note)}</p>\n' if note else ""
+    over = f"\n{bar.html}" if bar else ""
+    header = f"""<header>{over}
+<h1>{title}</h1>
+{told}<p>{html.escape(scene.description)}</p>
+<p role="alert"></p>
+<noscript><p>The motion is shown by a script, which this browser does not run.</p></noscript>
+</header>"""
+    styles, scripts = ([style, bar.style], [bar.script, script]) if bar else ([style], [script])
+    return document(shown_name(scene), f"{header}\n{body}", styles, scripts, data, early)
+
+
+def document(
+    title: str,
+    body: str,
+    styles: Sequence[str],
+    scripts: Sequence[str],
+    data: Mapping[str, object],
+    early: str = "",
+    images: str = "data:",
+) -> bytes:
+    """A file that loads nothing but images from where it may, in UTF-8.
+
+    Args:
+        title: shown as text.
+        body: as HTML.
+        styles, scripts: the scripts are modules.
+        data: as for `html_file`.
+        early: a script that is no module and runs before anything is shown.
+        images: from where it may load images, as its policy has it.
+    """
+    every = [early, *scripts] if early else list(scripts)
+    assert not any("</script" in script.lower() for script in every)
     policy = "; ".join(
         (
             "default-src 'none'",
-            f"script-src '{_digest(script)}'",
-            f"style-src '{_digest(style)}'",
+            f"script-src {' '.join(map(_digest, every))}",
+            f"style-src {' '.join(map(_digest, styles))}",
+            f"img-src {images}",
             "base-uri 'none'",
             "form-action 'none'",
         )
     )
-    told = f'\n<p class="note">{html.escape(note)}</p>' if note else ""
-    held = "\n".join(
-        f'<script type="application/json" id="{id}">{_safe(value)}</script>' for id, value in data.items()
+    head = "\n".join(
+        ([f"<script>{early}</script>"] if early else []) + [f"<style>{style}</style>" for style in styles]
     )
+    held = [
+        f'<script type="application/json" id="{id}">{_safe(value)}</script>' for id, value in data.items()
+    ]
+    end = "\n".join(held + [f'<script type="module">{script}</script>' for script in scripts])
     text = f"""<!doctype html>
 <html lang="en">
 <head>
@@ -61,27 +125,28 @@ def html_file(
 <meta http-equiv="Content-Security-Policy" content="{policy}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="generator" content="softrod">
-<title>{title}</title>
-<style>{style}</style>
+<title>{html.escape(title)}</title>
+<link rel="icon" href="{_icon()}">
+{head}
 </head>
 <body>
-<header>
-<h1>{title}</h1>
-<p>{html.escape(scene.description)}</p>{told}
-<p role="alert"></p>
-<noscript><p>The motion is shown by a script, which this browser does not run.</p></noscript>
-</header>
 {body}
-{held}
-<script type="module">{script}</script>
+{end}
 </body>
 </html>
 """
     return text.encode()
 
 
+@cache
+def _icon() -> str:
+    """The page's icon in an address of its own: a browser would ask a file's server for one otherwise."""
+    svg = (Path(__file__).parents[1] / "page" / "icon.svg").read_text(encoding="utf-8")
+    return f"data:image/svg+xml,{quote(' '.join(svg.split()), safe=' /:=')}"
+
+
 def _digest(text: str) -> str:
-    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+    return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
 
 
 def _safe(value: object) -> str:

@@ -57,6 +57,11 @@ def to_world(sketch: Sketch, positions: Floats) -> Floats:
 
 def springs(sketch: Sketch, picture: Picture) -> Instances:
     """Coils or bars; none for a spring that is broken."""
+    return every_spring(sketch, picture).some(_whole(len(sketch.springs), broken_of(picture.damage)))
+
+
+def every_spring(sketch: Sketch, picture: Picture) -> Instances:
+    """As `springs`, with those that are broken."""
     start, angles, lengths = _between(sketch, picture.positions)
     moved = picture.damage.set_lengths if picture.damage is not None else ()
     rest = sketch.rest_length * picture.rest_length_scale + (np.array(moved) if moved else 0.0)
@@ -66,9 +71,7 @@ def springs(sketch: Sketch, picture: Picture) -> Instances:
     if not sketch.bars:
         # A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
         widths = widths * np.clip(np.sqrt(rest / np.maximum(lengths, 1e-12)), THINNEST, THICKEST)
-    whole = _whole(len(rest), broken_of(picture.damage))
-    colors = _colored(strain_colors(sketch), strain)
-    return Instances(start, angles, lengths, widths, colors).some(whole)
+    return Instances(start, angles, lengths, widths, _colored(strain_colors(sketch), strain))
 
 
 def yielded(sketch: Sketch, picture: Picture) -> Instances:

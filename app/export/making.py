@@ -14,8 +14,13 @@ from ..session.replay import Player
 RATE = 60
 """Moments of a simulated second."""
 
+PIECE = 200
+"""Time steps between two looks of the progress bar."""
 
-def simulated(scene: sim.Scene, seconds: float, after: float, console: Console) -> list[sim.Moment]:
+
+def simulated(
+    scene: sim.Scene, seconds: float, after: float, console: Console, rate: int | None = None
+) -> list[sim.Moment]:
     """The moments of a scene that nobody touches, 60 a second; of no seconds, one.
 
     Args:
@@ -23,31 +28,34 @@ def simulated(scene: sim.Scene, seconds: float, after: float, console: Console) 
         seconds: how long, s.
         after: simulated seconds before the first moment.
         console: for the progress bar.
+        rate: frames a second for each of which there are the last step before it and the next one, too.
 
     Raises:
         InputError: the body becomes unstable; the sentence says when and why.
     """
     simulation = sim.Simulation(scene)
+    first, last = (_steps(time, simulation.dt) for time in (after, after + seconds))
+    wanted = {first + _steps(k / RATE, simulation.dt) for k in range(round(seconds * RATE) + 1)}
+    if rate is not None:
+        befores = {first + _steps(k / rate, simulation.dt) for k in range(round(seconds * rate) + 1)}
+        wanted |= befores | {step + 1 for step in befores}
+    moments = []
     with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
-        task = progress.add_task("simulating", total=after + seconds)
-        # In pieces, so that the bar moves.
-        while simulation.time < after - simulation.dt / 2.0:
-            _go(simulation, min(0.5, after - simulation.time))
-            progress.update(task, completed=simulation.time)
-        moments = [simulation.capture()]
-        for _ in range(round(seconds * RATE)):
-            _go(simulation, 1.0 / RATE)
-            # A time step may be longer than a frame.
-            if simulation.time > moments[-1].time:
-                moments.append(simulation.capture())
-            progress.update(task, completed=simulation.time)
+        task = progress.add_task("simulating", total=last)
+        for step in sorted(step for step in wanted if step <= last):
+            # In pieces, so that the bar moves.
+            while (left := step - simulation.step_count) > 0:
+                simulation.step(min(left, PIECE))
+                if simulation.divergence is not None:
+                    raise InputError(str(simulation.divergence))
+                progress.update(task, completed=simulation.step_count)
+            moments.append(simulation.capture())
     return moments
 
 
-def _go(simulation: sim.Simulation, seconds: float) -> None:
-    simulation.advance(seconds)
-    if simulation.divergence is not None:
-        raise InputError(str(simulation.divergence))
+def _steps(seconds: float, dt: float) -> int:
+    """The whole time steps in some seconds; a hair more, as in `Simulation.advance`."""
+    return int(seconds / dt + 1e-9)
 
 
 def replayed(record: Log, console: Console) -> tuple[list[sim.Moment], str | None]:

@@ -34,7 +34,7 @@ MOST_PARTS = 20_000
 _WIRE, _SIDES, _SAMPLES = 0.15, 6, 12
 """Radius of a coil's wire in those of the coil, sides of the wire, and its places in a turn."""
 
-_PLATE = 0.3
+PLATE = 0.3
 """Thickness of wedges and supports, in radii of their mass; each is drawn where the mass is."""
 
 Solid = tuple[Floats, NDArray[np.int64]]
@@ -88,22 +88,22 @@ def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trim
     discs = instances.masses(sketch, picture)
     fills = discs.some(slice(count, 2 * count))
     balls = fills._replace(lengths=sketch.radius, widths=sketch.radius)
-    found = {"masses": _copies(_ball(sketch.many), balls, sketch.radius)}
+    found = {"masses": _copies(ball(sketch.many), balls, sketch.radius)}
     pins = instances.pins(sketch, picture)
     if len(pins.angles):
-        found["supports"] = _copies(_plate(meshes()["pin"]), pins, _PLATE * pins.widths)
+        found["supports"] = _copies(plate(meshes()["pin"]), pins, PLATE * pins.widths)
     if len(sketch.springs):
         springs = instances.springs(sketch, picture)
-        solid = _rod() if sketch.bars else _coil(sketch.spring_shape)
+        solid = spring_solid(sketch)
         found["springs"] = _copies(solid, springs, springs.widths)
     if len(rest):
         wedges = instances.wedges(sketch, picture, rest)
         # The wedge of a joint at its rest angle is nothing.
         seen = wedges.some(wedges.widths > 1e-6)
         if len(seen.angles):
-            found["wedges"] = _copies(_plate(meshes()["slice"]), seen, _PLATE * seen.lengths)
-    if walls := _walls(sketch, scene):
-        found["walls"] = walls
+            found["wedges"] = _copies(plate(meshes()["slice"]), seen, PLATE * seen.lengths)
+    if plates := walls(sketch, scene):
+        found["walls"] = plates
     return {name: mesh for name, mesh in found.items() if len(mesh.faces)}
 
 
@@ -132,20 +132,25 @@ def _colored(vertices: Floats, faces: NDArray[np.int64], colors: NDArray[np.uint
     return Trimesh(vertices, faces, vertex_colors=light, process=False)
 
 
-def _ball(many: bool) -> Solid:
+def ball(many: bool) -> Solid:
     """A ball of radius 1."""
     from trimesh.creation import icosphere
 
-    ball = icosphere(subdivisions=1 if many else 2)
-    return np.array(ball.vertices), np.array(ball.faces)
+    mesh = icosphere(subdivisions=1 if many else 2)
+    return np.array(mesh.vertices), np.array(mesh.faces)
+
+
+def spring_solid(sketch: Sketch) -> Solid:
+    """A bar or a coil from (0, 0) to (1, 0), of width or radius 1."""
+    return _rod() if sketch.bars else _coil(sketch.spring_shape)
 
 
 def _rod() -> Solid:
     """A bar from (0, 0) to (1, 0), 1 thick."""
     from trimesh.creation import cylinder
 
-    rod = cylinder(0.5, sections=_SIDES, segment=((0.0, 0.0, 0.0), (1.0, 0.0, 0.0)))
-    return np.array(rod.vertices), np.array(rod.faces)
+    mesh = cylinder(0.5, sections=_SIDES, segment=((0.0, 0.0, 0.0), (1.0, 0.0, 0.0)))
+    return np.array(mesh.vertices), np.array(mesh.faces)
 
 
 def _coil(shape: str) -> Solid:
@@ -180,15 +185,15 @@ def _coil(shape: str) -> Solid:
     return vertices, np.concatenate((sides.reshape(-1, 3), end[:, ::-1], end + last))
 
 
-def _plate(mesh: Mesh) -> Solid:
+def plate(mesh: Mesh) -> Solid:
     """A flat mesh, 1 thick, halfway to either side."""
     from trimesh.creation import extrude_triangulation
 
-    plate = extrude_triangulation(mesh.vertices[:, :2], mesh.faces, 1.0, process=False)
-    return np.array(plate.vertices) - (0.0, 0.0, 0.5), np.array(plate.faces)
+    solid = extrude_triangulation(mesh.vertices[:, :2], mesh.faces, 1.0, process=False)
+    return np.array(solid.vertices) - (0.0, 0.0, 0.5), np.array(solid.faces)
 
 
-def _walls(sketch: Sketch, scene: sim.Scene) -> Trimesh | None:
+def walls(sketch: Sketch, scene: sim.Scene) -> Trimesh | None:
     """Plates where walls are, as far as the scene's frame and a little more goes."""
     from trimesh.util import concatenate
 
@@ -200,7 +205,7 @@ def _walls(sketch: Sketch, scene: sim.Scene) -> Trimesh | None:
         if len(wall.corners) < 3:
             continue
         corners = ((wall.corners - origin) / (window.step, -window.step))[::-1]
-        vertices, faces = _plate(convex(corners))
+        vertices, faces = plate(convex(corners))
         color = plain(np.tile(sketch.palette.line, (len(vertices), 1)))
         found.append(_colored(vertices * (1.0, 1.0, depth), faces, color))
     if not found:

@@ -84,6 +84,8 @@ EXTRA_FRAME_BURST = 2000.0
 # Frames that wait for viser in memory.
 MAX_QUEUED_FRAMES = 4
 
+MOST_ADVICE = 5
+
 PAGE_PATHS = ("/", "/index.html", "/s")
 
 CHECK = "/check"
@@ -173,6 +175,8 @@ class Gate:
 
     Attributes:
         loopback: whether only this machine can connect, and nothing else is known to lead here.
+        advice: for whoever started the server, why pages were refused, and which option lets them in. Anybody
+            who reaches the server can cause some, so there are never more than a few.
     """
 
     def __init__(
@@ -186,6 +190,7 @@ class Gate:
     ) -> None:
         self.refused: Counter[Reason] = Counter()
         self.loopback = loopback
+        self.advice: list[str] = []
         self._more_tabs = more_tabs
         self._public = public
         self._files = files
@@ -208,6 +213,12 @@ class Gate:
         if refusal is not None:
             reason, status, sentence = refusal
             self.refused[reason] += 1
+            if (
+                reason in ("host", "origin")
+                and sentence not in self.advice
+                and len(self.advice) < MOST_ADVICE
+            ):
+                self.advice.append(sentence)
             response = connection.respond(status, sentence + "\n")
             if status is HTTPStatus.TEMPORARY_REDIRECT:
                 response.headers["Location"] = "./"

@@ -176,7 +176,14 @@ def serve(
             webbrowser.open(address)
         start_compiling(scene, ticker, compiler)
         threading.Thread(target=_show_progress, args=(compiler, console), daemon=True).start()
-        while not signals:
+        told = 0
+        while True:
+            for sentence in server.gate.advice[told:]:
+                told += 1
+                said = f"A page was refused. {' '.join(sentence.split())}"
+                console.print(said, style="yellow", highlight=False, markup=False, soft_wrap=True)
+            if signals:
+                break
             time.sleep(0.1)
     console.print("softrod has ended.")
 

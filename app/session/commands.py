@@ -244,12 +244,18 @@ class Change(Command):
         make: makes the edit.
         key: of those that are one step.
         within: seconds between two of them, at most; or until the next `Visit`.
+        heavy: whether it may take longer than other pages can wait for.
     """
 
     make: MakeEdit
     key: str = ""
     within: float = math.inf
+    heavy: bool = False
     acts = True
+
+    @property
+    def is_heavy(self) -> bool:
+        return self.heavy
 
     def apply(self, session: Session, at: float) -> None:
         before = session.simulation.capture()

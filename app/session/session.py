@@ -148,6 +148,7 @@ class Session:
         recorder: what acts on the body, and keeps its log; not while a log is played.
         history: the moments that are past, and which of them is shown.
         old_future: what would have come, where the user has gone back and on; or None.
+        refusal: why the body could not keep its shape, until something else is done to it; or None.
         offer_back: whether the body ran away and can be taken back to just before that.
         replay: the log that is played, if one is.
         opened: the scene as it was opened.
@@ -184,6 +185,7 @@ class Session:
         self.selection = Selection()
         self.notices: list[Notice] = []
         self.stability_watch = StabilityWatch()
+        self.refusal: sim.DesignError | None = None
         self.hands = PointerHands(lambda: self.simulation, self.do, clock)
         self.follows_energy = False
         self.fallbacks = 0
@@ -319,9 +321,13 @@ class Session:
             try:
                 if self.replay is not None and command.takes_over(self):
                     self._end_replay("You have taken over from the replay.")
+                if command.acts:
+                    self.refusal = None
                 command.apply(self, at)
                 self.note(command.changes)
             except (InputError, SettingError, SceneError) as error:
+                if isinstance(error, sim.DesignError):
+                    self.refusal = error
                 self.notices.append(Notice("error", "That cannot be done", str(error)))
         if self.replay is None and (not self.playing or self.simulation.divergence is not None):
             self.hands.steer(self.following, glide=False)

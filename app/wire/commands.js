@@ -58,6 +58,8 @@ export const COMMANDS = {
   corners: {"label": "Corners", "keys": [], "hint": "Angular springs at every corner, at rest as they are", "where": "edit"},
   triangulate: {"label": "Triangulate", "keys": [], "hint": "Springs until all is triangles", "where": "edit"},
   rest: {"label": "Rest as is", "keys": [], "hint": "Springs and joints rest as they are now", "where": "edit"},
+  keep: {"label": "Keep this shape", "keys": [], "hint": "Springs and joints hold the body as it is now", "where": "edit"},
+  stiffen: {"label": "Keep it, stiffer", "keys": [], "hint": "With the least stiffness that holds it as it is now", "where": "edit"},
   body: {"label": "The body by keys", "keys": ["Tab"], "shown": "Tab", "where": "own"},
   lengths: {"label": "Every spring longer, shorter", "keys": ["↑ ↓"], "shown": "↑ ↓", "where": "held"},
   angles: {"label": "Every rest angle up, down", "keys": ["→ ←"], "shown": "→ ←", "where": "held"},

@@ -223,6 +223,10 @@ COMMANDS: dict[str, Row] = {
     "corners": Row("Corners", "edit", hint="Angular springs at every corner, at rest as they are"),
     "triangulate": Row("Triangulate", "edit", hint="Springs until all is triangles"),
     "rest": Row("Rest as is", "edit", hint="Springs and joints rest as they are now"),
+    "keep": Row(
+        "Keep this shape", "edit", hint="Springs and joints hold the body as it is now"
+    ),
+    "stiffen": Row("Keep it, stiffer", "edit", hint="With the least stiffness that holds it as it is now"),
     # ------------------------------------------------------------------------- the body by keys, and the help
     "body": Row(
         "The body by keys", "own", ("Tab",),

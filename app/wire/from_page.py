@@ -326,7 +326,7 @@ class Arrange(Lead, frozen=True):
     All bodies are to stand, to go on, or to begin anew, or are to be the teacher's as it is now; all are to
     look at the teacher's, or to have their own back; the run is to be seen again, slowly; the class's plot is
     to have the law of its points, or no longer; the door and whether names can be typed; what was given is to
-    be saved as a file; and the end.
+    be saved as a file, or the present lesson as one that lives without a server; and the end.
     """
 
     what: Literal[
@@ -344,6 +344,7 @@ class Arrange(Lead, frozen=True):
         "ownNames",
         "givenNames",
         "zip",
+        "lessonFile",
         "end",
     ]
 
@@ -359,6 +360,12 @@ class ToWall(Lead, frozen=True):
     """An answer is to be shown alone on the wall; none for ""."""
 
     answer: Annotated[str, Meta(pattern=r"^([0-9a-f]{16})?$")]
+
+
+class Bring(Lead, frozen=True):
+    """Answers that a pupil gave in a file: the text of the file that was saved there, or of its QR code."""
+
+    text: Annotated[str, Meta(min_length=1, max_length=48_000)]
 
 
 class OneSeat(Lead, frozen=True):
@@ -569,7 +576,19 @@ class Move(Gesture, frozen=True):
 class Act(Gesture, frozen=True):
     """Something that needs no place: to a mass; or to what is selected, else what is under the pointer."""
 
-    what: Literal["remove", "pin", "duplicate", "mirror", "corners", "triangulate", "rest", "all", "copy"]
+    what: Literal[
+        "remove",
+        "pin",
+        "duplicate",
+        "mirror",
+        "corners",
+        "triangulate",
+        "rest",
+        "keep",
+        "stiffen",
+        "all",
+        "copy",
+    ]
     mass: Index | None = None
     under: Index | None = None
 

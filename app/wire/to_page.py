@@ -174,11 +174,14 @@ class Versions(State, frozen=True, kw_only=True):
 
     Attributes:
         count: how many changes can be undone.
+        stiffen: the factor of stiffness with which the body could keep the shape that it could not keep
+            without; 0 for none.
     """
 
     undo: str = ""
     redo: str = ""
     count: int = 0
+    stiffen: float = 0.0
 
 
 class Keepsake(State, frozen=True, kw_only=True):
@@ -478,6 +481,13 @@ class Taken(Event, frozen=True, kw_only=True):
 
     ids: tuple[str, ...]
     refused: str = ""
+
+
+class Brought(Event, frozen=True, kw_only=True):
+    """What became of answers that the teacher brought, in a sentence."""
+
+    told: str
+    refused: bool = False
 
 
 class ClassEnded(Event, frozen=True, kw_only=True):

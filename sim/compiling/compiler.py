@@ -8,7 +8,6 @@ process, whatever files there are.
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import os
 import subprocess
 import sys
@@ -19,9 +18,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import llvmlite.binding
-import numba
-import platformdirs
 from numba import types
 
 from ..forces.all import accelerations
@@ -32,7 +28,7 @@ from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
 from ..kernels.energy.work import accumulate_work
 from ..kernels.engine.addresses import address_of
-from ..kernels.engine.jit import cache_folder, module_of
+from ..kernels.engine.kept import file_of, trouble
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
@@ -78,16 +74,9 @@ class EntryPoint:
         return address_of(self.kernel, BY_ADDRESS[self.name])
 
     @property
-    def marker(self) -> Path | None:
-        """A file that exists if the machine code is probably on the disk; None where nothing is cached."""
-        function = self.kernel.py_func
-        folder = cache_folder(module_of(function))
-        if folder is None:
-            return None
-        # What numba's own files depend on, besides the folder.
-        processor = numba.config.CPU_NAME or llvmlite.binding.get_host_cpu_name()  # type: ignore[attr-defined]
-        kept_for = hashlib.sha256(f"{function.__code__.co_filename} {processor}".encode()).hexdigest()[:12]
-        return folder / f"{self.name}-{kept_for}.compiled"
+    def file(self) -> Path | None:
+        """The file that has its machine code, once that was compiled; None where nothing can be kept."""
+        return file_of(self.kernel, self.signature)
 
 
 def _entry_points() -> dict[str, EntryPoint]:
@@ -159,7 +148,7 @@ def fetch(names: Iterable[str]) -> None:
     run must not depend on that.
     """
     wanted = [ENTRY_POINTS[name] for name in names if not ENTRY_POINTS[name].ready]
-    missing = [point.name for point in wanted if point.marker is not None and not point.marker.exists()]
+    missing = [point.name for point in wanted if point.file is not None and not point.file.exists()]
     if missing:
         words = [sys.executable, "-m", "sim.compiling.precompile", *missing]
         # If it fails, this process compiles.
@@ -170,10 +159,8 @@ def fetch(names: Iterable[str]) -> None:
 
 def cache_trouble() -> str:
     """Why machine code cannot be kept from one start to the next, in words; empty where it can."""
-    if next(iter(ENTRY_POINTS.values())).marker is not None:
-        return ""
-    folder = platformdirs.user_cache_path("softrod", appauthor=False)
-    return f"compiled anew at every start, since the folder {folder} cannot be written"
+    reason = trouble()
+    return reason and f"compiled anew at every start, since {reason}"
 
 
 def is_ready(names: Iterable[str]) -> bool:
@@ -242,10 +229,10 @@ class Compiler:
         helper: subprocess.Popen[str] | None = None
         while not self._stopped and (name := self._take()) is not None:
             point = ENTRY_POINTS[name]
-            marker = point.marker
-            if marker is None:
+            file = point.file
+            if file is None:
                 self.compiles = True  # here, since a helper could not hand it over
-            elif not marker.exists():
+            elif not file.exists():
                 self.compiles = True
                 helper = helper or self._new_helper()
                 _ask(helper, name)

@@ -20,8 +20,6 @@ from ..scene.types import Pose, Scene
 from ..scene.validate import validate
 from .statics import Bools, Floats, Indices, Statics, Touch, Vectors
 
-_BALANCED = 1e-10
-"""Force that may be left at a mass, relative to the largest force on any: what counts as a balance."""
 _TOUCHES = 1e-6
 """Distance from a wall, as a part of a typical spring's length, at which a mass touches it."""
 _SINKINGS = 60
@@ -96,8 +94,8 @@ def keep_shape(scene: Scene, parts: Selection | None = None, allow_stiffening: b
     positions = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
     at = np.array(positions, float).reshape(-1, 2).view(np.complex128).ravel()
     body = Resting(scene, balanced=True)
-    statics, x, left = _balance(body, at, springs, joints)
-    if not _is_balanced(statics, left):
+    statics, x = _balance(body, at, springs, joints)
+    if x is None:
         raise _unheld(statics, parts is not None)
     x, stiffening, over = _within_bounds(statics, x)
     if stiffening > 1.0 and not allow_stiffening:
@@ -141,39 +139,35 @@ def _turned(scene: Scene, shift: float) -> tuple[AngularSpring, ...]:
 
 
 # ------------------------------------------------------------------------- the balance
-def _balance(body: Resting, at: Vectors, springs: Bools, joints: Bools) -> tuple[Statics, Floats, Floats]:
-    """The balance in a pose, what springs and joints bear in it, and the forces that are left.
+def _balance(body: Resting, at: Vectors, springs: Bools, joints: Bools) -> tuple[Statics, Floats | None]:
+    """The balance in a pose, and what springs and joints bear in it; None where there is none.
 
-    Where there is none, masses that touch walls are set as deep into them as these have to push. What they
-    push is an unknown; where it would have to pull, the mass does not touch after all.
+    In that case masses that touch walls are set as deep into them as these have to push, if that helps. What
+    they push is an unknown; where it would have to pull, the mass does not touch after all.
     """
     statics = Statics(body, at, springs, joints, Touch.none())
-    x, left = statics.solve(statics.stiffness)
+    x = statics.solve(statics.stiffness)
     touch = _touching(body, at)
-    if _is_balanced(statics, left) or not touch.mass.size:
-        return statics, x, left
     here = at
     for _ in range(_SINKINGS):
+        if x is not None or not touch.mass.size:
+            break
         trial = Statics(body, here, springs, joints, touch)
-        pushes = trial.solve(trial.stiffness)[0][trial.stiffness.size - touch.mass.size :]
+        borne = trial.solve(trial.stiffness)
+        if borne is None:
+            break
+        pushes = borne[borne.size - touch.mass.size :]
         pulls = pushes < 0.0
         if pulls.any():
             touch = touch.without(pulls)
-        else:
-            moved = _set_into_walls(body, here, touch, pushes)
-            change = float(np.abs(moved - here).max())
-            here = moved
-            if change <= _SUNK * float(np.abs(here).max()):
-                break
-        if not touch.mass.size:
-            return statics, x, left
-    sunk = Statics(body, here, springs, joints, Touch.none())
-    sunk_x, sunk_left = sunk.solve(sunk.stiffness)
-    return (sunk, sunk_x, sunk_left) if _is_balanced(sunk, sunk_left) else (statics, x, left)
-
-
-def _is_balanced(statics: Statics, left: Floats) -> bool:
-    return bool(np.abs(left).max(initial=0.0) <= _BALANCED * statics.scale)
+            continue
+        moved = _set_into_walls(body, here, touch, pushes)
+        change = float(np.abs(moved - here).max())
+        here = moved
+        if change <= _SUNK * float(np.abs(here).max()):
+            sunk = Statics(body, here, springs, joints, Touch.none())
+            return sunk, sunk.solve(sunk.stiffness)
+    return statics, x
 
 
 def _touching(body: Resting, at: Vectors) -> Touch:
@@ -225,13 +219,14 @@ def _within_bounds(statics: Statics, x: Floats) -> tuple[Floats, float, Floats]:
         if most <= 1.0:
             return x, 1.0, share
         stiffness = stiffness / np.maximum(share, 1.0)
-        x, left = statics.solve(stiffness)
-        if not _is_balanced(statics, left):
+        lighter = statics.solve(stiffness)
+        if lighter is None:
             break
+        x = lighter
     if statics.at.size <= _MOST_FOR_PROGRAM:
         even = statics.most_even()
         # The program lets all parts bear as much as the one that bears most, though they need not.
-        if float(statics.share(even).max()) < least * (1.0 - _ALIKE):
+        if even is not None and float(statics.share(even).max()) < least * (1.0 - _ALIKE):
             best = even
     share = statics.share(best)
     return best, max(1.0, float(share.max())), share
@@ -241,8 +236,8 @@ def _tighter(statics: Statics, x: Floats) -> Iterator[Floats]:
     """Solutions in which springs are drawn tighter and tighter, as far as there are any."""
     for taut in _TAUT:
         target = np.where(statics.is_spring, taut * statics.most, x)
-        tighter, left = statics.solve(statics.stiffness, target)
-        if _is_balanced(statics, left) and (statics.share(tighter) <= 1.0).all():
+        tighter = statics.solve(statics.stiffness, target)
+        if tighter is not None and (statics.share(tighter) <= 1.0).all():
             yield tighter
 
 

@@ -20,6 +20,7 @@ solve the same for other force laws by descent.)
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -51,6 +52,12 @@ _PLAIN_SHIFT = 1e-7
 """The same, where the mechanism itself is looked for."""
 _REFINEMENTS = 12
 """Largest number of iterative refinements."""
+BALANCED = 1e-10
+"""Force that may be left at a mass, as a part of the largest load on any, where all is in balance."""
+_EPSILON = 8.0 * float(np.finfo(float).eps)
+"""Rounding error of the force of an unknown, as a part of it."""
+_NONE = 1e-20
+"""What stands for nothing on the diagonal of the augmented system, so that it has an inverse."""
 _EXACT = 1e-13
 """Force that is left, relative to the largest, at which refinement ends."""
 
@@ -177,33 +184,64 @@ class Statics:
         shape = self.load.size, self.stiffness.size
         return coo_array((values, (rows, columns)), shape).tocsr()
 
-    def solve(self, stiffness: Floats, target: Floats | float = 0.0) -> tuple[Floats, Floats]:
-        """The unknowns that are closest to a target, and the forces that are left, kg px/s².
+    def solve(self, stiffness: Floats, target: Floats | float = 0.0) -> Floats | None:
+        """The unknowns in balance that are closest to a target, (m,), or None where there is no balance.
 
         Args:
             stiffness: (m,) D; unknowns with zero stay at the target.
             target: (m,) what they should be.
         """
-        x = np.zeros(self.stiffness.size) + target
-        left = self.load + self.matrix @ x
+        start = np.zeros(self.stiffness.size) + target
+        if self.is_balanced(start) or not stiffness.any():
+            return start if self.is_balanced(start) else None
         factors, weighted = self._factors(stiffness, _SHIFT)
+        x = self._refined(start, lambda left: -(weighted @ factors.solve(left)))
+        if self.is_balanced(x):
+            return x
+        try:
+            x = self._refined(start, self._augmented(stiffness))
+        except RuntimeError:  # a pivot is zero
+            return None
+        return x if self.is_balanced(x) else None
+
+    def _refined(self, x: Floats, correction: Callable[[Floats], Floats]) -> Floats:
+        """Iterative refinement: unknowns corrected for the forces that are left, as long as these shrink."""
         worst = np.inf
         for _ in range(_REFINEMENTS):
-            size = float(np.abs(left).max(initial=0.0))
-            if factors is None or size <= _EXACT * self.scale or not size < 0.9 * worst:
+            left = self.load + self.matrix @ x
+            size = float(np.abs(left).max())
+            if size <= _EXACT * self.scale or not size < 0.9 * worst:
                 break
             worst = size
-            move = weighted @ factors.solve(left)
-            if not np.isfinite(move).all():
-                break
-            x = x - move
-            left = self.load + self.matrix @ x
-        return x, left
+            x = x + correction(left)
+        return x
 
-    def _factors(
-        self, stiffness: Floats, shift: float, evenly: bool = False
-    ) -> tuple[SuperLU | None, csr_array]:
-        """The factors of B D Bᵀ, or None if it is empty, and D Bᵀ.
+    def is_balanced(self, x: Floats) -> bool:
+        """Whether unknowns balance the load: to `BALANCED` of the largest, or to their rounding errors."""
+        left = np.abs(self.load + self.matrix @ x)
+        return bool((left <= BALANCED * self.scale + _EPSILON * (abs(self.matrix) @ np.abs(x))).all())
+
+    def _augmented(self, stiffness: Floats) -> Callable[[Floats], Floats]:
+        """Corrections by the system that has unknowns and multipliers, whose condition number is the root of
+        that of B D Bᵀ: for long chains.
+
+            [ I   Aᵀ ] [ y ]   [  0 ]
+            [ A   0  ] [ l ] = [ -f ]   with A = B sqrt(D) and x = sqrt(D) y.
+        """
+        from scipy.sparse import block_array, diags_array, eye_array
+        from scipy.sparse.linalg import splu
+
+        root = np.sqrt(stiffness)
+        a = self.matrix @ diags_array(root)
+        size = float(abs(a).max())
+        a = a / size
+        none = eye_array(self.load.size) * -_NONE
+        factors = splu(block_array([[eye_array(root.size), a.T], [a, none]]).tocsc())
+        zeros = np.zeros(root.size)
+        return lambda left: root * factors.solve(np.concatenate((zeros, -left / size)))[: root.size]
+
+    def _factors(self, stiffness: Floats, shift: float, evenly: bool = False) -> tuple[SuperLU, csr_array]:
+        """The factors of B D Bᵀ, and D Bᵀ.
 
         Args:
             stiffness: (m,) D.
@@ -214,8 +252,6 @@ class Statics:
         from scipy.sparse.linalg import splu
 
         weighted = (diags_array(stiffness) @ self.matrix.T).tocsr()
-        if not self.load.size or not stiffness.size:
-            return None, weighted
         square = (self.matrix @ weighted).tocsc()
         diagonal = square.diagonal()
         typical = float(diagonal.max(initial=0.0)) or 1.0
@@ -226,12 +262,12 @@ class Statics:
 
     def mechanism(self) -> Vectors:
         """(n,) the part of the load that no unknown can bear, kg px/s²: a motion that nothing resists."""
-        # With the same shift everywhere, what is left is orthogonal to all that can be borne.
-        factors, weighted = self._factors(self.stiffness, _PLAIN_SHIFT, evenly=True)
         left = self.load.copy()
-        for _ in range(_REFINEMENTS * (factors is not None)):
-            assert factors is not None
-            left = left - self.matrix @ (weighted @ factors.solve(left))
+        if self.stiffness.any():
+            # With the same shift everywhere, what is left is orthogonal to all that can be borne.
+            factors, weighted = self._factors(self.stiffness, _PLAIN_SHIFT, evenly=True)
+            for _ in range(_REFINEMENTS):
+                left = left - self.matrix @ (weighted @ factors.solve(left))
         motion = np.zeros(self.free.size, complex)
         motion[self.free] = left.view(complex)
         return motion
@@ -240,8 +276,9 @@ class Statics:
         """(m,) the part of what each unknown can bear; springs bear any pressure."""
         return np.where(self.is_spring, x, np.abs(x)) / self.most
 
-    def most_even(self) -> Floats:
-        """(m,) unknowns in balance of which the largest `share` is least, by a linear program."""
+    def most_even(self) -> Floats | None:
+        """(m,) unknowns in balance of which the largest `share` is least, by a linear program, if it finds
+        them."""
         from scipy.optimize import linprog
         from scipy.sparse import csr_array, diags_array, eye_array, hstack, vstack
 
@@ -258,7 +295,7 @@ class Statics:
             bounds=[(None, None)] * count + [(0.0, None)], method="highs",
         )  # fmt: skip
         # Its solution is exact to some 1e-7 only.
-        return self.solve(self.stiffness, result.x[:-1] * self.most)[0]
+        return self.solve(self.stiffness, result.x[:-1] * self.most) if result.success else None
 
     def rest(self, x: Floats, stiffening: float) -> tuple[Floats, Floats]:
         """The rest length of each spring, px, and the rest angle of each joint, degrees; NaN where it is none

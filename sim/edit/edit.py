@@ -48,6 +48,7 @@ class Edit:
         masses, springs, joints: for each part of the new scene, its index in the old one.
         lost: (4, k) x, y (px), vx, vy (px/s) with which masses come back by an undo, in their order.
         shift: (2, n) px by which the edit moves the masses of the new scene, or None.
+        stops: whether all masses are at rest after it.
         select: what is to be selected afterwards; None for what was, as far as it is still there.
     """
 
@@ -58,6 +59,7 @@ class Edit:
     joints: Map = None
     lost: NDArray[np.float64] | None = None
     shift: NDArray[np.float64] | None = None
+    stops: bool = False
     select: Selection | None = None
 
     @property
@@ -107,9 +109,11 @@ def carried(edit: Edit, moment: Moment) -> Moment:
             starts = [scene.masses[i] for i in np.flatnonzero(new)]
             rows[:, new] = np.array([(*mass.position, *mass.velocity) for mass in starts], float).T
     held = [anchor.mass for anchor in scene.anchors]
-    if held or edit.shift is not None:
+    if held or edit.shift is not None or edit.stops:
         rows = rows.copy()
         rows[2:, held] = 0.0
+        if edit.stops:
+            rows[2:] = 0.0
         if edit.shift is not None:
             rows[:2] += edit.shift
     damage = _carried_damage(moment.damage, edit.springs, edit.joints)

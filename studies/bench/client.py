@@ -5,6 +5,7 @@ What a browser adds (shaders, drawing) is the same whatever is served; what is m
 
 from __future__ import annotations
 
+import socket
 import ssl
 import time
 from collections import deque
@@ -94,7 +95,8 @@ class Page:
         port: of the server, or of what stands before it.
         patience: seconds in which it must be possible to connect.
         path: of the WebSocket, without a slash at its beginning.
-        tls: with it, the connection is by TLS, to this machine as `localhost`.
+        tls: with it, the connection is by TLS.
+        name: what this machine is called then.
 
     Attributes:
         bytes: received so far.
@@ -102,9 +104,15 @@ class Page:
     """
 
     def __init__(
-        self, port: int, patience: float = 60.0, path: str = "", tls: ssl.SSLContext | None = None
+        self,
+        port: int,
+        patience: float = 60.0,
+        path: str = "",
+        tls: ssl.SSLContext | None = None,
+        name: str = "localhost",
     ) -> None:
-        self._address = f"127.0.0.1:{port}" if tls is None else f"localhost:{port}"
+        self._address = f"127.0.0.1:{port}" if tls is None else f"{name}:{port}"
+        self._port = port
         self._path, self._tls = path, tls
         self._patience = patience
         self._decoder = Decoder()
@@ -120,8 +128,9 @@ class Page:
         scheme = "ws" if self._tls is None else "wss"
         while True:
             try:
+                here = socket.create_connection(("127.0.0.1", self._port))
                 self._connection: ClientConnection = connect(
-                    f"{scheme}://{self._address}/{self._path}", **options
+                    f"{scheme}://{self._address}/{self._path}", sock=here, **options
                 )
                 break
             except (OSError, ConnectionClosed):

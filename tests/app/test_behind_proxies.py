@@ -1,4 +1,4 @@
-"""Two servers behind one proxy, as a school runs them: a room stays on its server."""
+"""Two servers behind one proxy, as a school runs them: a room stays on its server, and a page works."""
 
 from __future__ import annotations
 
@@ -14,13 +14,14 @@ from typing import get_args
 
 import msgspec
 import pytest
+from websockets.exceptions import InvalidStatus
 
 import sim
 from app.classroom import kept
 from app.classroom.live import Class, Classes
 from app.server.serve import serving
 from app.wire.from_page import Who
-from studies.bench.client import Page, saying
+from studies.bench.client import Page, is_frame, saying
 from tests.browser.wires import certified
 from tests.proxies import FOLDERS, Kind, Proxy
 
@@ -29,19 +30,21 @@ PUPILS = 3
 
 @dataclass
 class School:
-    """The proxy, and what is behind it, by its folders."""
+    """The proxy, and what is behind it, by its folders; `name`: what it is called."""
 
     proxy: Proxy
     tls: ssl.SSLContext
     rooms: dict[str, Class]
 
-    def page(self, folder: str, query: str) -> Page:
-        name = secrets.token_hex(16)
-        return Page(self.proxy.port, path=f"{folder[1:]}at/{name}?{query}", tls=self.tls)
+    name: str = "localhost"
 
-    def get(self, path: str) -> tuple[int, str]:
+    def page(self, folder: str, query: str) -> Page:
+        path = f"{folder[1:]}at/{secrets.token_hex(16)}?{query}"
+        return Page(self.proxy.port, path=path, tls=self.tls, name=self.name)
+
+    def get(self, path: str, **headers: str) -> tuple[int, str]:
         connection = http.client.HTTPSConnection("localhost", self.proxy.port, timeout=20, context=self.tls)
-        connection.request("GET", path)
+        connection.request("GET", path, headers={"Host": f"{self.name}:{self.proxy.port}", **headers})
         response = connection.getresponse()
         text = response.read().decode()
         connection.close()
@@ -111,3 +114,43 @@ def test_each_room_is_on_its_server_and_stays_there(school: School) -> None:
     here, there = FOLDERS
     with school.page(here, f"room={school.rooms[there].room.code}") as stray:
         assert "There is no class" in seat(stray, Who("f" * 32))[1]
+
+
+@pytest.mark.parametrize("kind", get_args(Kind))
+def test_a_page_works_with_the_option_and_says_which_one_it_lacks(kind: Kind, tmp_path: Path) -> None:
+    """By TLS, in a folder, under a name that is not the machine's own."""
+    certificate, key = certified(tmp_path)
+    proxy = Proxy(kind, tmp_path, certificate, key)
+    name = "school.example"
+    known, unknown = FOLDERS
+    with ExitStack() as stack:
+        servers = [
+            stack.enter_context(serving(sim.rope(), "127.0.0.1", 0, public_url=url))[0]
+            for url in (proxy.url(known, name), None)
+        ]
+        stack.enter_context(proxy.leading(*(server.get_port() for server in servers)))
+        school = School(proxy, ssl.create_default_context(cafile=certificate), {}, name)
+        site = proxy.url("", name)
+        origin = {"X-Softrod-Origin": site}
+
+        status, page = school.get(f"{known}s")  # as of a link to a scene
+        script = re.search(r'src="(softrod/\w+/page/main.js)"', page)
+        assert status == 200
+        assert script is not None
+        assert school.get(known + script[1])[0] == 200
+        with school.page(known, "scene=ring") as moving:
+            moving.wait_for(is_frame)
+        assert school.get(f"{known}reach", **origin) == (200, "")
+        assert not servers[0].gate.advice
+
+        # nginx goes by the server's own name, so that there is a page; a browser does not tell that why it is
+        # refused, so it asks. Caddy passes the visitor's name on.
+        refusal = 403 if kind == "nginx" else 421
+        assert school.get(unknown)[0] == (200 if kind == "nginx" else refusal)
+        with pytest.raises(InvalidStatus) as refused, school.page(unknown, ""):
+            pass
+        assert refused.value.response.status_code == refusal
+        status, said = school.get(f"{unknown}reach", **origin)
+        assert status == refusal
+        assert f"--public-url {site}/ (and the folder, if the page is in one)" in " ".join(said.split())
+        assert servers[1].gate.advice == [said.strip()]

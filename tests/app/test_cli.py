@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import csv
 import json
-import os
 import signal
 import socket
 import subprocess
 import sys
+import urllib.error
 import urllib.request
 from pathlib import Path
 
@@ -21,7 +21,6 @@ import sim
 from app.cli import main
 from app.page.tab import told_of_compiling
 from app.session.log import Keys, read_log
-from sim.compiling.compiler import EntryPoint
 from sim.errors import InputError
 
 Result = subprocess.CompletedProcess[str]
@@ -295,7 +294,6 @@ def test_a_cache_folder_that_cannot_be_written_is_said_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "file").write_bytes(b"")
-    monkeypatch.setattr(EntryPoint, "marker", None)
     monkeypatch.setattr(platformdirs, "user_cache_path", lambda *_, **__: tmp_path / "file")
     trouble = f"compiled anew at every start, since the folder {tmp_path / 'file'} cannot be written"
     result = softrod_here(capsys, "run", "ring", "--steps", "3", "--out", tmp_path / "ring.csv")
@@ -385,14 +383,20 @@ def test_a_scene_that_is_not_valid_is_not_served(tmp_path: Path, capsys: pytest.
 
 
 def test_an_open_address_says_what_it_exposes() -> None:
-    process, _ = start("ring", "--port", "0", "--host", "0.0.0.0")
+    process, address = start("ring", "--port", "0", "--host", "0.0.0.0")
     try:
+        # Who comes by a name that it does not know is told the option, and so is the terminal.
+        strange = urllib.request.Request(address.partition("#")[0], headers={"Host": "school.example"})
+        for _ in range(2):
+            with pytest.raises(urllib.error.HTTPError, match="421"):
+                urllib.request.urlopen(strange, timeout=30)
         process.send_signal(signal.SIGTERM)
         output = rest_of(process)
     finally:
         process.kill()
     assert "password" in output
-    assert os.linesep in output
+    assert output.count("A page was refused. softrod does not answer to the address school.example.") == 1
+    assert "start it with --allow-host school.example" in output
 
 
 def test_run_records_quantities_with_units_instead_of_positions(

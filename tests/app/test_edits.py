@@ -12,7 +12,8 @@ import pytest
 
 import sim
 from app.drawing.sketch import Mapping
-from app.page.edit.edits import Edits
+from app.page.body.view import picture_of
+from app.page.edit.edits import OFFER, Edits
 from app.session import commands
 from app.session.notices import Notice
 from app.wire.from_page import (
@@ -410,3 +411,66 @@ def test_forged_texts_are_none(fields: dict[str, Any]) -> None:
     good = {"do": "setTexts", "name": "a", "description": '"\n' * 1000}
     assert read(msgspec.json.encode(good).decode()) == SetTexts("a", good["description"])
     assert read(msgspec.json.encode({"do": "setTexts", **fields}).decode()) is None
+
+
+def test_a_body_keeps_its_shape_in_one_step_of_undo() -> None:
+    page = Page(sim.load_scene("rod"))
+    before = page.session.simulation.positions.copy()
+    scene = page.do(Act("keep"))
+    assert page.session.versions.undoable == "keep this shape"
+    page.frames(60, commands.Play(True))
+    assert np.abs(page.session.simulation.positions - before).max() < 1e-3
+    assert page.do(commands.Play(False), commands.Undo()).linear_springs != scene.linear_springs
+
+
+def test_in_motion_it_stops_where_it_is_and_starts_there() -> None:
+    page = Page(sim.load_scene("rod"))
+    page.frames(20, commands.Play(True))
+    page.frames(1, commands.Play(False))
+    there = page.session.simulation.positions.copy()
+    page.do(Act("keep"))
+    assert np.abs(page.session.simulation.velocities).max() == 0.0
+    page.frames(60, commands.Play(True))
+    assert np.abs(page.session.simulation.positions - there).max() < 1e-3
+    page.frames(1, commands.Play(False), commands.Reset())
+    assert np.abs(page.session.simulation.positions - there).max() < 1e-9
+
+
+def test_a_shape_that_cannot_be_kept_is_refused_with_the_motion_and_an_offer() -> None:
+    masses = tuple(sim.Mass(position=(100.0 * i, 0.0)) for i in range(3))
+    springs = tuple(sim.LinearSpring(a=i, b=i + 1, stiffness=1e4, rest_length=100.0) for i in range(2))
+    arm = sim.Scene(
+        name="arm",
+        masses=masses,
+        linear_springs=springs,
+        angular_springs=(sim.AngularSpring(a=0, b=1, stiffness=5.0),),
+        anchors=(sim.Anchor(mass=0), sim.Anchor(mass=1)),
+        gravity=(0.0, 1000.0),
+    )
+    page = Page(arm)
+    page.do(Act("keep"))
+    assert "joint 0 would need 2.31 times its stiffness" in page.session.notices.pop().text
+    assert page.letters.last(Versions).stiffen == pytest.approx(2.309, abs=1e-3)
+    assert picture_of(page.session).ghost is None
+    scene = page.do(Act("stiffen"))
+    assert scene.angular_springs[0].stiffness == pytest.approx(5.0 * 4.0 / math.sqrt(3.0))
+    assert page.letters.last(Versions).stiffen == 0.0
+    # Without the joint it turns; the way that it goes is drawn until something else is done.
+    page.do(commands.Undo(), Select(joints=(0,)), Act("remove"), Act("keep"))
+    assert "nothing keeps" in page.session.notices.pop().text
+    shown = picture_of(page.session).ghost
+    assert shown is not None
+    assert shown[2, 1] != 0.0
+    assert shown[:2].tolist() == [[0.0, 0.0], [100.0, 0.0]]
+    page.do(Act("pin", mass=2))
+    assert picture_of(page.session).ghost is None
+
+
+def test_who_draws_a_body_and_lets_it_go_is_told_once_what_keeps_it() -> None:
+    page = Page(sim.load_scene("empty"))
+    page.do(Place(0.1, 0.1), Line(a=0, end=(0.3, 0.1), start=(0.0, 0.0)))
+    assert not page.notices
+    for _ in range(2):
+        page.do(commands.Play(True))
+        page.do(commands.Play(False), commands.Reset())
+    assert [notice.text for notice in page.notices] == [OFFER]

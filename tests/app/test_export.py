@@ -161,7 +161,7 @@ def test_a_replay_loads_nothing_and_runs_one_script() -> None:
     script = re.search(r'<script type="module">(.*?)</script>', text, re.DOTALL)[1]  # type: ignore[index]
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     assert f"script-src 'sha256-{digest}'" in policy
-    assert not re.search(r'(?:src|href)="|url\(|https?://(?!www\.w3\.org)|style="|\son\w+="', text)
+    assert not re.search(r'(?:src|href)="(?!data:)|url\(|https?://(?!www\.w3\.org)|style="|\son\w+="', text)
 
 
 def test_nothing_of_a_scene_is_markup_in_a_replay() -> None:
@@ -267,7 +267,7 @@ def test_the_command_writes_all_four(tmp_path: Path, capsys: pytest.CaptureFixtu
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ((), "--png, --gif, --html, --live, --glb, --json, --csv, --python or --c"),
+        ((), "--live, --glb, --motion, --animation, --json, --csv, --python, --c or --javascript"),
         (("--gif", "a.png"), "must end in .gif"),
         (("--gif", "nowhere/a.gif"), "the folder nowhere does not exist"),
         (("--gif", "a.gif", "--seconds", 0), "0.2..60 s"),
@@ -301,10 +301,13 @@ def test_the_command_shows_a_recorded_log(tmp_path: Path, capsys: pytest.Capture
         session.tick(1.0)
     log = tmp_path / "log.jsonl"
     log.write_bytes(session.recorder.file())
-    out = tmp_path / "rope.html"
-    assert export("--inputs", log, "--html", out, "--seconds", 0.3) == 0
+    out, table = tmp_path / "rope.html", tmp_path / "rope.csv"
+    assert export("--inputs", log, "--html", out, "--motion", table, "--seconds", 0.3) == 0
     _, frames = parts(out.read_text())
     assert frames[-1][0] == pytest.approx(session.simulation.time)
+    rows = np.loadtxt(table, delimiter=",", skiprows=1)
+    assert rows[:, 0] == pytest.approx(np.arange(19) / 60)
+    assert rows[-1, 1:] == pytest.approx(session.simulation.positions.ravel(), abs=1e-3)
     assert "differs" not in capsys.readouterr().err
     assert export("ring", "--inputs", log, "--html", out) == 1
 

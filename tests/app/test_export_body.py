@@ -23,10 +23,13 @@ from app.export.body import program
 from app.export.body.body import Body
 from app.export.body.data import body_csv, body_json
 from app.export.body.program import LAWS_IN_PROGRAMS, c_program, plain, python_program
+from app.export.live.program import javascript_program
 from sim.errors import InputError
 from sim.forces.joints import LAWS, Law
 from sim.scene.types import Circle, Damage, ForceLaw
+from sim.settings import apply_assignments
 from tests.app.compiling_c import compiled
+from tests.page.check import NODE
 
 EULER = sim.Integrator(method="symplectic_euler")
 STEPS = 400
@@ -46,12 +49,22 @@ def printed(words: list[str]) -> np.ndarray:
     return np.array(run.stdout.split(), float).reshape(-1, 2)
 
 
+def by_javascript(module: Path, *lines: str) -> list[str]:
+    """The words that run lines of JavaScript after which the places of `body` are printed."""
+    start = f"import {{ createBody }} from {json.dumps(module.as_uri())}; const body = createBody();"
+    end = 'console.log([...body.positions].join(" "));'
+    return [str(NODE), "--input-type=module", "--eval", "\n".join((start, *lines, end))]
+
+
 def moved_by_programs(body: Body, folder: Path, steps: int = STEPS) -> list[np.ndarray]:
-    """Where the masses are in the end, by the program in Python and by that in C."""
+    """Where the masses are in the end, by the programs in Python, C and JavaScript."""
     (folder / "body.py").write_bytes(python_program(body)[0])
     (folder / "body.c").write_bytes(c_program(body)[0])
+    (folder / "body.mjs").write_bytes(javascript_program(body.moment)[0])
     python = [sys.executable, str(folder / "body.py"), str(steps)]
-    return [printed(python), printed([str(compiled(folder / "body.c")), str(steps)])]
+    c = [str(compiled(folder / "body.c")), str(steps)]
+    javascript = by_javascript(folder / "body.mjs", f"body.step({steps});")
+    return [printed(words) for words in (python, c, javascript)]
 
 
 def command(*words: object) -> int:
@@ -108,8 +121,9 @@ def test_programs_move_as_the_command_does(name: str, tmp_path: Path) -> None:
     words: list[object] = [tmp_path / "scene.json"]
     for setting in ("method=symplectic_euler", *settings):
         words += ["--set", setting]
-    files = {kind: tmp_path / f"body.{ending}" for kind, ending in (("python", "py"), ("c", "c"))}
-    assert command("export", *words, "--python", files["python"], "--c", files["c"]) == 0
+    endings = {"python": "py", "c": "c", "javascript": "mjs"}
+    files = {kind: tmp_path / f"body.{ending}" for kind, ending in endings.items()}
+    assert command("export", *words, *(word for kind in files for word in (f"--{kind}", files[kind]))) == 0
     table = tmp_path / "run.csv"
     assert command("run", *words, "--steps", STEPS, "--every", STEPS, "--out", table) == 0
     wanted = np.loadtxt(table, delimiter=",", skiprows=1)[2:].reshape(-1, 2)
@@ -117,6 +131,8 @@ def test_programs_move_as_the_command_does(name: str, tmp_path: Path) -> None:
     assert abs(wanted - start).max() > 1.0  # it is a motion
     assert printed([sys.executable, str(files["python"])]) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
     assert printed([str(compiled(files["c"]))]) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
+    javascript = by_javascript(files["javascript"], f"body.step({STEPS});")
+    assert printed(javascript) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
 
 
 def test_a_program_begins_at_the_moment_that_it_is_made_of(tmp_path: Path) -> None:
@@ -130,6 +146,15 @@ def test_a_program_begins_at_the_moment_that_it_is_made_of(tmp_path: Path) -> No
     simulation.restore(simulation.capture())
     simulation.step(STEPS)
     for places in moved_by_programs(body, tmp_path):
+        assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+
+
+def test_programs_of_a_scene_with_another_method_are_those_of_the_tutorials_step(tmp_path: Path) -> None:
+    scene = sim.load_scene("rod")
+    assert scene.integrator.method == "auto"
+    simulation = sim.Simulation(changed(scene, integrator=changed(scene.integrator, method=EULER.method)))
+    simulation.step(STEPS)
+    for places in moved_by_programs(body_of(scene), tmp_path):
         assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
 
 
@@ -165,6 +190,58 @@ def test_the_stable_spring_may_break_too(tmp_path: Path) -> None:
     simulation.step(100)
     for places in moved_by_programs(body, tmp_path, 100):
         assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+
+
+FREE = changed(sim.load_scene("tutorial-3.3"), bodies=(), integrator=EULER)
+PUSHED = (*FREE.masses[:3], changed(FREE.masses[3], force=(-900.0, 4000.0)), *FREE.masses[4:])
+HANDLED: dict[str, tuple[str, sim.Scene]] = {
+    "push": ("body.push(3, 90, 0); body.push(3, -900, 4000);", changed(FREE, masses=PUSHED)),
+    "hold": ("body.hold(5);", changed(FREE, anchors=(*FREE.anchors, sim.Anchor(mass=5)))),
+    "let go": ("body.hold(0); body.hold(0, false);", changed(FREE, anchors=())),
+    "bend": ("body.bend(385);", apply_assignments(FREE, ["rest_angle=25"])),
+    "stretch": ("body.stretch(1.25);", apply_assignments(FREE, ["rest_length_scale=1.25"])),
+}
+
+
+@pytest.mark.parametrize("name", HANDLED)
+def test_what_a_game_does_with_a_body_is_what_the_scene_could_have(name: str, tmp_path: Path) -> None:
+    lines, scene = HANDLED[name]
+    (tmp_path / "body.mjs").write_bytes(javascript_program(sim.Simulation(FREE).capture())[0])
+    simulation = sim.Simulation(scene)
+    simulation.step(STEPS)
+    places = printed(
+        by_javascript(tmp_path / "body.mjs", lines, f"body.advance({STEPS * FREE.integrator.dt});")
+    )
+    assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+
+
+def test_a_game_drags_a_mass_as_a_pointer_does(tmp_path: Path) -> None:
+    (tmp_path / "body.mjs").write_bytes(javascript_program(sim.Simulation(FREE).capture())[0])
+    simulation = sim.Simulation(FREE)
+    drags = []
+    for x, y in ((420.0, 180.0), (500.0, 250.0), (380.0, 320.0)):
+        simulation.follow(0, (x, y))
+        simulation.step(40)
+        drags.append(f"body.drag(0, {x}, {y}); body.step(40);")
+    places = printed(by_javascript(tmp_path / "body.mjs", *drags))
+    assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+    assert places[0].tolist() == [380.0, 320.0]
+
+
+def test_a_module_for_games_has_contact_and_gusts_and_a_step_that_is_stable(tmp_path: Path) -> None:
+    for name in ("pile", "tree"):
+        assert "cannot" not in "".join(javascript_program(sim.Simulation(sim.load_scene(name)).capture())[1])
+    out = tmp_path / "body.mjs"
+    assert command("export", "lesson-cantilever", "--javascript", out) == 0
+    head = " ".join(line.removeprefix("// ") for line in out.read_text().splitlines()[:24])
+    assert "its time step is 1/23 of the scene's 0.0025 s, which is above the largest stable one" in head
+    words = by_javascript(out, "if (!body.advance(1)) throw Error('it has run away');")
+    scene = apply_assignments(
+        sim.load_scene("lesson-cantilever"), ["method=symplectic_euler", f"dt={0.0025 / 23!r}"]
+    )
+    simulation = sim.Simulation(scene)
+    simulation.step(23 * 400)
+    assert printed(words) == pytest.approx(simulation.positions, abs=1e-6, rel=0.0)
 
 
 # ------------------------------------------------------------------------- templates
@@ -250,6 +327,9 @@ def test_nothing_of_a_scene_is_code_in_a_program(tmp_path: Path) -> None:
         scene = changed(LOOSE, title=text[:60], name=text[:60], view=sim.View(unit=text[:8]))
         hostile = moved_by_programs(body_of(scene), tmp_path, 3)
         assert all((one == other).all() for one, other in zip(plainly, hostile, strict=True))
+        head = (tmp_path / "body.mjs").read_text().partition("*/")[0]
+        assert head.isascii()
+        assert all(line.startswith("//") or not line for line in head.splitlines()[:-1])
         for name in ("body.c", "body.py"):
             bytes_ = (tmp_path / name).read_bytes()
             assert all(byte == 10 or 32 <= byte < 127 for byte in bytes_)
@@ -438,7 +518,7 @@ def test_a_program_refuses_a_law_that_it_does_not_know(monkeypatch: pytest.Monke
     body = body_of(BENT)
     scene = changed(body.scene, force_law="made-up")
     other = replace(body, moment=replace(body.moment, scene=scene))
-    for write in (python_program, c_program):
+    for write in (python_program, c_program, lambda body: javascript_program(body.moment)):
         with pytest.raises(InputError, match="a program cannot do the force law 'made-up', but tut"):
             write(other)
     assert set(LAWS_IN_PROGRAMS) == set(get_args(ForceLaw))

@@ -7,6 +7,7 @@ import html
 import json
 import re
 import subprocess
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,10 @@ from msgspec.structs import replace
 import sim
 from app.cli import main
 from app.export.live.data import body_data
+from app.export.live.lesson import MEASURED
 from app.export.live.live import live_html
+from app.export.live.program import javascript_program
+from sim.settings import set_value
 from sim.store.files import list_scenes
 from tests.page.check import FOLDER, NODE
 from tests.sim.fuzzing import wild_scene, wild_world
@@ -26,7 +30,8 @@ STEPS = 400
 CLOSE = 1e-9
 """px"""
 PRESETS = [info.name for info in list_scenes() if info.built_in]
-METHODS = {"symplectic_euler": "symplectic_euler", "velocity_verlet": "verlet"}
+EULER = "symplectic_euler"
+METHODS = {EULER: "symplectic_euler", "velocity_verlet": "verlet"}
 """The solver's, and the file's."""
 
 
@@ -39,7 +44,7 @@ def by(scene: sim.Scene, method: Any) -> sim.Scene:
 
 
 def by_script(scenes: list[sim.Scene], steps: int = STEPS) -> list[dict[str, np.ndarray]]:
-    """Where the masses of scenes are after some steps in the script of live files."""
+    """Where the masses of scenes are after some steps in the script of live files, and so in a program."""
     told = [
         {
             "data": body_data(sim.Simulation(scene).capture()),
@@ -49,15 +54,20 @@ def by_script(scenes: list[sim.Scene], steps: int = STEPS) -> list[dict[str, np.
         }
         for scene in scenes
     ]
-    return run_script(told)
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "program.mjs"
+        program.write_bytes(javascript_program(sim.Simulation(scenes[0]).capture())[0])
+        found = run_script(told, program)
+    assert all(one["same"].all() for one in found)
+    assert sum(one["same"].size for one in found) == sum(s.integrator.method == EULER for s in scenes)
+    return found
 
 
-def run_script(told: list[dict[str, Any]]) -> list[dict[str, np.ndarray]]:
+def run_script(told: list[dict[str, Any]], *program: Path) -> list[dict[str, np.ndarray]]:
     """What comes of bodies in the script, see `tests/page/steps.mjs`."""
     lines = "".join(json.dumps(one) + "\n" for one in told)
-    run = subprocess.run(
-        [NODE, FOLDER / "steps.mjs"], input=lines, capture_output=True, text=True, check=False
-    )
+    words = [NODE, FOLDER / "steps.mjs", *program]
+    run = subprocess.run(words, input=lines, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
     return [{k: np.array(v) for k, v in json.loads(line).items()} for line in run.stdout.splitlines()]
 
@@ -116,6 +126,25 @@ def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() 
     assert broke >= 10
 
 
+def test_what_has_yielded_before_yields_on_as_in_the_solver() -> None:
+    rope = sim.rope(masses=6, length=240.0, direction=(1.0, 0.0), driven=None)
+    springs = tuple(replace(s, yield_force=2e3, hardening=800.0) for s in rope.linear_springs)
+    joints = tuple(replace(j, yield_torque=1e5) for j in rope.angular_springs)
+    scene = by(replace(rope, linear_springs=springs, angular_springs=joints, bodies=()), EULER)
+    simulation = sim.Simulation(scene)
+    simulation.step(200)
+    moment = simulation.capture()
+    assert moment.damage is not None
+    assert min(map(any, (moment.damage.set_lengths, moment.damage.hardened, moment.damage.set_angles)))
+    told = {"data": body_data(moment), "method": EULER, "h": scene.integrator.dt, "count": 200}
+    simulation.step(200)
+    assert simulation.damage is not None
+    assert simulation.damage.hardened != moment.damage.hardened
+    found = run_script([told])[0]
+    assert np.abs(found["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
+    assert found["setLength"] == pytest.approx(np.array(simulation.damage.set_lengths), abs=1e-9)
+
+
 def test_a_step_of_the_tutorial_is_its_own_also_where_keys_are_held() -> None:
     scene = sim.load_scene("tutorial-3.3")
     simulation = sim.Simulation(scene)
@@ -131,6 +160,42 @@ def test_a_step_of_the_tutorial_is_its_own_also_where_keys_are_held() -> None:
         "presses": presses,
     }
     assert np.abs(run_script([told])[0]["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
+
+
+def test_what_is_measured_has_the_names_and_values_of_the_solver() -> None:
+    for name in ("tutorial-3.3", "girder", "lesson-laws"):
+        scene = by(sim.load_scene(name), "symplectic_euler")
+        last = {"joint": len(scene.angular_springs) - 1, "spring": len(scene.linear_springs) - 1}
+        last["mass"] = len(scene.masses) - 1
+        names = [f"{of}{last.get(of, '')}.{what}" for of, what in sorted(MEASURED) if last.get(of, 0) >= 0]
+        told = {"data": body_data(sim.Simulation(scene).capture()), "method": "symplectic_euler"}
+        told |= {"h": scene.integrator.dt, "count": 50, "measures": names}
+        measured = run_script([told])[0]["measured"]
+        simulation = moved(scene, 50)
+        for one, value in zip(names, measured, strict=True):
+            right = sim.quantity(one, scene).read(simulation)
+            assert value == pytest.approx(right, rel=1e-6, abs=1e-6 * (1.0 + abs(right))), (name, one)
+
+
+def test_sliders_set_what_they_set_in_the_page() -> None:
+    changes = {
+        "flag-pole": {"wind_speed": 900.0, "wind_direction": 35.0, "turbulence": 0.3, "gravity": 100.0},
+        "jelly": {"wall_friction": 1.5, "linear_stiffness": 9000.0, "linear_damping": 3.0},
+        "pile": {"contact_stiffness": 400.0, "contact_friction": 1.2, "air_friction": 0.002},
+        "tutorial-3.3": {"rest_angle": 25.0, "rest_length_scale": 1.3, "angular_stiffness": 700.0},
+        "tutorial-3.2": {"template": 90.0},
+    }
+    for name, values in changes.items():
+        scene = by(sim.load_scene(name), "symplectic_euler")
+        about = about_of(live_html(sim.Simulation(scene).capture())[0])
+        settings = {setting["key"]: setting for setting in about["settings"]}
+        other = scene
+        for key, value in values.items():
+            other = set_value(other, key, value)
+        told = {"data": about["body"], "method": "symplectic_euler", "h": scene.integrator.dt, "count": 100}
+        told["set"] = [[settings[key], value] for key, value in values.items()]
+        off = np.abs(run_script([told])[0]["positions"].reshape(-1, 2) - moved(other, 100).positions).max()
+        assert off < 1e-6, (name, off)
 
 
 # ------------------------------------------------------------------------- the file
@@ -149,7 +214,6 @@ def test_the_files_of_all_presets_are_small_and_say_what_they_cannot_do() -> Non
         text = html.unescape(data.decode())
         for note in notes:
             assert note in text
-        assert (scene.lesson is not None) == any("lesson" in note for note in notes)
         if scene.integrator.method == "symplectic_euler":
             assert about_of(data)["dt"] == scene.integrator.dt
 
@@ -160,15 +224,17 @@ def test_a_file_asks_nobody_and_runs_nothing_but_its_script() -> None:
     assert policy is not None
     rules = dict(rule.split(" ", 1) for rule in policy[1].split("; "))
     assert rules["default-src"] == "'none'"
-    assert re.fullmatch(r"'sha256-[\w+/=]+'", rules["script-src"])
-    assert not re.search(r"""(src|href|action)\s*=|@import|url\(|fetch\(|XMLHttp|WebSocket|import\(""", text)
+    assert re.fullmatch(r"'sha256-[\w+/=]+' 'sha256-[\w+/=]+'", rules["script-src"])
+    assert not re.search(
+        r"""(src|href|action)\s*=(?!"data:)|@import|url\(|fetch\(|XMLHttp|WebSocket|import\(""", text
+    )
 
 
 def test_what_comes_from_a_scene_is_text() -> None:
     wicked = "</script><script>alert(1)</script><img src=x onerror=alert(1)>\u2028"
     scene = replace(sim.load_scene("rope"), title=wicked[:60], description=wicked)
     text = live_html(sim.Simulation(scene).capture())[0].decode()
-    assert text.count("<script") == text.count("</script>") == 2
+    assert text.count("<script") == text.count("</script>") == 3
     assert "<img" not in text
     unit = replace(scene, view=replace(scene.view, unit="<b>"))
     assert "<b>" not in live_html(sim.Simulation(unit).capture())[0].decode().partition("<body>")[2]

@@ -1,23 +1,48 @@
-"""Presets are found from a checkout, from a wheel and from an installed tool; the package is what it says."""
+"""What is built has all that runs and nothing else; installed, it runs without a checkout and a network."""
 
 from __future__ import annotations
 
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
+import tarfile
 import tomllib
+import urllib.request
 import zipfile
+from collections.abc import Iterator
+from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
+import platformdirs
 import pytest
+from packaging.metadata import Metadata
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+import sim
+from sim.compiling.compiler import ENTRY_POINTS, fetch
+from studies.bench.client import FRAME_TIME, Page, is_frame
+
 ROOT = Path(__file__).parents[2]
-LIST = "import sim; print(*(info.name for info in sim.list_scenes() if info.built_in)); print(sim.__file__)"
+PACKAGES = ("app", "sim", "studies")
+
+OFFLINE = """
+import sys
+
+def refuse(event, args):
+    if event in ("socket.connect", "socket.sendto", "socket.getaddrinfo"):
+        address = args[0] if event == "socket.getaddrinfo" else args[1]
+        host = address if isinstance(address, str | None) else address[0]
+        if host not in (None, "", "localhost", "127.0.0.1", "::1"):
+            raise PermissionError(f"{host} is outside")
+
+sys.addaudithook(refuse)
+"""
+"""What every Python of the installed environment does first: it reaches nothing but this machine."""
 
 
 def run(*words: str | Path, **options) -> str:
@@ -28,6 +53,12 @@ def run(*words: str | Path, **options) -> str:
     return done.stdout
 
 
+def tracked() -> set[str]:
+    """The files of the checkout, but for those that git is told to ignore."""
+    listed = run("git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", cwd=ROOT)
+    return {name for name in listed.split("\0") if name and (ROOT / name).exists()}
+
+
 @pytest.fixture(scope="module")
 def uv() -> str:
     found = os.environ.get("UV") or shutil.which("uv")  # `uv run` says where it is
@@ -36,58 +67,182 @@ def uv() -> str:
 
 
 @pytest.fixture(scope="module")
-def wheel(uv: str, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def built(uv: str, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """The wheel and the sdist, as they are published: the wheel is made from the sdist."""
     out = tmp_path_factory.mktemp("dist")
-    run(uv, "build", "--wheel", "--quiet", "--out-dir", out, ROOT)
-    return next(out.glob("*.whl"))
+    run(uv, "build", "--quiet", "--out-dir", out, ROOT)
+    return next(out.glob("*.whl")), next(out.glob("*.tar.gz"))
 
 
-def test_the_wheel_has_everything_that_runs(wheel: Path) -> None:
-    names = set(zipfile.ZipFile(wheel).namelist())
-    folder = ROOT / "presets"
-    presets = {f"sim/presets/{path.relative_to(folder).as_posix()}" for path in folder.glob("**/*.json")}
-    assert len(presets) >= 15
-    assert presets <= names
-    assert {
-        "sim/py.typed",
-        "app/py.typed",
-        "app/drawing/static/draw.js",
-        "app/page/main.js",
-        "app/page/page.css",
-        "app/export/body/templates/program.c",
-        "studies/bench/fused.c",
-        "studies/py.typed",
-    } <= names
-    assert not any(name.startswith("tests/") for name in names)
-    metadata = next(name for name in names if name.endswith("METADATA"))
-    assert "Private :: Do Not Upload" in zipfile.ZipFile(wheel).read(metadata).decode()
+@dataclass
+class Installed:
+    """The wheel in an environment of its own, for a user of its own.
+
+    Attributes:
+        environment: where it is installed.
+        home: the user's folder, where the programs run.
+        env: variables of their environment, no more.
+    """
+
+    environment: Path
+    home: Path
+    env: dict[str, str]
+
+    def command(self, *words: str | Path) -> list[str]:
+        return [str(self.environment / "bin" / "softrod"), *map(str, words)]
+
+    def softrod(self, *words: str | Path) -> str:
+        """What a command prints."""
+        return run(*self.command(*words), cwd=self.home, env=self.env)
+
+    def python(self, code: str) -> str:
+        """What a program prints."""
+        return run(self.environment / "bin" / "python", "-c", code, cwd=self.home, env=self.env)
 
 
-def test_presets_are_found_from_a_wheel(wheel: Path, tmp_path: Path) -> None:
-    """Unpacked as an installer does, away from the checkout."""
-    site = tmp_path / "site"
-    zipfile.ZipFile(wheel).extractall(site)
-    names, where = run(sys.executable, "-c", LIST, cwd=tmp_path, env={"PYTHONPATH": str(site)}).splitlines()
-    assert Path(where).is_relative_to(site)
-    assert {"tutorial-3.1", "tutorial-3.2", "tutorial-3.3", "ring", "box", "flag-pole", "hair-tuft"} <= set(
-        names.split()
+@pytest.fixture(scope="module")
+def installed(uv: str, built: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory) -> Installed:
+    folder = tmp_path_factory.mktemp("installed")
+    environment, home, constraints = folder / "environment", folder / "home", folder / "constraints.txt"
+    home.mkdir()
+    # What `uv sync` has fetched, so that nothing else is.
+    constraints.write_text("\n".join(map(str, declared()["constraints"])))
+    run(uv, "venv", "--quiet", "--python", sys.executable, environment)
+    python = environment / "bin" / "python"
+    run(
+        uv, "pip", "install", "--quiet", "--python", python, "--constraint", constraints, built[0], cwd=folder
     )
+    packages = Path(run(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))").strip())
+    (packages / "offline.py").write_text(OFFLINE)
+    (packages / "offline.pth").write_text("import offline\n")
+    # The user's machine code is the one thing that both have.
+    fetch(ENTRY_POINTS)
+    caches = platformdirs.user_cache_path("softrod", appauthor=False).parent
+    env = {"HOME": str(home), "XDG_DATA_HOME": str(home / "data"), "XDG_CACHE_HOME": str(caches)}
+    return Installed(environment, home, env | {"PATH": os.defpath, "MPLCONFIGDIR": str(home / "matplotlib")})
 
 
-def test_presets_are_found_from_a_checkout(tmp_path: Path) -> None:
-    names, where = run(sys.executable, "-c", LIST, cwd=tmp_path, env={"PYTHONPATH": str(ROOT)}).splitlines()
-    assert Path(where).is_relative_to(ROOT)
-    assert "tutorial-3.3" in names.split()
+# ------------------------------------------------------------------------- what is built
+def test_the_wheel_is_the_packages_and_the_presets(built: tuple[Path, Path]) -> None:
+    names = {name for name in zipfile.ZipFile(built[0]).namelist() if ".dist-info/" not in name}
+    expected = {name for name in tracked() if name.startswith(tuple(f"{one}/" for one in PACKAGES))}
+    expected |= {f"sim/{name}" for name in tracked() if name.startswith("presets/")}
+    assert names == expected
+    assert {"sim/py.typed", "app/page/main.js", "app/page/page.css", "sim/presets/rope.json"} <= names
 
 
-def test_presets_are_found_from_an_installed_tool(uv: str, tmp_path: Path) -> None:
-    places = {"UV_TOOL_DIR": tmp_path / "tools", "UV_TOOL_BIN_DIR": tmp_path / "bin"}
-    env = {**os.environ, **{name: str(path) for name, path in places.items()}}
-    env.pop("VIRTUAL_ENV", None)
-    run(uv, "tool", "install", "--quiet", "--python", sys.executable, ROOT, env=env, cwd=tmp_path)
-    listed = run(tmp_path / "bin" / "softrod", "scenes", env=env, cwd=tmp_path)
-    assert "tutorial-3.3" in listed
-    assert "hair-tuft" in listed
+def test_a_wheel_made_from_the_sdist_is_that_made_from_the_checkout(
+    uv: str, built: tuple[Path, Path], tmp_path: Path
+) -> None:
+    run(uv, "build", "--wheel", "--quiet", "--out-dir", tmp_path, ROOT)
+    there, here = (zipfile.ZipFile(path) for path in (built[0], next(tmp_path.glob("*.whl"))))
+    assert {one.filename: one.CRC for one in there.infolist()} == {
+        one.filename: one.CRC for one in here.infolist()
+    }
+
+
+def test_the_sdist_has_what_tests_it_and_nothing_of_this_place(built: tuple[Path, Path]) -> None:
+    with tarfile.open(built[1]) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    assert names <= tracked() | {"PKG-INFO"}
+    tops = {name.partition("/")[0] for name in names}
+    assert {*PACKAGES, "presets", "schema", "tests", "docs", "examples"} <= tops
+    assert not tops & {".ci", "uv.lock"}
+
+
+def test_an_index_takes_its_metadata(built: tuple[Path, Path]) -> None:
+    wheel = zipfile.ZipFile(built[0])
+    text = wheel.read(next(name for name in wheel.namelist() if name.endswith("/METADATA")))
+    metadata = Metadata.from_email(text, validate=True)  # hatchling has looked at the classifiers
+    assert metadata.description == (ROOT / "README.md").read_text(encoding="utf-8")
+    assert metadata.description_content_type == "text/markdown"
+    assert str(metadata.requires_python) == ">=3.11"
+    assert not any(one.startswith("Private ::") for one in metadata.classifiers or ())
+
+
+# ------------------------------------------------------------------------- what is installed
+def test_it_reaches_nothing_outside_and_finds_what_another_environment_compiled(installed: Installed) -> None:
+    code = """
+import urllib.request
+import sim
+from sim.compiling.compiler import Compiler, is_ready
+try:
+    urllib.request.urlopen("http://192.0.2.1/", timeout=1)
+except OSError as error:
+    print(error.reason)
+compiler = Compiler()
+compiler.start()
+compiler.wait()
+print(compiler.compiles, compiler.progress[0])
+print(sim.__file__)
+"""
+    refused, compiled, where = installed.python(code).splitlines()
+    assert refused == "192.0.2.1 is outside"
+    assert compiled == f"False {len(ENTRY_POINTS)}"
+    assert Path(where).is_relative_to(installed.environment)
+
+
+def test_its_commands_work(installed: Installed) -> None:
+    presets = {info.name for info in sim.list_scenes() if info.built_in}
+    listed = {line.split()[0] for line in installed.softrod("scenes").splitlines() if line.strip()}
+    assert presets <= listed
+    schema = (ROOT / "schema" / "scene-3.schema.json").read_text(encoding="utf-8")
+    assert installed.softrod("schema") == schema
+    (folder,) = installed.environment.glob("lib/*/site-packages/sim/presets")
+    files = sorted(folder.rglob("*.json"))
+    assert len(files) == len(presets)
+    assert installed.softrod("check", *files).count("is valid") == len(files)
+
+
+def test_it_exports_everything(installed: Installed) -> None:
+    kinds = {
+        "html": "html",
+        "png": "png",
+        "glb": "glb",
+        "json": "json",
+        "csv": "zip",
+        "python": "py",
+        "c": "c",
+    }
+    files = {kind: installed.home / f"{kind}.{ending}" for kind, ending in {**kinds, "live": "html"}.items()}
+    words = [word for kind, file in files.items() for word in (f"--{kind}", file)]
+    installed.softrod("export", "ring", "--seconds", "0.2", *words)
+    assert all(file.stat().st_size > 1000 for file in files.values())
+
+
+@pytest.fixture
+def served(installed: Installed) -> Iterator[str]:
+    """The address of its page."""
+    words = installed.command("tree", "--port", "0", "--no-open")
+    with subprocess.Popen(
+        words, cwd=installed.home, env=installed.env, stdout=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdout is not None
+        try:
+            said = process.stdout.readline()
+            yield said.split()[3]
+        finally:
+            process.send_signal(signal.SIGINT)
+            rest = process.stdout.read()
+    assert process.returncode == 0
+    assert "softrod has ended." in rest
+
+
+def test_its_page_comes_and_moves(served: str) -> None:
+    def read(address: str) -> str:
+        with urllib.request.urlopen(address, timeout=30) as answer:
+            return answer.read().decode()
+
+    page = read(f"{served}/")
+    scripts = re.findall(r'(?:src|href)="(softrod/[^"]+)"', page)
+    assert any(script.endswith("/page/main.js") for script in scripts)
+    for script in scripts:
+        assert len(read(f"{served}/{script}")) > 100
+    with Page(int(served.rpartition(":")[2])) as moving:
+        first = moving.wait_for(is_frame)["numbers"]
+        moving.wait_for(
+            lambda message: is_frame(message) and message["numbers"][FRAME_TIME] > first[FRAME_TIME]
+        )
 
 
 def test_the_solver_is_tested_without_the_page() -> None:

@@ -201,8 +201,8 @@ def open_page(
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """A test that fails is run once more, since a browser on a loaded machine is late now and then. The summary
-    names it all the same: it is to wait for what it looks at."""
+    """A test that fails is run once more, since a browser on a loaded machine is late now and then. The
+    summary names it all the same: it is to wait for what it looks at."""
     for item in items:
         if item.path.is_relative_to(Path(__file__).parent):
             item.add_marker(pytest.mark.flaky(reruns=1))

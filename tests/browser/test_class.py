@@ -19,6 +19,7 @@ import sim
 from app.classroom import kept
 from app.classroom.live import Class, Classes
 from app.classroom.room import Ghost, Line, Phase, Vote, Work
+from app.export.live.live import live_html
 from app.page.classroom.roles import desk_address, seat_address, wall_address
 from app.server.serve import serving
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
@@ -328,3 +329,78 @@ def test_a_page_without_the_secret_is_no_teachers(school: School) -> None:
     page.wait_for_timeout(500)
     assert page.locator(".softrod-desk").count() == 0
     assert school.klass.teachers == 0
+
+
+def test_answers_from_the_lessons_file_by_code_and_as_a_file(
+    school: School, browser: Browser, tmp_path: Path
+) -> None:
+    """A pupil without the class's network has the lesson as one file; the teacher brings what it gave."""
+    path = tmp_path / "swing.html"
+    path.write_bytes(live_html(sim.Simulation(a_lesson()).capture())[0])
+    context = browser.new_context(viewport={"width": PHONE[0], "height": PHONE[1]}, offline=True)
+    page = context.new_page()
+    page.on("pageerror", lambda error: school.errors.append(str(error)))
+    page.goto(path.as_uri())
+
+    # It waits for the prediction, which is dragged while time stands, and for the answer.
+    time = "__softrod.now().body.time"
+    there = """() => {
+      const { body } = __softrod.now(), { plan } = __softrod, on = __softrod.place();
+      const { left, top } = document.querySelector("canvas").getBoundingClientRect();
+      const { x, y, scale, flip } = plan();
+      const [right, up] = [(body.positions[2] - x) * scale, (body.positions[3] - y) * scale * flip];
+      return [left + on.x + on.step * right, top + on.y - on.step * up];
+    }"""
+    until(page, lambda: page.evaluate("Boolean(window.__softrod)"), "the file is there")
+    x, y = page.evaluate(there)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x, y + 30.0, steps=3)
+    dragged = until(page, lambda: (now := page.evaluate(there))[1] > y + 25.0 and now, "it is dragged")
+    assert dragged[0] == pytest.approx(x, abs=2.0)
+    page.mouse.up()
+    predicted = page.evaluate("__softrod.now().body.positions[3]")
+    page.get_by_role("button", name="It will be there").click()
+    assert page.evaluate(time) == 0.0
+    page.get_by_role("button", name="at 240").click()
+    until(page, lambda: page.evaluate(time) >= 0.5, "it stands at the moment that was predicted")
+    page.get_by_role("button", name="Play").wait_for()
+    assert page.evaluate(time) < 1.0
+    page.get_by_role("button", name="Play").click()
+    expect(page.locator(".softrod-goal")).to_contain_text("Reached")
+    page.get_by_label("In your own words").fill("<b>Energy</b> stays")
+    page.get_by_role("button", name="What is right?").click()
+    expect(page.locator(".softrod-verdict")).to_have_text("That is right. Energy.")
+    # All of it is there again after a reload.
+    page.reload()
+    expect(page.locator(".softrod-verdict")).to_have_text("That is right. Energy.")
+    page.get_by_text("Hand in your answers").click()
+    page.get_by_label("Your name").fill("Zoë")
+    code = page.locator("#answers code")
+    expect(code).to_have_text(re.compile(r"^SR1[A-Z2-7]{20,147}$"))
+    text = code.inner_text()
+    with page.expect_download() as saving:
+        page.get_by_role("button", name="Save answers").click()
+    saved = tmp_path / saving.value.suggested_filename
+    saving.value.save_as(saved)
+    assert saved.name == "answers-Zoë.json"
+    context.close()
+
+    desk = school.open(desk_address(school.base, school.klass), LAPTOP)
+    desk.get_by_text("Answers from files").click()
+    box = desk.locator(".softrod-brought")
+    box.get_by_label("Or the text").fill(f"{text[:-1]}{'A' if text[-1] != 'A' else 'B'} {text}")
+    desk.keyboard.press("Enter")
+    expect(box.locator("li")).to_have_count(2)
+    expect(box.locator("li").first).to_contain_text("Zoë: 3 answers")
+    expect(box.locator("li").last).to_contain_text("scan it again")
+    box.get_by_label("Their files").set_input_files([saved])
+    expect(box.locator("li").first).to_contain_text("1 answer, 2 had been brought before")
+    room = school.klass.room
+    [ghost] = room.given(0, 0, Ghost)
+    assert isinstance(ghost.content, Ghost)
+    assert ghost.content.points[1][1] == pytest.approx(predicted)
+    assert [answer.content for answer in room.given(0, 0, Vote)] == [Vote(1)]
+    assert [answer.content for answer in room.given(0, 0, Line)] == [Line("<b>Energy</b> stays")]
+    ARTIFACTS.mkdir(exist_ok=True)
+    desk.screenshot(path=ARTIFACTS / "class-brought.png")

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
@@ -14,22 +11,14 @@ from playwright.sync_api import Browser
 import sim
 from app.server.serve import serving
 from tests.browser.driver import LIMIT, until
-
-
-class Quiet(SimpleHTTPRequestHandler):
-    """Serves files, and writes no log."""
-
-    def log_message(self, format: str, *args: object) -> None:
-        """Say nothing."""
+from tests.browser.sites import served
 
 
 @pytest.fixture
 def site(tmp_path: Path) -> Iterator[tuple[str, Path]]:
     """Another site: its origin, and the folder of its pages."""
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(tmp_path))) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://localhost:{server.server_address[1]}", tmp_path
-        server.shutdown()
+    with served(tmp_path) as port:
+        yield f"http://localhost:{port}", tmp_path
 
 
 @pytest.mark.parametrize("allowed", [True, False])

@@ -91,6 +91,16 @@ def test_files_come_from_the_buttons_and_a_short_past_is_told(open_page: OpenPag
     assert film.n_frames > 5  # type: ignore[attr-defined]
     name, data = download(desk, "3D model")
     assert (name, data[:4]) == ("ring.glb", b"glTF")
+    name, data = download(desk, "Animated model")
+    assert (name, data[:4]) == ("ring.motion.glb", b"glTF")
+    name, data = download(desk, "Keyframes")
+    assert name == "ring.motion.csv"
+    rows = np.loadtxt(io.BytesIO(data), delimiter=",", skiprows=1)
+    assert len(rows) > 20
+    assert np.allclose(np.diff(rows[:, 0]), 1 / 60)
+    # What the page shows is in the last frame, or after it.
+    steps = np.abs(np.diff(rows[-3:, 1:], axis=0)).max()
+    assert np.abs(rows[-1, 1:].reshape(-1, 2) - desk.simulation.positions).max() < 2.0 * steps
     name, data = download(desk, "Replay file")
     assert (name, data[:15]) == ("ring.html", b"<!doctype html>")
     name, data = download(desk, "Picture")
@@ -120,6 +130,9 @@ def test_the_body_comes_as_numbers_and_as_programs(open_page: OpenPage) -> None:
     assert "symplectic Euler" in desk.notice("About the program")
     name, data = download(desk, "C")
     assert (name, data[:2]) == ("ring.c", b"//")
+    name, data = download(desk, "JavaScript")
+    assert name == "ring.js"
+    assert b"export const createBody" in data
 
 
 def test_a_page_says_what_a_program_cannot_do(open_page: OpenPage) -> None:

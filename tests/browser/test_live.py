@@ -119,18 +119,60 @@ def test_by_keys_alone(open_file: Open) -> None:
     assert "let go" in said.inner_text()
 
 
+def test_looks_and_the_pointer_that_is_followed_by_keys(open_file: Open) -> None:
+    page = open_file("tutorial-3.2")
+    paper = "getComputedStyle(document.body).backgroundColor"
+    height = "document.querySelector('h1').getBoundingClientRect().height"
+    before = page.evaluate(f"[{paper}, {height}]")
+    page.keyboard.press("d")
+    page.keyboard.press("p")
+    dark, larger = page.evaluate(f"[{paper}, {height}]")
+    assert (before[0], dark) == ("rgb(255, 255, 255)", "rgb(20, 20, 20)")
+    assert larger > 1.3 * before[1]
+    page.keyboard.press("p")
+    assert page.evaluate(height) == before[1]
+    page.keyboard.press("?")
+    assert page.get_by_role("dialog").get_by_text("follows the pointer").is_visible()
+    page.keyboard.press("Escape")
+    page.keyboard.press("f")
+    follow = page.get_by_role("button", name="Follow the pointer")
+    until(page, lambda: follow.get_attribute("aria-pressed") == "true", "it follows")
+    driven = page.evaluate("__softrod.plan().driven")
+    x, y = place(page, driven)
+    page.mouse.move(x - 90.0, y - 60.0, steps=5)
+    until(page, lambda: abs(place(page, driven)[0] - x + 90.0) < 2.0, "the ringed mass is at the pointer")
+    page.keyboard.press("f")
+    page.mouse.move(x, y, steps=5)
+    until(page, lambda: follow.get_attribute("aria-pressed") == "false", "it does not any more")
+    assert abs(place(page, driven)[0] - x) > 20.0
+
+
 def test_by_touch_on_a_phone_and_nothing_lies_over_another(open_file: Open) -> None:
     page = open_file("rope", size=(390, 844), has_touch=True)
     page.get_by_role("button", name="Pause").click()
-    x, y = place(page, 11)
-    touch = {"pointerType": "touch", "pointerId": 5, "isPrimary": True, "bubbles": True, "cancelable": True}
-    canvas = page.locator("canvas")
-    # What a finger does; a capture needs a real one.
-    page.evaluate("HTMLCanvasElement.prototype.setPointerCapture = () => {}")
-    canvas.dispatch_event("pointerdown", {**touch, "clientX": x + 10.0, "clientY": y + 10.0})
-    canvas.dispatch_event("pointermove", {**touch, "clientX": x + 80.0, "clientY": y - 60.0})
-    until(page, lambda: abs(place(page, 11)[0] - x - 80.0) < 4.0, "the mass follows the finger")
-    canvas.dispatch_event("pointerup", {**touch, "clientX": x + 80.0, "clientY": y - 60.0})
+    # Two fingers, each with a mass.
+    fingers = page.context.new_cdp_session(page)
+    starts = [place(page, mass) for mass in (3, 11)]
+
+    def touch(kind: str, x: float, y: float) -> None:
+        points = [{"x": at[0] + way * x, "y": at[1] + way * y, "id": i} for i, (at, way) in pairs]
+        fingers.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    pairs = list(enumerate(zip(starts, (-1.0, 1.0), strict=True)))
+    touch("touchStart", 0.0, 0.0)
+    for part in (0.25, 0.5, 0.75, 1.0):
+        touch("touchMove", 60.0 * part, -50.0 * part)
+    for (_, (start, way)), mass in zip(pairs, (3, 11), strict=True):
+        until(
+            page,
+            lambda mass=mass, start=start, way=way: (
+                abs(place(page, mass)[0] - start[0] - way * 60.0) < 4.0
+                and abs(place(page, mass)[1] - start[1] + way * 50.0) < 4.0
+            ),
+            f"mass {mass} follows its finger",
+        )
+    fingers.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    until(page, lambda: not page.locator("canvas.holds").count(), "nothing is held")
     boxes = [page.locator(what).bounding_box() for what in (".stage", "aside", ".bar")]
     tops = [(box["y"], box["y"] + box["height"]) for box in boxes if box is not None]
     assert len(tops) == 3
@@ -147,10 +189,15 @@ def test_a_body_that_runs_away_is_stopped_and_begins_anew(open_file: Open) -> No
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + 200.0, y, steps=4)
-    until(page, lambda: "exploded" in page.locator("#hud").inner_text(), "it explodes, and says so")
+    stopped = page.locator("#stopped")
+    until(page, stopped.is_visible, "it explodes, and says so")
     page.mouse.up()
+    assert "which the linear springs set" in stopped.inner_text()
     assert page.evaluate("__softrod.now().body.positions.every(Number.isFinite)")
     page.get_by_label("Linear stiffness").focus()
     page.keyboard.press("Home")
-    page.get_by_role("button", name="Reset").click()
-    until(page, lambda: number(page, "time") > 0.2, "it moves again")
+    page.get_by_role("button", name="Go back").click()
+    until(page, lambda: not stopped.is_visible(), "it is as it was before")
+    time = number(page, "time")
+    page.get_by_role("button", name="Play").click()
+    until(page, lambda: number(page, "time") > time + 0.1, "it moves again")

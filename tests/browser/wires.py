@@ -101,7 +101,7 @@ def wire(port: int, tls: ssl.SSLContext | None = None, folder: str = "/") -> Ite
 
 
 def certified(folder: Path) -> tuple[Path, Path]:
-    """The files of a certificate for `localhost` that nobody has signed, and of its key."""
+    """The files of a certificate for `localhost` and `school.example`, signed by nobody, and of its key."""
     key, certificate = folder / "key.pem", folder / "certificate.pem"
     command = [
         "openssl",
@@ -115,7 +115,8 @@ def certified(folder: Path) -> tuple[Path, Path]:
         "-subj",
         "/CN=localhost",
     ]
-    command += ["-addext", "subjectAltName=DNS:localhost", "-keyout", str(key), "-out", str(certificate)]
+    names = "subjectAltName=DNS:localhost,DNS:school.example"
+    command += ["-addext", names, "-keyout", str(key), "-out", str(certificate)]
     subprocess.run(command, check=True, capture_output=True)
     return certificate, key
 

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { arrived, isFound } from "../../app/page/scenes/gallery.js";
+import { arrived, isFound } from "../../app/page/scenes/finding.js";
 import { caution, isOwnMachine } from "../../app/page/files/share.js";
 
 // Two rows of three, and a last one of one.

@@ -14,7 +14,7 @@ import pytest
 
 import sim
 from sim.compiling.compiler import ENTRY_POINTS, Compiler, EntryPoint, is_ready, needed_by
-from sim.kernels.engine import jit
+from sim.kernels.engine import kept
 from sim.methods.registry import METHODS
 from tests.amount import part_of
 
@@ -131,9 +131,14 @@ print(point.ready, compiler.compiles, point.kernel.stats.cache_hits != {{}})
 
 @pytest.fixture(scope="module")
 def compiled(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder in which helpers have compiled one entry point; tests use a copy."""
+    """A folder in which two processes have compiled one entry point at the same time; tests use a copy."""
     cache = tmp_path_factory.mktemp("compiled")
-    assert python(COMPILE_ONE, cache) == "False True True True"
+    environment = {**os.environ, "XDG_CACHE_HOME": str(cache), "PYTHONPATH": str(ROOT)}
+    words = [sys.executable, "-m", "sim.compiling.precompile", QUICK]
+    with subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, text=True, cwd=ROOT) as other:
+        assert python(COMPILE_ONE, cache).startswith("False True")
+        assert other.communicate()[0] == f"{QUICK}\n"
+    assert {file.suffix for file in cache.rglob("*") if file.is_file()} == {".nbc"}
     return cache
 
 
@@ -141,21 +146,31 @@ def test_helpers_compile_once_for_all_later_starts(compiled: Path) -> None:
     assert python(COMPILE_ONE, compiled) == "False True False True"
 
 
-def test_machine_code_that_has_gone_is_never_said_to_be_ready(compiled: Path, tmp_path: Path) -> None:
+def test_a_broken_file_is_compiled_again(compiled: Path, tmp_path: Path) -> None:
     shutil.copytree(compiled, tmp_path, dirs_exist_ok=True)
-    for kept in tmp_path.rglob("*.nbc"):
-        kept.unlink()
-    # What says that it is there is still there; it is compiled where it is wanted, and then it is ready.
-    assert list(tmp_path.rglob("*.compiled"))
+    for file in tmp_path.rglob("*.nbc"):
+        file.write_bytes(file.read_bytes()[:1000])
+    # Here, since nobody sees it before it is read.
     assert python(COMPILE_ONE, tmp_path) == "False True False False"
+    assert python(COMPILE_ONE, tmp_path) == "False True False True"
 
 
-def test_a_second_checkout_does_not_take_the_first_ones_word(compiled: Path, tmp_path: Path) -> None:
-    cache, other = tmp_path / "cache", tmp_path / "checkout"
+def test_a_second_environment_finds_what_the_first_has_compiled(compiled: Path, tmp_path: Path) -> None:
+    cache, other = tmp_path / "cache", tmp_path / "environment"
     shutil.copytree(compiled, cache)
     shutil.copytree(ROOT / "sim", other / "sim", ignore=shutil.ignore_patterns("__pycache__"))
+    for file in other.rglob("*.py"):
+        os.utime(file, (0, 0))  # as packages are unpacked
+    before = {file: file.read_bytes() for file in cache.rglob("*.nbc")}
+    assert python(f"{COMPILE_ONE}import sim; print(sim.__file__)", cache, other).split() == [
+        *["False", "True", "False", "True"],
+        str(other / "sim" / "__init__.py"),
+    ]
+    assert {file: file.read_bytes() for file in cache.rglob("*.nbc")} == before
+    # But not what was compiled from another text: the entry point calls what is edited.
+    edited = other / "sim" / "kernels" / "core" / "vectors.py"
+    edited.write_text(f"{edited.read_text()}\n")
     assert python(COMPILE_ONE, cache, other) == "False True True True"
-    assert python(COMPILE_ONE, cache, other) == "False True False True"
 
 
 def test_a_helper_that_ends_too_soon_is_no_harm(tmp_path: Path) -> None:
@@ -167,23 +182,23 @@ def test_a_helper_that_ends_too_soon_is_no_harm(tmp_path: Path) -> None:
 @pytest.fixture
 def sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """A copy of the kernels' sources, which the hashes are made of."""
-    jit.source_hash.cache_clear()
+    kept.source_hash.cache_clear()
     copy = tmp_path / "sim"
     shutil.copytree(ROOT / "sim", copy, ignore=shutil.ignore_patterns("__pycache__"))
-    before = jit.source_hash("kernels.integrators.verlet")
-    monkeypatch.setattr(jit, "_SOURCES", copy)
-    jit.source_hash.cache_clear()
-    assert jit.source_hash("kernels.integrators.verlet") == before
+    before = kept.source_hash("kernels.integrators.verlet")
+    monkeypatch.setattr(kept, "_SOURCES", copy)
+    kept.source_hash.cache_clear()
+    assert kept.source_hash("kernels.integrators.verlet") == before
     yield copy
-    jit.source_hash.cache_clear()
+    kept.source_hash.cache_clear()
 
 
 def hashes(sources: Path) -> dict[str, str]:
-    jit.source_hash.cache_clear()
+    kept.source_hash.cache_clear()
     paths = [path for folder in ("kernels", "forces") for path in (sources / folder).rglob("*.py")]
     modules = [path.relative_to(sources).with_suffix("") for path in paths]
     names = [".".join(module.parts) for module in modules if module.name != "__init__"]
-    return {name: jit.source_hash(name) for name in names}
+    return {name: kept.source_hash(name) for name in names}
 
 
 def test_an_edit_changes_the_hash_of_what_it_can_change_and_of_nothing_else(sources: Path) -> None:
@@ -224,25 +239,48 @@ def test_the_hash_follows_the_versions_of_the_compiler(
     sources: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     before = hashes(sources)
-    monkeypatch.setattr(jit.numba, "__version__", "0.0.0")
+    monkeypatch.setattr(kept.numba, "__version__", "0.0.0")
     after = hashes(sources)
     assert all(after[name] != before[name] for name in before)
 
 
 def test_what_nobody_used_for_a_month_is_removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(jit.platformdirs, "user_cache_path", lambda *_, **__: tmp_path)
+    monkeypatch.setattr(kept.platformdirs, "user_cache_path", lambda *_, **__: tmp_path)
     root = tmp_path / "kernels"
     old, young = root / "old", root / "young"
     for folder in (old, young):
         folder.mkdir(parents=True)
     month = 31 * 86400.0
     os.utime(old, (time.time() - month, time.time() - month))
-    assert jit.cache_root.__wrapped__() == root
+    assert kept.cache_root.__wrapped__() == root
     assert not old.exists()
     assert young.exists()
 
 
-def test_no_cache_where_nothing_can_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "file").write_bytes(b"")
-    monkeypatch.setattr(jit.platformdirs, "user_cache_path", lambda *_, **__: tmp_path / "file")
-    assert jit.cache_root.__wrapped__() is None
+@pytest.fixture
+def caches(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The user's folder for caches."""
+    monkeypatch.setattr(kept.platformdirs, "user_cache_path", lambda *_, **__: tmp_path / "softrod")
+    return tmp_path / "softrod"
+
+
+def test_no_cache_where_nothing_can_be_written(caches: Path) -> None:
+    caches.write_bytes(b"")
+    assert kept.cache_root.__wrapped__() is None
+    assert kept.trouble() == f"the folder {caches} cannot be written"
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="Windows has no such owners and modes")
+def test_what_others_could_have_written_is_not_run(caches: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    root = caches / "kernels"
+    assert kept.cache_root.__wrapped__() == root
+    assert root.stat().st_mode & 0o777 == 0o700
+    for mode in (0o770, 0o702):
+        root.chmod(mode)
+        assert kept.cache_root.__wrapped__() is None
+        assert kept.trouble() == f"others can write into the folder {root}"
+    root.chmod(0o755)
+    assert kept.trouble() == ""
+    monkeypatch.setattr(os, "geteuid", lambda: root.stat().st_uid + 1)
+    assert kept.cache_root.__wrapped__() is None
+    assert kept.trouble() == f"the folder {root} is another user's"

@@ -17,6 +17,7 @@ from sim.analysis.equilibrium import Resting
 from sim.design.keep_shape import keep_shape_at
 from sim.edit.edit import Selection
 from sim.physics import Physics
+from sim.scene.makers import fine_rope
 from sim.scene.types import Damage
 from tests.amount import part_of
 from tests.sim.bodies import LAWS, SHAPES, body
@@ -170,6 +171,17 @@ def test_on_the_floor_masses_sink_as_deep_as_they_must() -> None:
     assert drift(kept) <= 1e-6
 
 
+@pytest.mark.parametrize("masses", [100, 1000])
+def test_long_rods_are_kept_to_rounding(masses: int) -> None:
+    """The stiffnesses of a fine rod are large beside the weights of its masses."""
+    scene = fine_rope(masses, gravity=(0.0, 1000.0))
+    clamped = (sim.Anchor(mass=0), sim.Anchor(mass=1))
+    kept = sim.keep_shape(msgspec.structs.replace(scene, bodies=(), links=(), anchors=clamped))
+    body = Resting(kept, balanced=False)
+    assert (np.abs(body.accelerations(body.start)) <= body.rounding(body.start)).all()
+    assert drift(kept, 1.0) <= 1e-6
+
+
 def test_mean_wind_and_loads_are_balanced_too() -> None:
     scene = sim.load_scene("flag-pole")
     assert scene.wind is not None
@@ -308,5 +320,5 @@ def test_a_mast_buckles_at_eulers_load_and_stands_with_the_stiffness_that_is_nam
     assert np.abs(motion[2:, 1]).max() < 1e-6
     assert (np.diff(np.abs(motion[1:, 0])) > 0.0).all()
     stands = sim.keep_shape(column(20.0, 1.5 * bears), allow_stiffening=True)
-    assert stands.angular_springs[0].stiffness == pytest.approx(20.0 * no.value.stiffening)
+    assert stands.angular_springs[0].stiffness == pytest.approx(20.0 * (no.value.stiffening or 0.0))
     assert net_force(stands) <= 1e-10

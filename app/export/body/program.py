@@ -32,7 +32,7 @@ _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ01234567
 _DIRECTIVE = re.compile(r" *# (?P<word>ifdef (?P<asked>\w+)|else|endif)")
 
 LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
-"""The force laws that the programs in Python and C are written for."""
+"""The force laws that programs are written for."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -58,9 +58,7 @@ class Plan:
         lacks = {"turbulence": "gusts of wind"} if body.gusts else {}
         if contact is not None and contact.distance > 0.0 and len(body.ends):
             lacks["contact_distance"] = "contact of bodies"
-        law = body.scene.force_law
-        if len(body.joints) and law not in LAWS_IN_PROGRAMS:
-            raise InputError(f"a program cannot do the force law {law!r}, but {', '.join(LAWS_IN_PROGRAMS)}")
+        check_law(body)
         if lacks:
             raise InputError(
                 f"a program cannot do {' and '.join(lacks.values())}; set {' and '.join(lacks)} to 0 to have "
@@ -201,16 +199,31 @@ def _filled(name: str, plan: Plan, places: dict[str, str]) -> bytes:
     return re.sub(r"\n{4,}", "\n\n\n", text).encode("ascii")
 
 
+def check_law(body: Body) -> None:
+    """Refuses a law of joints that programs do not know.
+
+    Raises:
+        InputError: it is such a one.
+    """
+    law = body.scene.force_law
+    if len(body.joints) and law not in LAWS_IN_PROGRAMS:
+        raise InputError(f"a program cannot do the force law {law!r}, but {', '.join(LAWS_IN_PROGRAMS)}")
+
+
+def step_notes(body: Body) -> list[str]:
+    """What is another in a program that steps by symplectic Euler, as to the method."""
+    method = body.scene.integrator.method
+    if method == "stable_spring":
+        return ["springs are as soft as the method Stable spring makes them for this time step"]
+    if method != "symplectic_euler":
+        return [f"it steps by symplectic Euler, the scene by {METHODS[method].label}"]
+    return []
+
+
 def _notes(body: Body) -> list[str]:
     scene = body.scene
-    method, dt = scene.integrator.method, scene.integrator.dt
-    soft = method == "stable_spring"
-    notes = []
-    if soft:
-        notes.append("springs are as soft as the method Stable spring makes them for this time step")
-    elif method != "symplectic_euler":
-        notes.append(f"it steps by symplectic Euler, the scene by {METHODS[method].label}")
-    limit = _limit(body, "stable_spring" if soft else "symplectic_euler")
+    dt, notes = scene.integrator.dt, step_notes(body)
+    limit = largest_step(body)
     if dt > limit:
         notes.append(
             f"its time step of {dt:g} s is above the largest stable one, {limit:.3g} s, so the body runs away"
@@ -226,8 +239,10 @@ def _notes(body: Body) -> list[str]:
     return notes
 
 
-def _limit(body: Body, method: Method) -> float:
-    """The largest stable time step of the body as it is, s."""
+def largest_step(body: Body) -> float:
+    """The largest stable time step of the body as it is, by symplectic Euler, s."""
+    soft = body.scene.integrator.method == "stable_spring"
+    method: Method = "stable_spring" if soft else "symplectic_euler"
     integrator = msgspec.structs.replace(body.scene.integrator, method=method)
     scene = msgspec.structs.replace(body.scene, integrator=integrator)
     simulation = sim.Simulation(scene)
@@ -255,7 +270,7 @@ def _about(plan: Plan, run: str) -> list[str]:
     unit = plain(scene.view.unit)
     down = "down" if scene.view.y_down else "up"
     paragraphs = [
-        f"{plain(shown_name(scene))}: a body of {_counted(plan)}, written by softrod.",
+        f"{plain(shown_name(scene))}: a body of {counted(plan.body)}, written by softrod.",
         "A time step is one of symplectic Euler: all forces from the present state, then velocities, then "
         f"positions. x grows to the right and y {down}. px stands for the unit of length"
         f"{'' if unit == 'px' else ', ' + unit}.",
@@ -276,8 +291,8 @@ def wrapped(text: str, width: int = WIDTH - 4) -> list[str]:
     return lines
 
 
-def _counted(plan: Plan) -> str:
-    body = plan.body
+def counted(body: Body) -> str:
+    """Of how many parts it is, in words."""
     counts = (len(body.mass), "mass", "masses"), (len(body.ends), "spring", "springs")
     counts += ((len(body.joints), "joint", "joints"),)
     words = [f"{n} {one if n == 1 else many}" for n, one, many in counts if n]

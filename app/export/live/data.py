@@ -9,7 +9,7 @@ import numpy as np
 
 import sim
 from sim.body.system import System, build_system
-from sim.scene.types import is_damageable
+from sim.scene.types import Damage, is_damageable
 
 from ..body.body import Body
 
@@ -25,6 +25,7 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
     """
     body, scene = Body.of(moment), moment.scene
     system = build_system(scene)
+    rest_angle = np.array([j.rest_angle for j in scene.angular_springs]) + moment.rest_angle_shift
     air = system.body.environment.air
     return {
         "time": moment.time,
@@ -47,11 +48,11 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "ends": body.ends.ravel().tolist(),
         "stiffness": [s.stiffness for s in scene.linear_springs],
         "damping": [s.damping for s in scene.linear_springs],
-        "restLength": body.rest_length.tolist(),
+        "restLength": [s.rest_length * moment.rest_length_scale for s in scene.linear_springs],
         "joints": body.joints.ravel().tolist(),
         "jointStiffness": system.body.joint_stiffness[system.joint_order].tolist(),
         "jointDamping": [j.damping for j in scene.angular_springs],
-        "restAngle": body.rest_angle.tolist(),
+        "restAngle": (180.0 - (180.0 - rest_angle) % 360.0).tolist(),
         "broken": np.flatnonzero(body.broken).tolist(),
         "walls": body.walls.tolist(),
         "fillings": [
@@ -66,6 +67,7 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         ],
         "contact": _contact(system),
         "limits": _limits(scene) if is_damageable(scene) else None,
+        "yielded": _yielded(moment.damage),
     }
 
 
@@ -95,4 +97,14 @@ def _limits(scene: sim.Scene) -> dict[str, list[float]]:
         "yieldForce": [ENDLESS if s.yield_force is None else s.yield_force for s in springs],
         "hardening": [s.hardening for s in springs],
         "yieldTorque": [ENDLESS if j.yield_torque is None else j.yield_torque for j in joints],
+    }
+
+
+def _yielded(damage: Damage | None) -> dict[str, list[float]] | None:
+    if damage is None or not (damage.set_lengths or damage.hardened or damage.set_angles):
+        return None
+    return {
+        "length": list(damage.set_lengths),
+        "hardened": list(damage.hardened),
+        "angle": list(damage.set_angles),
     }

@@ -11,15 +11,17 @@ from typing import Any
 import numpy as np
 
 import sim
+from sim.motion.quantities import ENERGY_UNIT, unit_in
 from sim.motion.stepping import presses_of
 from sim.scene.types import shown_name
-from sim.settings import TEMPLATES, set_value, settings_of
+from sim.settings import CHOICES, SETTINGS, TEMPLATES, set_value, settings_of
 from sim.settings.recipes import Setting
 
 from ...drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
 from ..bundle import bundle
-from ..html_file import html_file, packed, plans, stage
+from ..html_file import Bar, html_file, packed, plans, stage
 from .data import body_data
+from .lesson import TUTORIAL, lesson_data, lesson_notes, listed, scenes_of_steps
 
 KEYS = (
     "linear_stiffness",
@@ -32,22 +34,29 @@ KEYS = (
     "gravity",
     "air_friction",
     "wind_speed",
+    "wind_direction",
+    "turbulence",
     "wall_friction",
     "contact_stiffness",
     "contact_friction",
+    "dt",
 )
 """Settings that a file has sliders for, as in `static/settings.js`."""
 
-TUTORIAL = "symplectic_euler"
+DARK = "[data-dark]*"
+"""Where the paper is dark, see `static/dark.js`."""
 
 _FOLDER = Path(__file__).parent / "static"
+_PAGE = Path(__file__).parents[2] / "page"
+"""Whose dialogs and lessons look the same in a file."""
 
 
-def live_html(moment: sim.Moment) -> tuple[bytes, list[str]]:
+def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[str]]:
     """The file, in UTF-8, and what it cannot do: sentences without a full stop.
 
     Args:
         moment: in which the body begins.
+        bar: what leads to other files, for one that is not alone.
 
     Raises:
         InputError: a position or a velocity is not a finite number.
@@ -57,64 +66,96 @@ def live_html(moment: sim.Moment) -> tuple[bytes, list[str]]:
     style, script = _looks()
     notes = _notes(scene)
     note = f"In this file {'; '.join(notes)}." if notes else ""
+    paths = {name: f'<path class="{name}" d="{path}"/>' for name, path in ICONS.items()}
+    play, reset = _icon(paths["play"] + paths["pause"]), _icon(paths["reset"])
     speeds = "".join(
         f'<option value="{speed:g}"{" selected" * (speed == 1)}>{FRACTIONS.get(speed, int(speed))}×</option>'
         for speed in SPEEDS
         if speed <= 2.0
     )
-    icon = '<svg viewBox="0 0 24 24" aria-hidden="true">{}</svg>'
-    play = icon.format("".join(f'<path class="{name}" d="{ICONS[name]}"/>' for name in ("play", "pause")))
-    reset = icon.format(f'<path d="{ICONS["reset"]}"/>')
     arrows = "".join(
         f'<button type="button" value="{key}" aria-label="{label}">{sign}</button>'
         for key, sign, label in (
-            ("up", "↑", "Up: longer"),
             ("left", "←", "Left: rest angles less"),
+            ("up", "↑", "Up: longer"),
             ("down", "↓", "Down: shorter"),
             ("right", "→", "Right: rest angles more"),
         )
     )
-    body = f"""<div class="stage">
+    body = f"""<main class="stage">
 <canvas id="canvas" tabindex="0" role="application" aria-label="{title}"></canvas>
-<p id="hud"></p>
+<div id="hud"></div>
+<div id="stopped" role="alert" hidden>
+<strong>The body exploded</strong>
+<p id="cause"></p>
+<button id="back" type="button">Go back to before it</button>
 </div>
-<aside aria-label="Settings">
+</main>
+<aside aria-label="Controls and numbers">
+<section id="lesson" class="softrod-lesson" aria-label="Lesson"></section>
 <div id="sliders"></div>
-<div id="pad" hidden>{arrows}</div>
-<dl id="numbers"></dl>
+<div id="charts"></div>
+<details id="others" hidden><summary>More sliders</summary></details>
+<div id="numbers"></div>
+<details id="answers" hidden><summary>Hand in your answers</summary></details>
 </aside>
 <div class="bar">
 <button id="play" type="button" data-icon="play" aria-label="Play">{play}</button>
 <button id="step" type="button" aria-label="One step">+1</button>
 <button id="reset" type="button" aria-label="Reset">{reset}</button>
 <select id="speed" aria-label="Speed">{speeds}</select>
+<button id="follow" type="button" aria-label="Follow the pointer" aria-pressed="false">Follow</button>
+<div id="pad" hidden>{arrows}</div>
 <output id="clock"></output>
+<button id="view" type="button" aria-label="View and keys">?</button>
 </div>
 <p id="says" class="hidden" role="status"></p>"""
-    return html_file(scene, body, style, script, {"about": _about(moment)}, note), notes
+    return html_file(scene, body, style, script, {"about": _about(moment)}, note, early_script(), bar), notes
+
+
+def _icon(paths: str) -> str:
+    return f'<svg viewBox="0 0 24 24" aria-hidden="true">{paths}</svg>'
+
+
+@cache
+def early_script() -> str:
+    """What makes the paper dark before anything is shown."""
+    return bundle(_FOLDER / "dark.js")
 
 
 @cache
 def _looks() -> tuple[str, str]:
     """The styles and the script."""
-    colors = style_rules("@media (prefers-color-scheme: dark){*}")
-    return colors + (_FOLDER / "live.css").read_text(encoding="utf-8"), bundle(_FOLDER / "live.js")
+    files = (_PAGE / "looks" / "dialogs.css", _PAGE / "scenes" / "lesson.css", _FOLDER / "live.css")
+    rules = (style_rules(DARK), *(path.read_text(encoding="utf-8") for path in files))
+    return "\n".join(rules), bundle(_FOLDER / "live.js")
 
 
 def _about(moment: sim.Moment) -> dict[str, Any]:
     """What the script is told, see `About` in `static/live.js`."""
     scene = moment.scene
+    about = _moving(moment)
     keys = {key: _per_second(scene, key) if scene.arrow_keys is not None else None for key in ("up", "right")}
+    about |= stage(scene, np.array(moment.positions)) | keys
+    about |= {
+        "joint": 0 if scene.angular_springs else -1,
+        "energyUnit": unit_in(ENERGY_UNIT, scene.view.unit),
+        "speed": 1.0,
+        "foremost": [setting["key"] for setting in about["settings"]],
+        "lesson": lesson_data(scene, about, _moving) if scene.lesson is not None else None,
+    }
+    return about
+
+
+def _moving(moment: sim.Moment) -> dict[str, Any]:
+    """What a step of a lesson can change of it."""
+    scene = moment.scene
     return {
-        **stage(scene, np.array(moment.positions)),
         "body": body_data(moment),
         "method": TUTORIAL if scene.integrator.method == TUTORIAL else "verlet",
         "dt": scene.integrator.dt,
-        "settings": [_setting(scene, setting) for setting in settings_of(scene) if _is_shown(scene, setting)],
-        **keys,
-        "joint": 0 if scene.angular_springs else -1,
-        "unit": scene.view.unit,
-        "speed": 1.0,
+        "settings": [_setting(scene, setting) for setting in settings_of(scene) if _is_shown(scene, setting)]
+        + ([_law(scene)] if CHOICES["force_law"].applies(scene) else []),
         "plans": [packed(plan) for plan in plans(scene)],
     }
 
@@ -126,8 +167,14 @@ def _per_second(scene: sim.Scene, key: str) -> dict[str, float]:
 
 
 def _is_shown(scene: sim.Scene, setting: Setting) -> bool:
-    has_template = setting.key == "rest_angle" and scene.template is not None
-    return setting.key in KEYS and not has_template
+    match setting.key:
+        case "rest_angle":
+            return scene.template is None
+        case "dt":
+            return scene.integrator.method == TUTORIAL
+        case "turbulence":
+            return setting.read(scene) > 0.0  # without any gusts there are none to scale
+    return setting.key in KEYS
 
 
 def _setting(scene: sim.Scene, setting: Setting) -> dict[str, Any]:
@@ -144,19 +191,42 @@ def _setting(scene: sim.Scene, setting: Setting) -> dict[str, Any]:
     if setting.key == "template":
         by_template = (set_value(scene, "template", float(angle)) for angle in TEMPLATES)
         data = [body_data(sim.Simulation(other).capture()) for other in by_template]
+        told["options"] = [[angle, f"{angle}°"] for angle in sorted(TEMPLATES)]
         told["stiffness"] = {
             str(angle): one["jointStiffness"][0] for angle, one in zip(TEMPLATES, data, strict=True)
         }
     return told
 
 
+def _law(scene: sim.Scene) -> dict[str, Any]:
+    """The force law, which is chosen from a list."""
+    choice = CHOICES["force_law"]
+    options = [list(option) for option in choice.options.items()]
+    return {
+        "key": choice.key,
+        "label": choice.label,
+        "unit": "",
+        "value": choice.read(scene),
+        "options": options,
+    }
+
+
 def _notes(scene: sim.Scene) -> list[str]:
     """What the file does otherwise than softrod, or cannot do."""
     notes = []
-    if scene.integrator.method != TUTORIAL:
+    begins = scenes_of_steps(scene)
+    if any(at.integrator.method != TUTORIAL for at in (scene, *begins)):
         notes.append("the body moves by velocity Verlet, without error control")
     if scene.bodies:
         notes.append("the shape of the body is fixed")
+    shown = {
+        setting.label
+        for setting in settings_of(scene)
+        if not _is_shown(scene, setting) and setting.key in SETTINGS
+    }
+    shown -= {"Tolerance", "Time step", "Rest angle", "Turbulence"}
+    if shown:
+        notes.append(f"there is no slider for {listed(sorted(shown))}")
     if scene.lesson is not None:
-        notes.append("the lesson's steps are left out")
+        notes += lesson_notes(scene, frozenset((*KEYS, "force_law")))
     return notes

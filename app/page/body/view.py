@@ -250,9 +250,13 @@ def _near(before: tuple[float, ...], now: tuple[float, ...], most: float) -> boo
     return bool(np.abs(one - two).max(initial=0.0) <= most)
 
 
+_SWAY = 0.12
+"""Largest movement, as a part of the body's size, by which it is shown how a body leaves a shape."""
+
+
 def picture_of(session: Session) -> Picture:
-    """The body, and the ghost or, without one, where it will rest while a slider moves, or what would have
-    come had the user not gone back."""
+    """The body and, pale, the ghost; without one, where the body will rest while a slider moves, what would
+    have come had the user not gone back, or how the body leaves a shape that nothing keeps."""
     simulation, ghost, future = session.simulation, session.ghost, session.old_future
     other = damage = None
     rest = session.foreseen.positions(len(simulation.scene.masses), session.now())
@@ -263,4 +267,8 @@ def picture_of(session: Session) -> Picture:
         other, damage = rest, simulation.damage
     elif future is not None:
         other, damage = future.positions_at(simulation.time), future.damage_at(simulation.time)
+    elif session.refusal is not None and session.refusal.motion is not None:
+        # How the body would leave the shape that it could not keep.
+        other = simulation.positions
+        other = other + _SWAY * float(np.ptp(other, axis=0).max(initial=0.0)) * session.refusal.motion
     return Picture.of(simulation, other, damage)

@@ -6,6 +6,7 @@
 import { onTold, send } from "../../wire/channel.js";
 import { make, makeButton } from "../looks/dialog.js";
 import { betweenPresses } from "./anew.js";
+import { brought, broughtSoFar, hearBrought } from "./brought.js";
 import { Ghosts } from "./ghost.js";
 import { beforehand } from "./beforehand.js";
 import { icon } from "./icons.js";
@@ -66,18 +67,21 @@ export function addDesk() {
   const ghosts = new Ghosts();
   const anew = betweenPresses(desk);
   let made = "";
+  /** @type {Desk | null} */
+  let last = null;
   onTold("predictions", ({ bodies }) => ghosts.show(bodies));
   keepPosters(desk);
   /** @param {Desk} told */
   const show = (told) => {
     if (!desk.isConnected && !made) keepInPlace(desk);
     if (!told.seats.some(({ number }) => number === chosen)) chosen = 0;
-    const now = JSON.stringify([told, chosen]);
+    last = told;
+    const now = JSON.stringify([told, chosen, broughtSoFar()]);
     if (now === made) return;
     made = now;
     const focused = document.activeElement?.getAttribute("data-focus");
     const scrolled = desk.scrollTop;
-    desk.replaceChildren(...parts(told, (seat) => {
+    desk.replaceChildren(...parts(told, () => anew(again), (seat) => {
       chosen = seat;
       show(told);
       /** @type {HTMLElement | null} */ (desk.querySelector(seat ? "[data-focus=back]" : ".softrod-seats button"))?.focus();
@@ -85,15 +89,17 @@ export function addDesk() {
     desk.scrollTop = scrolled;
     if (focused) /** @type {HTMLElement | null} */ (desk.querySelector(`[data-focus="${focused}"]`))?.focus();
   };
+  const again = () => last && show(last);
   onTold("desk", (told) => anew(() => show(told)));
+  hearBrought(() => anew(again));
   onTold("classEnded", () => {
     ghosts.show([]);
     desk.replaceChildren(make("h2", "", "The class is over"), make("p", "", "Nothing that was given is kept on this computer."));
   });
 }
 
-/** @param {Desk} desk @param {(seat: number) => void} choose @returns {HTMLElement[]} */
-function parts(desk, choose) {
+/** @param {Desk} desk @param {() => void} changed @param {(seat: number) => void} choose @returns {HTMLElement[]} */
+function parts(desk, changed, choose) {
   const seat = desk.seats.find(({ number }) => number === chosen);
   const present = seat ? alone(desk, seat, choose) : seats(desk, choose);
   return [
@@ -107,6 +113,7 @@ function parts(desk, choose) {
     // While they write, what they write is looked at first.
     ...(desk.asking.phase === "explain" ? [...given(desk), present] : [present, ...given(desk)]),
     fold("All phases of this step", phases(desk)),
+    fold("Answers from files", brought(changed)),
     fold("Door, names, saving, end", foot(desk)),
   ];
 }

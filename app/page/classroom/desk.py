@@ -9,6 +9,7 @@ from typing import Literal
 import msgspec
 import numpy as np
 
+from app.classroom import sheets
 from app.classroom.live import Class, Doing, Front, is_key
 from app.classroom.room import FREE, PHASE_OF, Phase, Refused, Vote, Work
 from sim.errors import InputError, SettingError
@@ -18,7 +19,7 @@ from ...session.log import decode_log
 from ...session.session import Notice, Session
 from ...wire import from_page
 from ...wire.carrier import Mail
-from ...wire.to_page import Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
+from ...wire.to_page import Brought, Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
 from ..check.page import check_address
 from ..controls import Controls
 from ..files.sharing import qr_code
@@ -71,7 +72,8 @@ class DeskRole(ClassRole):
         self._noted = 0.0
         self._speed: float | None = None  # before a slow replay, while there is one
         self._begins = False
-        self._packing: Future[bytes] | None = None
+        # What is made for the browser to save: its name, what it is called, and its bytes.
+        self._making: tuple[str, str, Future[bytes]] | None = None
         self._posters: tuple[tuple[int, Doing], ...] | None = None
 
     @property
@@ -105,6 +107,8 @@ class DeskRole(ClassRole):
                     room.star(answer, on)
                 case from_page.ToWall(answer):
                     room.put_on_wall(answer)
+                case from_page.Bring(text):
+                    self._bring(text)
                 case from_page.OneSeat(seat, what):
                     self._do_with(seat, what)
                 case from_page.Arrange(what):
@@ -113,9 +117,9 @@ class DeskRole(ClassRole):
             session.notices.append(Notice("error", "That is not possible", str(error)))
 
     def frame(self, session: Session) -> None:
-        if self._packing is not None and self._packing.done():
-            self._hand_over(self._packing, session)
-            self._packing = None
+        if self._making is not None and self._making[2].done():
+            self._hand_over(*self._making, session)
+            self._making = None
         if self._tell_end() or not self._is_teacher:
             return
         self.klass.tend()
@@ -170,18 +174,35 @@ class DeskRole(ClassRole):
             case "law" | "noLaw":
                 room.law = what == "law"
             case "zip":
-                self._packing = self._packing or self.klass.pack()
+                self._making = self._making or (f"class-{room.code}.zip", "The zip", self.klass.pack())
+                return
+            case "lessonFile":
+                name = f"{room.scenes[room.stops[room.at].scene].name}.html"
+                self._making = self._making or (name, "The lesson's file", self.klass.lesson_file())
                 return
             case "end":
                 self.klass.end()
         room.version += 1
 
-    def _hand_over(self, made: Future[bytes], session: Session) -> None:
-        """Have the browser save the zip."""
+    def _bring(self, text: str) -> None:
+        """Take answers that a pupil gave in a file, and tell what became of them."""
+        try:
+            taken = sheets.take(self.room, text)
+        except Refused as error:
+            self._mail.tell(Brought(told=str(error), refused=True))
+            return
+        count = f"{taken.new} {'answer' if taken.new == 1 else 'answers'}"
+        known = f", {taken.known} had been brought before" if taken.known else ""
+        steps = ", ".join(map(str, taken.reached))
+        goals = f". As its own file says, it reached the goal of step {steps}" if steps else ""
+        self._mail.tell(Brought(told=f"{taken.name}: {count}{known}{goals}."))
+
+    def _hand_over(self, name: str, what: str, made: Future[bytes], session: Session) -> None:
+        """Have the browser save what was made."""
         if (error := made.exception()) is None:
-            self._download(f"class-{self.room.code}.zip", made.result())
+            self._download(name, made.result())
         else:
-            session.notices.append(Notice("error", "The zip could not be made", str(error)))
+            session.notices.append(Notice("error", f"{what} could not be made", str(error)))
 
     def _do_with(self, number: int, what: str) -> None:
         """Do something with one seat.

@@ -14,12 +14,11 @@ import sim
 from app.classroom.law import power_law
 from app.classroom.live import Class, Front
 from app.classroom.room import Answer, Content, Ghost, Line, Phase, Room, Vote, Work
-from sim.errors import InputError, SettingError
-from sim.motion.quantities import quantity
-from sim.scene.lesson import Goal, Reading
+from sim.errors import SettingError
 from sim.settings import CHOICES, setting_of
 
 from ...drawing.sketch import Mapping
+from ...lessons import goal_text, reading_text
 from ...session.session import Session
 from ...wire import from_page
 from ...wire.carrier import Mail
@@ -215,23 +214,6 @@ def asking(room: Room, all_of_it: bool = False) -> Asking:
         goal=goal_text(step.goal, scene) if step is not None and step.goal is not None else "",
         collects=reading_text(step.collect, scene) if step is not None and step.collect is not None else "",
     )
-
-
-def reading_text(reading: Reading, scene: sim.Scene) -> str:
-    """A reading in words, as in "period of mass1.y"."""
-    return f"period of {reading.quantity}" if reading.of == "period" else reading.quantity
-
-
-def goal_text(goal: Goal, scene: sim.Scene) -> str:
-    """A goal in words, as in "period of mass1.y: 1.98 to 2.02 s"."""
-    try:
-        unit = "s" if goal.of == "period" else quantity(goal.quantity, scene).unit
-    except InputError:
-        unit = ""
-    low, high = (None if bound is None else f"{bound:.6g}" for bound in (goal.low, goal.high))
-    span = f"{low} to {high}" if low and high else f"at least {low}" if low else f"at most {high}"
-    held = f", for {goal.seconds:g} s" if goal.seconds else ""
-    return f"{reading_text(goal, scene)}: {span} {unit}".rstrip() + held
 
 
 def predictions(klass: Class) -> Predictions:

@@ -366,9 +366,9 @@ export function listenToEdits() {
       chaining: false,
     });
   });
-  onTold("versions", ({ undo, redo }) => {
+  onTold("versions", ({ undo, redo, stiffen }) => {
     if (redo && redo !== editing.redo) giveUp(); // undone elsewhere: as in `stepBack`
-    change({ undo, redo });
+    change({ undo, redo, stiffen });
   });
   // Where some are gone, the numbers of the others are different ones.
   let [masses, springs] = [0, 0];

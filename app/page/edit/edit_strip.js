@@ -18,7 +18,7 @@ const TOOLS = ["hand", "build", "joint", "select", "cut"];
 /** What can be done to what is selected. @type {import("../../wire/wire.js").Act["what"][]} */
 const ACTIONS = ["pin", "remove", "duplicate", "mirror"];
 /** Also without a selection: then for the whole body. @type {typeof ACTIONS} */
-const ALWAYS = ["corners", "triangulate", "rest"];
+const ALWAYS = ["corners", "triangulate", "rest", "keep"];
 
 /** Pixels between the other buttons over the bar of time and what stands beside them. */
 const GAP = 10;
@@ -73,11 +73,12 @@ export function addEditStrip(tracing) {
     return button;
   };
   const onSelected = [...ACTIONS.map(actionButton), makeButton("Copy", toClipboard, "")];
+  const stiffen = actionButton("stiffen");
   const paste = makeButton("Paste", pasteHere, "");
   const rests = makeButton("Moved rest", () => setTakesNew(!takesNew()), "");
   rests.title = "Springs and joints of what is moved take their new lengths and angles as rest, or keep the old ones";
   const done = makeButton("Done", () => setEditing(false), "");
-  bar.append(count, ...onSelected, paste, ...ALWAYS.map(actionButton), rests, tracing.button, tracing.said, done, tracing.row);
+  bar.append(count, ...onSelected, paste, ...ALWAYS.map(actionButton), stiffen, rests, tracing.button, tracing.said, done, tracing.row);
   const live = make("div", "softrod-tell");
   live.setAttribute("role", "status");
   document.body.append(strip, bar, live);
@@ -105,6 +106,8 @@ export function addEditStrip(tracing) {
     redo.title = redoable ? `Redo: ${redoable} (Ctrl Y)` : "Nothing to redo";
     const some = countSelected();
     for (const button of onSelected) showIf(button, some > 0);
+    showIf(stiffen, editing.stiffen > 0);
+    stiffen.textContent = `Keep it, ${Number(editing.stiffen.toPrecision(3))} times as stiff`;
     rests.ariaPressed = String(takesNew());
     if (on && selected !== before.selected) live.textContent = some ? `${named(selected)} selected` : "Nothing selected";
     else if (undoable !== before.undo || redoable !== before.redo) {

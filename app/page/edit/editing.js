@@ -25,6 +25,8 @@ export const editing = {
   /** What undo takes back, and what redo does again; empty if there is nothing. */
   undo: "",
   redo: "",
+  /** The factor of stiffness with which the body could keep a shape that was refused; 0 for none. */
+  stiffen: 0,
   /** Where the pointer is over the canvas, or null. @type {Place | null} */
   hover: null,
   /** What the pointer is doing. @type {Drag | null} */

@@ -8,9 +8,11 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+import msgspec
 import numpy as np
 
 from sim import Moment, Scene
+from sim.design.keep_shape import keep_shape_at
 from sim.edit import build, copying, shape, texts
 from sim.edit.edit import Edit, Selection, carried, counted, refuse_missing
 from sim.edit.values import number, set_number, take_as_rest
@@ -30,6 +32,9 @@ ASIDE = 0.3
 NUDGES = 1.0
 """Seconds between two moves by keys that are one step of undo, at most."""
 
+OFFER = "Reset, and “Keep this shape” beside the tools lets what you drew stand as you drew it."
+"""What is said once to who has drawn a spring and lets it go."""
+
 _PASTE = re.compile(r"(-?\d{1,7}(?:\.\d{1,6})?),(-?\d{1,7}(?:\.\d{1,6})?),([A-Za-z0-9+/=]+)")
 
 
@@ -48,6 +53,9 @@ class Edits:
         self._notify = notify
         self._copy = False
         self._selected: Selection | None = None
+        self._drew = self._offered = (
+            False  # whether a spring was drawn, and whether it was said what keeps it
+        )
 
     # --------------------------------------------------------------------- any thread
     def do(self, ask: asks.Edit) -> None:
@@ -63,7 +71,9 @@ class Edits:
                 move = commands.Change(lambda *now: edited(ask, *now), "moved by keys", within=NUDGES)
                 self._session.post(move)
             case asks.Gesture():
-                self._session.post(commands.Change(lambda *now: edited(ask, *now)))
+                self._drew |= isinstance(ask, asks.Line)
+                heavy = isinstance(ask, asks.Act) and ask.what in ("keep", "stiffen")
+                self._session.post(commands.Change(lambda *now: edited(ask, *now), heavy=heavy))
 
     def _set_texts(self, ask: asks.SetTexts) -> None:
         """Give the scene another name and description, or say in the page why not: what was typed is kept."""
@@ -110,7 +120,15 @@ class Edits:
                 Selected(**{kind: tuple(sorted(of)) for kind, of in self._selected._asdict().items()})
             )
         versions = session.versions
-        self._mail.tell(Versions(undo=versions.undoable, redo=versions.redoable, count=len(versions)))
+        stiffen = (session.refusal.stiffening or 0.0) if session.refusal is not None else 0.0
+        self._mail.tell(
+            Versions(
+                undo=versions.undoable, redo=versions.redoable, count=len(versions), stiffen=round(stiffen, 3)
+            )
+        )
+        if session.playing and self._drew and not self._offered:
+            self._offered = True
+            self._notify(Notice("info", "It sags?", OFFER))
         if self._copy:
             self._copy = False
             moment = session.simulation.capture()
@@ -237,6 +255,8 @@ def _done(what: str, moment: Moment, selection: Selection) -> Edit:
             return edit
         case "rest":
             return take_as_rest(moment, selection if any(selection) else Selection(masses=some))
+        case "keep" | "stiffen":
+            return _kept(moment, selection, what == "stiffen")
         case _:
             raise SceneError("nothing is selected")
 
@@ -277,6 +297,29 @@ def _turned(moment: Moment, joint: int, angle: float | None) -> Edit:
         angle -= moment.damage.set_angles[joint]
     edit = set_number(scene, number("angular_springs", "rest_angle"), [joint], build.in_turn(angle))
     return replace(edit, select=Selection(joints=frozenset({joint})))
+
+
+def _kept(moment: Moment, selection: Selection, allow_stiffening: bool) -> Edit:
+    """What is selected holds the body as it is: springs and joints, or all that selected masses have."""
+    scene, parts = moment.scene, None
+    if any(selection):
+        masses = selection.masses
+        springs = selection.springs | {
+            s for s, each in enumerate(scene.linear_springs) if each.a in masses or each.b in masses
+        }
+        joints = selection.joints | {
+            j
+            for j, each in enumerate(scene.angular_springs)
+            if masses and (each.a in springs or each.b in springs)
+        }
+        parts = Selection(springs=springs, joints=joints)
+    kept = keep_shape_at(moment, parts, allow_stiffening)
+    assert kept.pose is not None
+    shift = np.array(kept.pose.positions).T - moment.rows[:2]
+    starts = scene.pose.positions if scene.pose else tuple(mass.position for mass in scene.masses)
+    # Where it is to start in this shape, too, it starts there at rest.
+    made = kept if starts != kept.pose.positions else msgspec.structs.replace(kept, pose=scene.pose)
+    return Edit("keep this shape", made, shift=shift if shift.any() else None, stops=True)
 
 
 def _moved(moment: Moment, masses: frozenset[int], by: Vector, rest: bool) -> Edit:

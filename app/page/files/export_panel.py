@@ -1,5 +1,5 @@
-"""The part of the Share tab from which a user takes something home: a picture, a film, a replay, a model, and
-the body as data and programs.
+"""The part of the Share tab from which a user takes something home: a picture, a film, a replay, models,
+keyframes, and the body as data and programs.
 
 Handlers only hand work to the workshop. The picture is made by the page itself, which has all that is drawn.
 """
@@ -23,29 +23,31 @@ from ..page import Page
 from ..viser.handlers import add_command, on_press
 
 SECONDS = (1, 20)
-"""Of a film or a replay that a page can have."""
+"""Of motion that a page can have in a file."""
 
 ABOUT = (
     '<div class="softrod-text"><b>Take it home.</b> A picture of the page, a film of the last seconds for '
     "slides and messages, a replay that any browser shows without a network, a live file in which the body "
-    "can be dragged and tuned there, too, or a model of it for Blender and the like.</div>"
+    "can be dragged and tuned there, too, or a model of it for Blender and the like, still or animated. "
+    "Keyframes are a table of where its masses were, 60 times a second.</div>"
 )
 
 PROGRAMS = (
     '<div class="softrod-text"><b>For programs.</b> The body as it is now: its numbers as JSON or as CSV '
-    "tables, or a short program that moves it by the tutorial's step.</div>"
+    "tables, or a program that moves it by the tutorial's step; the one in JavaScript is for games.</div>"
 )
 
 Make = Callable[[Callable[[float], None]], tuple[str, bytes]]
 """Makes a file, telling how far it is, 0..1, and returns its ending and its content."""
 
 
-_JSON, _CSV, _PYTHON, _C = "JSON", "CSV", "Python", "C"
+_JSON, _CSV, _PYTHON, _C, _JAVASCRIPT = "JSON", "CSV", "Python", "C", "JavaScript"
 _PROGRAMS = {
     _JSON: "Numbers of the body (JSON)",
     _CSV: "Numbers of the body (tables in CSV)",
     _PYTHON: "Program in Python",
     _C: "Program in C",
+    _JAVASCRIPT: "Program in JavaScript, for games",
 }
 """Buttons, and the commands that do the same."""
 
@@ -64,7 +66,11 @@ class ExportPanel:
         gui.add_divider()
         gui.add_html(ABOUT)
         self._seconds = gui.add_slider(
-            "Seconds", *SECONDS, step=1, initial_value=5, hint="simulated seconds of a GIF or a replay"
+            "Seconds",
+            *SECONDS,
+            step=1,
+            initial_value=5,
+            hint="simulated seconds of what moves in a file",
         )
         page.button("Picture", viser.Icon.PHOTO, lambda: page.perform("picture"), hint="key I")
         for label, icon, command, make in (
@@ -72,6 +78,13 @@ class ExportPanel:
             ("Replay file", viser.Icon.MOVIE, "Replay file of the last seconds (HTML)", self._replay),
             ("Live file", viser.Icon.WORLD, "Live file of the body as it is now (HTML)", self._live),
             ("3D model", viser.Icon.CUBE, "3D model (GLB)", self._model),
+            (
+                "Animated model",
+                viser.Icon.CUBE_SEND,
+                "Animated 3D model of the last seconds (GLB)",
+                self._animation,
+            ),
+            ("Keyframes", viser.Icon.TABLE, "Keyframes of the last seconds (CSV)", self._motion),
         ):
             page.button(label, icon, partial(self._start, make))
             add_command(gui, command, partial(self._start, make))
@@ -145,17 +158,23 @@ class ExportPanel:
         from ...export.body.body import Body
         from ...export.body.data import body_csv, body_json
         from ...export.body.program import c_program, python_program
+        from ...export.live.program import javascript_program
 
-        body = Body.of(self._moment())
+        moment = self._moment()
+        body = Body.of(moment)
         tell(0.3)
         if kind == _JSON:
             return "json", body_json(body)
         if kind == _CSV:
             return "zip", body_csv(body, self._page.commas.on)
-        data, notes = (python_program if kind == _PYTHON else c_program)(body)
+        ending, (data, notes) = {
+            _PYTHON: lambda: ("py", python_program(body)),
+            _C: lambda: ("c", c_program(body)),
+            _JAVASCRIPT: lambda: ("js", javascript_program(moment)),
+        }[kind]()
         if notes:
             self._tell("info", "About the program", _sentence("; ".join(notes)))
-        return "py" if kind == _PYTHON else "c", data
+        return ending, data
 
     def _model(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
         from ...export.model import glb
@@ -163,6 +182,21 @@ class ExportPanel:
         shot = Shot.of(self._moment())
         tell(0.3)
         return "glb", glb(shot.scene, shot.picture)
+
+    def _animation(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ...export.animation import animated_glb
+        from ...export.keyframes import FPS
+
+        clip = self._clip()
+        tell(0.3)
+        return "motion.glb", animated_glb(clip, FPS)
+
+    def _motion(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ...export.keyframes import FPS, motion_csv
+
+        clip = self._clip()
+        tell(0.3)
+        return "motion.csv", motion_csv(clip, FPS, self._page.commas.on)
 
     def _moment(self) -> sim.Moment:
         """The one that the page shows."""

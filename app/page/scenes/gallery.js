@@ -9,45 +9,13 @@ import { onTold, send } from "../../wire/channel.js";
 import { copied } from "../files/share.js";
 import { make, makeButton, makeDialog } from "../looks/dialog.js";
 import { isDark } from "../viser/widgets.js";
+import { arrived, isFound } from "./finding.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
 /** The preset with which one builds a body of one's own. */
 const EMPTY = "empty";
 const NONE_SAVED = "You have saved no scene yet. Save the one that you see in the Share tab, or build one: ";
 const CARD = ".softrod-card:not([hidden]) .softrod-open";
-
-/**
- * Whether a scene is one that is searched for: each word is in its title, its name or what it shows.
- *
- * @param {Entry} entry
- * @param {string} wanted
- */
-export function isFound({ name, title, text, group }, wanted) {
-  const all = `${title} ${name} ${text} ${group}`.toLowerCase();
-  return wanted.toLowerCase().split(/\s+/).every((word) => all.includes(word));
-}
-
-/**
- * To which of some places an arrow leads: to the next in reading order, or to the nearest in the row above or below.
- *
- * @param {string} key
- * @param {number} from
- * @param {{x: number, y: number}[]} places in reading order
- */
-export function arrived(key, from, places) {
-  if (key === "ArrowRight") return Math.min(from + 1, places.length - 1);
-  if (key === "ArrowLeft") return Math.max(from - 1, 0);
-  if (key === "Home") return 0;
-  if (key === "End") return places.length - 1;
-  const sign = key === "ArrowDown" ? 1 : -1;
-  const [at, beyond] = [places[from], places.map(({ y }) => sign * (y - places[from].y))];
-  const row = Math.min(...beyond.filter((distance) => distance > 4));
-  let [best, least] = [from, Infinity];
-  places.forEach(({ x }, i) => {
-    if (Math.abs(beyond[i] - row) < 4 && Math.abs(x - at.x) < least) [best, least] = [i, Math.abs(x - at.x)];
-  });
-  return best;
-}
 
 /** Opens the gallery, once it is there. */
 export let openGallery = () => {};

@@ -5,12 +5,12 @@
  * How far the lesson is outlives a reload.
  */
 import { onTold, send, told } from "../../wire/channel.js";
-import { make, makeButton } from "../looks/dialog.js";
+import { make } from "../looks/dialog.js";
 import { perform } from "../../wire/perform.js";
 import { kept, store } from "../files/storage.js";
+import { lessonCard } from "./lesson_card.js";
 
 /**
- * @typedef {import("../../wire/wire.js").Question} Question
  * @typedef {import("../../wire/wire.js").LessonStep} Step
  * @typedef {object} Progress
  * @property {string} lesson
@@ -129,77 +129,20 @@ function focusOn(selector) {
   if (found instanceof HTMLElement) found.focus();
 }
 
-/** @param {string} label @param {string} text */
-function paragraph(label, text) {
-  const made = make("p", "", ` ${text}`);
-  made.prepend(make("b", "", label));
-  return made;
-}
-
-/** The question and its choices. @param {Question} question */
-function asked({ text, choices, answer: right }) {
-  const [chosen, known] = [progress.answers[progress.at], progress.told[progress.at]];
-  const box = make("fieldset", "");
-  box.append(make("legend", "", text));
-  choices.forEach((choice, i) => {
-    const made = makeButton(choice, () => answer(i), "softrod-button softrod-choice");
-    made.ariaPressed = String(i === chosen);
-    made.disabled = known;
-    if (known && i === right) made.dataset.right = "";
-    else if (known && i === chosen) made.dataset.wrong = "";
-    box.append(made);
-  });
-  return box;
-}
-
-/** What is right, and why; or the button that tells it. @param {Question} question */
-function answered({ choices, answer: right, because }) {
-  const chosen = progress.answers[progress.at];
-  if (!progress.told[progress.at]) return makeButton("What is right?", reveal, "softrod-button softrod-first softrod-lesson-reveal");
-  const verdict = paragraph(chosen === right ? "That is right." : `The answer is: ${choices[right]}.`, because);
-  verdict.className = "softrod-verdict";
-  verdict.tabIndex = -1;
-  return verdict;
-}
-
 /** Puts the present step into the card. */
 function show() {
-  const step = steps[progress.at];
+  const { at, answers, told: known } = progress;
+  const step = steps[at];
   if (!card || !step) return;
-  const { question } = step;
-  const open = question === null || progress.answers[progress.at] !== null;
-  const title = make("h2", "", step.title);
-  title.tabIndex = -1;
-  const head = make("div", "softrod-lesson-head");
-  head.append(title, make("span", "softrod-lesson-count", `${progress.at + 1} / ${steps.length}`));
-  const text = make("div", "");
-  // The choice stays above what follows from it.
-  if (question) text.append(asked(question));
-  if (open) {
-    const task = paragraph("Do:", step.do);
-    task.className = "softrod-lesson-do";
-    task.tabIndex = -1;
-    text.append(task);
-    if (step.watch) text.append(paragraph("Watch:", step.watch));
-    if (question) text.append(answered(question));
-  }
-  const foot = make("div", "softrod-lesson-foot");
-  const back = makeButton("Back", () => enter(progress.at - 1));
-  back.disabled = progress.at === 0;
-  const anew = makeButton("Again", again);
-  anew.title = "begin this step anew";
-  const next = makeButton(progress.at + 1 < steps.length ? "Next" : "Start over", () => {
-    if (progress.at + 1 === steps.length) {
-      progress.answers.fill(null);
-      progress.told.fill(false);
-    }
-    enter((progress.at + 1) % steps.length);
-  }, "softrod-button softrod-lesson-next");
-  next.disabled = !open;
-  // One thing to press next: first what is right.
-  next.classList.toggle("softrod-first", question === null || progress.told[progress.at]);
-  foot.append(back, anew, next);
-  card.replaceChildren(head, text, foot);
+  const shown = { step, at, count: steps.length, chosen: answers[at], known: known[at] };
+  card.replaceChildren(...lessonCard(shown, { answer, reveal, again, enter, startOver }));
+}
+
+/** The lesson from its first step on, without any answers. */
+function startOver() {
+  progress.answers.fill(null);
+  progress.told.fill(false);
+  enter(0);
 }
 
 /** Makes the card of lessons, and keeps it in its place in the panel, which viser makes anew now and then. */

@@ -23,6 +23,8 @@ import { pushAndFriction } from "./push.js";
  *   apart: number[][]}} Contact px, kg/(px s²), 1, px/s, s/px, px; for each spring, the masses that never touch it
  * @typedef {{strength: number[], yieldForce: number[], hardening: number[], yieldTorque: number[]}} Limits of springs and
  *   joints: kg px/s², kg/s², kg px²/s²; 1e300 for what has none
+ * @typedef {{length: number[], hardened: number[], angle: number[]}} Yielded what has yielded before: rest lengths by how
+ *   much, px, yield forces, kg px/s², rest angles, degrees; empty where none has
  *
  * @typedef {object} BodyData a body at one moment, as `app/export/live/data.py` writes it
  * @property {number} time s
@@ -52,12 +54,14 @@ import { pushAndFriction } from "./push.js";
  * @property {Filling[]} fillings
  * @property {Contact | null} contact
  * @property {Limits | null} limits
+ * @property {Yielded | null} yielded
  */
 
 /** Area of a gas, as a fraction of its own area, below which its pressure grows linearly. */
 const SMALLEST = 0.01;
 const DEGREE = Math.PI / 180;
-const TURN = 2 * Math.PI;
+/** Of a circle, radians. */
+export const TURN = 2 * Math.PI;
 
 /** An angle, wrapped once into (-180, 180] degrees. @param {number} angle */
 const wrapped = (angle) => (angle > 180 ? angle - 360 : angle <= -180 ? angle + 360 : angle);
@@ -89,6 +93,7 @@ export class Body {
     this.jointDamping = Float64Array.from(data.jointDamping);
     this.restAngle = Float64Array.from(data.restAngle);
     this.broken = new Uint8Array(this.springs);
+    this.loads = data.loads.map(([mass, x, y]) => ({ mass, x, y }));
     this.walls = data.walls.map((wall) => /** @type {Wall} */ ([...wall]));
     this.waves = data.waves;
     this.fillings = data.fillings.map((filling) => ({ ...filling }));
@@ -100,6 +105,9 @@ export class Body {
     this.setLength = new Float64Array(this.springs);
     this.setAngle = new Float64Array(this.joints);
     this.hardened = new Float64Array(this.springs);
+    this.setLength.set(data.yielded?.length ?? []);
+    this.setAngle.set(data.yielded?.angle ?? []);
+    this.hardened.set(data.yielded?.hardened ?? []);
     // In each evaluation: of each spring its vector, px, its length, px, and the force on its b end, kg px/s².
     this.vectors = new Float64Array(2 * this.springs);
     this.lengths = new Float64Array(this.springs);
@@ -145,11 +153,11 @@ export class Body {
    *   steps gains no energy, see `sim/forces/push.py`
    */
   accelerate(softeningStep) {
-    const { accelerations: a, mass, held, gravity, data } = this;
+    const { accelerations: a, mass, held, gravity } = this;
     a.fill(0);
-    for (const [m, x, y] of data.loads) {
-      a[2 * m] += x;
-      a[2 * m + 1] += y;
+    for (const load of this.loads) {
+      a[2 * load.mass] += load.x;
+      a[2 * load.mass + 1] += load.y;
     }
     this.#addSprings();
     this.#addFillings();
@@ -160,15 +168,17 @@ export class Body {
       a[2 * m] = a[2 * m] * w + (held[m] ? 0 : gravity[0]);
       a[2 * m + 1] = a[2 * m + 1] * w + (held[m] ? 0 : gravity[1]);
     }
-    for (const wall of this.walls) this.#addWall(wall, softeningStep);
+    for (let k = 0; k < this.walls.length; k++) this.#addWall(this.walls[k], softeningStep);
   }
 
   /** Find the vectors and lengths of all springs as they are now. */
   measure() {
     const { positions: x, ends, vectors, lengths, data } = this;
     for (let s = 0; s < this.springs; s++) {
-      const [a, b] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
-      const [dx, dy] = [x[b] - x[a], x[b + 1] - x[a + 1]];
+      const a = 2 * ends[2 * s];
+      const b = 2 * ends[2 * s + 1];
+      const dx = x[b] - x[a];
+      const dy = x[b + 1] - x[a + 1];
       vectors[2 * s] = dx;
       vectors[2 * s + 1] = dy;
       lengths[s] = Math.sqrt(dx * dx + dy * dy + data.softening);
@@ -178,15 +188,12 @@ export class Body {
   /** The angle of a joint, from its first spring to its second one, degrees. @param {number} j */
   angleOf(j) {
     this.measure();
-    const { heldSprings, vectors } = this;
-    const [p, q] = [2 * heldSprings[2 * j], 2 * heldSprings[2 * j + 1]];
-    const [cross, dot] = [
-      vectors[p] * vectors[q + 1] - vectors[p + 1] * vectors[q],
-      vectors[p] * vectors[q] + vectors[p + 1] * vectors[q + 1],
-    ];
-    return Math.atan2(cross, dot) / DEGREE;
+    const { heldSprings } = this;
+    const [p, q] = [heldSprings[2 * j], heldSprings[2 * j + 1]];
+    return Math.atan2(this.#cross(p, q), this.#dot(p, q)) / DEGREE;
   }
 
+  // What runs at every step makes no arrays: a browser would spend half of its time on clearing them away.
   #addSprings() {
     const { velocities: v, accelerations: a, ends, vectors, lengths, forces } = this;
     this.measure();
@@ -195,8 +202,11 @@ export class Body {
         forces[2 * s] = forces[2 * s + 1] = 0;
         continue;
       }
-      const [one, two] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
-      const [dx, dy, length] = [vectors[2 * s], vectors[2 * s + 1], lengths[s]];
+      const one = 2 * ends[2 * s];
+      const two = 2 * ends[2 * s + 1];
+      const dx = vectors[2 * s];
+      const dy = vectors[2 * s + 1];
+      const length = lengths[s];
       const along = (dx * (v[two] - v[one]) + dy * (v[two + 1] - v[one + 1])) / (length * length);
       const pull = this.stiffness[s] * (this.restLengthOf(s) / length - 1) - this.damping[s] * along;
       forces[2 * s] = pull * dx;
@@ -204,7 +214,8 @@ export class Body {
     }
     this.#addJoints();
     for (let s = 0; s < this.springs; s++) {
-      const [one, two] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
+      const one = 2 * ends[2 * s];
+      const two = 2 * ends[2 * s + 1];
       a[one] -= forces[2 * s];
       a[one + 1] -= forces[2 * s + 1];
       a[two] += forces[2 * s];
@@ -213,55 +224,85 @@ export class Body {
   }
 
   /** Rate at which a spring turns, 1/s. @param {number} s */
-  #turning(s) {
+  turning(s) {
     const { velocities: v, ends, vectors, lengths } = this;
-    const [one, two] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
+    const one = 2 * ends[2 * s];
+    const two = 2 * ends[2 * s + 1];
     const cross = vectors[2 * s] * (v[two + 1] - v[one + 1]) - vectors[2 * s + 1] * (v[two] - v[one]);
     return cross / (lengths[s] * lengths[s]);
   }
 
+  /** The cross product of the springs of a joint, px². @param {number} p @param {number} q */
+  #cross(p, q) {
+    const { vectors } = this;
+    return vectors[2 * p] * vectors[2 * q + 1] - vectors[2 * p + 1] * vectors[2 * q];
+  }
+
+  /** Their dot product, px². @param {number} p @param {number} q */
+  #dot(p, q) {
+    const { vectors } = this;
+    return vectors[2 * p] * vectors[2 * q] + vectors[2 * p + 1] * vectors[2 * q + 1];
+  }
+
+  /** How far a joint is from its rest angle, radians. @param {number} j @param {number} p @param {number} q */
+  #off(j, p, q) {
+    const off = Math.atan2(this.#cross(p, q), this.#dot(p, q)) - this.rest[j];
+    return off > Math.PI ? off - TURN : off < -Math.PI ? off + TURN : off;
+  }
+
+  /** The torque of a joint without damping, kg px²/s². @param {number} j */
+  torqueOf(j) {
+    if (this.isLoose(j)) return 0;
+    const { heldSprings, lengths } = this;
+    const p = heldSprings[2 * j];
+    const q = heldSprings[2 * j + 1];
+    if (this.law === "angle") return this.jointStiffness[j] * lengths[p] * lengths[q] * this.#off(j, p, q);
+    return this.cosine[j] * this.#cross(p, q) - this.sine[j] * this.#dot(p, q);
+  }
+
   /**
-   * How a joint is bent: its torque without damping and its energy, both kg px²/s². The tutorial's law has the energy of
-   * the conservative one, but no force along the springs from it.
+   * The energy of a joint, kg px²/s². The tutorial's law has that of the conservative one, but no force along the springs
+   * from it.
    *
    * @param {number} j
-   * @returns {[torque: number, energy: number]}
    */
-  bent(j) {
-    const { heldSprings, vectors, lengths } = this;
-    const [p, q] = [heldSprings[2 * j], heldSprings[2 * j + 1]];
-    const [px, py, qx, qy] = [vectors[2 * p], vectors[2 * p + 1], vectors[2 * q], vectors[2 * q + 1]];
-    const [cross, dot] = [px * qy - py * qx, px * qx + py * qy];
-    const stiffness = this.isLoose(j) ? 0 : this.jointStiffness[j];
-    if (this.law === "angle") {
-      let off = Math.atan2(cross, dot) - this.rest[j];
-      if (off > Math.PI) off -= TURN;
-      else if (off < -Math.PI) off += TURN;
-      const torque = stiffness * lengths[p] * lengths[q] * off;
-      return [torque, 0.5 * torque * off];
-    }
-    const torque = this.cosine[j] * cross - this.sine[j] * dot;
-    return [torque, stiffness * lengths[p] * lengths[q] - this.cosine[j] * dot - this.sine[j] * cross];
+  energyOf(j) {
+    if (this.isLoose(j)) return 0;
+    const { heldSprings, lengths } = this;
+    const p = heldSprings[2 * j];
+    const q = heldSprings[2 * j + 1];
+    if (this.law === "angle") return 0.5 * this.torqueOf(j) * this.#off(j, p, q);
+    return this.jointStiffness[j] * lengths[p] * lengths[q] - this.cosine[j] * this.#dot(p, q) - this.sine[j] * this.#cross(p, q);
   }
 
   #addJoints() {
-    const { heldSprings, vectors, lengths, forces } = this;
+    const { heldSprings, lengths } = this;
     for (let j = 0; j < this.joints; j++) {
       if (this.isLoose(j)) continue;
-      const [p, q] = [heldSprings[2 * j], heldSprings[2 * j + 1]];
-      const [undamped, stored] = this.bent(j);
-      const energy = this.law === "tutorial" ? 0 : stored;
-      let torque = undamped;
+      const p = heldSprings[2 * j];
+      const q = heldSprings[2 * j + 1];
+      const energy = this.law === "tutorial" ? 0 : this.energyOf(j);
+      let torque = this.torqueOf(j);
       if (this.jointDamping[j]) {
-        torque += this.jointDamping[j] * lengths[p] * lengths[q] * (this.#turning(q) - this.#turning(p));
+        torque += this.jointDamping[j] * lengths[p] * lengths[q] * (this.turning(q) - this.turning(p));
       }
-      // The torque turns both springs towards the rest angle; the energy grows with their lengths, and pulls along them.
-      for (const [s, turn] of [[p, torque], [q, -torque]]) {
-        const [x, y, square] = [vectors[2 * s], vectors[2 * s + 1], lengths[s] * lengths[s]];
-        forces[2 * s] += (-turn * y - energy * x) / square;
-        forces[2 * s + 1] += (turn * x - energy * y) / square;
-      }
+      this.#turn(p, torque, energy);
+      this.#turn(q, -torque, energy);
     }
+  }
+
+  /**
+   * A torque turns both springs of a joint towards the rest angle; the energy grows with their lengths, and pulls along them.
+   *
+   * @param {number} s @param {number} torque @param {number} energy
+   */
+  #turn(s, torque, energy) {
+    const { vectors, lengths, forces } = this;
+    const x = vectors[2 * s];
+    const y = vectors[2 * s + 1];
+    const square = lengths[s] * lengths[s];
+    forces[2 * s] += (-torque * y - energy * x) / square;
+    forces[2 * s + 1] += (torque * x - energy * y) / square;
   }
 
   #addFillings() {
@@ -292,24 +333,18 @@ export class Body {
     return 0.5 * twice;
   }
 
-  /** The velocity of the air at a place, px/s. @param {number} x @param {number} y @returns {[number, number]} */
-  windAt(x, y) {
-    let [u, v] = this.wind;
-    for (const [kx, ky, du, dv, phase, rate] of this.waves) {
-      const size = Math.sin(kx * x + ky * y + phase + rate * this.time);
-      u += du * size;
-      v += dv * size;
-    }
-    return [u, v];
-  }
-
   #addAir() {
-    const { positions: x, velocities: v, accelerations: a, airFriction } = this;
+    const { positions: x, velocities: v, accelerations: a, airFriction, waves, wind, time } = this;
     if (!airFriction) return;
-    const moves = this.wind[0] !== 0 || this.wind[1] !== 0 || this.waves.length > 0;
     for (let i = 0; i < 2 * this.masses; i += 2) {
-      const [u, w] = moves ? this.windAt(x[i], x[i + 1]) : [0, 0];
-      const [past, beside] = [v[i] - u, v[i + 1] - w];
+      let past = v[i] - wind[0];
+      let beside = v[i + 1] - wind[1];
+      for (let k = 0; k < waves.length; k++) {
+        const wave = waves[k];
+        const size = Math.sin(wave[0] * x[i] + wave[1] * x[i + 1] + wave[4] + wave[5] * time);
+        past -= wave[2] * size;
+        beside -= wave[3] * size;
+      }
       a[i] -= airFriction * past * Math.abs(past);
       a[i + 1] -= airFriction * beside * Math.abs(beside);
     }
@@ -322,7 +357,8 @@ export class Body {
       const i = 2 * m;
       const depth = (px - x[i]) * nx + (py - x[i + 1]) * ny;
       if (!(depth > 0) || held[m]) continue;
-      const [speed, along] = [v[i] * nx + v[i + 1] * ny, v[i + 1] * nx - v[i] * ny];
+      const speed = v[i] * nx + v[i + 1] * ny;
+      const along = v[i + 1] * nx - v[i] * ny;
       const [push, rub] = pushAndFriction(hardness, damping, friction, slipSpeed, h, 1, 1, depth, speed, along);
       a[i] += push * nx + rub * ny;
       a[i + 1] += push * ny - rub * nx;

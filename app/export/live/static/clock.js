@@ -7,6 +7,7 @@
  * @typedef {import("./steps.js").Hand} Hand
  * @typedef {import("./steps.js").Presses} Presses
  */
+import { Past } from "./past.js";
 import { StabilityMeter } from "./stability.js";
 import { advance, METHODS } from "./steps.js";
 
@@ -23,6 +24,29 @@ const LOOK_EVERY = 0.5;
 /** Coordinate, px, beyond which a body has run away. */
 const FAR = 1e6;
 
+/** Speed of a hand, px/s, that is always allowed. */
+const SLOWEST = 100;
+
+/**
+ * The largest speed at which a hand may lead a mass, px/s: that at which a pull travels through its springs. A mass that is
+ * led faster would tear them apart, or press them to nothing; see `sim/motion/drag.py`.
+ *
+ * @param {Body} body @param {number} led
+ */
+function fastest(body, led) {
+  const { ends, mass, held, stiffness } = body;
+  let speed = Infinity;
+  ends.forEach((end, i) => {
+    const [s, other] = [i >> 1, ends[i ^ 1]];
+    if (end !== led || body.broken[s] || !(stiffness[s] > 0) || held[other]) return;
+    speed = Math.min(speed, body.restLengthOf(s) * Math.sqrt(stiffness[s] / mass[other]));
+  });
+  return Math.max(speed, SLOWEST);
+}
+
+/** @param {number} seconds */
+const number = (seconds) => String(Number(seconds.toPrecision(2)));
+
 /** A body in time. */
 export class Clock {
   /**
@@ -38,6 +62,9 @@ export class Clock {
     /** How much of real time the last pictures had. */
     this.rate = 1;
     this.exploded = false;
+    /** Why it has, in words. */
+    this.cause = "";
+    this.past = new Past(body);
     this.owed = 0;
     this.due = 0;
     /** The smallest limit that was found since the body's numbers changed, s: on its way out a body has others. */
@@ -58,6 +85,15 @@ export class Clock {
     this.least = Infinity;
   }
 
+  /** Bring the body back to before it ran away. */
+  goBack() {
+    this.past.goBack();
+    this.good.positions.set(this.body.positions);
+    this.good.velocities.set(this.body.velocities);
+    this.exploded = false;
+    this.changed();
+  }
+
   /**
    * Go on by what is due.
    *
@@ -74,11 +110,12 @@ export class Clock {
     const h = this.step;
     let left = Math.floor(this.owed / h + 1e-9);
     const all = left;
+    const goals = hands.map((hand) => this.#within(hand, all * h));
     while (left > 0) {
       // Hands move in proportion, also where computing ends early.
       const count = Math.min(left, 16);
       const part = count / left;
-      const ways = hands.map(({ mass, x, y }) => {
+      const ways = goals.map(({ mass, x, y }) => {
         const [atX, atY] = [this.body.positions[2 * mass], this.body.positions[2 * mass + 1]];
         return { mass, x: atX + part * (x - atX), y: atY + part * (y - atY) };
       });
@@ -90,6 +127,14 @@ export class Clock {
     if (all) this.rate += 0.1 * ((all - left) / all - this.rate);
   }
 
+  /** As far on the way of a hand as it may lead its mass in some time (s). @param {Hand} hand @param {number} time @returns {Hand} */
+  #within({ mass, x, y }, time) {
+    const { positions } = this.body;
+    const [dx, dy] = [x - positions[2 * mass], y - positions[2 * mass + 1]];
+    const part = Math.min(1, (fastest(this.body, mass) * time) / Math.max(Math.hypot(dx, dy), 1e-9));
+    return { mass, x: positions[2 * mass] + part * dx, y: positions[2 * mass + 1] + part * dy };
+  }
+
   /** Do some steps; says whether the body is still there. @param {number} h @param {number} count @param {readonly Hand[]} hands @param {Presses} presses */
   advance(h, count, hands, presses) {
     const { body } = this;
@@ -97,12 +142,41 @@ export class Clock {
     if (isFinite && body.positions.every((value) => Math.abs(value) < FAR)) {
       this.good.positions.set(body.positions);
       this.good.velocities.set(body.velocities);
+      this.past.keep();
       return true;
     }
     body.positions.set(this.good.positions);
     body.velocities.set(this.good.velocities);
     this.exploded = true;
-    this.meter.limit = this.least;
+    this.cause = this.#cause();
     return false;
+  }
+
+  /** The likely cause, as `sim/motion/divergence.py` says it: the limit is that of the body at its start, if it is passed. */
+  #cause() {
+    const { body, method, dt } = this;
+    if (method !== "symplectic_euler") return "It was moved or set up too violently";
+    const { positions, velocities, jointStiffness, jointDamping } = body;
+    const arrays = [positions, velocities, jointStiffness, jointDamping];
+    const keep = arrays.map((array) => array.slice());
+    const limitNow = () => new StabilityMeter(body, method).look();
+    // Its speed is a consequence of running away.
+    velocities.fill(0);
+    positions.set(body.data.positions);
+    const atStart = limitNow();
+    if (!(dt > atStart)) positions.set(keep[0]);
+    const limit = dt > atStart ? atStart : this.least;
+    jointStiffness.fill(0);
+    jointDamping.fill(0);
+    body.refresh();
+    const linear = limitNow();
+    arrays.forEach((array, i) => array.set(keep[i]));
+    body.refresh();
+    this.meter.limit = limit;
+    if (!(dt > limit)) {
+      return "The time step is below the stability limit, but that is for small motions; it was moved or set up too violently";
+    }
+    const what = body.joints && linear > 1.2 * limit ? "angular springs set" : "linear springs set";
+    return `The time step of ${number(dt)} s is above the stability limit of ${number(limit)} s, which the ${what}`;
   }
 }

@@ -12,23 +12,28 @@ import { pushAndFriction } from "./push.js";
 const found = new WeakMap();
 
 /**
- * The point of a spring that is nearest to a mass, as a fraction of its way; and from there to the mass, px.
+ * The point of a spring that is nearest to a mass, as a fraction of its way.
  *
  * @param {Float64Array} x @param {number} m first index of the mass @param {number} a @param {number} b of the spring's ends
- * @returns {[t: number, dx: number, dy: number]}
  */
 function meeting(x, m, a, b) {
-  const [ex, ey] = [x[b] - x[a], x[b + 1] - x[a + 1]];
-  const [dx, dy] = [x[m] - x[a], x[m + 1] - x[a + 1]];
-  const t = Math.min(Math.max((dx * ex + dy * ey) / Math.max(ex * ex + ey * ey, 1e-300), 0), 1);
-  return [t, dx - t * ex, dy - t * ey];
+  const ex = x[b] - x[a];
+  const ey = x[b + 1] - x[a + 1];
+  const t = ((x[m] - x[a]) * ex + (x[m + 1] - x[a + 1]) * ey) / Math.max(ex * ex + ey * ey, 1e-300);
+  return Math.min(Math.max(t, 0), 1);
+}
+
+/** Whether no coordinate has changed by more than a length. @param {Float64Array} x @param {Float64Array} before @param {number} most */
+function hasStayed(x, before, most) {
+  for (let i = 0; i < x.length; i++) if (!(Math.abs(x[i] - before[i]) <= most)) return false;
+  return true;
 }
 
 /** Pairs of a mass and a spring that may touch until anything has moved by half of the margin. @param {Body} body @param {Contact} contact */
 function nearPairs(body, { distance, margin, apart }) {
   const { positions: x, ends } = body;
   const before = found.get(body);
-  if (before && before.at.every((value, i) => 2 * Math.abs(value - x[i]) * Math.SQRT2 <= margin)) return before.pairs;
+  if (before && hasStayed(x, before.at, margin / (2 * Math.SQRT2))) return before.pairs;
   const pairs = [];
   const reach = distance + margin;
   for (let s = 0; s < body.springs; s++) {
@@ -36,7 +41,9 @@ function nearPairs(body, { distance, margin, apart }) {
     const [a, b] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
     for (let m = 0; m < body.masses; m++) {
       if (never.has(m)) continue;
-      const [, dx, dy] = meeting(x, 2 * m, a, b);
+      const t = meeting(x, 2 * m, a, b);
+      const dx = x[2 * m] - x[a] - t * (x[b] - x[a]);
+      const dy = x[2 * m + 1] - x[a + 1] - t * (x[b + 1] - x[a + 1]);
       if (dx * dx + dy * dy < reach * reach) pairs.push(m, s);
     }
   }
@@ -55,10 +62,15 @@ export function addContact(body, contact, h) {
   const pairs = nearPairs(body, contact);
   const mobilityOf = (/** @type {number} */ m) => (held[m] ? 0 : 1 / mass[m]);
   for (let p = 0; p < pairs.length; p += 2) {
-    const [m, s] = [pairs[p], pairs[p + 1]];
+    const m = pairs[p];
+    const s = pairs[p + 1];
     if (broken[s]) continue;
-    const [i, a, b] = [2 * m, 2 * ends[2 * s], 2 * ends[2 * s + 1]];
-    const [t, dx, dy] = meeting(x, i, a, b);
+    const i = 2 * m;
+    const a = 2 * ends[2 * s];
+    const b = 2 * ends[2 * s + 1];
+    const t = meeting(x, i, a, b);
+    const dx = x[i] - x[a] - t * (x[b] - x[a]);
+    const dy = x[i + 1] - x[a + 1] - t * (x[b + 1] - x[a + 1]);
     const square = dx * dx + dy * dy;
     if (!(square < contact.distance * contact.distance)) continue;
     const u = 1 - t;

@@ -20,6 +20,6 @@ export function energies(body) {
     if (!body.broken[s]) linear += 0.5 * body.stiffness[s] * (length - body.restLengthOf(s)) ** 2;
   }
   body.measure();
-  for (let j = 0; j < body.joints; j++) angular += body.bent(j)[1];
+  for (let j = 0; j < body.joints; j++) angular += body.energyOf(j);
   return { kinetic, height, ...(body.springs && { linear }), ...(body.joints && { angular }) };
 }

@@ -28,6 +28,10 @@ export function addHands(canvas, { body, plan, place }) {
   const led = new Map();
   /** The mass that the keys have chosen. */
   let chosen = -1;
+  /** Whether the ringed mass follows the pointer, and where that is, px. */
+  let follows = false;
+  /** @type {{x: number, y: number} | null} */
+  let pointer = null;
   const says = element("says", HTMLElement);
 
   /** Where a mass is on the screen. @param {number} mass */
@@ -64,9 +68,11 @@ export function addHands(canvas, { body, plan, place }) {
     return [clientX - box.left, clientY - box.top];
   };
 
+  canvas.addEventListener("pointerleave", () => (pointer = null));
   canvas.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
     const [left, top] = spot(event);
+    pointer = inScene(left, top);
     const mass = massAt(left, top, REACH[/** @type {"mouse"} */ (event.pointerType)] ?? REACH.mouse);
     if (mass < 0) return;
     event.preventDefault();
@@ -78,7 +84,8 @@ export function addHands(canvas, { body, plan, place }) {
   canvas.addEventListener("pointermove", (event) => {
     const [left, top] = spot(event);
     const hand = led.get(event.pointerId);
-    if (hand) Object.assign(hand, inScene(left, top));
+    pointer = inScene(left, top);
+    if (hand) Object.assign(hand, pointer);
     else if (event.pointerType === "mouse") canvas.classList.toggle("near", massAt(left, top, REACH.mouse) >= 0);
   });
   for (const kind of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
@@ -87,6 +94,8 @@ export function addHands(canvas, { body, plan, place }) {
       canvas.classList.toggle("holds", led.size > 0);
     });
   }
+  // Two fingers of which one holds a mass do not zoom; its pointer is pressed before its touch starts.
+  canvas.addEventListener("touchstart", (event) => led.size && event.preventDefault(), { passive: false });
   const name = () => `mass ${chosen} of 0 to ${body().masses - 1}`;
   canvas.addEventListener("focus", () => {
     if (!canvas.matches(":focus-visible")) return;
@@ -126,14 +135,22 @@ export function addHands(canvas, { body, plan, place }) {
     }
   });
 
+  /** The hands, each with its mass and where that is to be. */
+  const hands = () => {
+    const mass = plan().driven;
+    return follows && pointer && mass >= 0 && !led.size ? [{ mass, ...pointer }] : [...led.values()];
+  };
+
   return {
-    /** The hands, each with its mass and where that is to be. */
-    hands: () => [...led.values()],
+    hands,
+    /** Have the ringed mass follow the pointer, or no longer. */
+    follow: () => (follows = !follows),
+    follows: () => follows,
     letGo: () => led.clear(),
     /** Put the masses where hands have them, while the clock stands. */
     moveAtOnce() {
       const { positions, velocities } = body();
-      for (const { mass, x, y } of led.values()) {
+      for (const { mass, x, y } of hands()) {
         positions[2 * mass] = x;
         positions[2 * mass + 1] = y;
         velocities[2 * mass] = velocities[2 * mass + 1] = 0;

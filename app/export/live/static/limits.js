@@ -70,7 +70,7 @@ function bend(body, j, yieldTorque) {
 }
 
 /** Let out what was held in by a spring that is broken. @param {Body} body */
-function leak(body) {
+export function leak(body) {
   const gone = new Set();
   for (let s = 0; s < body.springs; s++) {
     if (!body.broken[s]) continue;

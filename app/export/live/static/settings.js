@@ -12,9 +12,12 @@
  * @property {number} low of the slider
  * @property {number} high
  * @property {boolean} logarithmic
- * @property {number} value at first
+ * @property {number | string} value at first
+ * @property {[value: number | string, label: string][]} [options] where it is chosen from a list
  * @property {Record<string, number>} [stiffness] of joints, kg/s², by the rest angle in degrees: for the tutorial's templates
  */
+
+const DEGREE = Math.PI / 180;
 
 /**
  * Set all numbers of an array in proportion to what the file has of them.
@@ -25,7 +28,29 @@ function scale(numbers, own, value, first) {
   for (let i = 0; i < own.length; i++) numbers[i] = first ? own[i] * (value / first) : value;
 }
 
-/** @type {Record<string, (body: Body, value: number, setting: Setting) => void>} */
+/** How the wind of a body was set: px/s, degrees from the right upwards, and the part of its own gusts. @type {WeakMap<Body, Blow>} */
+const blows = new WeakMap();
+
+/** @typedef {{speed: number, direction: number, gusts: number}} Blow */
+
+/**
+ * Set the wind. Gusts keep their waves: these are as much stronger as the wind, and it carries them along.
+ *
+ * @param {Body} body @param {Partial<Blow>} change
+ */
+function blow(body, change) {
+  const { wind: [u, v], waves, down } = body.data;
+  const own = Math.hypot(u, v);
+  const before = blows.get(body) ?? { speed: own, direction: Math.atan2(-v * down, u) / DEGREE, gusts: 1 };
+  const { speed, direction, gusts } = { ...before, ...change };
+  blows.set(body, { speed, direction, gusts });
+  const [x, y] = [speed * Math.cos(direction * DEGREE), -speed * Math.sin(direction * DEGREE) * down];
+  const part = own ? (gusts * speed) / own : 0;
+  body.wind = [x, y];
+  body.waves = waves.map(([kx, ky, du, dv, phase]) => [kx, ky, du * part, dv * part, phase, -(kx * x + ky * y)]);
+}
+
+/** @type {Record<string, (body: Body, value: number, setting: {value: number, stiffness?: Record<string, number>}) => void>} */
 const WRITE = {
   linear_stiffness: (body, value, { value: first }) => scale(body.stiffness, body.data.stiffness, value, first),
   linear_damping: (body, value, { value: first }) => scale(body.damping, body.data.damping, value, first),
@@ -44,11 +69,9 @@ const WRITE = {
     body.gravity = first ? gravity.map((part) => part * (value / first)) : [0, value * down];
   },
   air_friction: (body, value) => (body.airFriction = value),
-  wind_speed: (body, value, { value: first }) => {
-    const part = first ? value / first : 0;
-    body.wind = body.data.wind.map((speed) => speed * part);
-    body.waves = body.data.waves.map(([x, y, u, v, phase, rate]) => [x, y, u * part, v * part, phase, rate * part]);
-  },
+  wind_speed: (body, value) => blow(body, { speed: value }),
+  wind_direction: (body, value) => blow(body, { direction: value }),
+  turbulence: (body, value, { value: first }) => blow(body, { gusts: value / first }),
   wall_friction: (body, value, { value: first }) => {
     body.walls.forEach((wall, i) => (wall[5] = first ? body.data.walls[i][5] * (value / first) : value));
   },
@@ -56,14 +79,12 @@ const WRITE = {
   contact_friction: (body, value) => body.contact && (body.contact.friction = value),
 };
 
-/** The settings that a file can have. */
-export const KEYS = Object.keys(WRITE);
-
 /** An angle in (-180, 180] degrees. @param {number} angle */
 const turned = (angle) => angle - 360 * Math.ceil((angle - 180) / 360);
 
-/** Set a number of a body. @param {Body} body @param {Setting} setting @param {number} value */
+/** Set a number or a choice of a body. @param {Body} body @param {Setting} setting @param {number | string} value */
 export function write(body, setting, value) {
-  WRITE[setting.key]?.(body, value, setting);
+  if (setting.key === "force_law") body.law = /** @type {import("./body.js").ForceLaw} */ (value);
+  else WRITE[setting.key]?.(body, Number(value), { ...setting, value: Number(setting.value) });
   body.refresh();
 }

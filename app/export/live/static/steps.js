@@ -7,9 +7,9 @@
  * @typedef {{factor: number, angle: number}} Presses what held keys do in a second: a factor of all rest lengths, and degrees
  *   that all rest angles grow by
  */
+import { TURN } from "./body.js";
 import { settle } from "./limits.js";
 
-const TURN = 2 * Math.PI;
 /** Range of the factor of all rest lengths. */
 const [SCALE_MIN, SCALE_MAX] = [0.01, 100];
 
@@ -55,6 +55,9 @@ function eulerStep(body, h, lead) {
   }
 }
 
+/** Room for what a body was like at the begin of a step. @type {WeakMap<Body, {v: Float64Array, a: Float64Array}>} */
+const rooms = new WeakMap();
+
 /**
  * Velocity Verlet: x += h v + h²/2 a, v += h/2 (a + a'). Forces at the end of the step see the velocities v + h a.
  *
@@ -63,7 +66,10 @@ function eulerStep(body, h, lead) {
 function verletStep(body, h, lead) {
   const { positions: x, velocities: v, accelerations: a, held } = body;
   const end = body.time + h;
-  const before = { v: v.slice(), a: a.slice() };
+  const before = rooms.get(body) ?? { v: new Float64Array(v.length), a: new Float64Array(v.length) };
+  rooms.set(body, before);
+  before.v.set(v);
+  before.a.set(a);
   for (let i = 0; i < x.length; i++) {
     if (held[i >> 1]) continue;
     x[i] += h * (v[i] + 0.5 * h * a[i]);
@@ -79,36 +85,6 @@ function verletStep(body, h, lead) {
 
 /** The two methods: the tutorial's, and one of second order whose steps are chosen. */
 export const METHODS = /** @type {const} */ ({ symplectic_euler: eulerStep, verlet: verletStep });
-
-/**
- * A bound below the largest stable step of velocity Verlet, s: rows of M⁻¹ K and M⁻¹ C are summed (Gershgorin), for springs
- * that have their rest lengths. Infinite where nothing pulls.
- *
- * @param {Body} body
- */
-export function longestStep(body) {
-  const [k, c] = [new Float64Array(body.masses), new Float64Array(body.masses)];
-  const { ends, heldSprings, held, mass } = body;
-  /** @param {number} s @param {number} stiffness @param {number} damping */
-  const add = (s, stiffness, damping) => {
-    for (const m of [ends[2 * s], ends[2 * s + 1]]) {
-      k[m] += stiffness;
-      c[m] += damping;
-    }
-  };
-  for (let s = 0; s < body.springs; s++) if (!body.broken[s]) add(s, 2 * body.stiffness[s], 2 * body.damping[s]);
-  for (let j = 0; j < body.joints; j++) {
-    // A joint of two springs in line bends by x1 - 2 x2 + x3.
-    for (const s of [heldSprings[2 * j], heldSprings[2 * j + 1]]) add(s, 4 * body.jointStiffness[j], 4 * body.jointDamping[j]);
-  }
-  let shortest = Infinity;
-  for (let m = 0; m < body.masses; m++) {
-    if (held[m]) continue;
-    const [kk, cc] = [k[m] / mass[m], c[m] / mass[m]];
-    if (kk + cc > 0) shortest = Math.min(shortest, 2 / (cc + Math.sqrt(cc * cc + kk)));
-  }
-  return shortest;
-}
 
 /**
  * Do some steps of equal length.

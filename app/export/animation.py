@@ -1,0 +1,162 @@
+"""A motion as an animated model: a GLB file, for game engines, Blender and viewers on the web.
+
+Each mass and each spring is a node, `mass 3` and `spring 7`. Masses have keyframes of their places; springs,
+of unit length along x, follow from their first mass to the second one. What does not move has no keyframes.
+Units and axes are those of `app.export.model`; wedges, fillings and wind are left out.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+import sim
+from sim.errors import InputError
+from sim.scene.types import shown_name
+
+from ..drawing.colors import linear
+from ..drawing.plan import broken_of
+from ..drawing.shapes import meshes
+from ..drawing.sketch import Floats, Sketch
+from . import instances
+from .clip import Clip, Shot
+from .glb_file import GlbFile
+from .keyframes import check_size
+from .model import METRES_PER_PX, MOST_PARTS, PLATE, Solid, ball, plate, spring_solid, walls
+
+_OF_MASS, _OF_SPRING = 3, 7
+"""Numbers of each frame: a place; a turn and a size, for a spring is where its first mass is."""
+
+
+def animated_glb(clip: Clip, rate: int) -> bytes:
+    """The animated model.
+
+    Args:
+        clip: the motion.
+        rate: frames a second.
+
+    Raises:
+        InputError: the scene has too many parts, or the file would be too large.
+    """
+    scene = clip.scene
+    count, springs = len(scene.masses), len(scene.linear_springs)
+    if count + springs > MOST_PARTS:
+        raise InputError(f"a model has {MOST_PARTS} masses and springs at most")
+    check_size(clip, rate, _OF_MASS * count + _OF_SPRING * springs)
+    return _Animation(scene, list(clip.frames(rate)), rate).file.bytes()
+
+
+class _Animation:
+    """Fills a file.
+
+    Args:
+        scene: the body.
+        shots: its motion.
+        rate: shots a second.
+    """
+
+    def __init__(self, scene: sim.Scene, shots: list[Shot], rate: int) -> None:
+        self.file, self._sketch, self._shots = GlbFile(), Sketch.plain(scene), shots
+        # From the page's world to metres.
+        self._metres = METRES_PER_PX / self._sketch.mapping.scale
+        self._times = np.arange(len(shots))[:, None] / rate
+        self._clock: int | None = None
+        self._samplers: list[dict[str, Any]] = []
+        self._channels: list[dict[str, Any]] = []
+        self._meshes: dict[tuple[str, tuple[float, ...]], int] = {}
+        to_world = self._sketch.mapping.to_world
+        places = self._metres * np.array([to_world(shot.picture.positions) for shot in shots])
+        nodes = self._masses(places) + self._springs(places) + self._walls(scene)
+        root = self.file.add("nodes", name="body", children=nodes)
+        tree = self.file.tree
+        tree["scene"] = self.file.add("scenes", nodes=[root])
+        extras = {"title": shown_name(scene), "metres_per_px": METRES_PER_PX, "frames_per_second": rate}
+        tree["asset"]["extras"] = extras
+        if self._channels:
+            self.file.add("animations", name="motion", samplers=self._samplers, channels=self._channels)
+
+    def _masses(self, places: Floats) -> list[int]:
+        """Balls and the supports of held ones, of (frames, n, 3) places; returns their nodes."""
+        sketch, nodes = self._sketch, []
+        count, radius = len(sketch.radius), self._metres * sketch.radius
+        colors = sketch.mass_colors()[count : 2 * count]
+        solid = self._solid(ball(sketch.many))
+        self._places = [self._sampler(places[:, i]) for i in range(count)]
+        for i in range(count):
+            mesh = self._mesh("mass", solid, colors[i])
+            nodes.append(self._node(f"mass {i}", mesh, places[0, i], [radius[i]] * 3))
+            self._channel(nodes[-1], "translation", self._places[i])
+        if len(sketch.pinned):
+            support = self._mesh("support", self._solid(plate(meshes()["pin"])), sketch.ink_colors()[0])
+            widths = self._metres * instances.pins(sketch, self._shots[0].picture).widths
+            for i, width in zip(sketch.pinned.tolist(), widths.tolist(), strict=True):
+                nodes.append(self._node(f"support {i}", support, places[0, i], [width, width, PLATE * width]))
+                self._channel(nodes[-1], "translation", self._places[i])
+        return nodes
+
+    def _springs(self, places: Floats) -> list[int]:
+        """Coils or bars, which vanish when they break; returns their nodes."""
+        sketch, nodes = self._sketch, []
+        if not len(sketch.springs):
+            return nodes
+        drawn = [instances.every_spring(sketch, shot.picture) for shot in self._shots]
+        half = np.unwrap([each.angles for each in drawn], axis=0) / 2.0
+        turns = np.stack((0.0 * half, 0.0 * half, np.sin(half), np.cos(half)), axis=-1)
+        sizes = np.array([np.stack((s.lengths, s.widths, s.widths), -1) for s in drawn]) * self._metres
+        for frame, shot in enumerate(self._shots):
+            sizes[frame, list(broken_of(shot.picture.damage))] = 0.0
+        mesh = self._mesh("spring", self._solid(spring_solid(sketch)), sketch.palette.rest)
+        for s, a in enumerate(sketch.springs[:, 0].tolist()):
+            node = self._node(f"spring {s}", mesh, places[0, a], sizes[0, s], turns[0, s])
+            self._channel(node, "translation", self._places[a])
+            self._channel(node, "rotation", self._sampler(turns[:, s]))
+            self._channel(node, "scale", self._sampler(sizes[:, s]))
+            nodes.append(node)
+        return nodes
+
+    def _walls(self, scene: sim.Scene) -> list[int]:
+        plates = walls(self._sketch, scene)
+        if plates is None:
+            return []
+        solid = self._solid((self._metres * plates.vertices, plates.faces))
+        mesh = self._mesh("walls", solid, self._sketch.palette.line)
+        return [self.file.add("nodes", name="walls", mesh=mesh)]
+
+    # --------------------------------------------------------------------- parts of a file
+    def _solid(self, solid: Solid) -> dict[str, Any]:
+        from trimesh import Trimesh
+
+        mesh = Trimesh(*solid, process=False)
+        return self.file.geometry(mesh.vertices, mesh.faces, mesh.vertex_normals)
+
+    def _mesh(self, name: str, solid: dict[str, Any], color: ArrayLike) -> int:
+        """A mesh in an sRGB colour, the same one for the same name and colour."""
+        light = tuple(linear(color).round(6).tolist())
+        if (name, light) not in self._meshes:
+            rough = {"baseColorFactor": (*light, 1.0), "metallicFactor": 0.0, "roughnessFactor": 0.6}
+            material = self.file.add("materials", name=name, doubleSided=True, pbrMetallicRoughness=rough)
+            primitives = [{**solid, "material": material}]
+            self._meshes[name, light] = self.file.add("meshes", name=name, primitives=primitives)
+        return self._meshes[name, light]
+
+    def _node(self, name: str, mesh: int, place: Floats, size: ArrayLike, turn: Floats | None = None) -> int:
+        turned = {} if turn is None else {"rotation": turn.tolist()}
+        sizes = np.asarray(size).tolist()
+        return self.file.add("nodes", name=name, mesh=mesh, translation=place.tolist(), scale=sizes, **turned)
+
+    def _sampler(self, values: Floats) -> int | None:
+        """Keyframes of (frames, k) values, or None where they are all the same."""
+        told = values.astype(np.float32)
+        if (told == told[0]).all():
+            return None
+        if self._clock is None:
+            self._clock = self.file.array(self._times, bounds=True)
+        output = self.file.array(told)
+        self._samplers.append({"input": self._clock, "output": output, "interpolation": "LINEAR"})
+        return len(self._samplers) - 1
+
+    def _channel(self, node: int, path: str, sampler: int | None) -> None:
+        if sampler is not None:
+            self._channels.append({"sampler": sampler, "target": {"node": node, "path": path}})

@@ -1,0 +1,148 @@
+"""A lesson as the script of a live file has it; see `static/course.js` for the fields."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import msgspec
+
+import sim
+from sim.motion.quantities import quantity
+from sim.scene.lesson import Step
+from sim.settings import CHOICES, SETTINGS, scene_of_step
+
+from ...lessons import goal_text, lesson_code
+from ...session.plots import Wish, wish_of
+
+TUTORIAL = "symplectic_euler"
+"""The method by which a file moves a body exactly as softrod does."""
+
+MEASURED = frozenset(
+    (
+        *(("joint", what) for what in ("angle", "rest_angle", "rate", "torque")),
+        *(("spring", what) for what in ("length", "elongation", "force")),
+        *(("mass", what) for what in ("x", "y", "vx", "vy", "speed")),
+        *(("energy", what) for what in ("kinetic", "linear", "angular")),
+    )
+)
+"""What a file can measure, as `static/quantities.js` does."""
+
+OF_STEP = "stability.dt_over_limit"
+"""What a file has of a body that moves by steps of the scene's length."""
+
+
+def lesson_data(
+    scene: sim.Scene, about: dict[str, Any], moving: Callable[[sim.Moment], dict[str, Any]]
+) -> dict[str, Any]:
+    """The `Lesson` of a scene that has one.
+
+    Args:
+        scene: whose lesson it is.
+        about: what the file says of its body.
+        moving: what a step can change of that, for the moment with which the step begins.
+
+    Raises:
+        SettingError: a step cannot begin.
+    """
+    assert scene.lesson is not None
+    xmin, ymin, xmax, ymax = scene.view.frame
+    return {
+        "code": lesson_code(scene),
+        "frame": {"left": xmin, "top": ymin, "width": xmax - xmin, "height": ymax - ymin},
+        "steps": [
+            _step(step, at, about, moving)
+            for step, at in zip(scene.lesson.steps, scenes_of_steps(scene), strict=True)
+        ],
+    }
+
+
+def _step(
+    step: Step, scene: sim.Scene, about: dict[str, Any], moving: Callable[[sim.Moment], dict[str, Any]]
+) -> dict[str, Any]:
+    begins = moving(sim.Simulation(scene).capture())
+    differs = {key: value for key, value in begins.items() if key != "body" and value != about[key]}
+    body = {key: value for key, value in begins["body"].items() if value != about["body"][key]}
+    question = msgspec.to_builtins(step.question) if step.question is not None else None
+    goal = step.goal if step.goal is not None and is_measured(step.goal.quantity, scene) else None
+    return {
+        "title": step.title,
+        "do": step.do,
+        "watch": step.watch,
+        "question": question,
+        "controls": step.controls,
+        "plots": [_plot(wish, scene) for wish in map(wish_of, step.plots or ()) if _is_drawn(wish, scene)],
+        "predict": step.predict or 0,
+        "goal": msgspec.to_builtins(goal) if goal is not None else None,
+        "goalText": goal_text(goal, scene) if goal is not None else "",
+        "about": {**differs, "body": body},
+    }
+
+
+def is_measured(name: str, scene: sim.Scene) -> bool:
+    """Whether a file can measure a quantity of that name."""
+    if name == OF_STEP:
+        return scene.integrator.method == TUTORIAL
+    of, _, what = name.partition(".")
+    return (of.rstrip("0123456789"), what) in MEASURED
+
+
+def _is_drawn(wish: Wish, scene: sim.Scene) -> bool:
+    return all(is_measured(name, scene) for name in (*wish.names, *filter(None, [wish.over])))
+
+
+def _plot(wish: Wish, scene: sim.Scene) -> dict[str, Any]:
+    """The `Plot` of `static/chart.js`."""
+    quantities = [quantity(name, scene) for name in wish.names]
+    return {
+        "names": wish.names,
+        "units": [one.unit for one in quantities],
+        "over": wish.over,
+        "overUnit": quantity(wish.over, scene).unit if wish.over else "",
+        "turned": scene.view.y_down and all(one.kind.vertical for one in quantities),
+    }
+
+
+def scenes_of_steps(scene: sim.Scene) -> list[sim.Scene]:
+    """What the steps of a scene's lesson begin with; nothing without a lesson.
+
+    Raises:
+        SettingError: a step cannot begin.
+    """
+    steps = scene.lesson.steps if scene.lesson is not None else ()
+    return [scene_of_step(scene, number) for number in range(len(steps))]
+
+
+def lesson_notes(scene: sim.Scene, keys: frozenset[str]) -> list[str]:
+    """What of a scene's lesson a file does without: sentences without a full stop.
+
+    Args:
+        scene: whose lesson it is.
+        keys: of the settings and choices that a file has.
+    """
+    steps = scene.lesson.steps if scene.lesson is not None else ()
+    begins = list(zip(steps, scenes_of_steps(scene), strict=True))
+    named = {**SETTINGS, **CHOICES}
+    controls = {key for step in steps for key in step.controls if key not in keys}
+    missing = {named[key].label if key in named else key for key in controls}
+    plots = {text for step, at in begins for text in step.plots or () if not _is_drawn(wish_of(text), at)}
+    notes = []
+    if missing:
+        notes.append(f"the lesson has no control of {listed(sorted(missing))}")
+    if plots:
+        notes.append(f"plots of {listed(sorted(plots))} are left out")
+    if any(step.ghost for step in steps):
+        notes.append("there is no second body to compare with")
+    if any(step.arrows for step in steps):
+        notes.append("there are no arrows")
+    if any(step.goal is not None and not is_measured(step.goal.quantity, at) for step, at in begins):
+        notes.append("some goals are not judged")
+    if any(step.collect is not None for step in steps):
+        notes.append("no run is handed in")
+    return notes
+
+
+def listed(words: Iterable[str]) -> str:
+    """Some words as a part of a sentence."""
+    *first, last = words
+    return f"{', '.join(first)} and {last}" if first else last

@@ -1,0 +1,132 @@
+// @ts-check
+/**
+ * A small plot in a canvas: quantities over time, or over another one.
+ *
+ * @typedef {import("./quantities.js").Recording} Recording
+ * @typedef {object} Plot
+ * @property {string[]} names of the quantities
+ * @property {string[]} units of each
+ * @property {string} over what they are plotted over; empty for the time
+ * @property {string} overUnit
+ * @property {boolean} turned whether y grows downwards
+ */
+import { make } from "../../../page/looks/dialog.js";
+import { said } from "./readings.js";
+
+/** Simulated seconds that a plot over time shows. */
+const SPAN = 10;
+/** Pixels: left and right of the curves, above, below. */
+const [LEFT, RIGHT, TOP, BOTTOM] = [62, 10, 8, 22];
+/** Range of an axis, at least, as a part of the largest value on it. */
+const LEAST_PART = 1e-6;
+/** Lines of the grid, about. */
+const LINES = 4;
+/** Colours of the curves, in turn. */
+const COLORS = ["brand", "pulled", "torque-plus", "torque-minus", "held"];
+
+/** A round number at least as large. @param {number} value */
+function roundUp(value) {
+  const size = 10 ** Math.floor(Math.log10(value));
+  return size * ([1, 2, 5].find((part) => part * size >= value) ?? 10);
+}
+
+/** Low and high of some values, with a little room. @param {number[][]} all @returns {[number, number]} */
+function rangeOf(all) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const values of all) {
+    for (const value of values) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  if (!(high >= low)) return [0, 1];
+  const least = LEAST_PART * Math.max(Math.abs(low), Math.abs(high), 1);
+  const room = Math.max(0.06 * (high - low), least);
+  return [low - room, high + room];
+}
+
+/** @param {Plot} plot @returns {{element: HTMLElement, draw: (record: Recording) => void}} */
+export function makeChart(plot) {
+  const { names, units, over, overUnit, turned } = plot;
+  const element = make("figure", "chart");
+  const title = make("figcaption", "");
+  names.forEach((name, i) => {
+    const key = make("span", "", `${name}${units[i] && `, ${units[i]}`}${turned ? ", downwards" : ""}`);
+    key.prepend(make("i", `key-${COLORS[i % COLORS.length]}`));
+    title.append(key, " ");
+  });
+  if (over) title.append(make("span", "", `over ${over}${overUnit && `, ${overUnit}`}`));
+  const canvas = make("canvas", "");
+  canvas.setAttribute("role", "img");
+  const reading = make("p", "reading");
+  element.append(title, canvas, reading);
+  let due = 0;
+
+  /** @param {Recording} record */
+  function draw(record) {
+    const to = canvas.getContext("2d");
+    if (!to) return;
+    const { width, height } = canvas.getBoundingClientRect();
+    if (!(width > 0)) return;
+    const fine = devicePixelRatio;
+    const [across, down] = [Math.round(width * fine), Math.round(height * fine)];
+    if (canvas.width !== across || canvas.height !== down) [canvas.width, canvas.height] = [across, down];
+    to.setTransform(fine, 0, 0, fine, 0, 0);
+    to.clearRect(0, 0, width, height);
+    const styles = getComputedStyle(document.documentElement);
+    /** @param {string} name */
+    const color = (name) => styles.getPropertyValue(`--softrod-${name}`);
+    const end = record.times[record.times.length - 1] ?? 0;
+    const first = over ? 0 : Math.max(0, record.times.findIndex((time) => time >= end - SPAN));
+    const curves = names.map((name) => (record.values.get(name) ?? []).slice(first));
+    const along = (over ? (record.values.get(over) ?? []) : record.times).slice(first);
+    const [low, high] = rangeOf(curves);
+    const [from, until] = over ? rangeOf([along]) : [Math.max(0, end - SPAN), Math.max(SPAN, end)];
+    const x = (/** @type {number} */ value) => LEFT + ((value - from) / (until - from)) * (width - LEFT - RIGHT);
+    const y = (/** @type {number} */ value) => {
+      const part = (value - low) / (high - low);
+      return TOP + (turned ? part : 1 - part) * (height - TOP - BOTTOM);
+    };
+    Object.assign(to, { lineWidth: 1, strokeStyle: color("line"), fillStyle: color("text"), font: "12px system-ui, sans-serif" });
+    to.beginPath();
+    /** @param {number} a @param {number} b @param {(value: number) => void} mark */
+    const marks = (a, b, mark) => {
+      const step = roundUp((b - a) / LINES);
+      for (let value = Math.ceil(a / step) * step; value <= b; value += step) mark(Math.abs(value) < step / 1e6 ? 0 : value);
+    };
+    to.textAlign = "right";
+    to.textBaseline = "middle";
+    marks(low, high, (value) => {
+      to.moveTo(LEFT, y(value));
+      to.lineTo(width - RIGHT, y(value));
+      to.fillText(said(value), LEFT - 6, y(value));
+    });
+    to.textAlign = "center";
+    to.textBaseline = "top";
+    marks(from, until, (value) => {
+      to.moveTo(x(value), TOP);
+      to.lineTo(x(value), height - BOTTOM);
+      to.fillText(`${said(value)}${over ? "" : " s"}`, Math.min(x(value), width - 16), height - BOTTOM + 5);
+    });
+    to.stroke();
+    Object.assign(to, { lineWidth: 2, lineJoin: "round" });
+    curves.forEach((values, i) => {
+      to.strokeStyle = color(COLORS[i % COLORS.length]);
+      to.beginPath();
+      values.forEach((value, k) => (k ? to.lineTo(x(along[k]), y(value)) : to.moveTo(x(along[k]), y(value))));
+      to.stroke();
+    });
+    const now = performance.now();
+    if (now < due) return;
+    due = now + 250;
+    const words = names.map((name, i) => {
+      const values = curves[i];
+      const found = over ? null : record.swings(name);
+      const swing = found ? `, period ${said(found.period)} s, amplitude ${said(found.amplitude)} ${units[i]}` : "";
+      return values.length ? `${name} ${said(values[values.length - 1])} ${units[i]}${swing}`.trim() : "";
+    });
+    reading.textContent = names.length > 2 ? "" : words.join("; ");
+    canvas.ariaLabel = words.join("; ");
+  }
+  return { element, draw };
+}

@@ -1,0 +1,117 @@
+// @ts-check
+/**
+ * What can be measured of a body, by the names of `sim/motion/quantities.py`.
+ *
+ * @typedef {import("./body.js").Body} Body
+ * @typedef {{goal: Goal | null, names: string[]}} Measured
+ * @typedef {object} Goal what is to be reached: a reading from `low` to `high`, for some seconds in one go
+ * @property {string} quantity
+ * @property {"value" | "period"} of its present value, or the period of its swings, s
+ * @property {number | null} low
+ * @property {number | null} high
+ * @property {number} seconds
+ */
+import { energies } from "./energy.js";
+import { swings } from "./swings.js";
+
+const DEGREE = Math.PI / 180;
+/** Simulated seconds of which a period is read off, at most. */
+const SPAN = 60;
+
+/** By kind of part and what is measured of it. @type {Record<string, (body: Body, index: number) => number>} */
+const READ = {
+  "joint.angle": (body, j) => body.angleOf(j),
+  "joint.rest_angle": (body, j) => body.restAngleOf(j),
+  "joint.rate": (body, j) => {
+    body.measure();
+    const [p, q] = [body.heldSprings[2 * j], body.heldSprings[2 * j + 1]];
+    return (body.turning(q) - body.turning(p)) / DEGREE;
+  },
+  "joint.torque": (body, j) => {
+    body.measure();
+    if (body.isLoose(j)) return 0;
+    const [p, q] = [body.heldSprings[2 * j], body.heldSprings[2 * j + 1]];
+    return body.torqueOf(j) + body.jointDamping[j] * body.lengths[p] * body.lengths[q] * (body.turning(q) - body.turning(p));
+  },
+  "spring.length": (body, s) => lengthOf(body, s),
+  "spring.elongation": (body, s) => lengthOf(body, s) - body.restLengthOf(s),
+  "spring.force": (body, s) => {
+    if (body.broken[s]) return 0;
+    body.measure();
+    const { vectors, velocities: v, ends, lengths } = body;
+    const [a, b] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
+    const along = (vectors[2 * s] * (v[b] - v[a]) + vectors[2 * s + 1] * (v[b + 1] - v[a + 1])) / lengths[s];
+    return body.stiffness[s] * (lengths[s] - body.restLengthOf(s)) + body.damping[s] * along;
+  },
+  "mass.x": (body, m) => body.positions[2 * m],
+  "mass.y": (body, m) => body.positions[2 * m + 1],
+  "mass.vx": (body, m) => body.velocities[2 * m],
+  "mass.vy": (body, m) => body.velocities[2 * m + 1],
+  "mass.speed": (body, m) => Math.hypot(body.velocities[2 * m], body.velocities[2 * m + 1]),
+  "energy.kinetic": (body) => energies(body).kinetic,
+  "energy.linear": (body) => energies(body).linear ?? 0,
+  "energy.angular": (body) => energies(body).angular ?? 0,
+};
+
+/** @param {Body} body @param {number} s */
+function lengthOf({ positions: x, ends }, s) {
+  const [a, b] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
+  return Math.hypot(x[b] - x[a], x[b + 1] - x[a + 1]);
+}
+
+/** The present value of a quantity; NaN for what is not known. @param {Body} body @param {string} name such as "mass1.y" */
+export function measure(body, name) {
+  const [, of, index, what] = /^([a-z]+)(\d*)\.([a-z_]+)$/.exec(name) ?? [];
+  return READ[`${of}.${what}`]?.(body, Number(index)) ?? NaN;
+}
+
+/** The values of some quantities over the last minute, and whether a goal was reached. */
+export class Recording {
+  /** @param {Measured} measured */
+  constructor({ goal, names }) {
+    this.goal = goal;
+    this.names = [...new Set([...names, ...(goal ? [goal.quantity] : [])])];
+    /** @type {number[]} */
+    this.times = [];
+    /** @type {Map<string, number[]>} */
+    this.values = new Map(this.names.map((name) => [name, []]));
+    this.reached = false;
+    /** The reading of the goal now; NaN where there is none. */
+    this.reading = NaN;
+    this.since = NaN;
+  }
+
+  /**
+   * Look at a body. Time may have gone back: what was read after that is forgotten.
+   *
+   * @param {Body} body @param {boolean} runs whether it has not run away @param {number} part that its step is of the limit
+   */
+  take(body, runs, part) {
+    const { times } = this;
+    const all = [...this.values.values()];
+    while (times.length && times[times.length - 1] >= body.time) [times, ...all].forEach((one) => one.pop());
+    times.push(body.time);
+    for (const [name, values] of this.values) values.push(name === "stability.dt_over_limit" ? part : measure(body, name));
+    if (times[0] < body.time - SPAN - 1) {
+      const old = times.findIndex((time) => time >= body.time - SPAN);
+      [times, ...all].forEach((one) => one.splice(0, old));
+    }
+    if (this.goal) this.#judge(this.goal, body.time, runs);
+  }
+
+  /** Period and amplitude of a quantity; null where it does not swing. @param {string} name */
+  swings(name) {
+    const values = this.values.get(name) ?? [];
+    return values.every(Number.isFinite) ? swings(this.times, values) : null;
+  }
+
+  /** @param {Goal} goal @param {number} now @param {boolean} runs */
+  #judge({ quantity, of, low, high, seconds }, now, runs) {
+    const values = this.values.get(quantity) ?? [];
+    this.reading = of === "period" ? (this.swings(quantity)?.period ?? NaN) : values[values.length - 1];
+    const inside = runs && this.reading >= (low ?? -Infinity) && this.reading <= (high ?? Infinity);
+    if (!inside) this.since = NaN;
+    else if (!(now >= this.since)) this.since = now;
+    this.reached ||= inside && now - this.since >= seconds;
+  }
+}

@@ -1,0 +1,169 @@
+"""The files of a gallery: its index, a live file for each scene with a bar that leads on, and pictures."""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Callable, Sequence
+from functools import cache, partial
+from itertools import groupby
+from pathlib import Path
+
+import sim
+from sim.errors import InputError
+
+from ..drawing.looks import style_rules
+from ..export.bundle import bundle
+from ..export.html_file import Bar, document
+from ..export.live.live import DARK, early_script, live_html
+from ..page.scenes import thumbnails
+from .entries import Shown
+from .folder import INDEX
+
+TITLE = "Ropes and soft bodies"
+
+_FOLDER = Path(__file__).parent / "static"
+
+_ABOUT = (
+    "Each picture opens a body that moves: drag it, bend it, change its numbers. It runs in the browser, and "
+    "nothing is sent anywhere."
+)
+
+_ICONS = {
+    "dark": '<circle cx="12" cy="12" r="8.5"/><path class="full" d="M12 3.5a8.5 8.5 0 0 1 0 17z"/>',
+    "save": '<path d="M12 4v11M7 10.5l5 5 5-5M5 20h14"/>',
+    "before": '<path d="M15 5l-7 7 7 7"/>',
+    "after": '<path d="M9 5l7 7-7 7"/>',
+    "all": '<path d="M4 4h6v6H4zM14 4h6v6h-6zM4 14h6v6H4zM14 14h6v6h-6z"/>',
+}
+"""Lines in 24 by 24."""
+
+
+def files(scenes: Sequence[Shown], title: str) -> dict[str, Callable[[], bytes]]:
+    """The path of each file of a gallery, and what makes it.
+
+    Args:
+        scenes: in order.
+        title: of the gallery.
+    """
+    made: dict[str, Callable[[], bytes]] = {}
+    for i, scene in enumerate(scenes):
+        before = scenes[i - 1] if i else None
+        after = scenes[i + 1] if i + 1 < len(scenes) else None
+        made[_page(scene)] = partial(_live, scene, before, after)
+        for dark in (False, True):
+            made[_picture(scene, dark)] = partial(_painted, scene, dark)
+    made[INDEX] = partial(_index, scenes, title)
+    return made
+
+
+def _page(scene: Shown) -> str:
+    return f"{scene.file}.html"
+
+
+def _picture(scene: Shown, dark: bool) -> str:
+    return f"pictures/{'dark' if dark else 'light'}/{scene.file}.webp"
+
+
+def _painted(scene: Shown, dark: bool) -> bytes:
+    """A picture: of a preset the one that ships, of any other scene one of where it starts."""
+    if scene.built_in:
+        return (thumbnails.FOLDER / thumbnails.file_name(scene.name, dark)).read_bytes()
+    return thumbnails.picture(scene.scene, dark)
+
+
+# ------------------------------------------------------------------------- pages
+def _live(scene: Shown, before: Shown | None, after: Shown | None) -> bytes:
+    bar = Bar(_bar(scene, before, after), *_parts("bar"))
+    try:
+        return live_html(sim.Simulation(scene.scene).capture(), bar)[0]
+    except InputError as error:
+        raise InputError(f"{scene.name}: {error}") from None
+
+
+def _bar(scene: Shown, before: Shown | None, after: Shown | None) -> str:
+    links = "\n".join(
+        f'<a class="{name}" rel="{rel}" href="{_page(to)}" aria-label="{label}: {html.escape(to.title)}">'
+        f"{order.format(icon=_icon(name), title=html.escape(to.title))}</a>"
+        for name, rel, label, to, order in (
+            ("before", "prev", "Before", before, "{icon}<span>{title}</span>"),
+            ("after", "next", "Next", after, "<span>{title}</span>{icon}"),
+        )
+        if to is not None
+    )
+    return f"""<nav id="bar" aria-label="Gallery">
+<a class="all" href="{INDEX}#at={scene.file}" title="All scenes (O)">{_icon("all")}<span>All scenes</span></a>
+{links}
+<button id="save" type="button" title="Save this page as one file" aria-label="Save this page as one file"
+ data-file="{_page(scene)}">{_icon("save")}</button>
+</nav>"""
+
+
+def _icon(name: str) -> str:
+    return f'<svg class="icon" viewBox="0 0 24 24" aria-hidden="true">{_ICONS[name]}</svg>'
+
+
+# ------------------------------------------------------------------------- index
+def _index(scenes: Sequence[Shown], title: str) -> bytes:
+    groups = [(group, list(members)) for group, members in groupby(scenes, lambda scene: scene.group)]
+    jumps = "".join(
+        f'<a href="#{_anchor(group)}">{html.escape(group)} <small>{len(members)}</small></a>'
+        for group, members in groups
+    )
+    sections = "\n".join(
+        f'<section id="{_anchor(group)}" aria-labelledby="{_anchor(group)}-title">\n'
+        f'<h2 id="{_anchor(group)}-title">{html.escape(group)}</h2>\n<ul>\n'
+        + "\n".join(map(_card, members))
+        + "\n</ul>\n</section>"
+        for group, members in groups
+    )
+    count = f"{len(scenes)} {'scene' if len(scenes) == 1 else 'scenes'}"
+    body = f"""<header>
+<h1>{html.escape(title)}</h1>
+<p>{_ABOUT}</p>
+</header>
+<div id="tools">
+<input id="search" type="search" placeholder="Find a scene" aria-label="Find a scene" autocomplete="off"
+ aria-keyshortcuts="/">
+<output id="count" for="search">{count}</output>
+<button id="dark" type="button" title="Dark page" aria-label="Dark page">{_icon("dark")}</button>
+<nav aria-label="Groups">{jumps if len(groups) > 1 else ""}</nav>
+</div>
+<main>
+<p id="none" role="status"></p>
+{sections}
+</main>
+<footer>Made with softrod. These pages need no server and no network.</footer>"""
+    told = [
+        {"name": one.name, "file": one.file, "title": one.title, "text": one.text, "group": one.group}
+        for one in scenes
+    ]
+    style, script = _parts("index")
+    styles = [f"{style_rules(DARK)}\n{style}"]
+    return document(title, body, styles, [script], {"scenes": told}, early_script(), images="'self' data:")
+
+
+def _anchor(group: str) -> str:
+    return "group-" + re.sub(r"[^a-z]+", "-", group.lower())
+
+
+def _card(scene: Shown) -> str:
+    """A card. Its id is what follows `#` in a link that leads back to it, so that it needs no script."""
+    width, height = thumbnails.SIZE
+    images = "".join(
+        f'<img class="{name}" src="{_picture(scene, name == "dark")}" width="{width}" height="{height}" '
+        'alt="" loading="lazy">'
+        for name in ("light", "dark")
+    )
+    id = f"at={scene.file}"
+    return (
+        f'<li><a id="{id}" href="{_page(scene)}" aria-labelledby="{id}-title" aria-describedby="{id}-line">'
+        f'{images}<b id="{id}-title">{html.escape(scene.title)}</b>'
+        f'<span id="{id}-line">{html.escape(scene.line)}</span></a></li>'
+    )
+
+
+@cache
+def _parts(name: str) -> tuple[str, str]:
+    """The style and the script of a kind of page."""
+    return (_FOLDER / f"{name}.css").read_text(encoding="utf-8"), bundle(_FOLDER / f"{name}.js")

@@ -1,0 +1,141 @@
+// @ts-check
+/**
+ * The index of a gallery: search, keys, and addresses that lead to a search, a card or a scene. The cards are in the page
+ * already; without this script they are links all the same.
+ *
+ * @typedef {{name: string, file: string, title: string, text: string, group: string}} Scene
+ */
+import { element } from "../../export/static/parts.js";
+import { arrived, isFound } from "../../page/scenes/finding.js";
+
+/** Under this the last search is kept, for the way back. */
+const KEY = "softrod-search";
+/** Milliseconds after the last letter after which the address has the search: browsers limit how often it may change. */
+const REST = 300;
+
+/** @type {Scene[]} */
+const scenes = JSON.parse(element("scenes", HTMLScriptElement).textContent ?? "");
+const search = element("search", HTMLInputElement);
+const count = element("count", HTMLOutputElement);
+const none = element("none", HTMLElement);
+const all = count.value;
+const dark = element("dark", HTMLButtonElement);
+const root = document.documentElement;
+let late = 0;
+
+/** @param {Scene} scene */
+const cardOf = ({ file }) => element(`at=${file}`, HTMLAnchorElement);
+const found = () => scenes.filter((scene) => isFound(scene, search.value));
+
+/** @param {Record<string, string>} fields */
+function address(fields) {
+  clearTimeout(late);
+  const text = String(new URLSearchParams(Object.entries(fields).filter(([, value]) => value)));
+  history.replaceState(null, "", text ? `#${text}` : location.pathname + location.search);
+}
+
+function keep() {
+  try {
+    sessionStorage.setItem(KEY, search.value);
+  } catch {
+    // A frame of another site may keep nothing; then the way back leads to all scenes.
+  }
+}
+
+function kept() {
+  try {
+    return sessionStorage.getItem(KEY) ?? "";
+  } catch {
+    return "";
+  }
+}
+
+/** Show the scenes that are searched for. */
+function filter() {
+  const hits = new Set(found());
+  for (const scene of scenes) cardOf(scene).parentElement?.toggleAttribute("hidden", !hits.has(scene));
+  for (const section of document.querySelectorAll("section")) {
+    const there = section.querySelectorAll("li:not([hidden])").length;
+    section.hidden = !there;
+    const jump = document.querySelector(/** @type {"a"} */ (`nav a[href="#${section.id}"]`));
+    jump?.toggleAttribute("hidden", !there);
+    jump?.lastElementChild?.replaceChildren(String(there));
+  }
+  count.value = search.value.trim() ? `${hits.size} of ${all}` : all;
+  none.textContent = hits.size ? "" : "No scene has all of these words.";
+  keep();
+}
+
+/** @param {string} text */
+function seek(text) {
+  search.value = text;
+  filter();
+}
+
+/** Do what stands after the # of the address. */
+function follow() {
+  const asked = new URLSearchParams(location.hash.slice(1));
+  const find = (/** @type {string | null} */ wanted) =>
+    scenes.find(({ name }) => name === wanted) ?? scenes.find(({ file }) => file === wanted);
+  const [scene, at] = [asked.get("scene"), find(asked.get("at"))];
+  if (scene !== null) {
+    const to = find(scene);
+    if (to) location.replace(`${to.file}.html`);
+    else none.textContent = `There is no scene called ${scene} here.`;
+    return;
+  }
+  if (asked.has("search")) seek(asked.get("search") ?? "");
+  else if (at) seek(isFound(at, kept()) ? kept() : "");
+  else filter();
+  if (!at) return;
+  address({ search: search.value });
+  cardOf(at).focus({ preventScroll: true });
+  cardOf(at).scrollIntoView({ block: "center" });
+}
+
+/** @param {HTMLElement | undefined} card */
+function focus(card) {
+  card?.focus({ preventScroll: true });
+  card?.scrollIntoView({ block: "nearest" });
+}
+
+search.addEventListener("input", () => {
+  filter();
+  clearTimeout(late);
+  late = setTimeout(() => address({ search: search.value }), REST);
+});
+document.addEventListener("click", ({ target }) => {
+  const card = target instanceof Element && target.closest("li a");
+  // So that the browser's own way back leads to the card, too.
+  if (card) address({ search: search.value, at: card.id.slice("at=".length) });
+});
+document.addEventListener("keydown", (event) => {
+  const { target, key } = event;
+  if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
+  const cards = found().map(cardOf);
+  const from = cards.findIndex((card) => card === target);
+  if (key === "Escape") {
+    seek("");
+    address({});
+    if (target === search) search.blur();
+  } else if (target === search && key === "Enter") cards[0]?.click();
+  else if (target === search && key === "ArrowDown") focus(cards[0]);
+  else if (from >= 0 && /^(Arrow(Up|Down|Left|Right)|Home|End)$/.test(key)) {
+    const to = arrived(key, from, cards.map((card) => card.getBoundingClientRect()));
+    if (key === "ArrowUp" && to === from) search.focus();
+    else focus(cards[to]);
+  } else if (target !== search && key === "/") {
+    search.focus();
+    search.select();
+  } else if (target !== search && key.length === 1 && key !== " ") {
+    search.focus(); // which takes the letter
+    return;
+  } else return;
+  event.preventDefault();
+});
+const shadow = () => (dark.ariaPressed = String(root.hasAttribute("data-dark")));
+dark.addEventListener("click", () => root.toggleAttribute("data-dark"));
+new MutationObserver(shadow).observe(root, { attributeFilter: ["data-dark"] });
+shadow();
+window.addEventListener("hashchange", follow);
+follow();

@@ -1,0 +1,322 @@
+"""`softrod gallery`: what it writes holds together, keeps to its folder, and loses nothing that is there."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import html
+import html.parser
+import json
+import re
+from pathlib import Path
+
+import pytest
+from msgspec.structs import replace
+from PIL import Image
+
+import sim
+from app.site import pages
+from app.site.entries import shown
+from app.site.folder import MARKER, Folder
+from sim.store import files
+from sim.store.link import pack_scene
+from tests.app.test_cli import refused, softrod_here
+
+WICKED = '"><script>alert(1)</script><img src=x onerror=alert(1)>'
+
+
+class Page(html.parser.HTMLParser):
+    """What a page has: addresses, ids, texts of its elements, and its scripts and styles."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__()
+        self.addresses: list[str] = []
+        self.ids: list[str] = []
+        self.tags: list[str] = []
+        self.parts: dict[str, list[str]] = {"script": [], "style": [], "title": [], "h1": [], "b": []}
+        self.policy = ""
+        self._open: list[str] = []
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """As `HTMLParser` has it."""
+        told = dict(attrs)
+        assert not [name for name in told if name.startswith("on")]
+        self.tags.append(tag)
+        self.ids += [told["id"] or ""] if "id" in told else []
+        self.addresses += [value or "" for name, value in attrs if name in ("src", "href")]
+        if told.get("http-equiv") == "Content-Security-Policy":
+            self.policy = told["content"] or ""
+        kind = "data" if told.get("type") == "application/json" else tag
+        if kind in self.parts:
+            self.parts[kind].append("")
+        self._open.append(kind)
+
+    def handle_endtag(self, tag: str) -> None:
+        """As `HTMLParser` has it."""
+        while self._open and self._open.pop() not in (tag, "data"):
+            pass
+
+    def handle_data(self, data: str) -> None:
+        """As `HTMLParser` has it."""
+        if self._open and self._open[-1] in self.parts:
+            self.parts[self._open[-1]][-1] += data
+
+
+@pytest.fixture
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    return files.user_folder()
+
+
+@pytest.fixture(scope="module")
+def presets(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The gallery of all presets."""
+    out = tmp_path_factory.mktemp("gallery") / "site"
+    made = pages.files(shown((), own=False), pages.TITLE)
+    Folder(out, made).write(made.items())
+    return out
+
+
+def make(capsys: pytest.CaptureFixture[str], out: Path, *words: str | Path) -> None:
+    result = softrod_here(capsys, "gallery", "--out", out, *words)
+    assert result.returncode == 0, result.stderr
+
+
+def found(folder: Path) -> set[str]:
+    """The files of a folder, hidden ones as well."""
+    return {str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file()}
+
+
+def check_links(folder: Path, whole: bool = True) -> None:
+    """Every address of every page leads to a file of the folder, and in a whole one to a place in it."""
+    for path in folder.glob("*.html"):
+        for address in Page(path).addresses:
+            if address.startswith("data:image/svg+xml,"):
+                continue
+            file, _, anchor = address.partition("#")
+            assert re.fullmatch(r"[a-z0-9./-]*", file), address
+            target = folder / file if file else path
+            assert target.is_file(), (path.name, address)
+            if anchor and whole:
+                assert anchor in Page(target).ids, (path.name, address)
+
+
+# ------------------------------------------------------------------------- all presets
+def test_all_presets_are_there_in_the_order_of_the_page_and_every_link_leads_somewhere(presets: Path) -> None:
+    check_links(presets)
+    names = [path.stem for path in files.built_in_files() if path.stem != "empty"]
+    index = Page(presets / "index.html")
+    cards = [id.removeprefix("at=") for id in index.ids if re.fullmatch(r"at=.*(?<!-title)(?<!-line)", id)]
+    assert sorted(cards) == sorted(names)
+    assert cards[:3] == ["rope", "pile", "water-balloon"]
+    assert cards.index("lesson-hooke") < cards.index("lesson-chaos") < cards.index("air-balloon")
+    assert {path.stem for path in presets.glob("*.html")} == {*names, "index"}
+    titles = {Page(presets / f"{name}.html").parts["h1"][0].strip() for name in names}
+    assert titles == {title.strip() for title in index.parts["b"]}
+    # From each page one gets to the next, and to the card that one came by.
+    for before, name, after in zip(cards, cards[1:], cards[2:], strict=False):
+        addresses = Page(presets / f"{name}.html").addresses
+        assert {f"index.html#at={name}", f"{before}.html", f"{after}.html"} <= set(addresses)
+
+
+def test_pictures_show_something_and_all_of_it_is_small(presets: Path) -> None:
+    for name in ("rope", "pile", "study-w4"):
+        for kind in ("light", "dark"):
+            with Image.open(presets / "pictures" / kind / f"{name}.webp") as image:
+                assert image.format == "WEBP"
+                pixel = image.convert("RGB").getpixel((2, image.size[1] - 3))
+                assert isinstance(pixel, tuple)
+                assert (sum(pixel) < 300) == (kind == "dark")
+    sizes = {path.name: path.stat().st_size for path in presets.rglob("*") if path.is_file()}
+    pages = [size for name, size in sizes.items() if name.endswith(".html") and name != "index.html"]
+    assert max(pages) < 250_000
+    assert sizes["index.html"] < 80_000
+    assert sum(sizes.values()) < 150_000 * len(pages)
+
+
+def test_each_page_may_load_nothing_and_run_nothing_but_its_scripts(presets: Path) -> None:
+    for path in presets.glob("*.html"):
+        page = Page(path)
+        rules = dict(rule.split(" ", 1) for rule in page.policy.split("; "))
+        images = "'self' data:" if path.name == "index.html" else "data:"
+        assert rules.pop("img-src") == images
+        assert rules.pop("default-src") == rules.pop("base-uri") == rules.pop("form-action") == "'none'"
+        for kind in ("script", "style"):
+            digests = [
+                f"'sha256-{base64.b64encode(hashlib.sha256(part.encode()).digest()).decode()}'"
+                for part in page.parts[kind]
+            ]
+            assert rules.pop(f"{kind}-src") == " ".join(digests)
+        assert not rules
+        assert not {"iframe", "object", "embed", "form", "base"} & set(page.tags)
+
+
+# ------------------------------------------------------------------------- what is shown
+def test_named_scenes_files_links_and_the_shelf(
+    home: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    home.mkdir(parents=True)
+    files.save_user_scene(sim.rope(masses=5), "mine")
+    files.save_user_scene(sim.rope(masses=6), "other")
+    sim.save_scene(replace(sim.load_scene("ring"), title="A ring of ours"), tmp_path / "Größe 1.json")
+    link = f"http://127.0.0.1:8080/s#{pack_scene(replace(sim.load_scene('box'), name='linked', title=''))}"
+    out = tmp_path / "site"
+    make(capsys, out, "ring", tmp_path / "Größe 1.json", link, "mine")
+    assert {path.name for path in out.glob("*.html")} == {
+        "index.html", "ring.html", "groe-1.html", "linked.html", "mine.html",
+    }  # fmt: skip
+    index = Page(out / "index.html")
+    assert index.parts["b"] == ["A ring of ours", "linked", "mine", sim.load_scene("ring").title]
+    check_links(out)
+    make(capsys, out, "ring", "--own", "--title", "Class <3>")
+    assert {path.name for path in out.glob("*.html")} == {
+        "index.html", "ring.html", "mine.html", "other.html",
+    }  # fmt: skip
+    assert len(list(out.rglob("*.webp"))) == 6
+    assert Page(out / "index.html").parts["h1"] == ["Class <3>"]
+    assert Page(out / "index.html").parts["title"] == ["Class <3>"]
+    check_links(out)
+
+
+def test_scenes_of_one_name_are_refused_and_files_of_one_name_told_apart(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for folder in ("a", "b"):
+        (tmp_path / folder).mkdir()
+        sim.save_scene(sim.load_scene("ring"), tmp_path / folder / "x.json")
+    out = tmp_path / "site"
+    both = [tmp_path / folder / "x.json" for folder in ("a", "b")]
+    refused(softrod_here(capsys, "gallery", "--out", out, *both), "two scenes are called 'x'")
+    refused(softrod_here(capsys, "gallery", "--out", out, "ring", "ring"), "two scenes are called 'ring'")
+    assert not out.exists()
+    names = ["index", "日本", "中国", "con", "X y", "x!y", "..", "a" * 90, "pictures", "nul.x", ".hidden"]
+    for name in names:
+        sim.save_scene(sim.load_scene("ring"), tmp_path / f"{name}.json")
+    make(capsys, out, *(tmp_path / f"{name}.json" for name in names))
+    written = sorted(path.stem for path in out.glob("*.html"))
+    assert len(set(map(str.casefold, written))) == len(names) + 1
+    assert all(re.fullmatch(r"[a-z0-9][a-z0-9.-]{0,65}", stem) for stem in written)
+    assert not {"con", "nul.x", "scene-index.html"} & set(written)
+    check_links(out)
+    # All have the title of the preset, so their cards say which is which.
+    titles = Page(out / "index.html").parts["b"]
+    assert len(set(titles)) == len(names)
+
+
+def test_hostile_texts_show_as_text(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = replace(
+        sim.load_scene("ring"), title=WICKED[:60], description=f"{WICKED} Two. {WICKED}", name="x"
+    )
+    out = tmp_path / "site"
+    for name in ("x' onclick=alert(1) '", "javascript:alert(1)"):
+        sim.save_scene(scene, tmp_path / f"{name}.json")
+    make(capsys, out, *sorted(tmp_path.glob("*.json")), "--title", WICKED)
+    check_links(out)
+    for path in out.glob("*.html"):
+        page = Page(path)  # which looks for handlers
+        assert page.parts["title"] == [WICKED if path.stem == "index" else WICKED[:60]]
+        assert page.parts["h1"] == page.parts["title"]
+        assert "alert(1)" not in "".join(page.parts["script"])
+        assert page.tags.count("img") == (4 if path.stem == "index" else 0)
+    held = re.search(r'id="scenes">(.*?)</script>', (out / "index.html").read_text(), re.DOTALL)
+    assert held is not None
+    assert WICKED in json.loads(held[1])[0]["text"]
+
+
+# ------------------------------------------------------------------------- the folder
+def test_a_folder_that_is_no_gallery_is_left_alone(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    refused(softrod_here(capsys, "gallery", "ring"), "--out: name the folder")
+    refused(softrod_here(capsys, "gallery", "--out", tmp_path / "no" / "where", "ring"), "does not exist")
+    file = tmp_path / "file"
+    file.write_text("mine")
+    refused(softrod_here(capsys, "gallery", "--out", file, "ring"), "is no folder")
+    full = tmp_path / "full"
+    full.mkdir()
+    (full / "index.html").write_text("mine")
+    refused(softrod_here(capsys, "gallery", "--out", full, "ring"), "is not empty and has no gallery")
+    assert found(full) == {"index.html"}
+    (full / MARKER).write_text('{"format": "softrod-gallery", "version": 1, "files": ["../file"]}')
+    refused(softrod_here(capsys, "gallery", "--out", full, "ring"), MARKER, "left as it is")
+    assert file.read_text() == (full / "index.html").read_text() == "mine"
+    refused(softrod_here(capsys, "gallery", "--out", tmp_path / "new", "nothing-like-it"), "no scene called")
+    broken = tmp_path / "broken.json"
+    broken.write_text("{")
+    refused(softrod_here(capsys, "gallery", "--out", tmp_path / "new", broken), "not a JSON file")
+    assert not (tmp_path / "new").exists()
+
+
+def test_a_gallery_is_replaced_and_nothing_else_is_touched(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "site"
+    out.mkdir()
+    make(capsys, out, "ring", "rope")
+    (out / "notes.txt").write_text("mine")
+    (out / ".git").mkdir()
+    (out / ".git" / "HEAD").write_text("mine")
+    (out / "pictures" / "mine.png").write_text("mine")
+    make(capsys, out, "ring", "box")
+    own = {"index.html", "ring.html", "box.html", MARKER}
+    own |= {f"pictures/{kind}/{name}.webp" for kind in ("light", "dark") for name in ("ring", "box")}
+    assert found(out) == own | {"notes.txt", ".git/HEAD", "pictures/mine.png"}
+    (out / "rope.html").write_text("mine")
+    before = (out / "index.html").read_bytes()
+    refused(softrod_here(capsys, "gallery", "--out", out, "rope"), "rope.html is there", "move it")
+    assert (out / "rope.html").read_text() == "mine"
+    assert (out / "index.html").read_bytes() == before
+
+
+def test_a_gallery_that_fails_on_the_way_leaves_the_old_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, new, empty = tmp_path / "site", tmp_path / "new", tmp_path / "empty"
+    empty.mkdir()
+    make(capsys, out, "ring", "rope")
+    before = {path: (out / path).read_bytes() for path in found(out)}
+
+    def full(*_: object) -> bytes:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(pages, "_index", full)
+    for folder in (out, new, empty):
+        refused(softrod_here(capsys, "gallery", "--out", folder, "box"), "cannot be written (No space left")
+    assert {path: (out / path).read_bytes() for path in found(out)} == before
+    assert not new.exists()
+    assert not found(empty)
+    # A run that was killed leaves a folder that the next one takes.
+    (out / ".softrod-new").mkdir()
+    (out / ".softrod-new" / "half.html").write_text("<")
+    monkeypatch.undo()
+    make(capsys, out, "box")
+    assert not (out / ".softrod-new").exists()
+
+
+def test_a_disk_that_fails_while_files_take_their_places_leaves_links_that_lead_somewhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "site"
+    make(capsys, out, "ring", "rope")
+    real = Path.replace
+
+    def failing(path: Path, target: Path) -> Path:
+        if path.name == "index.html":
+            raise OSError(5, "Input/output error")
+        return real(path, target)
+
+    monkeypatch.setattr(Path, "replace", failing)
+    refused(softrod_here(capsys, "gallery", "--out", out, "ring", "box"), "cannot be written (Input/output")
+    check_links(out, whole=False)
+    monkeypatch.undo()
+    make(capsys, out, "ring", "box")
+    assert {path.name for path in out.glob("*.html")} == {"index.html", "ring.html", "box.html"}
+
+
+def test_the_same_scenes_make_the_same_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("a", "b"):
+        make(capsys, tmp_path / name, "pile", "lesson-hooke")
+    assert found(tmp_path / "a") == found(tmp_path / "b")
+    for path in found(tmp_path / "a"):
+        assert (tmp_path / "a" / path).read_bytes() == (tmp_path / "b" / path).read_bytes()

@@ -1,0 +1,187 @@
+"""A gallery as a site: from the disk, from a server of plain files, by keys, by links, on a phone."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from urllib.parse import quote
+
+import pytest
+from msgspec.structs import replace
+from playwright.sync_api import Browser, Page
+
+import sim
+from app.site import pages
+from app.site.entries import shown
+from app.site.folder import Folder
+from tests.browser.driver import until
+from tests.browser.sites import served
+
+Open = Callable[..., Page]
+
+PLACE = "pluginfile.php/7/a class/content/1"
+"""As a server for courses may have it."""
+
+WICKED = '<img src="https://school.example/" onerror="window.hurt=1"><b>'
+
+
+def make_site(root: Path) -> Path:
+    """A gallery of some presets and a file that tries to do harm."""
+    sim.save_scene(
+        replace(sim.load_scene("box"), title="", name="x", description=f"{WICKED} in it"),
+        root / f"{WICKED[:4]}.json",
+    )
+    out = root / PLACE
+    out.parent.mkdir(parents=True)
+    names = ["rope", "tree", "ring", "rod", "flag-pole", "lesson-hooke", "lesson-chaos", "tutorial-3.3"]
+    made = pages.files(shown([*names, str(root / f"{WICKED[:4]}.json")], own=False), "Springs")
+    Folder(out, made).write(made.items())
+    return out
+
+
+@pytest.fixture(scope="module")
+def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What a server serves; the gallery is deep inside of it."""
+    root = tmp_path_factory.mktemp("root")
+    make_site(root)
+    return root
+
+
+@pytest.fixture
+def open_index(browser: Browser, root: Path) -> Iterator[Open]:
+    """Opens the index, and looks after the test whether anything has left its folder."""
+    asked: list[str] = []
+    errors: list[str] = []
+    contexts = []
+    base = f"{(root / PLACE).as_uri()}/"
+
+    def open_one(address: str = "", base: str = base, **how: object) -> Page:
+        context = browser.new_context(offline=base.startswith("file:"), **how)  # type: ignore[arg-type]
+        contexts.append((context, base))
+        page = context.new_page()
+        page.on("request", lambda request: asked.append(request.url.removeprefix(base)))
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.on("console", lambda message: errors.append(message.text))
+        page.goto(f"{base}index.html{address}")
+        return page
+
+    yield open_one
+    for context, _ in contexts:
+        context.close()
+    assert not errors
+    inside = r"index\.html(#.*)?|[a-z0-9.-]+\.html|pictures/(light|dark)/[a-z0-9.-]+\.webp|data:image/svg.*"
+    assert [address for address in asked if not re.fullmatch(inside, address)] == []
+
+
+def lives(page: Page, name: str) -> None:
+    """Wait until the page is that of a scene, and its body moves; in a lesson, is there to be predicted."""
+    page.wait_for_url(f"**/{name}.html")
+    least = 0.0 if name.startswith("lesson") else 1e-9
+    until(page, lambda: page.evaluate(f"window.__softrod?.now().body.time >= {least}"), f"{name} moves")
+
+
+def cards(page: Page) -> list[str]:
+    """The cards that are shown."""
+    return [one.get_attribute("href") or "" for one in page.locator("li a:visible").all()]
+
+
+def focused(page: Page) -> str:
+    return str(page.evaluate("document.activeElement.id"))
+
+
+def test_from_the_disk_by_keys_alone(open_index: Open, tmp_path: Path) -> None:
+    page = open_index(viewport={"width": 880, "height": 580}, accept_downloads=True)
+    count = page.locator("#count")
+    assert count.inner_text() == "9 scenes"
+    assert page.evaluate("window.hurt") is None
+    page.keyboard.press("/")
+    page.keyboard.type("WIND pole")
+    assert count.inner_text() == "1 of 9 scenes"
+    assert cards(page) == ["flag-pole.html"]
+    page.keyboard.press("ControlOrMeta+A")
+    page.keyboard.type("nothing of the kind")
+    assert page.get_by_text("No scene has all of these words.").is_visible()
+    assert cards(page) == []
+    page.keyboard.press("Escape")
+    assert count.inner_text() == "9 scenes"
+    page.keyboard.type("lesson")  # letters search, wherever the focus is
+    assert cards(page) == ["lesson-hooke.html", "lesson-chaos.html"]
+    page.keyboard.press("ArrowDown")
+    assert focused(page) == "at=lesson-hooke"
+    page.keyboard.press("ArrowRight")
+    assert focused(page) == "at=lesson-chaos"
+    assert page.evaluate("getComputedStyle(document.activeElement).outlineStyle") == "solid"
+    page.keyboard.press("Enter")
+    lives(page, "lesson-chaos")
+    # What is chosen on one page holds on all.
+    page.keyboard.press("d")
+    paper = "getComputedStyle(document.body).backgroundColor"
+    assert page.evaluate(paper) == "rgb(20, 20, 20)"
+    page.get_by_role("link", name=re.compile("Before: ")).click()
+    lives(page, "lesson-hooke")
+    assert page.evaluate(paper) == "rgb(20, 20, 20)"
+    page.keyboard.press("o")
+    page.wait_for_url("**/index.html*")
+    until(page, lambda: focused(page) == "at=lesson-hooke", "the way back leads to the card")
+    assert cards(page) == ["lesson-hooke.html", "lesson-chaos.html"]
+    assert page.evaluate(paper) == "rgb(20, 20, 20)"
+    assert page.get_by_role("button", name="Dark page").get_attribute("aria-pressed") == "true"
+
+
+def test_a_page_is_saved_as_one_file_that_lives_alone(open_index: Open, tmp_path: Path) -> None:
+    page = open_index("#scene=ring", accept_downloads=True)
+    lives(page, "ring")
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Save this page as one file").click()
+    assert download.value.suggested_filename == "ring.html"
+    saved = tmp_path / "alone.html"
+    download.value.save_as(saved)
+    alone = page.context.new_page()
+    errors: list[str] = []
+    alone.on("pageerror", lambda error: errors.append(str(error)))
+    alone.on("console", lambda message: errors.append(message.text))
+    alone.goto(saved.as_uri())
+    lives(alone, "alone")
+    assert alone.locator("nav, a").count() == 0
+    assert alone.get_by_role("heading", level=1).inner_text() == sim.load_scene("ring").title
+    assert not errors
+
+
+def test_from_a_server_deep_inside_in_the_dark_on_a_phone(open_index: Open, root: Path) -> None:
+    with served(root) as port:
+        base = f"http://127.0.0.1:{port}/{quote(PLACE)}/"
+        phone = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "color_scheme": "dark"}
+        page = open_index("#search=rope", base, **phone)
+        assert page.locator("#search").input_value() == "rope"
+        shown_images = "[...document.images].filter((image) => image.checkVisibility())"
+        until(
+            page,
+            lambda: page.evaluate(f"{shown_images}.every((image) => image.naturalWidth > 100)"),
+            "they load",
+        )
+        assert page.evaluate(f"{shown_images}.every((image) => image.src.includes('/dark/'))")
+        assert page.evaluate(f"{shown_images}.length") == len(cards(page)) > 1
+        # None of a picture that is not shown was loaded.
+        loaded = page.evaluate("performance.getEntriesByType('resource').map(({ name }) => name)")
+        assert loaded
+        assert all("/dark/" in name for name in loaded if name.endswith(".webp"))
+        page.locator("#search").fill("")
+        # Two columns, and nothing to the right of the window.
+        left = {round(one.bounding_box()["x"]) for one in page.locator("li a:visible").all()}  # type: ignore[index]
+        assert len(left) == 2
+        assert page.evaluate("document.documentElement.scrollWidth") <= 390
+        page.get_by_role("link", name="Lessons 2").tap()
+        heading = page.get_by_role("heading", name="Lessons")
+        tools = page.locator("#tools").bounding_box()
+        place = heading.bounding_box()
+        assert tools is not None
+        assert place is not None
+        assert place["y"] >= tools["y"] + tools["height"] - 1.0
+        page.goto(f"{base}index.html#scene=tutorial-3.3")
+        lives(page, "tutorial-3.3")
+        assert page.evaluate("document.documentElement.scrollWidth") <= 390
+        page.goto(f"{base}index.html#scene={quote('<i>')}")
+        assert "There is no scene called <i> here." in page.locator("main").inner_text()
+        page.goto(f"{base}index.html#at=ring")
+        until(page, lambda: focused(page) == "at=ring", "the card has the focus")
