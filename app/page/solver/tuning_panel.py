@@ -139,7 +139,13 @@ class TuningPanel:
         )
         self._sliders = [
             SliderBox(
-                page.client, setting, value, partial(self._wish, setting.key), self._notify, order + place
+                page.client,
+                setting,
+                value,
+                partial(self._wish, setting.key),
+                self._notify,
+                order + place,
+                0.01,
             )
             for setting, value, place in (
                 (_dial("frequency", "Soft – stiff", "Hz", (0.1, 30.0), (1e-3, 1e6)), 1.0, 0.11),
