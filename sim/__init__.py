@@ -17,6 +17,8 @@ from .analysis.vibrations import Vibrations, vibrations
 from .design.fit import Fit, fit
 from .design.keep_shape import DesignError, keep_shape
 from .design.measurements import Measurement, read_measurement
+from .design.sensitivity import Sensitivity, sensitivities
+from .design.wishes import Design, set_wishes
 from .edit.tune import damp_vibration, make_stable
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import Energies
@@ -74,6 +76,7 @@ __all__ = [
     "Circle",
     "Cloth",
     "Contact",
+    "Design",
     "DesignError",
     "Divergence",
     "Energies",
@@ -99,6 +102,7 @@ __all__ = [
     "Rope",
     "Scene",
     "SceneError",
+    "Sensitivity",
     "SettingError",
     "Simulation",
     "Tree",
@@ -131,8 +135,10 @@ __all__ = [
     "rod",
     "rope",
     "save_scene",
+    "sensitivities",
     "set_choice",
     "set_value",
+    "set_wishes",
     "tree",
     "tuning",
     "validate",

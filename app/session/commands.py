@@ -31,6 +31,8 @@ from .versions import Versions
 
 _MOST_STEPS = 1000
 """Single steps that are done at once, at most."""
+_OF_SOLVER = ("dt", "tolerance")
+"""Settings that have nothing to do with where a body rests."""
 
 
 # ------------------------------------------------------------------------- by hand
@@ -121,6 +123,8 @@ class SetValue(Command):
         value = min(max(self.value, setting.low), setting.high)
         act = log.Set(key=self.key, value=value)
         session.change(lambda: session.recorder.do(act), setting.label, self.key)
+        if self.key not in _OF_SOLVER:
+            session.foreseen.look(session.simulation, session.now())
 
 
 @dataclass(frozen=True)

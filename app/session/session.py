@@ -26,6 +26,7 @@ from sim.motion.stability import StabilityEstimate
 
 from . import keepsakes, log
 from .companions import Companions
+from .foreseen import Foreseen
 from .ghost import Ghost
 from .hand import FRAME, PointerHands
 from .history import History, OldFuture
@@ -155,6 +156,7 @@ class Session:
         waits: whether the clock stands only until a question of the scene's lesson is answered.
         hands: what the pointers do.
         preparing: what is being compiled, for the page to say; empty when nothing is.
+        foreseen: where the body will rest, while a slider moves.
     """
 
     def __init__(
@@ -188,6 +190,7 @@ class Session:
         self.follows_energy = False
         self.fallbacks = 0
         self.preparing = ""
+        self.foreseen = Foreseen()
 
     # --------------------------------------------------------------------- what the page looks at
     def now(self) -> float:

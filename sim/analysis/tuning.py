@@ -29,6 +29,10 @@ _CREEP = 1e-3
 """Speed at which friction is looked at, as a part of the smallest slip speed."""
 MOST_VIBRATIONS = 100
 """How many vibrations are looked at, the slowest first."""
+_LOOKS = (24, MOST_VIBRATIONS)
+"""How many are found at a time until one of them is elastic; of a small body all."""
+_SMALL = 120
+"""Number of ways to move of a small body."""
 
 
 @dataclass(frozen=True)
@@ -117,7 +121,7 @@ def tuning(scene: Scene) -> Tuning:
     """
     scene = validate(scene)
     notes: list[str] = []
-    resting, sag, sag_mass = _at_rest(scene, notes)
+    resting, sag, sag_mass = at_rest(scene, notes)
     slowest = elastic = fastest = None
     if _freedoms(scene):
         slowest, elastic = _slowest(resting, notes)
@@ -187,7 +191,7 @@ def vibrations_at_rest(scene: Scene, count: int) -> tuple[Scene, Vibrations]:
     Raises:
         InputError: as `vibrations`, but of the count.
     """
-    resting, _, _ = _at_rest(scene, [])
+    resting, _, _ = at_rest(scene, [])
     freedoms = _freedoms(scene)
     if not freedoms:
         return resting, Vibrations(np.zeros(0), np.zeros((0, len(scene.masses), 2)))
@@ -226,6 +230,12 @@ class Dampers:
             shape: (n, 2) amplitude of each mass.
             springs, joints: their dampings, kg/s, in the order of the scene; None for no damping.
         """
+        # Of nothing but rounding it may be below zero.
+        power = max(0.0, float((shape * self.drag(shape, springs, joints)).sum()))
+        return power / (2.0 * omega * float((self._mass * shape**2).sum()))
+
+    def drag(self, shape: Floats, springs: Floats | None = None, joints: Floats | None = None) -> Floats:
+        """(n, 2) the forces against the velocities `shape`, kg/s times these; arguments as of `ratio`."""
         system, state, physics = self._system, self._state, self._physics
         body = system.body
         springs, joints = (
@@ -241,9 +251,7 @@ class Dampers:
         slow = self._creep / max(float(np.abs(w).max()), 1e-300)
         v = (slow * w).astype(complex)
         change = (physics.forces(x, -v) - physics.forces(x, v)) / (2.0 * slow)
-        # Of nothing but rounding it may be below zero.
-        power = max(0.0, float((w.conj() * change).real.sum()))
-        return power / (2.0 * omega * float((self._mass * shape**2).sum()))
+        return change[system.mass_index].view(np.float64).reshape(-1, 2)
 
     def hold(self, omega: float, shape: Floats) -> Hold:
         """What holds a vibration; arguments as of `ratio`."""
@@ -279,9 +287,17 @@ def _freedoms(scene: Scene) -> int:
     return 2 * (len(scene.masses) - len({anchor.mass for anchor in scene.anchors}))
 
 
-def _at_rest(scene: Scene, notes: list[str]) -> tuple[Scene, float | None, int | None]:
-    """The scene in the pose at rest, if there is one, how far it sinks, and which mass sinks most."""
-    down = _down(scene) if _freedoms(scene) > 0 else None
+def at_rest(scene: Scene, notes: list[str]) -> tuple[Scene, float | None, int | None]:
+    """The scene in the pose at rest, if there is one, how far it sinks, and which mass sinks most.
+
+    Args:
+        scene: a valid scene.
+        notes: is told why something is missing.
+
+    Returns:
+        The scene in the pose that vibrations are about, see `tuning`; the sag, px, and its mass, or None.
+    """
+    down = pull_direction(scene) if _freedoms(scene) > 0 else None
     pose, sinks = None, down is not None
     try:
         pose, overloads = loaded_equilibrium(scene)
@@ -307,8 +323,8 @@ def _at_rest(scene: Scene, notes: list[str]) -> tuple[Scene, float | None, int |
     return resting, float(moved[most]), most
 
 
-def _down(scene: Scene) -> Floats | None:
-    """The direction of gravity or, without it, of all loads together; None where nothing pulls the body."""
+def pull_direction(scene: Scene) -> Floats | None:
+    """(2,) the direction of gravity or, without it, of all loads together; None where nothing pulls it."""
     pull = np.array(scene.gravity)
     if not pull.any():
         held = {anchor.mass for anchor in scene.anchors}
@@ -335,15 +351,40 @@ def _slowest(scene: Scene, notes: list[str]) -> tuple[Vibration | None, Vibratio
     if len(scene.masses) > MOST_MASSES:
         notes.append(f"the slowest vibrations are found for at most {MOST_MASSES} masses")
         return None, None
+    dampers = Dampers(scene)
     try:
-        found = free_vibrations(scene, min(MOST_VIBRATIONS, _freedoms(scene)))
+        found, elastic = elastic_vibration(scene, dampers)
     except InputError as error:
         notes.append(_of(error))
         return None, None
-    dampers = Dampers(scene)
-    pairs = list(zip(found.frequencies.tolist(), found.shapes, strict=True))
-    elastic = next((pair for pair in pairs if dampers.hold(*pair).is_elastic), None)
-    return (_vibration(dampers, *pairs[0]) if pairs else None), elastic and _vibration(dampers, *elastic)
+    first = (float(found.frequencies[0]), found.shapes[0]) if found.frequencies.size else None
+    of_elastic = None
+    if elastic is not None:
+        of_elastic = _vibration(dampers, float(found.frequencies[elastic]), found.shapes[elastic])
+    return first and _vibration(dampers, *first), of_elastic
+
+
+def elastic_vibration(scene: Scene, dampers: Dampers) -> tuple[Vibrations, int | None]:
+    """The slowest vibrations about a scene's start, and which of them is the slowest elastic one, see
+    `Tuning`; None if none of the slowest hundred is.
+
+    Args:
+        scene: a valid scene of at most 1000 masses with a free one.
+        dampers: its dampers.
+
+    Raises:
+        InputError: as `free_vibrations`.
+    """
+    freedoms, looked, found = _freedoms(scene), 0, Vibrations(np.zeros(0), np.zeros((0, 0, 2)))
+    for count in (freedoms,) if freedoms < _SMALL else _LOOKS:
+        found = free_vibrations(scene, min(count, freedoms))
+        for i in range(looked, len(found.frequencies)):
+            if dampers.hold(float(found.frequencies[i]), found.shapes[i]).is_elastic:
+                return found, i
+        looked = len(found.frequencies)
+        if looked < count:
+            break
+    return found, None
 
 
 def _vibration(dampers: Dampers, omega: float, shape: Floats) -> Vibration:

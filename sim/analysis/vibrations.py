@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +19,8 @@ _SHIFT = 1.0
 """What is added to squares of angular frequencies, 1/s², so that the matrix of a free body has an inverse."""
 _NOTHING = 1e-3
 """Square of an angular frequency, 1/s², up to which a motion counts as one that nothing resists."""
+_FEW, _MANY = 6, 120
+"""Arnoldi's method finds the slowest vibrations where they are one of so many of at least this many."""
 
 
 class Vibrations(NamedTuple):
@@ -36,8 +39,8 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
     """The slowest small vibrations about the scene's start, which should be an equilibrium.
 
     They are found from the eigenvalues of the inverse of the Jacobian of the accelerations with respect to
-    positions, so that the slow ones are accurate however stiff the body is. Damping and air friction are
-    ignored.
+    positions, so that the slow ones are accurate however stiff the body is; a few of many by Arnoldi's
+    method. Damping and air friction are ignored.
 
     Args:
         scene: a valid scene of at most 1000 masses.
@@ -50,7 +53,7 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
     """
     body = _checked(scene, count)
     # A negligible shift; without it the rows of held masses would be zero.
-    softness, shapes = _motions(body, 1e-100)
+    softness, shapes = _motions(body, 1e-100, count)
     if not softness[0] < 1e18 * softness[-1]:
         raise InputError(_NOT_HELD)
     return Vibrations(1.0 / np.sqrt(softness[:count]), _by_mass(body, shapes[:count]))
@@ -66,9 +69,13 @@ def free_vibrations(scene: Scene, count: int) -> Vibrations:
         return vibrations(scene, count)
     except InputError:
         body = _checked(scene, count)
-        softness, shapes = _motions(body, _SHIFT)
-    square = 1.0 / softness - _SHIFT
-    kept = np.flatnonzero(square > _NOTHING)[:count]
+    most = 2 * int(np.count_nonzero(body.state.inverse_mass))
+    for wanted in (count, most):
+        softness, shapes = _motions(body, _SHIFT, wanted)
+        square = 1.0 / softness - _SHIFT
+        kept = np.flatnonzero(square > _NOTHING)[:count]
+        if kept.size == count or softness.size == most:
+            break
     return Vibrations(np.sqrt(square[kept]), _by_mass(body, shapes[kept]))
 
 
@@ -82,9 +89,14 @@ def _checked(scene: Scene, count: int) -> Resting:
     return body
 
 
-def _motions(body: Resting, shift: float) -> tuple[Floats, Floats]:
-    """1 / (square of the angular frequency + shift) of all motions, the slowest first, s²; and their shapes,
-    flat.
+def _motions(body: Resting, shift: float, count: int) -> tuple[Floats, Floats]:
+    """1 / (square of the angular frequency + shift) of the slowest motions, or of all, the slowest first, s²;
+    and their shapes, flat.
+
+    Args:
+        body: the body.
+        shift: 1/s².
+        count: how many are wanted besides those that nothing resists.
 
     Raises:
         InputError: the square of an angular frequency is less than minus the shift, or is not real.
@@ -92,25 +104,58 @@ def _motions(body: Resting, shift: float) -> tuple[Floats, Floats]:
     free = np.flatnonzero(body.state.inverse_mass)
     columns = np.concatenate((free, body.slots + free))
     stable = body.factorise(body.start, shift)
-    inverse = np.array([body.solve(unit)[columns] for unit in np.eye(2 * body.slots)[columns]]).T
+    if not stable:
+        raise InputError(_NOT_HELD)
     # Scaling by the masses on both sides makes it symmetric if the law has an energy.
     root = np.sqrt(np.tile(body.state.inverse_mass[free], 2))
-    scaled = inverse / root[:, None] * root[None, :]
-    if not (stable and np.isfinite(scaled).all()):
-        raise InputError(_NOT_HELD)
-    if np.allclose(scaled, scaled.T, rtol=1e-6, atol=1e-9 * float(np.abs(scaled).max())):
-        values, vectors = np.linalg.eigh(0.5 * (scaled + scaled.T))
+
+    def scaled_inverse(vector: Floats) -> Floats:
+        full = np.zeros(2 * body.slots)
+        full[columns] = root * vector.ravel()
+        return body.solve(full)[columns] / root
+
+    # Nothing resists at most three motions of each part that is connected; one part is the rule.
+    wanted = count + 3
+    few = columns.size >= _MANY and wanted * _FEW <= columns.size
+    if few:
+        values, vectors = _slowest_few(scaled_inverse, columns.size, wanted)
     else:
-        values, vectors = np.linalg.eig(scaled)
-        if not (np.abs(np.imag(values)) <= 1e-6 * np.abs(values)).all():
-            raise InputError(_NOT_HELD)
-        values, vectors = np.real(values), np.real(vectors)
+        values, vectors = _eigen(np.array([scaled_inverse(unit) for unit in np.eye(columns.size)]).T)
+    if not (np.abs(np.imag(values)) <= 1e-6 * np.abs(values)).all():
+        raise InputError(_NOT_HELD)
+    values, vectors = np.real(values), np.real(vectors)
     if not values.min() > 0.0:
         raise InputError(_NOT_HELD)
     slowest = np.argsort(values)[::-1]
     flat = np.zeros((values.size, 2 * body.slots))
     flat[:, columns] = (root[:, None] * vectors[:, slowest]).T
     return values[slowest], flat
+
+
+def _eigen(matrix: Floats) -> tuple[np.ndarray, np.ndarray]:
+    """All eigenvalues and eigenvectors of a matrix that is symmetric, or nearly so."""
+    if not np.isfinite(matrix).all():
+        raise InputError(_NOT_HELD)
+    if np.allclose(matrix, matrix.T, rtol=1e-6, atol=1e-9 * float(np.abs(matrix).max())):
+        return np.linalg.eigh(0.5 * (matrix + matrix.T))
+    return np.linalg.eig(matrix)
+
+
+def _slowest_few(
+    scaled_inverse: Callable[[Floats], Floats], size: int, count: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """The largest eigenvalues of a matrix that is given by what it does, and their vectors."""
+    from scipy.sparse.linalg import ArpackError, LinearOperator, eigs
+
+    start = np.random.default_rng(1).uniform(-1.0, 1.0, size)
+    if not np.isfinite(scaled_inverse(start)).all():
+        raise InputError(_NOT_HELD)
+    try:
+        operator = LinearOperator((size, size), matvec=scaled_inverse)  # pyright: ignore
+        values, vectors = eigs(operator, count, which="LM", v0=start)[:2]
+        return np.asarray(values), np.asarray(vectors)
+    except ArpackError:
+        return _eigen(np.array([scaled_inverse(unit) for unit in np.eye(size)]).T)
 
 
 def _by_mass(body: Resting, flat: Floats) -> Floats:

@@ -54,9 +54,13 @@ class DesignError(InputError):
     """
 
     def __init__(
-        self, sentence: str, motion: NDArray[np.float64] | None = None, stiffening: float | None = None
+        self,
+        sentence: str,
+        motion: NDArray[np.float64] | None = None,
+        stiffening: float | None = None,
+        of: str = "keep shape",
     ) -> None:
-        super().__init__(f"keep shape: {sentence}")
+        super().__init__(f"{of}: {sentence}")
         self.motion, self.stiffening = motion, stiffening
 
 

@@ -255,13 +255,16 @@ _SWAY = 0.12
 
 
 def picture_of(session: Session) -> Picture:
-    """The body and, pale, the ghost; without one, what would have come had the user not gone back; or how the
-    body leaves a shape that nothing keeps."""
+    """The body and, pale, the ghost; without one, where the body will rest while a slider moves, what would
+    have come had the user not gone back, or how the body leaves a shape that nothing keeps."""
     simulation, ghost, future = session.simulation, session.ghost, session.old_future
     other = damage = None
+    rest = session.foreseen.positions(len(simulation.scene.masses), session.now())
     if ghost is not None:
         if not ghost.waits:
             other, damage = ghost.simulation.positions, ghost.simulation.damage
+    elif rest is not None:
+        other, damage = rest, simulation.damage
     elif future is not None:
         other, damage = future.positions_at(simulation.time), future.damage_at(simulation.time)
     elif session.refusal is not None and session.refusal.motion is not None:

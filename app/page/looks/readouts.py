@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -195,13 +196,25 @@ def predictability_table(session: Session) -> str:
     return f'{table(rows)}<div class="softrod-text {kind}">{words[:1].upper()}{words[1:]}.</div>'
 
 
-def tuning_table(scene: sim.Scene, told: Tuning, spring: int | None) -> str:
+_MORE = {
+    "linear_stiffness": "stiffness of the springs",
+    "angular_stiffness": "stiffness of the joints",
+    "gravity": "gravity",
+}
+_NO_MATTER = 1e-5
+"""Relative change by 1 % of a number from which on the number matters."""
+
+
+def tuning_table(
+    scene: sim.Scene, told: Tuning, spring: int | None, does: Sequence[sim.Sensitivity] = ()
+) -> str:
     """What the numbers of a scene mean for its motion.
 
     Args:
         scene: the scene.
         told: what was found of it.
         spring: a spring to tell of by itself; None for the fastest one.
+        does: what its numbers do.
     """
     rows: dict[str, str] = {}
     slowest, elastic = told.slowest, told.elastic
@@ -224,11 +237,24 @@ def tuning_table(scene: sim.Scene, told: Tuning, spring: int | None) -> str:
         if spring is None:
             spring, name = int(np.argmax(alone.frequency)), "fastest spring alone"
         rows[name] = _rate(float(alone.frequency[spring]), float(alone.damping_ratio[spring]))
+    for one in does:
+        if effects := _effects(one, told.sag, html.escape(scene.view.unit)):
+            rows[f"1 % more {_MORE[one.key]}"] = effects
     notes = "".join(
         f'<div class="softrod-text softrod-about">{html.escape(note[:1].upper() + note[1:])}.</div>'
         for note in told.notes
     )
     return table(rows) + notes
+
+
+def _effects(one: sim.Sensitivity, sag: float | None, unit: str) -> str:
+    """What 1 % more of a number does, or nothing where it does not matter."""
+    effects = []
+    if one.sag is not None and sag is not None and abs(0.01 * one.sag) > _NO_MATTER * abs(sag):
+        effects.append(f"{abs(0.01 * one.sag):.2g} {unit} {'more' if one.sag > 0.0 else 'less'} sag")
+    if one.frequency is not None and abs(0.01 * one.frequency) > _NO_MATTER:
+        effects.append(f"{abs(one.frequency):.2g} % {'faster' if one.frequency > 0.0 else 'slower'}")
+    return ", ".join(effects)
 
 
 def _vibration(vibration: Vibration) -> str:

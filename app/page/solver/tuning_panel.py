@@ -6,6 +6,8 @@ pages, so that large bodies are left to scripts.
 
 from __future__ import annotations
 
+import html
+import math
 import threading
 from collections.abc import Callable
 from functools import partial
@@ -15,8 +17,11 @@ import viser
 import sim
 from sim.analysis.tuning import Tuning
 from sim.compiling.compiler import FOR_FALLBACK, is_ready
+from sim.design.wishes import TENTH, edit_of
+from sim.edit.edit import Edit, Selection
 from sim.edit.tune import as_far_as_stable, damp_springs, is_limited, with_numbers_of
 from sim.errors import InputError, SceneError
+from sim.settings import Setting
 
 from ...export.workshop import Workshop
 from ...session import commands
@@ -25,9 +30,13 @@ from ...session.session import Session
 from ..looks import readouts
 from ..page import Page
 from ..viser.handlers import add_command, on_change
+from ..viser.slider_box import SliderBox
 
 MOST_MASSES = 200
 """Masses of a body of which a page is told; pages would notice the work for larger ones."""
+
+_TAKEN = 1.0
+"""Seconds in which a page's next frame has come."""
 
 _shop = Workshop()
 
@@ -38,6 +47,7 @@ class Tuner:
     Attributes:
         scene: of which is told; None if nothing is.
         told: of it; None if nothing is yet.
+        does: what its numbers do.
         trouble: why nothing can be told; empty if it can.
         busy: whether something is being found out, or has still to be.
     """
@@ -45,6 +55,7 @@ class Tuner:
     def __init__(self) -> None:
         self.scene: sim.Scene | None = None
         self.told: Tuning | None = None
+        self.does: tuple[sim.Sensitivity, ...] = ()
         self.trouble = ""
         self.busy = True
         self._seen: sim.Scene | None = None
@@ -71,7 +82,9 @@ class Tuner:
 
     def _work(self, scene: sim.Scene) -> None:
         try:
-            self._show(scene, sim.tuning(scene), "")
+            told = sim.tuning(scene)
+            self.does = sim.sensitivities(scene)
+            self._show(scene, told, "")
         except Exception:
             self._show(scene, None, "cannot be told because of an error on the server")
             raise
@@ -124,6 +137,25 @@ class TuningPanel:
             visible=False,
             order=order + 0.3,
         )
+        self._sliders = [
+            SliderBox(
+                page.client,
+                setting,
+                value,
+                partial(self._wish, setting.key),
+                self._notify,
+                order + place,
+                0.01,
+            )
+            for setting, value, place in (
+                (_dial("frequency", "Soft – stiff", "Hz", (0.1, 30.0), (1e-3, 1e6)), 1.0, 0.11),
+                (_dial("damping", "Bouncy – calm", "", (0.005, 1.0), (1e-4, 1.0)), 0.1, 0.13),
+            )
+        ]
+        for one in self._sliders:
+            one.slider.visible = one.box.visible = False
+        self._wished: dict[str, float] = {}
+        self._conflict = ""
         on_change(self._on, self._switch)
         add_command(gui, "Tuning: show it, or hide it", self._toggle)
         add_command(gui, "Make it stable at this time step", self._make_stable)
@@ -146,11 +178,17 @@ class TuningPanel:
         scene, content = session.scene, ""
         if tuner is not None:
             tuner.look(scene)
-            content = _content(tuner, session)
+            content = _content(tuner, session) + _said(self._conflict)
         shown = tuner is not None and self._on.visible
         limited = is_limited(scene.integrator.method)
         self._stable.visible, self._damp.visible = shown and limited, shown
         self._table.content = content
+        elastic = tuner.told.elastic if tuner is not None and tuner.told is not None else None
+        for one in self._sliders:
+            one.slider.visible = one.box.visible = shown and elastic is not None
+            if elastic is not None and tuner is not None and not tuner.busy:
+                ratio = min(max(elastic.damping_ratio, 1e-4), 1.0)
+                one.show_value(elastic.frequency if one.setting.key == "frequency" else ratio)
 
     # --------------------------------------------------------------------- what handlers do
     def _toggle(self) -> None:
@@ -169,6 +207,51 @@ class TuningPanel:
             self._session.post(commands.Change(lambda moment, some: damp_springs(moment.scene, some.springs)))
         else:
             self._start("It cannot be damped", self._damped, with_pose=False)
+
+    def _wish(self, key: str, value: float) -> None:
+        """A slider was moved; of values that come while one is worked at, the last one counts."""
+        self._wished[key] = value
+        if self._busy.acquire(blocking=False):
+            _shop.submit(self._fulfil)
+
+    def _fulfil(self) -> None:
+        try:
+            while self._wished:
+                key = next(iter(self._wished))
+                self._conflict = self._design(key, self._wished.pop(key))
+        finally:
+            self._busy.release()
+
+    def _design(self, key: str, value: float) -> str:
+        """Have the body do what is wished, and say what is in the way, if anything is."""
+        session = self._session
+        try:
+            scene = session.snapshot("tuning", False)
+            if len(scene.masses) > MOST_MASSES or not is_compiled(scene):
+                return ""
+            elastic = sim.tuning(scene).elastic
+            if elastic is None:
+                return ""
+            if key == "frequency":
+                # As bouncy as before, unless nothing damps it.
+                ratio = elastic.damping_ratio
+                calm = TENTH / (math.tau * value * ratio) if 1e-3 < ratio < 1.0 else None
+                design = sim.set_wishes(scene, frequency=value, calm_after=calm)
+                label = f"{value:.3g} Hz"
+            else:
+                design = sim.set_wishes(scene, calm_after=TENTH / (math.tau * elastic.frequency * value))
+                label = f"Damping ratio {value:.2g}"
+        except (InputError, SceneError) as error:
+            return _sentence(str(error))
+        done = threading.Event()
+
+        def make(moment: sim.Moment, _: Selection) -> Edit:
+            done.set()
+            return edit_of(design, scene, moment.scene, label)
+
+        session.post(commands.Change(make, f"wish {key}"))
+        done.wait(_TAKEN)  # the next one begins with what this one made
+        return _sentence(design.conflict) if design.conflict else ""
 
     def _start(self, trouble: str, work: Callable[[sim.Scene], None], with_pose: bool) -> None:
         """Have something done with the scene in the thread, unless it is busy for this page."""
@@ -229,10 +312,24 @@ def _content(tuner: Tuner, session: Session) -> str:
     springs = session.selection.springs
     chosen = next(iter(springs)) if len(springs) == 1 else None
     known = chosen is not None and chosen < len(told.springs.frequency)
-    return readouts.tuning_table(scene, told, chosen if known else None)
+    return readouts.tuning_table(scene, told, chosen if known else None, tuner.does)
+
+
+def _dial(
+    key: str, label: str, unit: str, slider: tuple[float, float], limits: tuple[float, float]
+) -> Setting:
+    """What a slider needs to know of something that is wished; it is no setting of a scene."""
+    return Setting(
+        key, label, unit, *limits, slider, lambda _: math.nan, lambda scene, _: scene, lambda _: True,
+        logarithmic=True,
+    )  # fmt: skip
+
+
+def _said(sentence: str) -> str:
+    return f'<div class="softrod-text softrod-lag">{html.escape(sentence)}</div>' if sentence else ""
 
 
 def _sentence(text: str) -> str:
     """An error as a sentence of its own, without the name of the function that raised it."""
-    text = text.removeprefix("make_stable: ").removeprefix("damp_vibration: ")
+    text = text.removeprefix("make_stable: ").removeprefix("damp_vibration: ").removeprefix("set_wishes: ")
     return text[:1].upper() + text[1:] + "."

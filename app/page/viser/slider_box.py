@@ -39,6 +39,7 @@ class SliderBox:
         post: hands a value on.
         tell: says something to the user.
         order: where it stands in its tab; at the end if not given.
+        apart: by how much later the number box comes.
 
     Attributes:
         settled: whether it shows what is set, and not still what its user has set.
@@ -54,6 +55,7 @@ class SliderBox:
         post: Callable[[float], None],
         tell: Callable[[Notice], None],
         order: float | None = None,
+        apart: float = 0.5,
     ) -> None:
         self.setting = setting
         self._post = post
@@ -87,7 +89,7 @@ class SliderBox:
             "",
             initial_value=rounded(value),
             step=box_step,  # and no limits: viser would take the sign out of a number, or put in another one
-            order=None if order is None else order + 0.5,
+            order=None if order is None else order + apart,
         )
         self.box.precision = DECIMALS
 
@@ -116,6 +118,10 @@ class SliderBox:
         if scene is not self._scene:
             self._scene = scene
             self._show_mixed(self.setting.differs(scene))
+        self.show_value(value)
+
+    def show_value(self, value: float) -> None:
+        """Show a number, if that is not what this page's user is just setting."""
         if time.monotonic() - self._touched < TOUCHED:
             return
         self._known, self.settled = value, True

@@ -1,0 +1,212 @@
+"""What a number of a scene does to its pose at rest and to its slowest elastic vibration.
+
+At rest the accelerations a(q, p) vanish, where q are the positions and p is the logarithm of a number. So the
+pose moves by dq/dp = -J⁻¹ da/dp, where J = da/dq is the matrix that the search for the pose has factorised.
+Forces are linear in stiffnesses and in gravity, so da/dp is a difference of two evaluations, without error.
+
+The square of the angular frequency of a vibration w with wᵀ M w = 1 is ω² = -wᵀ M J w. As w is stationary,
+dω²/dp = -wᵀ M (dJ/dp) w, where dJ/dp has two parts: at the same pose, which is the share that the number has
+in the energy of the vibration, and by the move of the pose. Both together are a difference of J w, along
+q + p dq/dp. (Under the tutorial's law, whose J is not symmetric, this is an approximation.)
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..analysis.equilibrium import Resting
+from ..analysis.tuning import Dampers, at_rest, elastic_vibration, pull_direction
+from ..analysis.vibrations import MOST_MASSES, Vibrations
+from ..errors import InputError
+from ..scene.types import Scene
+from ..scene.validate import validate
+from ..settings import SETTINGS, settings_of
+
+Floats = NDArray[np.float64]
+Change = Callable[[Scene, float], Scene]
+"""The scene with a number whose logarithm is greater by so much."""
+
+NUMBERS = ("linear_stiffness", "angular_stiffness", "gravity")
+"""The settings of which `sensitivities` tells."""
+_STEP = 1e-4
+"""Change of a logarithm in a difference."""
+_SWAY = 1e-3
+"""Amplitude of a vibration in a difference, in typical lengths of a spring."""
+_SHIFTS = 1e-100, 1e-6
+"""What is added to the Jacobian, 1/s², so that it has an inverse; the second for what can move freely."""
+
+
+class AtRest:
+    """A scene at rest.
+
+    Args:
+        scene: a valid scene. The search for its pose at rest begins at its pose.
+
+    Attributes:
+        scene: in its pose at rest, see `sim.tuning` for where there is none.
+        sag, sag_mass: see `sim.tuning`.
+        notes: why there is no sag or no vibration.
+        dampers: what damps it.
+        found: its slowest vibrations.
+        elastic: which of them is the slowest elastic one; None where there is none.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self.notes: list[str] = []
+        self.scene, self.sag, self.sag_mass = at_rest(scene, self.notes)
+        self._down = pull_direction(scene)
+        self.dampers = Dampers(self.scene)
+        self.found, self.elastic = Vibrations(np.zeros(0), np.zeros((0, len(scene.masses), 2))), None
+        free = len(scene.masses) > len({anchor.mass for anchor in scene.anchors})
+        if free and len(scene.masses) <= MOST_MASSES:
+            try:
+                self.found, self.elastic = elastic_vibration(self.scene, self.dampers)
+            except InputError as error:
+                self.notes.append(str(error).partition(": ")[2])
+
+    @property
+    def omega(self) -> float | None:
+        """Angular frequency of the slowest elastic vibration without damping, rad/s."""
+        return None if self.elastic is None else float(self.found.frequencies[self.elastic])
+
+    def sag_of(self, mass: int) -> float | None:
+        """How far a mass is below its place in the scene, px, in the direction of `sim.tuning`'s sag."""
+        if self.sag is None or self._down is None or self.scene.pose is None:
+            return None
+        moved = np.subtract(self.scene.pose.positions[mass], self.scene.masses[mass].position)
+        return float(moved @ self._down)
+
+    def moves(self, changes: list[Change]) -> list[Floats]:
+        """(n, 2) of each number, how the pose at rest moves with its logarithm, px."""
+        return [np.column_stack(self._body.by_mass(move)) for move, _, _ in self._moves(changes)]
+
+    def derivatives(self, changes: list[Change], mass: int | None) -> tuple[Floats, Floats]:
+        """(k,) the derivatives of a mass's sag, px, and of the logarithm of the elastic vibration's angular
+        frequency, with respect to the logarithms of some numbers; zero where there is no such thing.
+        """
+        sags, frequencies = np.zeros(len(changes)), np.zeros(len(changes))
+        body = self._body
+        shape = self._shape()
+        for k, (move, more, less) in enumerate(self._moves(changes)):
+            if mass is not None and self._down is not None:
+                sags[k] = np.column_stack(body.by_mass(move))[mass] @ self._down
+            if shape is not None and self.omega is not None:
+                # Forces of a change of J, at both ends of the difference.
+                there = _along(more, body.start + _STEP * move, shape)
+                back = _along(less, body.start - _STEP * move, shape)
+                square = -float(self._weights @ (shape * (there - back))) / (2.0 * _STEP)
+                norm = float(self._weights @ shape**2)
+                frequencies[k] = 0.5 * square / norm / self.omega**2
+        return sags, frequencies
+
+    # --------------------------------------------------------------------- inside
+    @cached_property
+    def _body(self) -> Resting:
+        return Resting(self.scene, balanced=False)
+
+    @cached_property
+    def _weights(self) -> Floats:
+        """Mass of every slot, kg, twice; zero where it is held."""
+        inverse = self._body.state.inverse_mass
+        return np.tile(np.where(inverse > 0.0, 1.0 / np.where(inverse > 0.0, inverse, 1.0), 0.0), 2)
+
+    def _shape(self) -> Floats | None:
+        """The elastic vibration, flat, with an amplitude for differences, px."""
+        if self.elastic is None:
+            return None
+        body, shape = self._body, np.zeros(2 * self._body.slots)
+        place = body.system.mass_index
+        shape[place], shape[body.slots + place] = self.found.shapes[self.elastic].T
+        return _SWAY * body.typical * shape
+
+    def _moves(self, changes: list[Change]) -> list[tuple[Floats, Resting, Resting]]:
+        """Of each number, the pose's move with its logarithm, and the bodies with a bit more and less."""
+        body, found = self._body, []
+        bodies = [
+            (Resting(change(self.scene, _STEP), False), Resting(change(self.scene, -_STEP), False))
+            for change in changes
+        ]
+        pushes = [
+            (more.accelerations(body.start) - less.accelerations(body.start)) / (2.0 * _STEP)
+            for more, less in bodies
+        ]
+        for shift in _SHIFTS:
+            found = []
+            if body.factorise(body.start, shift):
+                found = [body.solve(push) for push in pushes]
+                if np.isfinite(found).all():
+                    break
+        else:
+            found = [np.zeros_like(body.start)] * len(changes)
+        return [(move, more, less) for move, (more, less) in zip(found, bodies, strict=True)]
+
+
+def _along(body: Resting, at: Floats, shape: Floats) -> Floats:
+    """J times a shape at some positions, 1/s² times its unit."""
+    return 0.5 * (body.accelerations(at + shape) - body.accelerations(at - shape))
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """What a number does.
+
+    Attributes:
+        key: of its setting, as in "angular_stiffness".
+        sag: px by which the mass that sinks most sinks farther, over the relative change of the number: 1 %
+            more makes a hundredth of it. None where nothing sinks, see `sim.tuning`.
+        frequency: relative change of the frequency of the slowest elastic vibration over that of the number;
+            None where there is none.
+    """
+
+    key: str
+    sag: float | None
+    frequency: float | None
+
+
+def sensitivities(scene: Scene) -> tuple[Sensitivity, ...]:
+    """What the stiffness of springs, that of joints, and gravity do to the pose at rest and to the slowest
+    elastic vibration, as derivatives; see the module for how.
+
+    Args:
+        scene: a valid scene. Those of its numbers that are zero, or have no effect, are left out.
+
+    Raises:
+        SceneError: the scene is not valid.
+    """
+    return sensitivities_at(AtRest(validate(scene)))
+
+
+def sensitivities_at(rest: AtRest) -> tuple[Sensitivity, ...]:
+    """As `sensitivities`, of a scene at rest."""
+    applying = {setting.key for setting in settings_of(rest.scene)}
+    keys = [key for key in NUMBERS if key in applying and SETTINGS[key].read(rest.scene)]
+    if rest.sag is None and rest.elastic is None:
+        return ()
+    sags, frequencies = rest.derivatives([by_setting(key) for key in keys], rest.sag_mass)
+    return tuple(
+        Sensitivity(
+            key, None if rest.sag is None else float(sag), None if rest.omega is None else float(rate)
+        )
+        for key, sag, rate in zip(keys, sags, frequencies, strict=True)
+    )
+
+
+def by_setting(key: str) -> Change:
+    """A change of the setting of that name."""
+    return lambda scene, step: scaled(scene, key, math.exp(step))
+
+
+def scaled(scene: Scene, key: str, factor: float) -> Scene:
+    """The scene with the setting of that name multiplied; the recipes of a scene stay recipes.
+
+    Raises:
+        SceneError: it leaves its range.
+    """
+    setting = SETTINGS[key]
+    return validate(setting.write(scene, setting.read(scene) * factor))

@@ -1,0 +1,622 @@
+"""Stiffnesses and dampings with which a body does what one wants to see.
+
+The unknowns are the logarithms of two factors, of the stiffness of all springs and of all joints, and, where
+those do not do, of a taper from root to tip. The residuals are the logarithms of what is reached over what is
+wished; of all solutions the smallest is taken, by a little weight on the unknowns themselves. Each trial
+comes to rest anew and has its slowest vibrations found anew; the derivatives are those of `sensitivity`.
+
+Neither the pose at rest nor a frequency without damping depends on damping, so in each trial the damping that
+calms the body in time is found for itself. In the slowest vibrations w_i, with wᵀ M w = 1, the damped motion
+is (s² + s C + diag(ω_i²)) y = 0, where C is the damping between each two of them. Eliminating all but the
+elastic one, e, leaves s² (1 - f) + s c + ω_e² = 0 with f = C_eo (s² + s C_oo + diag(ω_o²))⁻¹ C_oe, which is
+iterated. The amplitude falls as exp(Re(s) t).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+import msgspec
+import numpy as np
+
+from ..analysis.tuning import Numbers
+from ..analysis.vibrations import MOST_MASSES
+from ..body.system import same_topology
+from ..edit.edit import Edit, of_parts
+from ..errors import InputError, SceneError, SettingError
+from ..methods.registry import METHODS
+from ..motion.stability import limit_at_start
+from ..scene.columns import ends
+from ..scene.parts import AngularSpring, LinearSpring
+from ..scene.types import Scene
+from ..scene.validate import validate
+from ..settings import SETTINGS, moves
+from .keep_shape import DesignError
+from .sensitivity import AtRest, Change, Floats, by_setting, scaled
+
+TENTH = math.log(10.0)
+"""Times the decay rate of an amplitude, how long it takes to fall to a tenth."""
+REACHED = 5e-3
+"""Difference between what is reached and what is wished, relative, up to which a wish is fulfilled."""
+_MARGIN = 1.01
+"""As of `sim.edit.tune`: by how much the stability limit is to exceed the time step."""
+_LEAST = 1e-2
+"""Weight of the unknowns beside the residuals, so that of all solutions the least change is found, and
+nothing is changed greatly for nearly nothing."""
+_CLOSE, _EXACT = 0.05, 2e-4
+"""Residuals from which on the weight is zero, and at which the search ends."""
+_GAIN = 1e-4
+"""Part of the squares that a trial takes away, below which the search ends."""
+_STIFFER, _MOST_CAUTIOUS = 4.0, 1e3
+"""Factor of Levenberg's damping after a trial that is worse, and its largest value."""
+_FARTHEST = math.log(1e5)
+"""Largest logarithm of a factor."""
+_STEEPEST = math.log(30.0)
+"""Largest logarithm of the ratio of stiffness at the root to that at the tip by a taper."""
+_LOST = 20.0
+"""Residual of a trial in which there is nothing to see."""
+_TRIALS = 30
+"""Largest number of trials of a search."""
+_STEP = 0.05
+"""Change of a logarithm in differences of stability limits, which are known within a per cent."""
+_SHALLOW = 0.1
+"""Part of the sag that is wished below which its logarithm is continued by a straight line."""
+_MODES = 120
+"""Largest number of vibrations that damping may couple."""
+_ROUNDS, _SETTLED = 60, 1e-10
+"""Largest number of iterations for a decay rate, and the relative change that ends them."""
+
+
+_DAMPINGS = "linear_damping", "angular_damping"
+"""The settings of all springs' damping, and of all joints'."""
+
+P = TypeVar("P", LinearSpring, AngularSpring)
+
+
+class _Wishes(msgspec.Struct, frozen=True):
+    """What is wished; see `set_wishes`."""
+
+    frequency: float | None = None
+    calm_after: float | None = None
+    sag: float | None = None
+    dt: float | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(name for name in self.__struct_fields__ if getattr(self, name) is not None)
+
+    def only(self, names: Sequence[str]) -> _Wishes:
+        return _Wishes(**{name: getattr(self, name) for name in names})
+
+
+@dataclass(frozen=True)
+class Factors:
+    """What a design multiplies.
+
+    Attributes:
+        springs, joints: the stiffness of all springs, and of all joints.
+        taper: natural logarithm of the ratio of what stiffness is multiplied by at the root, where the body
+            is held, to that at the tip, which is as far from there as any mass along the springs.
+        spring_damping, joint_damping: the largest damping of springs, and of joints, kg/s; the others keep
+            their ratio to it. None where it stays.
+    """
+
+    springs: float = 1.0
+    joints: float = 1.0
+    taper: float = 0.0
+    spring_damping: float | None = None
+    joint_damping: float | None = None
+
+    def applied(self, scene: Scene) -> Scene:
+        """A scene with other stiffnesses and dampings. With a taper, a body that a recipe made becomes one of
+        its parts; else it stays a recipe.
+
+        Raises:
+            SceneError: a number would leave its range.
+        """
+        scene = self.with_stiffness(scene)
+        for key, damping in zip(_DAMPINGS, (self.spring_damping, self.joint_damping), strict=True):
+            if damping is not None and damping != SETTINGS[key].read(scene):
+                scene = validate(SETTINGS[key].write(scene, damping))
+        return scene
+
+    def with_stiffness(self, scene: Scene) -> Scene:
+        """As `applied`, but of stiffness only."""
+        for key, factor in (("linear_stiffness", self.springs), ("angular_stiffness", self.joints)):
+            if factor != 1.0:
+                scene = scaled(scene, key, factor)
+        return tapered(scene, self.taper) if self.taper else scene
+
+
+@dataclass(frozen=True)
+class Design:
+    """What `set_wishes` made.
+
+    Attributes:
+        scene: the scene with other stiffnesses and dampings.
+        factors: by which they differ.
+        reached: what the scene does, by the names of the wishes: `frequency`, Hz, `calm_after`, s, `sag`, px,
+            and `dt`, s, the largest stable time step, which is infinite where nothing limits it.
+        against: the names of the smallest number of wishes that cannot be had together; empty if all are
+            fulfilled.
+        conflict: that in a sentence without a full stop; empty if all are fulfilled.
+    """
+
+    scene: Scene
+    factors: Factors
+    reached: dict[str, float]
+    against: tuple[str, ...] = ()
+    conflict: str = ""
+
+
+def set_wishes(
+    scene: Scene,
+    frequency: float | None = None,
+    calm_after: float | None = None,
+    sag: float | None = None,
+    dt: float | None = None,
+    mass: int | None = None,
+) -> Design:
+    """The scene with stiffnesses and dampings with which it does what one wants to see.
+
+    All springs get one factor of their stiffness and all joints another, as small as they may be. Where these
+    do not do, a taper from root to tip makes one end stiffer than the other. Masses, lengths, angles and
+    gravity stay. To be calm sooner, the damping of what holds the vibration more, springs or joints, is
+    raised; to be calm later, or for a longer time step, all damping is lowered.
+
+    Args:
+        scene: a valid scene of at most 1000 masses.
+        frequency: Hz, of the slowest elastic vibration about the pose at rest without damping, which is
+            `sim.tuning(scene).elastic.frequency`: how often a second the body swings to and fro when it is
+            nudged. A swing under gravity, which stiffness hardly changes, is not meant.
+        calm_after: s, in which the amplitude of that vibration falls to a tenth. It is least, ln 10 over the
+            angular frequency, where the vibration is damped critically; more damping makes it creep.
+        sag: px, by which the mass that sinks most is lower at rest than where the scene has it, as
+            `sim.tuning(scene).sag`.
+        dt: s, a time step that the scene's method is to bear about the scene's start, as
+            `sim.tuning(scene).stable_steps`; a body that bears more is not changed.
+        mass: the mass whose sag is meant, instead of the one that sinks most.
+
+    Returns:
+        The design. Where the wishes cannot be had together it is the nearest, in the sense of the smallest
+        sum of squares of the logarithms of what is reached over what is wished, and it says which wishes
+        stand against each other.
+
+    Raises:
+        SceneError: the scene is not valid.
+        InputError: a wish is out of its range, or there is none.
+        DesignError: no stiffness or damping of the scene has to do with a wish, as where it has no springs.
+    """
+    validate(scene)
+    wishes = _Wishes(frequency, calm_after, sag, dt)
+    _refuse_senseless(scene, wishes, mass)
+    search = _Search(scene, mass)
+    search.refuse_hopeless(wishes)
+    best = search.best(wishes)
+    against = () if best.is_enough else search.least_conflict(wishes)
+    reached = {name: best.reached[name] for name in wishes.names}
+    made = best.factors.applied(scene)
+    conflict = _sentence(wishes, against, reached, scene.view.unit) if against else ""
+    return Design(made, best.factors, reached, against, conflict)
+
+
+def edit_of(design: Design, origin: Scene, scene: Scene, label: str) -> Edit:
+    """An edit of a scene that gives it the stiffnesses and dampings of a design.
+
+    Args:
+        design: the design.
+        origin: what it was made of: the scene, at another moment.
+        scene: the scene.
+        label: what was done.
+
+    Raises:
+        SettingError: the scene has other parts, or other stiffnesses and dampings, than then.
+    """
+    same = same_topology(origin, scene) and all(map(np.array_equal, Numbers.of(origin), Numbers.of(scene)))
+    if not same:
+        raise SettingError(f"{label}: the body was changed meanwhile, so that it is not that one any more")
+    return Edit(label, design.factors.applied(scene))
+
+
+def _refuse_senseless(scene: Scene, wishes: _Wishes, mass: int | None) -> None:
+    ranges = {
+        "frequency": (1e-3, 1e6, "Hz"),
+        "calm_after": (1e-6, 1e6, "s"),
+        "sag": (1e-6, 1e6, "px"),
+        "dt": (1e-9, 1.0, "s"),
+    }
+    if not wishes.names:
+        raise InputError(f"set_wishes: nothing is wished; there are {', '.join(ranges)}")
+    for name in wishes.names:
+        value, (low, high, unit) = getattr(wishes, name), ranges[name]
+        number = isinstance(value, int | float) and not isinstance(value, bool)
+        if not (number and low <= value <= high):
+            raise InputError(f"set_wishes: {name} {value} is not in the range {low:g}..{high:g} {unit}")
+    if mass is not None:
+        whole = isinstance(mass, int) and not isinstance(mass, bool)
+        if not (whole and 0 <= mass < len(scene.masses)):
+            raise InputError(f"set_wishes: mass {mass} does not exist (0..{len(scene.masses) - 1})")
+        if any(anchor.mass == mass for anchor in scene.anchors):
+            raise _no(f"mass {mass} is held, so it does not sag")
+    if len(scene.masses) > MOST_MASSES:
+        raise InputError(f"set_wishes: {len(scene.masses)} masses are more than {MOST_MASSES}")
+
+
+def _no(sentence: str) -> DesignError:
+    return DesignError(sentence, of="set_wishes")
+
+
+# ------------------------------------------------------------------------- the search
+@dataclass
+class _Trial:
+    """A scene with some factors.
+
+    Attributes:
+        factors: the factors.
+        reached: what it does, by the names of the wishes, as far as it does anything.
+        residuals: of each wish, the logarithm of what is reached over what is wished.
+        rest: the scene at rest; None if there is nothing to see.
+    """
+
+    factors: Factors
+    reached: dict[str, float]
+    residuals: Floats
+    rest: AtRest | None = None
+
+    @property
+    def miss(self) -> float:
+        return float((self.residuals**2).sum())
+
+    @property
+    def is_enough(self) -> bool:
+        return bool((np.abs(self.residuals) <= REACHED).all())
+
+
+class _Search:
+    """Searches for factors of a scene.
+
+    Args:
+        scene: the scene.
+        mass: whose sag is meant; None for the one that sinks most.
+    """
+
+    def __init__(self, scene: Scene, mass: int | None) -> None:
+        self._scene, self._mass = scene, mass
+        self._changes: list[tuple[str, Change]] = [
+            (name, by_setting(key))
+            for name, key in (("springs", "linear_stiffness"), ("joints", "angular_stiffness"))
+            if SETTINGS[key].applies(scene) and SETTINGS[key].read(scene) > 0.0
+        ]
+        self._tapers = len(scene.linear_springs) > 1 and bool(scene.anchors)
+        self._start = AtRest(scene)
+
+    def refuse_hopeless(self, wishes: _Wishes) -> None:
+        """Refuse what has nothing to do with stiffness or damping.
+
+        Raises:
+            DesignError: with the reason.
+        """
+        if not moves(self._scene):
+            raise _no("no mass is free, so nothing moves")
+        if not self._changes:
+            raise _no("no spring has any stiffness")
+        because = f": {self._start.notes[0]}" if self._start.notes else ""
+        if self._start.elastic is None and (wishes.frequency is not None or wishes.calm_after is not None):
+            raise _no(f"no springs or joints hold it as it swings, so it has no elastic vibration{because}")
+        if wishes.sag is not None and self._start.sag is None:
+            raise _no(f"nothing sags{because or ': nothing pulls it'}")
+
+    def best(self, wishes: _Wishes) -> _Trial:
+        """The trial that comes nearest to some wishes; with a taper only if it has to be."""
+        found = self._nearest(wishes, self._changes)
+        about = [name for name in wishes.names if name != "calm_after"]
+        if found.is_enough or not self._tapers or len(about) < 2:
+            return found
+        other = self._nearest(wishes, [*self._changes, ("taper", tapered)])
+        return other if other.miss < 0.9 * found.miss else found
+
+    def least_conflict(self, wishes: _Wishes) -> tuple[str, ...]:
+        """The smallest number of the wishes that cannot be had together."""
+        names = wishes.names
+        for count in range(1, len(names)):
+            for some in itertools.combinations(names, count):
+                if not self.best(wishes.only(some)).is_enough:
+                    return some
+        return names
+
+    def _nearest(self, wishes: _Wishes, changes: Sequence[tuple[str, Change]]) -> _Trial:
+        """The trial with the smallest squares, by these changes."""
+        names = [name for name, _ in changes]
+        first = self._try(wishes, names, np.zeros(len(names)))
+        if first.is_enough:
+            return first
+        # A time step that the body bears anyhow is looked at only once it does not.
+        looked = _Wishes(**{n: getattr(wishes, n) for n in wishes.names if n != "dt"})
+        found = self._descend(looked, changes) if looked.names else first
+        if wishes.dt is None:
+            return found
+        start = self._unknowns(found, names)
+        found = self._try(wishes, names, start)
+        if found.is_enough or wishes.calm_after is not None:
+            return found if found.is_enough else self._descend(wishes, changes, start)
+        # Damping, of which nothing is wished, shortens the steps that a body bears.
+        return self._descend(wishes, [*changes, ("damping", _damped)], np.append(start, 0.0))
+
+    @staticmethod
+    def _unknowns(trial: _Trial, names: Sequence[str]) -> Floats:
+        logs = {"taper": trial.factors.taper}
+        for name in ("springs", "joints"):
+            logs[name] = math.log(getattr(trial.factors, name))
+        return np.array([logs[name] for name in names])
+
+    def _descend(
+        self, wishes: _Wishes, changes: Sequence[tuple[str, Change]], start: Floats | None = None
+    ) -> _Trial:
+        """The trial with the smallest squares, by Levenberg's method."""
+        names = [name for name, _ in changes]
+        most = np.array([_STEEPEST if name == "taper" else _FARTHEST for name in names])
+        at = np.zeros(len(names)) if start is None else start
+        here = self._try(wishes, names, at)
+        caution, slopes = 0.0, self._slopes(wishes, here, names, at, changes)
+        for _ in range(_TRIALS):
+            worst = float(np.abs(here.residuals).max())
+            if worst <= _EXACT:
+                break
+            weight = 0.0 if worst <= _CLOSE else _LEAST
+            unit = np.eye(len(names))
+            left = np.concatenate((here.residuals, weight * at, np.zeros(len(names))))
+            rows = np.vstack((slopes, weight * unit, caution * unit))
+            to = np.clip(at - np.linalg.lstsq(rows, left, 1e-6)[0], -most, most)
+            there = self._try(wishes, names, to)
+            before = here.miss + weight**2 * float(at @ at)
+            after = there.miss + weight**2 * float(to @ to)
+            if after < before:
+                at, here = to, there
+                caution = caution / _STIFFER**2 if caution > _LEAST else 0.0
+                if after > (1.0 - _GAIN) * before:
+                    break
+                slopes = self._slopes(wishes, here, names, at, changes)
+            else:
+                caution = max(_STIFFER * caution, _LEAST)
+                if caution > _MOST_CAUTIOUS:
+                    break
+        return here
+
+    def _try(self, wishes: _Wishes, names: Sequence[str], unknowns: Floats) -> _Trial:
+        logs = dict(zip(names, unknowns.tolist(), strict=True))
+        factors = Factors(
+            springs=math.exp(logs.get("springs", 0.0)),
+            joints=math.exp(logs.get("joints", 0.0)),
+            taper=logs.get("taper", 0.0),
+        )
+        lost = _Trial(factors, {}, np.full(len(wishes.names), _LOST))
+        if damping := logs.get("damping"):
+            own = [math.exp(damping) * SETTINGS[key].read(self._scene) for key in _DAMPINGS]
+            factors = replace(factors, spring_damping=own[0], joint_damping=own[1])
+        try:
+            stiff = factors.with_stiffness(self._scene)
+            rest = AtRest(self._from(stiff))
+            factors, reached = self._reached(wishes, stiff, rest, factors)
+        except (SceneError, InputError):
+            return lost
+        missing = [name for name in wishes.names if reached.get(name) is None]
+        if missing:
+            return lost
+        residual = np.array([_residual(name, getattr(wishes, name), reached[name]) for name in wishes.names])
+        return _Trial(factors, reached, residual, rest)
+
+    def _from(self, scene: Scene) -> Scene:
+        """A scene whose search for its pose at rest begins where the one before ended."""
+        return msgspec.structs.replace(scene, pose=self._start.scene.pose or scene.pose)
+
+    def _reached(
+        self, wishes: _Wishes, stiff: Scene, rest: AtRest, factors: Factors
+    ) -> tuple[Factors, dict[str, float]]:
+        """The factors with the damping that is wished, and what the scene then does."""
+        reached: dict[str, float] = {}
+        if rest.omega is not None:
+            reached["frequency"] = rest.omega / math.tau
+        sag = rest.sag if self._mass is None else rest.sag_of(self._mass)
+        if sag is not None:
+            reached["sag"] = sag
+        if wishes.calm_after is not None and rest.omega is not None:
+            springs, joints, reached["calm_after"] = _Calming(rest).calmed(wishes.calm_after)
+            factors = replace(factors, spring_damping=springs, joint_damping=joints)
+        if wishes.dt is not None:
+            method = self._scene.integrator.method
+            reached["dt"] = math.inf
+            if METHODS[method].limit is not None:
+                reached["dt"] = limit_at_start(factors.applied(self._scene), method).limit
+        return factors, reached
+
+    def _slopes(
+        self,
+        wishes: _Wishes,
+        trial: _Trial,
+        names: Sequence[str],
+        unknowns: Floats,
+        changes: Sequence[tuple[str, Change]],
+    ) -> Floats:
+        """The derivatives of a trial's residuals with respect to the unknowns."""
+        rest, reached = trial.rest, trial.reached
+        if rest is None:
+            return np.zeros((len(wishes.names), len(changes)))
+        mass = rest.sag_mass if self._mass is None else self._mass
+        sags, frequencies = rest.derivatives([change for _, change in changes], mass)
+        rows = {"frequency": frequencies, "calm_after": np.zeros(len(changes))}
+        if wishes.sag is not None:
+            rows["sag"] = sags / max(reached["sag"], _SHALLOW * wishes.sag)
+        if wishes.calm_after is not None and reached["calm_after"] > (1.0 + REACHED) * wishes.calm_after:
+            rows["calm_after"] = -frequencies  # it is damped critically
+        if wishes.dt is not None:
+            own = _residual("dt", wishes.dt, reached["dt"])
+            rows["dt"] = np.zeros(len(changes))
+            for k in range(len(changes) if own else 0):
+                there = unknowns.copy()
+                there[k] += _STEP
+                other = self._try(wishes, names, there)
+                rows["dt"][k] = (other.residuals[wishes.names.index("dt")] - own) / _STEP
+        return np.array([rows[name] for name in wishes.names])
+
+
+def _residual(name: str, wish: float, reached: float) -> float:
+    if name == "dt":
+        # More than is wished is as good.
+        return min(0.0, math.log(max(reached, 1e-300) / (_MARGIN * wish)))
+    ratio = reached / wish
+    if ratio > _SHALLOW:
+        return math.log(ratio)
+    return math.log(_SHALLOW) + (ratio - _SHALLOW) / _SHALLOW
+
+
+class _Calming:
+    """How damping calms the elastic vibration of a body at rest.
+
+    Args:
+        rest: the body, which has one.
+    """
+
+    def __init__(self, rest: AtRest) -> None:
+        assert rest.elastic is not None
+        dampers, self._elastic = rest.dampers, rest.elastic
+        count = max(_MODES, rest.elastic + 1)
+        omega, shapes = rest.found.frequencies[:count], rest.found.shapes[:count]
+        self._omega = omega
+        weights = np.array([[mass.mass] for mass in rest.scene.masses])
+        shapes = shapes / np.sqrt((weights * shapes**2).sum((1, 2)))[:, None, None]
+        own = dampers.numbers
+        self._own = [float(each.max(initial=0.0)) for each in (own.damping, own.joint_damping)]
+        units = [
+            each / most if most else np.ones_like(each)
+            for each, most in zip((own.damping, own.joint_damping), self._own, strict=True)
+        ]
+        self._around = _between(shapes, dampers.drag)
+        self._kinds = [
+            _between(shapes, lambda shape: dampers.drag(shape, units[0], None)) - self._around,
+            _between(shapes, lambda shape: dampers.drag(shape, None, units[1])) - self._around,
+        ]
+        hold = dampers.hold(float(omega[self._elastic]), shapes[self._elastic])
+        self._carrier = int(hold.joints > hold.springs)
+
+    def calmed(self, after: float) -> tuple[float, float, float]:
+        """The damping of springs and of joints, kg/s, with which its amplitude falls to a tenth in some time,
+        or as nearly as can be; and in what time it then does.
+
+        No damping is more than critical.
+        """
+        from scipy.optimize import root_scalar
+
+        own, none, e = np.array(self._own), np.zeros(2), self._elastic
+        critical = 2.0 * float(self._omega[e])
+        around = float(self._around[e, e])
+        each = np.array([kind[e, e] for kind in self._kinds])
+        of_own = float(own @ each)
+        wished = min(2.0 * TENTH / after, critical)
+        if around + of_own >= wished:
+            slow, fast = none, own * (min(1.0, max(critical - around, 0.0) / of_own) if of_own else 0.0)
+        else:
+            slow, fast = own, own.copy()
+            if each[self._carrier] > 0.0:
+                fast[self._carrier] += (critical - around - of_own) / each[self._carrier]
+                fast = np.minimum(fast, SETTINGS["linear_damping"].high)
+
+        def off(part: float) -> float:
+            return math.log(min(self._time(slow + part * (fast - slow)), 1e300) / after)
+
+        if off(1.0) >= 0.0 or off(0.0) <= 0.0:
+            part = 1.0 if abs(off(1.0)) <= abs(off(0.0)) else 0.0
+        else:
+            part = float(root_scalar(off, bracket=(0.0, 1.0), method="brentq", xtol=1e-12).root)
+        springs, joints = (slow + part * (fast - slow)).tolist()
+        return springs, joints, self._time(np.array([springs, joints]))
+
+    def _time(self, damping: Floats) -> float:
+        """s to a tenth, infinite without damping."""
+        e, others = self._elastic, np.arange(self._omega.size) != self._elastic
+        c = self._around + damping[0] * self._kinds[0] + damping[1] * self._kinds[1]
+        inner, across, back = c[np.ix_(others, others)], c[others, e], c[e, others]
+        squares = np.diag(self._omega[others] ** 2)
+        coupling, before = 0.0 + 0.0j, np.inf + 0.0j
+        root = before
+        for _ in range(_ROUNDS):
+            # The slower of the two roots where both are real, else always the same one.
+            a, b = 1.0 - coupling, complex(c[e, e])
+            half = np.sqrt(b * b - 4.0 * a * self._omega[e] ** 2 + 0j)
+            root = (-b + (-half if half.imag < 0.0 else half)) / (2.0 * a)
+            if abs(root - before) <= _SETTLED * abs(root) or not across.size:
+                break
+            before = root
+            unit = np.eye(int(others.sum()))
+            coupling = complex(back @ np.linalg.solve(root * root * unit + root * inner + squares, across))
+        rate = -float(root.real)
+        return TENTH / rate if rate > 1e-300 else math.inf
+
+
+def _between(shapes: Floats, drag: Callable[[Floats], Floats]) -> Floats:
+    """(m, m) the damping between each two vibrations, 1/s."""
+    drags = np.array([drag(shape) for shape in shapes])
+    return np.einsum("iab,jab->ij", shapes, drags)
+
+
+def _damped(scene: Scene, step: float) -> Scene:
+    """A scene with all damping multiplied by exp(step)."""
+    for key in _DAMPINGS:
+        scene = scaled(scene, key, math.exp(step))
+    return scene
+
+
+def tapered(scene: Scene, steepness: float) -> Scene:
+    """A scene with the stiffness of springs and joints multiplied by exp(steepness (1/2 - s)), where s is how
+    far they are from what is held, along the springs, over the largest of such distances: 0 at the root, 1 at
+    a tip.
+    """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import dijkstra
+
+    scene = of_parts(scene)
+    a, b = ends(scene.linear_springs)
+    places = np.array([mass.position for mass in scene.masses])
+    lengths = np.maximum(np.hypot(*(places[b] - places[a]).T), 1e-9)
+    graph = coo_array((lengths, (a, b)), (len(places),) * 2).tocsr()
+    roots = sorted({anchor.mass for anchor in scene.anchors})
+    way = dijkstra(graph, directed=False, indices=roots, min_only=True)
+    way = np.where(np.isfinite(way), way, 0.0)
+    at = 0.5 * (way[a] + way[b]) / max(float(way.max()), 1e-9)
+    first, second = ends(scene.angular_springs)
+    springs = np.exp(steepness * (0.5 - at))
+    joints = np.exp(steepness * (0.5 - 0.5 * (at[first] + at[second])))
+    return validate(
+        msgspec.structs.replace(
+            scene,
+            linear_springs=_times(scene.linear_springs, springs),
+            angular_springs=_times(scene.angular_springs, joints),
+        )
+    )
+
+
+def _times(parts: tuple[P, ...], factors: Floats) -> tuple[P, ...]:
+    return tuple(
+        msgspec.structs.replace(part, stiffness=part.stiffness * factor)
+        for part, factor in zip(parts, factors.tolist(), strict=True)
+    )
+
+
+def _sentence(wishes: _Wishes, against: tuple[str, ...], reached: dict[str, float], unit: str) -> str:
+    """Which wishes stand against each other, and what there is instead."""
+
+    def number(name: str, value: float) -> str:
+        if name == "dt":
+            return f"{1e3 * value:.3g} ms"
+        return f"{value:.3g} {'Hz' if name == 'frequency' else unit if name == 'sag' else 's'}"
+
+    words = {"frequency": "", "calm_after": "calm after ", "sag": "a sag of ", "dt": "a time step of "}
+    asked = [words[name] + number(name, getattr(wishes, name)) for name in against]
+    nearest = " and ".join(words[name] + number(name, reached[name]) for name in against if name in reached)
+    instead = f"; the nearest is {nearest}" if nearest else ""
+    if len(asked) == 1:
+        return f"{asked[0]} cannot be had by stiffness and damping{instead}"
+    return f"{', '.join(asked[:-1])} and {asked[-1]} cannot be had together{instead}"

@@ -1,0 +1,280 @@
+"""Wishes against runs: what a body was made to do is measured as it moves."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim.analysis.swings import Swings, swings
+from sim.analysis.tuning import Dampers, at_rest, elastic_vibration
+from sim.design.sensitivity import AtRest, by_setting
+from sim.design.wishes import tapered
+from sim.settings import SETTINGS
+from tests.amount import part_of
+
+REPLACE = msgspec.structs.replace
+G = (0.0, 1000.0)
+RECIPES = {
+    "rope": lambda: sim.rope(masses=8, driven=0, gravity=G),
+    "rod": lambda: sim.rod(masses=8, gravity=G),
+    "box": lambda: sim.box(held=(0, 1), gravity=G),
+    "polygon": lambda: sim.polygon(sides=6, held=(0, 1), gravity=G),
+    "hair": lambda: sim.hair_tuft(hairs=3, masses=4, gravity=G),
+    "tree": lambda: sim.tree(forks=2, gravity=G),
+    "cloth": lambda: sim.cloth(columns=5, rows=4, held="edge", gravity=G),
+    "jelly": lambda: sim.jelly(columns=4, rows=3, gravity=(0.0, 0.0)),
+    "flag": lambda: sim.flag_pole(columns=2, rows=2, masses=5, gravity=G),
+    "girder": lambda: sim.girder(panels=4, gravity=G),
+    "bridge": lambda: sim.bridge(panels=6, gravity=G),
+    "air": lambda: sim.air_balloon(masses=10, gravity=(0.0, 0.0)),
+    "water": lambda: sim.water_balloon(masses=10, gravity=(0.0, 0.0)),
+}
+
+
+def recipe(name: str) -> sim.Scene:
+    scene = RECIPES[name]()
+    return REPLACE(scene, air_friction=0.0, wind=None, walls=(), contact=None)
+
+
+def measured(scene: sim.Scene, calms: bool) -> dict[str, float]:
+    """What a body does as it runs: the sag of the lowest mass at rest, px; and of its slowest elastic
+    vibration the frequency, Hz, without its damping, and, if `calms`, the time to a tenth, s."""
+    rest, _, _ = at_rest(scene, [])
+    assert rest.pose is not None
+    found, elastic = elastic_vibration(rest, Dampers(rest))
+    assert elastic is not None
+    shape = found.shapes[elastic]
+    span = min(np.hypot(*np.subtract(scene.masses[s.b].position, scene.masses[s.a].position)) for s in
+               scene.linear_springs)  # fmt: skip
+    places = np.array(rest.pose.positions)
+    nudged = places + 1e-3 * span * shape
+    pose = sim.Pose(positions=tuple(map(tuple, nudged.tolist())), velocities=rest.pose.velocities)
+    weights = np.array([[mass.mass] for mass in scene.masses])
+    about = math.tau / float(found.frequencies[elastic])  # s; only for how long and how often to look
+    fine = sim.Integrator(method="auto", tolerance=max(1e-8 * span, 1e-9), dt=about / 100.0)
+
+    def curve(of: sim.Scene) -> Swings:
+        simulation = sim.Simulation(REPLACE(of, pose=pose, integrator=fine))
+        values = []
+        for _ in range(700):
+            values.append(float((weights * shape * (simulation.positions - places)).sum()))
+            simulation.step(1)
+        # What damping brings along of other vibrations has passed after a while.
+        found = swings(np.arange(600.0) * (about / 100.0), np.array(values[100:]))
+        assert found is not None
+        return found
+
+    undamped = rest
+    for key in ("linear_damping", "angular_damping"):
+        if SETTINGS[key].applies(rest):
+            undamped = SETTINGS[key].write(undamped, 0.0)
+    frequency, calm = 1.0 / curve(undamped).period, math.nan
+    if calms:
+        damped = curve(rest)
+        assert damped.decrement is not None
+        calm = math.log(10.0) * damped.period / damped.decrement
+    still = sim.Simulation(REPLACE(rest, integrator=fine))
+    still.advance(0.5)
+    sag = float((still.positions - [mass.position for mass in scene.masses])[:, 1].max())
+    return {"frequency": frequency, "calm_after": calm, "sag": sag}
+
+
+def hidden(name: str, seed: int) -> tuple[sim.Scene, dict[str, float]]:
+    """A scene, and what the same does with other stiffnesses and dampings, which nobody is told."""
+    rng = np.random.default_rng(seed)
+    scene = recipe(name)
+    other = scene
+    for key in ("linear_stiffness", "angular_stiffness"):
+        if scene.angular_springs or key == "linear_stiffness":
+            value = SETTINGS[key].read(other)
+            other = sim.set_value(other, key, value * math.exp(rng.uniform(-0.4, 0.7)))
+    told = sim.tuning(other)
+    assert told.elastic is not None
+    wishes = {"frequency": told.elastic.frequency}
+    if told.sag is not None and told.sag > 0.0:
+        wishes["sag"] = told.sag
+    names = [*wishes, "calm_after"]
+    wishes["calm_after"] = math.log(10.0) / (
+        math.tau * told.elastic.frequency * math.exp(rng.uniform(math.log(0.01), math.log(0.15)))
+    )
+    chosen = [*rng.choice(names, rng.integers(1, len(names) + 1), replace=False)]
+    return scene, {str(wish): wishes[wish] for wish in chosen}
+
+
+def test_wishes_made_from_hidden_numbers_are_fulfilled_in_a_run() -> None:
+    """97 of 100, within a per cent."""
+    seeds, wrong = part_of(range(300), 25), []
+    for seed in seeds:
+        name = list(RECIPES)[seed % len(RECIPES)]
+        scene, wishes = hidden(name, seed)
+        design = sim.set_wishes(scene, **wishes)  # type: ignore[arg-type]
+        run = measured(design.scene, "calm_after" in wishes)
+        off = {wish: run[wish] / value - 1.0 for wish, value in wishes.items()}
+        if design.conflict or max(map(abs, off.values())) > 0.01:
+            wrong.append((seed, name, design.conflict, off))
+    assert len(wrong) <= max(1.0, 0.03 * len(seeds)), wrong
+
+
+# ------------------------------------------------------------------------- what cannot be had
+def critical(scene: sim.Scene, rng: np.random.Generator) -> tuple[dict[str, float], set[str]]:
+    """Calm sooner than critical damping makes it."""
+    told = sim.tuning(scene)
+    assert told.elastic is not None
+    frequency = told.elastic.frequency * rng.uniform(0.8, 1.3)
+    calm = math.log(10.0) / (math.tau * frequency) * rng.uniform(0.3, 0.9)
+    return {"frequency": frequency, "calm_after": calm}, {"frequency", "calm_after"}
+
+
+def locked(scene: sim.Scene, rng: np.random.Generator) -> tuple[dict[str, float], set[str]]:
+    """A beam that is to swing faster and yet to sag as much: one stiffness makes both."""
+    told = sim.tuning(scene)
+    assert told.elastic is not None
+    assert told.sag is not None
+    return {"frequency": told.elastic.frequency * rng.uniform(2.0, 3.0), "sag": told.sag}, {
+        "frequency",
+        "sag",
+    }
+
+
+def hanging(scene: sim.Scene, rng: np.random.Generator) -> tuple[dict[str, float], set[str]]:
+    """What hangs by a mass or two comes down however stiff it is."""
+    told = sim.tuning(scene)
+    assert told.elastic is not None
+    assert told.sag is not None
+    return {"sag": told.sag * rng.uniform(0.2, 0.6), "frequency": told.elastic.frequency}, {"sag"}
+
+
+def too_long_a_step(scene: sim.Scene, rng: np.random.Generator) -> tuple[dict[str, float], set[str]]:
+    """A step of symplectic Euler cannot be longer than two over any angular frequency."""
+    told = sim.tuning(scene)
+    assert told.elastic is not None
+    frequency = told.elastic.frequency
+    return {"frequency": frequency, "dt": 2.0 / (math.tau * frequency) * rng.uniform(1.5, 3.0)}, {
+        "frequency",
+        "dt",
+    }
+
+
+EULER = sim.Integrator(method="symplectic_euler", dt=1e-3)
+IMPOSSIBLE = [
+    *((critical, name) for name in ("rod", "tree", "girder", "cloth", "hair")),
+    *((locked, name) for name in ("rod", "girder")),
+    *((hanging, name) for name in ("rope",)),
+    *((too_long_a_step, name) for name in ("rod", "girder")),
+]
+
+
+@pytest.mark.parametrize("case", part_of(range(50), 10))
+def test_wishes_that_cannot_be_had_together_are_named(case: int) -> None:
+    make, name = IMPOSSIBLE[case % len(IMPOSSIBLE)]
+    scene = REPLACE(recipe(name), integrator=EULER)
+    wishes, against = make(scene, np.random.default_rng(case))
+    design = sim.set_wishes(scene, **wishes)  # type: ignore[arg-type]
+    assert set(design.against) == against, design.conflict
+    assert "cannot be had" in design.conflict
+    assert all(f"{wishes[wish]:.3g}" in design.conflict for wish in against - {"dt"})
+    # Without one of them, the others can be had.
+    dropped = sorted(against)[0]
+    rest = {wish: value for wish, value in wishes.items() if wish != dropped}
+    assert not sim.set_wishes(scene, **rest).conflict  # type: ignore[arg-type]
+
+
+def test_what_is_not_wished_changes_as_little_as_it_may() -> None:
+    scene = recipe("rod")
+    told = sim.tuning(scene)
+    assert told.elastic is not None
+    design = sim.set_wishes(scene, frequency=1.5 * told.elastic.frequency)
+    assert design.factors.springs == pytest.approx(1.0, abs=0.05)  # they hold hardly any of it
+    assert isinstance(design.scene.bodies[0], sim.Rod)  # a recipe stays a recipe
+    assert design.scene.masses == scene.masses
+    same = sim.set_wishes(scene, frequency=told.elastic.frequency)
+    assert same.scene == scene
+    step = sim.tuning(REPLACE(scene, integrator=EULER)).stable_steps["symplectic_euler"]
+    assert sim.set_wishes(REPLACE(scene, integrator=EULER), dt=0.5 * step).factors == same.factors
+
+
+def test_a_time_step_is_borne_in_a_run() -> None:
+    scene = REPLACE(recipe("girder"), integrator=sim.Integrator(method="symplectic_euler", dt=2e-3))
+    step = 2.0 * sim.tuning(scene).stable_steps["symplectic_euler"]
+    design = sim.set_wishes(scene, dt=step)
+    assert not design.conflict
+    assert design.reached["dt"] >= step
+    coarse = sim.Integrator(method="symplectic_euler", dt=step)
+    for body, bears in ((design.scene, True), (scene, False)):
+        simulation = sim.Simulation(REPLACE(body, integrator=coarse))
+        simulation.step(3000)
+        assert (simulation.divergence is None) == bears
+
+
+def test_the_sag_of_a_mass() -> None:
+    scene = recipe("girder")
+    rest = AtRest(scene)
+    before = rest.sag_of(2)
+    assert before is not None
+    design = sim.set_wishes(scene, sag=0.5 * before, mass=2)
+    after = AtRest(design.scene).sag_of(2)
+    assert after == pytest.approx(0.5 * before, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("change", "wishes", "said"),
+    [
+        ({}, {}, "nothing is wished"),
+        ({}, {"frequency": math.nan}, r"frequency nan is not in the range 0\.001\.\.1e\+06 Hz"),
+        ({}, {"sag": -3.0}, "sag -3.0 is not in the range"),
+        ({}, {"sag": 3.0, "mass": 99}, r"mass 99 does not exist \(0\.\.7\)"),
+        ({}, {"sag": 3.0, "mass": 0}, "mass 0 is held"),
+        ({"gravity": (0.0, 0.0)}, {"sag": 3.0}, "nothing sags: nothing pulls it"),
+    ],
+)
+def test_senseless_wishes_are_refused_in_a_sentence(
+    change: dict[str, object], wishes: dict[str, float], said: str
+) -> None:
+    with pytest.raises(sim.InputError, match=said):
+        sim.set_wishes(REPLACE(recipe("rod"), **change), **wishes)  # type: ignore[arg-type]
+
+
+def test_what_no_stiffness_has_to_do_with_is_refused() -> None:
+    slack = sim.set_value(sim.set_value(recipe("rod"), "linear_stiffness", 0.0), "angular_stiffness", 0.0)
+    with pytest.raises(sim.DesignError, match="no spring has any stiffness"):
+        sim.set_wishes(slack, frequency=1.0)
+    held = sim.Scene(name="held", masses=(sim.Mass(position=(0.0, 0.0)),), anchors=(sim.Anchor(mass=0),))
+    with pytest.raises(sim.DesignError, match="no mass is free"):
+        sim.set_wishes(held, frequency=1.0)
+
+
+# ------------------------------------------------------------------------- sensitivities
+@pytest.mark.parametrize("name", ["rod", "tree", "girder", "hair", "cloth", "bridge"])
+def test_sensitivities_are_the_limits_of_differences(name: str) -> None:
+    scene = recipe(name)
+    told = {one.key: one for one in sim.sensitivities(scene)}
+    assert set(told) == {"linear_stiffness", "gravity"} | (
+        {"angular_stiffness"} if scene.angular_springs else set()
+    )
+    mass = AtRest(scene).sag_mass
+    assert mass is not None
+    largest = max(abs(one.sag or 0.0) for one in told.values())
+    for key, one in told.items():
+        there = [AtRest(by_setting(key)(scene, step)) for step in (-4e-3, -2e-3, 2e-3, 4e-3)]
+        sags = [rest.sag_of(mass) for rest in there]
+        omegas = [math.log(rest.omega or math.nan) for rest in there]
+        # Richardson's extrapolation of two central differences.
+        slopes = [
+            (8.0 * (v[2] - v[1]) - (v[3] - v[0])) / 24e-3 for v in (np.array(sags, float), np.array(omegas))
+        ]
+        assert one.sag == pytest.approx(slopes[0], rel=1e-6, abs=1e-6 * largest)
+        assert one.frequency == pytest.approx(slopes[1], rel=1e-5, abs=1e-5)
+
+
+def test_a_taper_goes_from_what_is_held_to_the_tip() -> None:
+    scene = recipe("rod")
+    made = tapered(scene, math.log(4.0))
+    pairs = zip(made.linear_springs, scene.linear_springs, strict=True)
+    ratio = [new.stiffness / old.stiffness for new, old in pairs]
+    assert ratio == sorted(ratio, reverse=True)
+    steps = len(ratio)
+    assert ratio[1] / ratio[-1] == pytest.approx(4.0 ** ((steps - 2) / (steps - 1)), rel=1e-9)
