@@ -36,6 +36,9 @@ def test_a_table_is_dropped_seen_over_the_body_and_fitted_as_one_step_of_undo(op
     drop(desk, "swing.txt", "mass A\t\t\nt\tx\ty\n" + "\n".join(rows))
     assert desk.control("mass A x").input_value() == "mass1.x"
     assert desk.control("mass A y").input_value() == "-mass1.y"
+    link = desk.page.get_by_role("link", name="Measure in a video")
+    # It is relative to the page's own address, so that it holds behind a prefix, too.
+    assert link.evaluate("a => [a.getAttribute('href'), a.target]") == ["video", "_blank"]
     desk.until(lambda: len(points(desk)) == data.time.size, "a point for each row")
     # The first row is where the mass is.
     where = points(desk)[0]

@@ -27,8 +27,15 @@ from ..looks import readouts
 from ..page import Page
 from ..viser.handlers import on_change, on_press
 
+ABOUT = (
+    '<div class="softrod-text">A table that is dropped on the page is drawn over the body, and the scene can '
+    'be fitted to it. <a href="video" target="_blank" rel="noopener">Measure in a video</a> makes one.</div>'
+)
+"""The address is relative: a proxy may serve the page under a prefix."""
 FIRST = -10.0
 """Order of the first control: before all others of the tab, since it is what the tab was opened for."""
+LAST = 9.0
+"""Order of what is said of tables: before the plots."""
 MOST_COLUMNS = 8
 """Columns that a page can match; the command `softrod fit` takes more."""
 MOST_MASSES, MOST_NUMBERS = 60, 4000
@@ -36,7 +43,6 @@ MOST_MASSES, MOST_NUMBERS = 60, 4000
 MOST_POINTS = 2000
 """Places that are drawn."""
 _NOT_SOUGHT = ("dt", "tolerance", "template")
-_NONE = "(left out)"
 
 _shop = Workshop()
 
@@ -46,7 +52,7 @@ class _Stopped(Exception):
 
 
 class FitPanel:
-    """The controls; there are none until a table comes.
+    """The controls; until a table comes there is but a line about tables.
 
     Args:
         page: whose body is fitted.
@@ -61,6 +67,8 @@ class FitPanel:
         self._switches: dict[str, viser.GuiCheckboxHandle] = {}
         self._busy = threading.Lock()
         self._scene: sim.Scene | None = None
+        with tab:
+            page.client.gui.add_html(ABOUT, order=LAST)
 
     # --------------------------------------------------------------------- the ticker's
     def take(self, table: Measurement) -> None:

@@ -1,0 +1,73 @@
+"""The table that the page /video writes is one that a scene can be fitted to."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+
+import numpy as np
+import pytest
+
+import sim
+from sim.design.measurements import parse_measurement
+from sim.settings import set_value
+from tests.page.check import FOLDER, NODE
+from tests.sim.measured import measure
+
+TABLE = FOLDER.parents[1] / "app" / "page" / "video" / "table.js"
+WRITE = """
+import { readFileSync } from "node:fs";
+import { tableOf } from "%s";
+const { points, times, scale } = JSON.parse(readFileSync(0, "utf8"));
+const found = points.map(({ name, places }) => ({ name, places: new Map(places) }));
+process.stdout.write(tableOf(found, new Map(times), scale));
+"""
+
+
+def written(places: np.ndarray, times: np.ndarray, **scale: object) -> bytes:
+    """The table as the page's own script writes it.
+
+    Args:
+        places: (k, 2) of one point in each frame, pixels of the video; NaN where it is not marked.
+        times: (k,) s.
+        scale: see `table.js`.
+    """
+    marked = [[k, {"x": x, "y": y}] for k, (x, y) in enumerate(places.tolist()) if np.isfinite([x, y]).all()]
+    said = {
+        "points": [{"name": "mass1", "places": marked}],
+        "times": list(enumerate(times.tolist())),
+        "scale": scale,
+    }
+    run = subprocess.run(
+        [NODE, "--input-type=module", "--eval", WRITE % TABLE.as_uri()],
+        input=json.dumps(said).encode(),
+        capture_output=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stderr.decode()
+    return run.stdout
+
+
+def test_a_table_of_a_video_gives_back_what_the_body_was() -> None:
+    """A pendulum of the preset's length under another gravity and in air, filmed at 1.7 pixels a px and
+    marked to a third of a pixel; its ruler is the rod, half a metre long."""
+    random = np.random.default_rng(5)
+    guess = set_value(sim.load_scene("pendulum"), "air_friction", 2e-4)
+    hidden = set_value(set_value(guess, "gravity", 1400.0), "air_friction", 6e-4)
+    swing = measure(hidden, ["mass1.x", "mass1.y"], 2.5, 0.0, random)
+    places = 1.7 * np.column_stack([column.values for column in swing.columns]) + [40.0, -25.0]
+    seen = places + random.normal(0.0, 1.0 / 3.0, places.shape)
+    seen[17] = np.nan
+    corner = {"x": 40.0, "y": -25.0}
+    text = written(seen, swing.time, origin=corner, pixels=1.7 * 500.0, unit="m", down=True)
+    table = parse_measurement(text, "video.csv")
+    assert table.time.size == swing.time.size - 1
+    assert [(column.name, column.unit) for column in table.columns] == [("mass1.x", "m"), ("mass1.y", "m")]
+    found = sim.fit(guess, table, ["gravity", "air_friction"], scale=500.0)
+    for name, truth in (("gravity", 1400.0), ("air_friction", 6e-4)):
+        each = found.values[name]
+        assert each.known
+        assert each.low < truth < each.high, name
+        assert each.high - each.low < 0.2 * truth, name
+    # A third of a pixel is what is left.
+    assert [each.noise for each in found.series] == pytest.approx([1.0 / 3.0 / 850.0] * 2, rel=0.3)
