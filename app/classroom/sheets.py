@@ -36,7 +36,7 @@ MARK = "SR1"
 """What a text begins with."""
 
 LARGEST = 20_000
-"""Letters of a file, at most: however they are written in a message, it is one that the server takes."""
+"""Letters of a file, at most: however they are written in a message, the server takes it."""
 
 _NO_TEXT = "That is no code of answers: it begins with SR1 and has letters and digits."
 _NO_FILE = "That file has no answers to a lesson."
