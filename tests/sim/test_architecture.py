@@ -42,7 +42,7 @@ def test_the_solver_loads_without_the_page() -> None:
 @pytest.mark.parametrize("path", SOURCES, ids=[str(path.relative_to(ROOT)) for path in SOURCES])
 def test_the_solver_imports_only_what_it_needs(path: Path) -> None:
     allowed = {"sim", "numpy", "numba", "llvmlite", "msgspec", "platformdirs"} | sys.stdlib_module_names
-    # SciPy takes long to load, and only some bodies under some methods, and what one asks about a body, need it.
+    # SciPy takes long to load, and few bodies need it: it is loaded when it is needed.
     lazily = set() if {"kernels", "forces"} & set(path.parts) else {"scipy"}
     for node in ast.parse(path.read_text(encoding="utf-8")).body:
         if not is_for_types(node):
