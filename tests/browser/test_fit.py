@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import sim
+from app.page.measure.fit_panel import DRAWS
 from app.session import commands
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
@@ -53,14 +54,25 @@ def test_a_table_is_dropped_seen_over_the_body_and_fitted_as_one_step_of_undo(op
     found = desk.page.locator(".softrod-table", has_text="gravity")
     desk.until(lambda: found.count() == 1 and "±" in found.inner_text(), "the interval is there")
     assert_shown(desk)
+    # Pale bodies that go with the table about as well lie close to the fitted one.
+    desk.until(lambda: len(ends(desk)) == DRAWS, "the bodies")
+    assert np.hypot(*(np.array(ends(desk)) - desk.place(1)).T).max() < 4.0
     desk.tell(commands.Undo())
     assert desk.session.scene.gravity == before.gravity
     desk.button("Forget the table").click()
-    desk.until(lambda: not points(desk), "the points are gone")
+    desk.until(lambda: not points(desk) and not ends(desk), "the points and the bodies are gone")
 
     # What is not right is said, and changes nothing.
     drop(desk, "bad.csv", "t,x\n0,1\n1,nan\n")
     assert "bad.csv, line 3, column 'x': nan is not a finite number" in desk.notice("That did not work")
+
+
+def ends(desk: Desk) -> list[tuple[float, float]]:
+    """Where the second masses of the pale bodies are, px of the window: each is a line with a mass at either
+    end."""
+    text = desk.page.evaluate("document.querySelector('.softrod-measured-fan')?.getAttribute('d') ?? ''")
+    both = (each.split("L")[1].split() for each in text.split("M")[1:])
+    return [(float(x), float(y)) for x, y in both]
 
 
 def points(desk: Desk) -> list[tuple[float, float]]:

@@ -22,7 +22,7 @@ from sim.settings import settings_of
 from ...export.workshop import Breath, Workshop
 from ...session import commands
 from ...session.notices import Notice
-from ...wire.to_page import Measured, ShowMeasures
+from ...wire.to_page import Fan, Measured, ShowMeasures
 from ..looks import readouts
 from ..page import Page
 from ..viser.handlers import on_change, on_press
@@ -42,7 +42,11 @@ MOST_MASSES, MOST_NUMBERS = 60, 4000
 """Masses of a body, and numbers of a table, that a page fits: a fit shares the interpreter with the pages."""
 MOST_POINTS = 2000
 """Places that are drawn."""
+DRAWS, RATE, MOST_OF_FAN = 8, 30.0, 60_000
+"""Bodies that go with the data about as well, their frames a second, and numbers of all at most."""
 _NOT_SOUGHT = ("dt", "tolerance", "template")
+
+NONE = np.zeros(0, np.float32)
 
 _shop = Workshop()
 
@@ -131,7 +135,8 @@ class FitPanel:
             control.remove()
         self._columns.clear()
         self._switches.clear()
-        self._page.mail.tell(Measured(numbers=np.zeros(0, np.float32)))
+        self._page.mail.tell(Measured(numbers=NONE))
+        self._page.mail.tell(Fan(numbers=NONE))
 
     def build(self) -> None:
         """Another scene: a table of another body is forgotten."""
@@ -173,7 +178,7 @@ class FitPanel:
         except InputError:
             matches = ()
         self._scale.visible = any(each.scale is None for each in matches)
-        numbers = np.zeros(0, np.float32)
+        numbers = NONE
         if matches:
             values = self._found.values if self._found is not None else {}
             scale = _value(values.get("length_scale"), float(self._scale.value))
@@ -204,6 +209,7 @@ class FitPanel:
         scale = float(self._scale.value) if self._needs_scale(matches) else None
         self._fit.disabled = True
         self._result.content = _text("The fit begins ...")
+        self._page.mail.tell(Fan(numbers=NONE))
         scene = self._session.simulation.capture().scene
         _shop.submit(partial(self._run, table, scene, vary, texts, scale))
 
@@ -236,7 +242,9 @@ class FitPanel:
 
         try:
             found = sim.fit(scene, table, vary, match, scale, progress)
-            self._page.later(partial(self._take_found, table, scene, found))
+            begin = float(table.time[0]) if "start" in vary else 0.0
+            seen = fan(found, float(table.time[-1]) - begin, breath)
+            self._page.later(partial(self._take_found, table, scene, found, seen))
         except (InputError, SceneError, SettingError) as error:
             self._page.later(partial(self._say, error))
         except _Stopped:
@@ -262,7 +270,7 @@ class FitPanel:
         if self._table is not None:
             self._result.content = ""
 
-    def _take_found(self, table: Measurement, scene: sim.Scene, found: Fit) -> None:
+    def _take_found(self, table: Measurement, scene: sim.Scene, found: Fit, seen: Fan) -> None:
         """Show what was found, and put it into the scene as one step of undo."""
         if self._table is not table:
             return
@@ -273,6 +281,7 @@ class FitPanel:
         self._result.content = _found_html(found)
         self._session.post(commands.Change(lambda moment, _: Edit("fitted", found.scene)))
         self._session.post(commands.Reset())
+        self._page.mail.tell(seen)
         self._show_points()
 
 
@@ -283,6 +292,29 @@ _OF_TABLE = {
 }
 _USUAL = ("linear_stiffness", "linear_damping")
 """What is sought at first."""
+
+
+def fan(found: Fit, seconds: float, breath: Breath) -> Fan:
+    """How bodies move whose numbers scatter as the data leave them open.
+
+    Args:
+        found: the fit.
+        seconds: for how long; a body of many masses is followed for a shorter time, see `MOST_OF_FAN`.
+        breath: is taken after each body.
+    """
+    masses = len(found.scene.masses)
+    dt = found.scene.integrator.dt
+    every = max(round(1.0 / (RATE * dt)), 1)
+    frames = min(int(seconds / (every * dt)) + 2, MOST_OF_FAN // (2 * DRAWS * masses))
+    places = np.zeros((frames, DRAWS, masses, 2))
+    for i, scene in enumerate(found.draws(DRAWS)):
+        body = sim.Simulation(scene)
+        for k in range(frames):
+            places[k, i] = body.positions
+            body.step(every)
+        breath.take()
+    numbers = np.clip(np.nan_to_num(places), -1e7, 1e7).astype(np.float32).ravel()  # one may run away
+    return Fan(numbers=numbers, draws=DRAWS, masses=masses, rate=1.0 / (every * dt))
 
 
 def _value(estimate: Estimate | None, otherwise: float) -> float:
