@@ -37,8 +37,8 @@ def read_off(times: np.ndarray, angles: np.ndarray) -> tuple[float, float]:
 
 def test_a_recorded_swing_gives_the_length_and_the_loss_that_are_read_off_it() -> None:
     """What agrees: the length, to 2 % with the period and with the source's own model. What a swing loses
-    agrees to a fifth only, since the bearing's friction is no drag of the air, which is all that the scene has:
-    the fit says that something is lacking, and its intervals are wide."""
+    agrees to a fifth only: the bearing's friction is no drag of the air, and the scene has no other. The fit
+    says that something is lacking, and its intervals are wide."""
     table = read_measurement(DATA)
     length, damping = read_off(table.time, table.columns[0].values)
     guess = sim.Scene(
