@@ -57,6 +57,10 @@ def test_a_table_is_dropped_seen_over_the_body_and_fitted_as_one_step_of_undo(op
     # Pale bodies that go with the table about as well lie close to the fitted one.
     desk.until(lambda: len(ends(desk)) == DRAWS, "the bodies")
     assert np.hypot(*(np.array(ends(desk)) - desk.place(1)).T).max() < 4.0
+    first = ends(desk)[0]
+    desk.tell(commands.DoSteps(round(0.3 / desk.session.simulation.dt)))
+    desk.until(lambda: np.hypot(*(np.array(ends(desk)[0]) - first)) > 10.0, "they move along")
+    assert np.hypot(*(np.array(ends(desk)) - desk.place(1)).T).max() < 8.0
     desk.tell(commands.Undo())
     assert desk.session.scene.gravity == before.gravity
     desk.button("Forget the table").click()
