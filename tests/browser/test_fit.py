@@ -60,6 +60,7 @@ def test_a_table_is_dropped_seen_over_the_body_and_fitted_as_one_step_of_undo(op
     first = ends(desk)[0]
     desk.tell(commands.DoSteps(round(0.3 / desk.session.simulation.dt)))
     desk.until(lambda: np.hypot(*(np.array(ends(desk)[0]) - first)) > 10.0, "they move along")
+    desk.wait_drawn()
     assert np.hypot(*(np.array(ends(desk)) - desk.place(1)).T).max() < 8.0
     desk.tell(commands.Undo())
     assert desk.session.scene.gravity == before.gravity
