@@ -204,6 +204,13 @@ def set_wishes(
     return Design(made, best.factors, reached, against, conflict)
 
 
+def calm_after(scene: Scene) -> float | None:
+    """s, in which the amplitude of a scene's slowest elastic vibration falls to a tenth, as `set_wishes` has
+    it: infinite without damping, None if there is no such vibration."""
+    rest = AtRest(scene)
+    return None if rest.elastic is None else _Calming(rest).as_it_is()
+
+
 def edit_of(design: Design, origin: Scene, scene: Scene, label: str) -> Edit:
     """An edit of a scene that gives it the stiffnesses and dampings of a design.
 
@@ -501,6 +508,10 @@ class _Calming:
         ]
         hold = dampers.hold(float(omega[self._elastic]), shapes[self._elastic])
         self._carrier = int(hold.joints > hold.springs)
+
+    def as_it_is(self) -> float:
+        """s to a tenth with its own damping, infinite without damping."""
+        return self._time(np.array(self._own))
 
     def calmed(self, after: float) -> tuple[float, float, float]:
         """The damping of springs and of joints, kg/s, with which its amplitude falls to a tenth in some time,
