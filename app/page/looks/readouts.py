@@ -260,7 +260,7 @@ def _effects(one: sim.Sensitivity, sag: float | None, unit: str) -> str:
     if one.sag is not None and sag is not None and abs(0.01 * one.sag) > _NO_MATTER * abs(sag):
         effects.append(f"{abs(0.01 * one.sag):.2g} {unit} {'more' if one.sag > 0.0 else 'less'} sag")
     if one.frequency is not None and abs(0.01 * one.frequency) > _NO_MATTER:
-        effects.append(f"{abs(one.frequency):.2g} % {'faster' if one.frequency > 0.0 else 'slower'}")
+        effects.append(f"{abs(one.frequency):.2g}\u00a0% {'faster' if one.frequency > 0.0 else 'slower'}")
     return ", ".join(effects)
 
 

@@ -153,7 +153,7 @@ class _WishBox:
             self._unit, self._box.label = unit, f"{self._of.label} ({unit})"
         if value is None or working:
             return
-        value = min(max(value, self._of.low), self._of.high)
+        value = _digits(min(max(value, self._of.low), self._of.high))
         if not alike(value, self._known):
             self._box.step = 10.0 ** (math.floor(math.log10(value)) - 1)
         self._known = value
@@ -283,7 +283,7 @@ class TuningPanel:
             one.slider.visible = one.box.visible = elastic is not None
             if elastic is not None and not working:
                 ratio = min(max(elastic.damping_ratio, 1e-4), 1.0)
-                one.show_value(elastic.frequency if one.setting.key == "frequency" else ratio)
+                one.show_value(_digits(elastic.frequency if one.setting.key == "frequency" else ratio))
         does: dict[str, float | None] = dict.fromkeys(self._boxes)
         if tuner is not None and told is not None:
             does["calm_after"] = tuner.calm
@@ -449,6 +449,11 @@ def _wish_of(
         lambda _: math.nan, lambda scene, _: scene, lambda _: True,
         logarithmic=True,
     )  # fmt: skip
+
+
+def _digits(value: float) -> float:
+    """A number with the digits that the table has."""
+    return float(f"{value:.3g}")
 
 
 def _said(sentence: str) -> str:
