@@ -249,7 +249,7 @@ _COMMANDS: dict[str, type[Command]] = {
     "class": TeachClass,
 }
 
-STUDIES = ("bench", "validate", "stability", "study", "sweep", "fit", "improve")
+STUDIES = ("bench", "validate", "stability", "study", "sweep", "improve", "fit")
 """Commands of the package `studies`, which is loaded for them alone."""
 
 _SOLVING = ("run", "export", *STUDIES)

@@ -35,8 +35,8 @@ from .room import Answer, Coordinate, Ghost, Line, Refused, Room, Vote
 MARK = "SR1"
 """What a text begins with."""
 
-LARGEST = 48_000
-"""Letters of a file, at most."""
+LARGEST = 20_000
+"""Letters of a file, at most: however they are written in a message, the server takes it."""
 
 _NO_TEXT = "That is no code of answers: it begins with SR1 and has letters and digits."
 _NO_FILE = "That file has no answers to a lesson."

@@ -365,7 +365,7 @@ class ToWall(Lead, frozen=True):
 class Bring(Lead, frozen=True):
     """Answers that a pupil gave in a file: the text of the file that was saved there, or of its QR code."""
 
-    text: Annotated[str, Meta(min_length=1, max_length=48_000)]
+    text: Annotated[str, Meta(min_length=1, max_length=20_000)]
 
 
 class OneSeat(Lead, frozen=True):

@@ -42,15 +42,8 @@ def test_the_solver_loads_without_the_page() -> None:
 @pytest.mark.parametrize("path", SOURCES, ids=[str(path.relative_to(ROOT)) for path in SOURCES])
 def test_the_solver_imports_only_what_it_needs(path: Path) -> None:
     allowed = {"sim", "numpy", "numba", "llvmlite", "msgspec", "platformdirs"} | sys.stdlib_module_names
-    # SciPy takes long to load, and only some bodies under some methods need it.
-    late = (
-        "sim/body/sparsity.py",
-        "sim/near.py",
-        "sim/edit/shape.py",
-        "sim/design/statics.py",
-        "sim/design/fit.py",
-    )
-    lazily = {"scipy"} if path in [ROOT / name for name in late] else set()
+    # SciPy takes long to load, and few bodies need it: it is loaded when it is needed.
+    lazily = set() if {"kernels", "forces"} & set(path.parts) else {"scipy"}
     for node in ast.parse(path.read_text(encoding="utf-8")).body:
         if not is_for_types(node):
             is_late = isinstance(node, ast.FunctionDef | ast.ClassDef)

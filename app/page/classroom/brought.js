@@ -4,7 +4,7 @@ import { onTold, send } from "../../wire/channel.js";
 import { make, makeButton } from "../looks/dialog.js";
 
 /** Letters of a file that the server takes, at most. */
-const MOST = 48_000;
+const MOST = 20_000;
 /** Sentences that are shown. */
 const SHOWN = 40;
 

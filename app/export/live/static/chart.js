@@ -17,8 +17,8 @@ import { said } from "./readings.js";
 const SPAN = 10;
 /** Pixels: left and right of the curves, above, below. */
 const [LEFT, RIGHT, TOP, BOTTOM] = [62, 10, 8, 22];
-/** Range of an axis, at least, as a part of the largest value on it. */
-const LEAST_PART = 1e-6;
+/** Range of an axis on either side, at least, as a part of the largest value on it: its marks have different numbers. */
+const LEAST_PART = 2e-3;
 /** Lines of the grid, about. */
 const LINES = 4;
 /** Colours of the curves, in turn. */
