@@ -204,6 +204,13 @@ def set_wishes(
     return Design(made, best.factors, reached, against, conflict)
 
 
+def calm_after(scene: Scene) -> float | None:
+    """s, in which the amplitude of a scene's slowest elastic vibration falls to a tenth, as `set_wishes` has
+    it: infinite without damping, None if there is no such vibration."""
+    rest = AtRest(scene)
+    return None if rest.elastic is None else _Calming(rest).as_it_is()
+
+
 def edit_of(design: Design, origin: Scene, scene: Scene, label: str) -> Edit:
     """An edit of a scene that gives it the stiffnesses and dampings of a design.
 
@@ -256,12 +263,14 @@ class _Trial:
     """A scene with some factors.
 
     Attributes:
-        factors: the factors.
+        tried: the factors that were tried.
+        factors: the same, with the damping that calms it in time.
         reached: what it does, by the names of the wishes, as far as it does anything.
         residuals: of each wish, the logarithm of what is reached over what is wished.
         rest: the scene at rest; None if there is nothing to see.
     """
 
+    tried: Factors
     factors: Factors
     reached: dict[str, float]
     residuals: Floats
@@ -293,6 +302,7 @@ class _Search:
         ]
         self._tapers = len(scene.linear_springs) > 1 and bool(scene.anchors)
         self._start = AtRest(scene)
+        self._last: tuple[_Wishes, _Trial] | None = None  # a search often begins where the one before ended
 
     def refuse_hopeless(self, wishes: _Wishes) -> None:
         """Refuse what has nothing to do with stiffness or damping.
@@ -361,11 +371,15 @@ class _Search:
         most = np.array([_STEEPEST if name == "taper" else _FARTHEST for name in names])
         at = np.zeros(len(names)) if start is None else start
         here = self._try(wishes, names, at)
-        caution, slopes = 0.0, self._slopes(wishes, here, names, at, changes)
+        caution, slopes = 0.0, None
+        # Of a time step, which is known within a per cent, no more is asked than that it will do.
+        exact = np.array([REACHED if name == "dt" else _EXACT for name in wishes.names])
         for _ in range(_TRIALS):
             worst = float(np.abs(here.residuals).max())
-            if worst <= _EXACT:
+            if (np.abs(here.residuals) <= exact).all():
                 break
+            if slopes is None:
+                slopes = self._slopes(wishes, here, names, at, changes)
             weight = 0.0 if worst <= _CLOSE else _LEAST
             unit = np.eye(len(names))
             left = np.concatenate((here.residuals, weight * at, np.zeros(len(names))))
@@ -379,7 +393,7 @@ class _Search:
                 caution = caution / _STIFFER**2 if caution > _LEAST else 0.0
                 if after > (1.0 - _GAIN) * before:
                     break
-                slopes = self._slopes(wishes, here, names, at, changes)
+                slopes = None
             else:
                 caution = max(_STIFFER * caution, _LEAST)
                 if caution > _MOST_CAUTIOUS:
@@ -387,16 +401,14 @@ class _Search:
         return here
 
     def _try(self, wishes: _Wishes, names: Sequence[str], unknowns: Floats) -> _Trial:
-        logs = dict(zip(names, unknowns.tolist(), strict=True))
-        factors = Factors(
-            springs=math.exp(logs.get("springs", 0.0)),
-            joints=math.exp(logs.get("joints", 0.0)),
-            taper=logs.get("taper", 0.0),
-        )
-        lost = _Trial(factors, {}, np.full(len(wishes.names), _LOST))
-        if damping := logs.get("damping"):
-            own = [math.exp(damping) * SETTINGS[key].read(self._scene) for key in _DAMPINGS]
-            factors = replace(factors, spring_damping=own[0], joint_damping=own[1])
+        factors = self._factors(names, unknowns)
+        if self._last is None or self._last[0] != wishes or self._last[1].tried != factors:
+            self._last = wishes, self._new_trial(wishes, factors)
+        return self._last[1]
+
+    def _new_trial(self, wishes: _Wishes, factors: Factors) -> _Trial:
+        tried = factors
+        lost = _Trial(tried, factors, {}, np.full(len(wishes.names), _LOST))
         try:
             stiff = factors.with_stiffness(self._scene)
             rest = AtRest(self._from(stiff))
@@ -407,7 +419,26 @@ class _Search:
         if missing:
             return lost
         residual = np.array([_residual(name, getattr(wishes, name), reached[name]) for name in wishes.names])
-        return _Trial(factors, reached, residual, rest)
+        return _Trial(tried, factors, reached, residual, rest)
+
+    def _factors(self, names: Sequence[str], unknowns: Floats) -> Factors:
+        logs = dict(zip(names, unknowns.tolist(), strict=True))
+        factors = Factors(
+            springs=math.exp(logs.get("springs", 0.0)),
+            joints=math.exp(logs.get("joints", 0.0)),
+            taper=logs.get("taper", 0.0),
+        )
+        if damping := logs.get("damping"):
+            own = [math.exp(damping) * SETTINGS[key].read(self._scene) for key in _DAMPINGS]
+            factors = replace(factors, spring_damping=own[0], joint_damping=own[1])
+        return factors
+
+    def _bears(self, factors: Factors) -> float:
+        """s, the largest stable time step with some factors; infinite where nothing limits it."""
+        method = self._scene.integrator.method
+        if METHODS[method].limit is None:
+            return math.inf
+        return limit_at_start(factors.applied(self._scene), method).limit
 
     def _from(self, scene: Scene) -> Scene:
         """A scene whose search for its pose at rest begins where the one before ended."""
@@ -427,10 +458,7 @@ class _Search:
             springs, joints, reached["calm_after"] = _Calming(rest).calmed(wishes.calm_after)
             factors = replace(factors, spring_damping=springs, joint_damping=joints)
         if wishes.dt is not None:
-            method = self._scene.integrator.method
-            reached["dt"] = math.inf
-            if METHODS[method].limit is not None:
-                reached["dt"] = limit_at_start(factors.applied(self._scene), method).limit
+            reached["dt"] = self._bears(factors)
         return factors, reached
 
     def _slopes(
@@ -458,9 +486,18 @@ class _Search:
             for k in range(len(changes) if own else 0):
                 there = unknowns.copy()
                 there[k] += _STEP
-                other = self._try(wishes, names, there)
-                rows["dt"][k] = (other.residuals[wishes.names.index("dt")] - own) / _STEP
+                rows["dt"][k] = (self._off_step(wishes, names, there) - own) / _STEP
         return np.array([rows[name] for name in wishes.names])
+
+    def _off_step(self, wishes: _Wishes, names: Sequence[str], unknowns: Floats) -> float:
+        """The residual of the time step in a trial, of which nothing else is looked at where that will do."""
+        assert wishes.dt is not None
+        if wishes.calm_after is not None:  # damping is found anew
+            return float(self._try(wishes, names, unknowns).residuals[wishes.names.index("dt")])
+        try:
+            return _residual("dt", wishes.dt, self._bears(self._factors(names, unknowns)))
+        except (SceneError, InputError):
+            return _LOST
 
 
 def _residual(name: str, wish: float, reached: float) -> float:
@@ -501,6 +538,10 @@ class _Calming:
         ]
         hold = dampers.hold(float(omega[self._elastic]), shapes[self._elastic])
         self._carrier = int(hold.joints > hold.springs)
+
+    def as_it_is(self) -> float:
+        """s to a tenth with its own damping, infinite without damping."""
+        return self._time(np.array(self._own))
 
     def calmed(self, after: float) -> tuple[float, float, float]:
         """The damping of springs and of joints, kg/s, with which its amplitude falls to a tenth in some time,

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any
 from unittest.mock import MagicMock
 
@@ -12,6 +14,27 @@ from app.page.viser.comma_switch import CommaSwitch
 from app.session.notices import Notice
 from app.session.session import Session
 from tests.app.letters import Letters
+
+
+class Handle(SimpleNamespace):
+    """A control that is in no page."""
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def listen(self, handler: Callable[[Any], Any]) -> Callable[[Any], Any]:
+        self.handler = handler
+        return handler
+
+    on_update = on_click = on_trigger = listen
+
+    def enter(self, value: object) -> None:
+        """As its user does."""
+        self.value = value
+        asyncio.run(self.handler(SimpleNamespace(client_id=1, target=self)))
 
 
 def page_of(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import Callable
 from contextlib import nullcontext
 from types import SimpleNamespace
 from typing import Any
@@ -19,28 +17,7 @@ from app.session import commands
 from app.session.notices import Notice
 from sim.edit.edit import Selection
 from tests.app.pages import SessionPage
-from tests.app.panels import page_of
-
-
-class Handle(SimpleNamespace):
-    """A control that is in no page."""
-
-    def __enter__(self) -> None:
-        pass
-
-    def __exit__(self, *_: object) -> None:
-        pass
-
-    def listen(self, handler: Callable[[Any], Any]) -> Callable[[Any], Any]:
-        self.handler = handler
-        return handler
-
-    on_update = on_click = listen
-
-    def enter(self, value: object) -> None:
-        """As its user does."""
-        self.value = value
-        asyncio.run(self.handler(SimpleNamespace(client_id=1, target=self)))
+from tests.app.panels import Handle, page_of
 
 
 class Page(SessionPage):

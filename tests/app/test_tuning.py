@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import time
+from collections.abc import Callable
 from functools import partial
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from msgspec.structs import replace
@@ -11,16 +15,20 @@ from msgspec.structs import replace
 import sim
 from app.page.looks import readouts
 from app.page.solver import tuning_panel
-from app.page.solver.tuning_panel import MOST_MASSES, Tuner
+from app.page.solver.tuning_panel import MOST_MASSES, Tuner, TuningPanel
 from app.session import commands
+from app.session.notices import Notice
 from sim.compiling.compiler import FOR_FALLBACK, fetch
+from sim.design.wishes import calm_after
 from sim.edit.edit import Selection
 from sim.edit.tune import as_far_as_stable, damp_springs, with_numbers_of
 from sim.errors import InputError
 from sim.motion.stability import largest_step
 from tests.app.pages import SessionPage
+from tests.app.panels import Handle, page_of
 
 SCENE = sim.load_scene("tutorial-3.3")
+EULER = sim.Integrator(method="symplectic_euler", dt=1e-3)
 
 
 def found(tuner: Tuner, scene: sim.Scene) -> Tuner:
@@ -84,6 +92,12 @@ def test_the_table_has_what_there_is_with_units() -> None:
     assert "slowest vibration</td><td>0.478 Hz, 2.09 s, undamped" in text
     assert "slowest elastic one</td><td>2.17 Hz, 0.46 s, damping ratio 0.027" in text
     assert "sag under gravity</td><td>13.2 px, mass 11" in text
+    assert "calm after" not in text
+    text = readouts.tuning_table(SCENE, told, None, sim.sensitivities(SCENE), 6.25)
+    assert "calm after</td><td>6.25 s, to a tenth" in text
+    assert "1 % more stiffness of the springs</td><td>0.13 px less sag, 0.5\u00a0% faster" in text
+    assert "1 % more gravity</td><td>0.13 px more sag" in text
+    assert "calm after</td><td>never" in readouts.tuning_table(SCENE, told, None, (), float("inf"))
     assert "Symplectic Euler</td><td>stable to 5.1 ms" in text
     assert "fastest spring alone</td><td>22.5 Hz, 44.4 ms, damping ratio 0.28" in text
     assert "spring 0 alone</td><td>15.9 Hz, 62.8 ms, damping ratio 0.2<" in readouts.tuning_table(
@@ -159,3 +173,153 @@ def test_selected_springs_are_damped_each_by_itself() -> None:
     assert page.session.versions.undoable == "2 springs critically damped"
     page.frames(1, commands.Undo())
     assert page.session.scene.linear_springs == SCENE.linear_springs
+
+
+# ------------------------------------------------------------------------- what is wished
+class WishPage(SessionPage):
+    """A session with the tuning of its page, which is shown."""
+
+    def __init__(self, scene: sim.Scene) -> None:
+        fetch(FOR_FALLBACK)
+        super().__init__(scene)
+        self.made: dict[str, Handle] = {}
+        self.notices: list[Notice] = []
+        names = ("checkbox", "html", "button", "slider", "number", "command")
+        gui = SimpleNamespace(**{f"add_{name}": self._add for name in names})
+        client: Any = SimpleNamespace(gui=gui)
+        self.panel = TuningPanel(page_of(self.session, client, notify=self.notices.append), 0.0)
+        self.panel.build(True)
+        self.frames(1, commands.Play(False))
+        self.made["Tuning"].enter(True)
+        self.settle()
+
+    def _add(self, label: str, *_: object, initial_value: object = None, **rest: Any) -> Handle:
+        handle = Handle(label=label, value=initial_value, content="", visible=rest.get("visible", True))
+        self.made[label] = handle
+        return handle
+
+    @property
+    def text(self) -> str:
+        return self.panel._table.content
+
+    def settle(self) -> None:
+        """Frames, as long as there is more to show."""
+        end = time.monotonic() + 60.0
+        for least in range(1000000):
+            self.frames(1)
+            self.panel.refresh()
+            if least and not self.panel.waits:
+                return
+            assert time.monotonic() < end
+            time.sleep(0.005)
+
+    def wish(self, label: str, value: float) -> None:
+        self.made[label].enter(value)
+        self.settle()
+
+
+ROD = sim.rod(masses=8, gravity=(0.0, 1000.0))
+
+
+def frequency_of(scene: sim.Scene) -> float:
+    elastic = sim.tuning(scene).elastic
+    assert elastic is not None
+    return elastic.frequency
+
+
+@pytest.mark.parametrize(
+    ("label", "factor", "does"),
+    [
+        ("Calm after (s)", 0.6, calm_after),
+        ("Sag (px)", 0.7, lambda scene: sim.tuning(scene).sag),
+        ("Stable step (s)", 1.3, lambda scene: sim.tuning(scene).stable_steps["symplectic_euler"]),
+    ],
+)
+def test_a_typed_number_is_what_the_body_then_does(
+    label: str, factor: float, does: Callable[[sim.Scene], float]
+) -> None:
+    page = WishPage(replace(ROD, integrator=EULER))
+    session, box = page.session, page.made[label]
+    origin, told = session.scene, does(session.scene)
+    assert box.visible
+    assert box.value == float(f"{told:.3g}")  # what the table tells
+    page.wish(label, float(f"{factor * told:.3g}"))
+    wished = pytest.approx(factor * told, rel=0.02)
+    assert does(session.scene) == wished
+    assert box.value == wished
+    assert "cannot be had" not in page.text
+    assert session.versions.undoable
+    # A second one is a step by itself.
+    page.wish(label, 1.2 * factor * told)
+    assert len(session.versions) == 2
+    page.frames(2, commands.Undo())
+    assert does(session.scene) == wished
+    page.frames(2, commands.Undo())
+    assert session.scene.linear_springs == origin.linear_springs
+    assert session.scene.angular_springs == origin.angular_springs
+    page.settle()
+    assert box.value == float(f"{told:.3g}")
+    page.made[label].enter(-1.0)
+    assert page.notices[-1].title == "Out of range"
+    assert box.value == float(f"{told:.3g}")
+
+
+def test_sliders_make_it_stiff_and_calm() -> None:
+    scene = replace(SCENE, integrator=sim.Integrator())
+    page = WishPage(scene)
+    session, before = page.session, sim.tuning(scene).elastic
+    assert before is not None
+    assert page.made["Sag (px)"].visible
+    assert not page.made["Stable step (s)"].visible  # its method has no limit
+    page.wish("Soft – stiff", math.log10(2.0 * before.frequency))
+    after = sim.tuning(session.scene).elastic
+    assert after is not None
+    assert after.frequency == pytest.approx(2.0 * before.frequency, rel=0.01)
+    assert after.damping_ratio == pytest.approx(before.damping_ratio, rel=0.05)  # as bouncy as before
+    # What is dragged through is one step.
+    page.wish("Soft – stiff", math.log10(3.0 * before.frequency))
+    assert frequency_of(session.scene) == pytest.approx(3.0 * before.frequency, rel=0.01)
+    assert len(session.versions) == 1
+    page.wish("Bouncy – calm", math.log10(0.3))
+    calm = sim.tuning(session.scene).elastic
+    assert calm is not None
+    assert calm.damping_ratio == pytest.approx(0.3, rel=0.05)
+    page.frames(2, commands.Undo(), commands.Undo())
+    assert session.scene.linear_springs == SCENE.linear_springs
+
+
+def test_what_cannot_be_had_is_said_until_the_body_changes() -> None:
+    # A rope that is pulled aside swings there however stiff it is.
+    page = WishPage(sim.rope(masses=8, driven=0, gravity=(1000.0, 0.0)))
+    sag = sim.tuning(page.session.scene).sag
+    assert sag is not None
+    page.wish("Sag (px)", 0.2 * sag)
+    assert f"A sag of {0.2 * sag:.3g} px cannot be had by stiffness and damping; the nearest is" in page.text
+    assert page.made["Sag (px)"].value == pytest.approx(sag, rel=0.1)
+    page.frames(2, commands.Undo())
+    page.settle()
+    assert "cannot be had" not in page.text
+
+
+def test_a_step_that_is_borne_anyhow_changes_nothing() -> None:
+    page = WishPage(SCENE)
+    page.wish("Stable step (s)", 0.004)
+    assert "It is stable at 4 ms as it is, so nothing was changed." in page.text
+    assert page.session.versions.undoable == ""
+
+
+def test_what_has_nothing_to_do_with_it_is_not_offered() -> None:
+    page = WishPage(replace(ROD, gravity=(0.0, 0.0)))
+    assert not page.made["Sag (px)"].visible
+    assert page.made["Calm after (s)"].visible
+    page.made["Tuning"].enter(False)
+    page.settle()
+    assert not page.made["Calm after (s)"].visible
+    assert page.text == ""
+
+
+def test_how_long_it_takes_is_that_of_the_wish() -> None:
+    design = sim.set_wishes(ROD, calm_after=0.5)
+    assert calm_after(design.scene) == pytest.approx(design.reached["calm_after"], rel=1e-9)
+    undamped = sim.set_value(sim.set_value(ROD, "linear_damping", 0.0), "angular_damping", 0.0)
+    assert calm_after(replace(undamped, air_friction=0.0)) == math.inf

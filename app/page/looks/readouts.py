@@ -206,7 +206,11 @@ _NO_MATTER = 1e-5
 
 
 def tuning_table(
-    scene: sim.Scene, told: Tuning, spring: int | None, does: Sequence[sim.Sensitivity] = ()
+    scene: sim.Scene,
+    told: Tuning,
+    spring: int | None,
+    does: Sequence[sim.Sensitivity] = (),
+    calm: float | None = None,
 ) -> str:
     """What the numbers of a scene mean for its motion.
 
@@ -215,6 +219,7 @@ def tuning_table(
         told: what was found of it.
         spring: a spring to tell of by itself; None for the fastest one.
         does: what its numbers do.
+        calm: s, after which its slowest elastic vibration is down to a tenth; None leaves it out.
     """
     rows: dict[str, str] = {}
     slowest, elastic = told.slowest, told.elastic
@@ -223,6 +228,8 @@ def tuning_table(
     # Of a body that swings under gravity, that is not what its springs do.
     if elastic is not None and slowest is not None and elastic.frequency > 1.001 * slowest.frequency:
         rows["slowest elastic one"] = _vibration(elastic)
+    if calm is not None:
+        rows["calm after"] = f"{_duration(calm)}, to a tenth" if math.isfinite(calm) else "never: undamped"
     if told.fastest is not None:
         rows["fastest vibration"] = _vibration(told.fastest)
     if told.sag is not None:
@@ -253,7 +260,7 @@ def _effects(one: sim.Sensitivity, sag: float | None, unit: str) -> str:
     if one.sag is not None and sag is not None and abs(0.01 * one.sag) > _NO_MATTER * abs(sag):
         effects.append(f"{abs(0.01 * one.sag):.2g} {unit} {'more' if one.sag > 0.0 else 'less'} sag")
     if one.frequency is not None and abs(0.01 * one.frequency) > _NO_MATTER:
-        effects.append(f"{abs(one.frequency):.2g} % {'faster' if one.frequency > 0.0 else 'slower'}")
+        effects.append(f"{abs(one.frequency):.2g}\u00a0% {'faster' if one.frequency > 0.0 else 'slower'}")
     return ", ".join(effects)
 
 
