@@ -35,10 +35,10 @@ _PRECISION = 1e-12
 """Size of a step, in typical lengths of a spring, at which the search ends."""
 _LOWEST = 1e-15
 """Smallest shift that is tried, 1/s²."""
-_NEUTRAL = 1e-13
+NEUTRAL = 1e-13
 """Largest shift, 1/s², that a stable body with held masses may need for its matrix to be definite in spite of
 rounding."""
-_NEUTRAL_FREE = 1e-9
+NEUTRAL_FREE = 1e-9
 """The same for a body that is free to move as a whole."""
 _CLOSE = 1e-5
 """Size of a step, in typical lengths of a spring, at which the forces balance; if the balance is not stable,
@@ -348,7 +348,7 @@ class Resting:
 def _continuation(body: Resting) -> Floats:
     """Positions at which the accelerations vanish."""
     q = body.start
-    neutral = _NEUTRAL if body.system.held.any() else _NEUTRAL_FREE
+    neutral = NEUTRAL if body.system.held.any() else NEUTRAL_FREE
     a = body.accelerations(q)
     shift = float(np.abs(a).max()) / body.typical + _LOWEST
     nudges = balanced = 0

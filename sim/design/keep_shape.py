@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.equilibrium import Resting
+from ..analysis.equilibrium import NEUTRAL, NEUTRAL_FREE, Resting
 from ..edit.build import in_turn
 from ..edit.edit import Selection, of_parts
 from ..errors import InputError, SceneError
@@ -32,8 +32,6 @@ _MOST_FOR_PROGRAM = 1500
 """Largest number of masses for the linear program, whose time grows faster than with their square."""
 _TAUT = (0.01, 0.03, 0.1, 0.2, 0.4)
 """Tensions, as parts of stiffness times length, to which springs are drawn where the body would buckle."""
-_NEUTRAL, _NEUTRAL_FREE = 1e-13, 1e-9
-"""As of `analysis.equilibrium`: the shift, 1/s², below which a balance counts as stable."""
 _ITERATIONS = 30
 """Number of inverse iterations for a motion."""
 _ALIKE = 1e-3
@@ -317,7 +315,7 @@ def _with_rest(scene: Scene, statics: Statics, x: Floats, stiffening: float) -> 
 def _buckling(scene: Scene) -> Floats | None:
     """(n, 2) how a balanced body leaves its pose, relative to the largest movement; None if it is stable."""
     body = Resting(scene, balanced=True)
-    neutral = _NEUTRAL if body.system.held.any() else _NEUTRAL_FREE
+    neutral = NEUTRAL if body.system.held.any() else NEUTRAL_FREE
     if body.factorise(body.start, neutral):
         return None
     # The least shift with which the matrix is positive definite is minus its lowest eigenvalue, and inverse

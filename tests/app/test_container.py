@@ -18,6 +18,8 @@ from tests.amount import NIGHT
 from tests.container import ROOT, Builder, Image, instructions, permitted, running
 
 TEXT = (ROOT / "Dockerfile").read_text(encoding="utf-8")
+_CACHE = "/fetched"
+"""Where the steps find what uv has fetched on this machine."""
 
 
 def test_it_has_one_port_one_volume_and_nobodys_rights() -> None:
@@ -45,6 +47,7 @@ def image() -> Iterator[Image]:
     # How packages are fetched on this machine.
     fetching = re.compile(r"(PIP|UV|SSL|HTTPS?|NO)_(?!CACHE_DIR)", re.IGNORECASE)
     env = {name: value for name, value in os.environ.items() if fetching.match(name)}
+    env["UV_CACHE_DIR"] = _CACHE
     folder = Path(tempfile.mkdtemp(prefix="softrod-"))
     folder.chmod(0o755)
 
@@ -66,7 +69,7 @@ def image() -> Iterator[Image]:
         imported = "RUN python -c 'import app.cli, app.server.serve'\nWORKDIR /data"
         quick = TEXT.replace("UV_COMPILE_BYTECODE=1 ", "").replace("WORKDIR /data", imported)
     try:
-        yield Builder(quick, folder, {Path(cache): "/root/.cache/uv"}, env).build(before)
+        yield Builder(quick, folder, {Path(cache): _CACHE}, env).build(before)
     finally:
         shutil.rmtree(folder)
 
