@@ -45,6 +45,18 @@ def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
     return Notice("error", "The body exploded", text, runaway=True)
 
 
+def no_shape(error: sim.DesignError) -> Notice:
+    """What to tell where a body cannot keep its shape."""
+    sentence = error.sentence
+    text = f"{sentence[:1].upper()}{sentence[1:]}."
+    if error.motion is not None:
+        text += " The line shows where it goes."
+    if error.stiffening is not None:
+        factor = float(f"{error.stiffening:.3g}")  # as the button has it
+        text += f" The button “Keep it, {factor:g} times as stiff” makes it so."
+    return Notice("error", "This shape cannot be kept", text)
+
+
 def _remedy(divergence: sim.Divergence) -> str:
     """What helps where the time step was below the stability limit."""
     if divergence.driven:

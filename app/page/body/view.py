@@ -269,6 +269,6 @@ def picture_of(session: Session) -> Picture:
         other, damage = future.positions_at(simulation.time), future.damage_at(simulation.time)
     elif session.refusal is not None and session.refusal.motion is not None:
         # How the body would leave the shape that it could not keep.
-        other = simulation.positions
+        other = session.refused_shape
         other = other + _SWAY * float(np.ptp(other, axis=0).max(initial=0.0)) * session.refusal.motion
     return Picture.of(simulation, other, damage)

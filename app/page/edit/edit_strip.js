@@ -158,8 +158,8 @@ export function addEditStrip(tracing) {
   let { selected } = editing;
   onEditing(() => {
     // Not at every move of the pointer.
-    const { on, tool, undo, redo } = editing;
-    const now = [on, tool, undo, redo, takesNew()].join("|");
+    const { on, tool, undo, redo, stiffen: factor } = editing;
+    const now = [on, tool, undo, redo, factor, takesNew()].join("|");
     if (now === shown && editing.selected === selected) return;
     [shown, selected] = [now, editing.selected];
     show();
