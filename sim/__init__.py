@@ -42,6 +42,7 @@ from .scene.makers import (
     tree,
     water_balloon,
 )
+from .scene.parts import Beat, JointMuscle, SpringMuscle
 from .scene.recipes.outlines import AirBalloon, Box, Polygon, WaterBalloon
 from .scene.recipes.plants import HairTuft, Tree
 from .scene.recipes.rods import Rod
@@ -71,6 +72,7 @@ __all__ = [
     "Anchor",
     "AngularSpring",
     "ArrowKeys",
+    "Beat",
     "Box",
     "Bridge",
     "Circle",
@@ -88,6 +90,7 @@ __all__ = [
     "InputError",
     "Integrator",
     "Jelly",
+    "JointMuscle",
     "LinearSpring",
     "Liquid",
     "Mass",
@@ -105,6 +108,7 @@ __all__ = [
     "Sensitivity",
     "SettingError",
     "Simulation",
+    "SpringMuscle",
     "Tree",
     "Tuning",
     "Vibration",

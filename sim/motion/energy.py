@@ -29,6 +29,7 @@ class Energies:
         plastic, broken: energy lost in yielding, and with springs and joints that broke, which is negative.
         law: work of a force law that is not the gradient of an energy.
         keys: work of keys that change rest lengths and rest angles.
+        muscles: work of muscles, which do so, too.
         changes: energy added by changes of settings.
         fallbacks: energy added by fallback steps, which is negative or zero.
         residual: the sum of the energies minus its initial value and all of the above. This is the error of
@@ -48,6 +49,7 @@ class Energies:
     broken: float
     law: float
     keys: float
+    muscles: float
     changes: float
     fallbacks: float
     residual: float
@@ -101,6 +103,7 @@ class EnergyTracker:
             broken=work.broken,
             law=work.law,
             keys=work.keys,
+            muscles=work.muscles,
             changes=self._changes,
             fallbacks=work.fallbacks,
             residual=total - self._start - work.total - self._changes,

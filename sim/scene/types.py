@@ -15,7 +15,7 @@ from msgspec import Meta
 from .columns import has_any
 from .lesson import Lesson
 from .numbers import Angle, Coordinate, Force, Index, Name, Speed, Vector, bounded, of_python
-from .parts import Anchor, AngularSpring, LinearSpring, Mass
+from .parts import Anchor, AngularSpring, Beat, LinearSpring, Mass
 from .parts import Circle as Circle
 from .recipes.recipe import AnyRecipe, expand
 from .recipes.recipe import Rope as Rope
@@ -154,6 +154,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         walls: walls, floors and slopes.
         contact: contact of bodies with each other and with themselves, or None.
         rest_length_scale: 0.01..100; multiplies every rest length.
+        beat: what the muscles of springs and joints keep to; without it, which files leave out, they rest.
         template: one of the tutorial's eight rest angles for every joint, or None. The angular springs
             must then have that rest angle. The diagonal templates are sqrt(2) times as stiff as the general
             law.
@@ -180,6 +181,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     walls: tuple[Wall, ...] = ()
     contact: Contact | None = None
     rest_length_scale: Annotated[float, bounded(0.01, 100.0, "", "Factor of all rest lengths")] = 1.0
+    beat: Beat | msgspec.UnsetType = msgspec.UNSET
     template: Template | None = None
     force_law: ForceLaw = "conservative"
     integrator: Integrator = Integrator()
@@ -215,6 +217,13 @@ def is_surrounded(scene: Scene) -> bool:
 def is_loaded(scene: Scene) -> bool:
     """Whether a constant force acts on any mass."""
     return any(mass.force for mass in scene.masses)
+
+
+def is_muscular(scene: Scene) -> bool:
+    """Whether muscles move any of a scene's springs or joints."""
+    return bool(scene.beat) and any(
+        part.muscle for parts in (scene.linear_springs, scene.angular_springs) for part in parts
+    )
 
 
 def is_damageable(scene: Scene) -> bool:
