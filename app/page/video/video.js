@@ -72,7 +72,7 @@ async function open(file) {
     await end;
   }
   [canvas.width, canvas.height] = [plain.width, plain.height] = [video.videoWidth, video.videoHeight];
-  canvas.style.width = `min(100%, calc(62vh * ${video.videoWidth / video.videoHeight}))`;
+  canvas.style.width = `min(100%, calc(54vh * ${video.videoWidth / video.videoHeight}))`;
   forget();
   ruler = [];
   origin = { x: 0, y: 0 };
@@ -263,7 +263,8 @@ function save() {
   link.download = "video.csv";
   link.click();
   URL.revokeObjectURL(link.href);
-  say(b ? "Saved." : "Saved in pixels: no ruler was drawn.");
+  const saved = b ? "Saved." : "Saved in pixels: no ruler was drawn.";
+  say(`${saved} Drop the file on the page with the body to see it there and to fit it.`);
 }
 
 /** The buttons that choose what a click marks. */
