@@ -31,7 +31,7 @@ from .ghost import Ghost
 from .hand import FRAME, PointerHands
 from .history import History, OldFuture
 from .log import Log
-from .notices import Notice, no_shape, runaway
+from .notices import About, Notice, no_shape, runaway
 from .pacing import HEAVY_UNIT, Pacer, is_large
 from .record import Recorder
 from .replay import Player
@@ -247,6 +247,10 @@ class Session:
             playing = command.playing_after(playing)
         return playing
 
+    def holds(self, about: About) -> bool:
+        """Whether what a notice is about is still so."""
+        return self.simulation.divergence is not None if about == "runaway" else self.refusal is not None
+
     def _waiting(self) -> list[Command]:
         """The commands that wait; handlers may be adding to them."""
         with self._lock:
@@ -323,7 +327,7 @@ class Session:
             try:
                 if self.replay is not None and command.takes_over(self):
                     self._end_replay("You have taken over from the replay.")
-                if command.acts:
+                if command.takes_over(self) or command.brings_body:
                     self.refusal = None
                 command.apply(self, at)
                 self.note(command.changes)

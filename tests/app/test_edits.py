@@ -472,6 +472,14 @@ def test_a_shape_that_cannot_be_kept_is_refused_with_the_motion_and_an_offer() -
     assert np.array_equal(picture_of(page.session).ghost, shown)
     page.do(Act("pin", mass=2))
     assert picture_of(page.session).ghost is None
+    # So it is for another body, or for this one as it was with other masses.
+    for after in (commands.Open(sim.load_scene("ring")), commands.Undo()):
+        page.frames(1, commands.Open(arm), commands.Play(False))
+        page.do(Place(0.0, 0.0), Select(joints=(0,)), Act("remove"), Act("keep"))
+        assert picture_of(page.session).ghost is not None
+        page.frames(1, after)
+        assert picture_of(page.session).ghost is None
+        page.session.notices.clear()
 
 
 def test_who_draws_a_body_and_lets_it_go_is_told_once_what_keeps_it() -> None:

@@ -313,10 +313,11 @@ def test_a_body_can_be_edited_while_it_runs(open_page: OpenPage) -> None:
     assert not offer.is_visible()
     action(desk, "Keep this shape")
     desk.until(offer.is_visible, "it is offered")
-    assert offer.inner_text() in desk.notice("This shape cannot be kept")
+    said = offer.inner_text()
+    desk.until(lambda: [said in text for _, text in desk.notices()] == [True], "a notice says it, too")
     offer.click()
     desk.until(lambda: desk.session.scene.angular_springs[0].stiffness > 1.0, "it is stiffer")
-    desk.until(lambda: not offer.is_visible(), "there is nothing more to offer")
+    desk.until(lambda: not offer.is_visible() and not desk.notices(), "there is nothing more to offer")
 
 
 def test_what_was_built_is_saved_linked_and_opened_elsewhere(open_page: OpenPage) -> None:

@@ -106,6 +106,7 @@ export function addEditStrip(tracing) {
     redo.title = redoable ? `Redo: ${redoable} (Ctrl Y)` : "Nothing to redo";
     const some = countSelected();
     for (const button of onSelected) showIf(button, some > 0);
+    const offered = stiffen.hidden && editing.stiffen > 0;
     showIf(stiffen, editing.stiffen > 0);
     stiffen.textContent = `Keep it, ${Number(editing.stiffen.toPrecision(3))} times as stiff`;
     rests.ariaPressed = String(takesNew());
@@ -119,6 +120,7 @@ export function addEditStrip(tracing) {
     const isIn = focused instanceof HTMLButtonElement && (strip.contains(focused) || bar.contains(focused));
     if (isIn && (focused.disabled || !focused.checkVisibility())) lid.focus();
     place();
+    if (offered) stiffen.scrollIntoView({ block: "nearest", inline: "nearest" }); // on a phone the bar is longer than it shows
   };
   const place = () => {
     const canvas = viser()?.canvas?.getBoundingClientRect();
