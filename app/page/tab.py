@@ -716,8 +716,9 @@ class Tab:
     def _tell(self, session: Session) -> None:
         self._notices.extend(session.notices)
         session.notices.clear()
-        for about in [about for about in self._passing if not session.holds(about)]:
-            self._passing.pop(about).remove()
+        for about in tuple(self._passing):
+            if not session.holds(about):
+                self._passing.pop(about).remove()
         while self._notices:
             notice = self._notices.popleft()
             handle = self.client.add_notification(

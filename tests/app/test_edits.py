@@ -469,7 +469,9 @@ def test_a_shape_that_cannot_be_kept_is_refused_with_the_motion_and_an_offer() -
     page.frames(5, commands.Play(True))
     page.frames(1, commands.Play(False))
     assert page.session.simulation.positions[2, 1] > 1.0
-    assert np.array_equal(picture_of(page.session).ghost, shown)
+    still = picture_of(page.session).ghost
+    assert still is not None
+    assert np.array_equal(still, shown)
     page.do(Act("pin", mass=2))
     assert picture_of(page.session).ghost is None
     # So it is for another body, or for this one as it was with other masses.
