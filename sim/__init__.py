@@ -48,7 +48,7 @@ from .scene.recipes.plants import HairTuft, Tree
 from .scene.recipes.rods import Rod
 from .scene.recipes.sheets import Cloth, FlagPole, Jelly
 from .scene.recipes.trusses import Bridge, Girder
-from .scene.surroundings import Contact, Gas, Liquid, Wall, Wind
+from .scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 from .scene.types import (
     Anchor,
     AngularSpring,
@@ -86,6 +86,7 @@ __all__ = [
     "FlagPole",
     "Gas",
     "Girder",
+    "Ground",
     "HairTuft",
     "InputError",
     "Integrator",
@@ -95,6 +96,7 @@ __all__ = [
     "Liquid",
     "Mass",
     "Measurement",
+    "Medium",
     "Moment",
     "Polygon",
     "Pose",

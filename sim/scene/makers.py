@@ -18,7 +18,7 @@ from .types import ArrowKeys, Scene
 from .validate import validate
 
 _OF_SCENES = (
-    "name", "title", "description", "gravity", "air_friction", "wind", "walls", "contact",
+    "name", "title", "description", "gravity", "air_friction", "wind", "medium", "ground", "walls", "contact",
     "rest_length_scale", "force_law", "integrator", "arrow_keys", "view", "pose",
 )  # fmt: skip
 """The fields of a scene that its maker takes."""

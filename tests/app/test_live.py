@@ -184,9 +184,14 @@ def test_sliders_set_what_they_set_in_the_page() -> None:
         "pile": {"contact_stiffness": 400.0, "contact_friction": 1.2, "air_friction": 0.002},
         "tutorial-3.3": {"rest_angle": 25.0, "rest_length_scale": 1.3, "angular_stiffness": 700.0},
         "tutorial-3.2": {"template": 90.0},
-    }
+        "rope": {
+            "drag_across": 0.3, "drag_along": 0.1,
+            "ground_forward": 0.1, "ground_backward": 1.0, "ground_sideways": 0.6,
+        },
+    }  # fmt: skip
+    resisted = replace(sim.load_scene("rope"), medium=sim.Medium(), ground=sim.Ground())
     for name, values in changes.items():
-        scene = by(sim.load_scene(name), "symplectic_euler")
+        scene = by(resisted if name == "rope" else sim.load_scene(name), "symplectic_euler")
         about = about_of(live_html(sim.Simulation(scene).capture())[0])
         settings = {setting["key"]: setting for setting in about["settings"]}
         other = scene
