@@ -159,6 +159,11 @@ class Beat(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     frequency: Annotated[float, bounded(0.0, 100.0, "Hz", "Tempo", slider=(0.0, 4.0))] = 1.0
     phase: Annotated[float, bounded(0.0, 360.0, "°", "Phase of the beat")] = 0.0
 
+    def at_tempo(self, frequency: float, time: float) -> Beat:
+        """The beat of another frequency, Hz, that at a time, s, is where this one is."""
+        phase = (self.phase + 360.0 * (self.frequency - frequency) * time) % 360.0
+        return msgspec.structs.replace(self, frequency=frequency, phase=phase)
+
 
 class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """The motion of an anchor that goes round a circle.

@@ -19,10 +19,21 @@ from ..errors import SceneError, SettingError
 from ..forces.joints import LAWS
 from ..methods.registry import METHODS
 from ..scene.columns import has_any
+from ..scene.parts import Beat
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
 from ..scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
-from ..scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template, rebuilt
+from ..scene.types import (
+    AngularSpring,
+    ForceLaw,
+    Integrator,
+    LinearSpring,
+    Rope,
+    Scene,
+    Template,
+    is_muscular,
+    rebuilt,
+)
 from ..scene.validate import validate
 from .numbers import Access, at, largest, replaced, wind_direction, wind_speed, with_wind
 from .recipes import Setting, keys_of_recipe, recipe_settings, turned
@@ -107,6 +118,18 @@ def set_value(scene: Scene, key: str, value: float) -> Scene:
         return validate(setting.write(scene, int(value) if setting.integer else float(value)))
     except SceneError as error:
         raise SettingError(f"{key}: {error}") from None
+
+
+def set_value_at(scene: Scene, key: str, value: float, time: float) -> Scene:
+    """As `set_value`, while a body moves: of another tempo, the beat goes on from where it is at a time, s.
+
+    Raises:
+        SettingError: as `set_value`.
+    """
+    changed = set_value(scene, key, value)
+    if key == "tempo" and scene.beat:
+        return msgspec.structs.replace(changed, beat=scene.beat.at_tempo(value, time))
+    return changed
 
 
 def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
@@ -231,6 +254,10 @@ def _has_joints(scene: Scene) -> bool:
     return moves(scene) and bool(scene.angular_springs)
 
 
+def _has_muscles(scene: Scene) -> bool:
+    return moves(scene) and is_muscular(scene)
+
+
 def _has_wind(scene: Scene) -> bool:
     return moves(scene) and scene.wind is not None
 
@@ -313,6 +340,7 @@ _ALL = (
         Access(-180.0, 180.0, "°", lambda scene: float(scene.template or 0), _write_template),
         lambda scene: _has_joints(scene) and scene.template is not None, integer=True,
     ),
+    _setting("tempo", "Tempo", (0.0, 4.0), at(Beat, "beat.frequency"), _has_muscles),
     _setting(
         "gravity", "Gravity", (0.0, 5000.0), Access(-1e6, 1e6, "px/s²", _read_gravity, _write_gravity), moves,
     ),

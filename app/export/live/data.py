@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import msgspec
@@ -9,6 +10,7 @@ import numpy as np
 
 import sim
 from sim.body.system import System, build_system
+from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import Damage, is_damageable
 
 from ..body.body import Body
@@ -70,6 +72,7 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "contact": _contact(system),
         "limits": _limits(scene) if is_damageable(scene) else None,
         "yielded": _yielded(moment.damage),
+        "muscles": _muscles(body),
     }
 
 
@@ -110,6 +113,21 @@ def _limits(scene: sim.Scene) -> dict[str, list[float]]:
         "hardening": [s.hardening for s in springs],
         "yieldTorque": [ENDLESS if j.yield_torque is None else j.yield_torque for j in joints],
     }
+
+
+def _muscles(body: Body) -> dict[str, Any] | None:
+    if body.beat is None:
+        return None
+    return {
+        "frequency": body.beat.frequency,
+        "phase": body.beat.phase,
+        "springs": _rows(body.spring_muscles),
+        "joints": _rows(body.joint_muscles),
+    }
+
+
+def _rows(muscles: Mapping[int, SpringMuscle | JointMuscle]) -> list[list[float]]:
+    return [[part, m.amplitude, m.per_beat, m.phase, int(m.wave == "pulse")] for part, m in muscles.items()]
 
 
 def _yielded(damage: Damage | None) -> dict[str, list[float]] | None:

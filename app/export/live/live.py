@@ -31,6 +31,7 @@ KEYS = (
     "rest_length_scale",
     "rest_angle",
     "template",
+    "tempo",
     "gravity",
     "air_friction",
     "wind_speed",

@@ -7,6 +7,7 @@
  * way y grows is the scene's matter, and no force asks for it. Lengths are in px, angles of rest in degrees.
  */
 import { addContact } from "./contact.js";
+import { wave } from "./muscles.js";
 import { pushAndFriction } from "./push.js";
 
 /**
@@ -28,6 +29,7 @@ import { pushAndFriction } from "./push.js";
  *   joints: kg px/s², kg/s², kg px²/s²; 1e300 for what has none
  * @typedef {{length: number[], hardened: number[], angle: number[]}} Yielded what has yielded before: rest lengths by how
  *   much, px, yield forces, kg px/s², rest angles, degrees; empty where none has
+ * @typedef {import("./muscles.js").Muscles} Muscles
  *
  * @typedef {object} BodyData a body at one moment, as `app/export/live/data.py` writes it
  * @property {number} time s
@@ -60,6 +62,7 @@ import { pushAndFriction } from "./push.js";
  * @property {Contact | null} contact
  * @property {Limits | null} limits
  * @property {Yielded | null} yielded
+ * @property {Muscles | null} muscles
  */
 
 /** Area of a gas, as a fraction of its own area, below which its pressure grows linearly. */
@@ -105,6 +108,10 @@ export class Body {
     this.waves = data.waves;
     this.fillings = data.fillings.map((filling) => ({ ...filling }));
     this.contact = data.contact && { ...data.contact };
+    this.muscles = data.muscles && { ...data.muscles };
+    // What muscles make of rest lengths and rest angles now: how many times as long, and by how many degrees more.
+    this.stretched = new Float64Array(this.muscles ? this.springs : 0).fill(1);
+    this.bent = new Float64Array(this.muscles ? this.joints : 0);
     /** What held keys have made of all rest lengths and rest angles: a factor, and degrees. */
     this.scale = 1;
     this.shift = 0;
@@ -129,16 +136,19 @@ export class Body {
     this.blow = new Float64Array(2);
     for (const spring of data.broken) this.broken[spring] = 1;
     this.refresh();
+    this.flex();
   }
 
   /** The rest length of a spring, px. @param {number} s */
   restLengthOf(s) {
-    return this.restLength[s] * this.scale + this.setLength[s];
+    const own = this.restLength[s] * this.scale;
+    return (this.muscles ? own * this.stretched[s] : own) + this.setLength[s];
   }
 
   /** The rest angle of a joint, degrees in (-180, 180]. @param {number} j */
   restAngleOf(j) {
-    return wrapped(wrapped(this.restAngle[j] + this.shift) + this.setAngle[j]);
+    const own = wrapped(wrapped(this.restAngle[j] + this.shift) + this.setAngle[j]);
+    return this.muscles ? wrapped(own + this.bent[j]) : own;
   }
 
   /** Whether a joint holds nothing any more, because one of its springs is broken. @param {number} j */
@@ -152,13 +162,36 @@ export class Body {
       this.bearers.fill(0);
       for (let i = 0; i < this.ends.length; i++) this.bearers[this.ends[i]] += 1 - this.broken[i >> 1];
     }
-    for (let j = 0; j < this.joints; j++) {
-      const rest = this.restAngleOf(j) * DEGREE;
-      const stiffness = this.isLoose(j) ? 0 : this.jointStiffness[j];
-      this.rest[j] = rest;
-      this.cosine[j] = stiffness * Math.cos(rest);
-      this.sine[j] = stiffness * Math.sin(rest);
+    for (let j = 0; j < this.joints; j++) this.#bend(j);
+  }
+
+  /** Go to a time, s: gusts and muscles are then what they are at it. @param {number} time */
+  at(time) {
+    this.time = time;
+    this.flex();
+  }
+
+  /** Let muscles move rest lengths and rest angles to where they are now. */
+  flex() {
+    const { muscles, stretched, bent } = this;
+    if (!muscles) return;
+    for (let i = 0; i < muscles.springs.length; i++) {
+      stretched[muscles.springs[i][0]] = 1 + wave(muscles, muscles.springs[i], this.time);
     }
+    for (let i = 0; i < muscles.joints.length; i++) {
+      const j = muscles.joints[i][0];
+      bent[j] = wave(muscles, muscles.joints[i], this.time);
+      this.#bend(j);
+    }
+  }
+
+  /** Find what follows from the rest angle and the stiffness of a joint. @param {number} j */
+  #bend(j) {
+    const rest = this.restAngleOf(j) * DEGREE;
+    const stiffness = this.isLoose(j) ? 0 : this.jointStiffness[j];
+    this.rest[j] = rest;
+    this.cosine[j] = stiffness * Math.cos(rest);
+    this.sine[j] = stiffness * Math.sin(rest);
   }
 
   /**

@@ -16,6 +16,7 @@
  * @property {[value: number | string, label: string][]} [options] where it is chosen from a list
  * @property {Record<string, number>} [stiffness] of joints, kg/s², by the rest angle in degrees: for the tutorial's templates
  */
+import { setTempo } from "./muscles.js";
 
 const DEGREE = Math.PI / 180;
 
@@ -64,6 +65,7 @@ const WRITE = {
     body.restAngle.fill(value);
     body.jointStiffness.fill(stiffness?.[String(value)] ?? 0);
   },
+  tempo: (body, value) => body.muscles && setTempo(body.muscles, value, body.time),
   gravity: (body, value, { value: first }) => {
     const { gravity, down } = body.data;
     body.gravity = first ? gravity.map((part) => part * (value / first)) : [0, value * down];
