@@ -45,6 +45,7 @@ from numpy.typing import NDArray
 from ..body.stable_spring import clamp_stiffness
 from ..body.system import System, build_system, new_state, refresh, start_of
 from ..forces.all import TERMS
+from ..forces.resistance import most_resisted
 from ..forces.term import Twin
 from ..kernels.core.tables import Floats, State
 from ..methods.limits import StabilityLimit
@@ -261,7 +262,8 @@ class StabilityMeter:
     def _by_velocities(self, physics: Physics | Twin, w: Floats) -> Floats:
         """C w, likewise."""
         body, environment = self._system.body, self._system.body.environment
-        around = environment.walls.rows.size or environment.contact.present or environment.air.friction
+        resisted = environment.air.friction or environment.resistance.rows.size
+        around = environment.walls.rows.size or environment.contact.present or resisted
         if not (body.damped or body.joint_damped or around):
             return np.zeros_like(w)
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
@@ -321,8 +323,8 @@ def quick_limit(system: System) -> float:
 
 
 def damped_limit(system: System) -> float:
-    """Like `quick_limit`, for velocity Verlet with damping, and with contact: the smallest root of
-    dt² k + 4 dt c = 4, s."""
+    """Like `quick_limit`, for velocity Verlet with damping, and with contact, a medium and the ground: the
+    smallest root of dt² k + 4 dt c = 4, s."""
     body = system.body
     k = _row_sums(system, body.stiffness, body.joint_stiffness)
     c = _row_sums(system, body.damping, body.torque_damping[1 : body.joints + 1])
@@ -331,6 +333,10 @@ def damped_limit(system: System) -> float:
         free = np.where(system.held, 0.0, system.inverse_mass)
         k += 4.0 * contact.stiffness * contact.distance * free
         c += 2.0 * contact.damping * contact.stiffness * contact.distance**2 * free
+    resistance = body.environment.resistance
+    if len(resistance.rows):
+        most = most_resisted(resistance, np.stack((body.spring_a, body.spring_b), 1), body.rest_length)
+        c += most[1 : body.masses + 1] * np.where(system.held, 0.0, system.inverse_mass)
     with np.errstate(divide="ignore"):
         return float((2.0 / (c + np.sqrt(c * c + k))).min())
 
