@@ -17,12 +17,24 @@ import msgspec
 from ..body.system import joint_stiffness
 from ..errors import SceneError, SettingError
 from ..forces.joints import LAWS
+from ..forces.muscles import retimed
 from ..methods.registry import METHODS
 from ..scene.columns import has_any
+from ..scene.parts import Beat
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
 from ..scene.surroundings import Contact, Gas, Liquid, Wall, Wind
-from ..scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template, rebuilt
+from ..scene.types import (
+    AngularSpring,
+    ForceLaw,
+    Integrator,
+    LinearSpring,
+    Rope,
+    Scene,
+    Template,
+    is_muscular,
+    rebuilt,
+)
 from ..scene.validate import validate
 from .numbers import Access, at, largest, replaced, wind_direction, wind_speed, with_wind
 from .recipes import Setting, keys_of_recipe, recipe_settings, turned
@@ -88,8 +100,15 @@ def set_choice(scene: Scene, key: str, value: str) -> Scene:
     return validate(choice.write(scene, value))
 
 
-def set_value(scene: Scene, key: str, value: float) -> Scene:
+def set_value(scene: Scene, key: str, value: float, time: float = 0.0) -> Scene:
     """The scene with one setting changed.
+
+    Args:
+        scene: whose setting.
+        key: its name.
+        value: the new one.
+        time: of the run that goes on with it, s: at another tempo the waves of muscles go on from where they
+            are then.
 
     Raises:
         SettingError: there is no such setting, it does not apply to the scene, or the value is out of range.
@@ -104,7 +123,11 @@ def set_value(scene: Scene, key: str, value: float) -> Scene:
     if setting.integer and value != int(value):
         raise SettingError(f"{key}: {value:g} is not a whole number")
     try:
-        return validate(setting.write(scene, int(value) if setting.integer else float(value)))
+        new = setting.write(scene, int(value) if setting.integer else float(value))
+        if scene.beat and new.beat and new.beat.frequency != scene.beat.frequency:
+            beat = retimed(scene.beat, new.beat.frequency, time)
+            new = msgspec.structs.replace(new, beat=beat)
+        return validate(new)
     except SceneError as error:
         raise SettingError(f"{key}: {error}") from None
 
@@ -243,6 +266,10 @@ def _has_contact(scene: Scene) -> bool:
     return _has_springs(scene) and scene.contact is not None
 
 
+def _has_muscles(scene: Scene) -> bool:
+    return moves(scene) and is_muscular(scene)
+
+
 def _has_filling(kind: type) -> Callable[[Scene], bool]:
     """Whether a loop is filled so; recipes have settings of their own for what fills them."""
     return lambda scene: (
@@ -356,6 +383,7 @@ _ALL = (
         "yield_force", "Yield force", (100.0, 1e6), largest(LinearSpring, "linear_springs", "yield_force"),
         _has_limit("yield_force"), logarithmic=True,
     ),
+    _setting("beat.frequency", "Tempo", (0.0, 4.0), at(Beat, "beat.frequency"), _has_muscles),
     _setting("dt", "Time step", (1e-4, 0.01), at(Integrator, "integrator.dt"), moves, logarithmic=True),
     _setting(
         "tolerance", "Tolerance", (1e-6, 10.0), at(Integrator, "integrator.tolerance"),

@@ -11,6 +11,8 @@ import pytest
 import sim
 from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
 from sim.body.system import joint_stiffness
+from sim.edit.edit import Selection
+from sim.edit.muscles import give_muscles
 from sim.methods.registry import METHODS
 from sim.settings import (
     CHOICES,
@@ -119,6 +121,8 @@ def test_values_out_of_range_are_refused(setting: Setting) -> None:
         scene = set_choice(scene, "method", "auto")
     elif setting.key in OF_SURROUNDINGS | OF_STRENGTH:
         scene = with_everything()
+    elif setting.key == "beat.frequency":
+        scene = give_muscles(scene, Selection(springs=frozenset({0}))).scene
     assert setting.key in keys_of(scene)
     for value in (math.nan, math.inf, -math.inf, setting.low - 1.0, setting.high * 1.01 + 1.0):
         with pytest.raises(SettingError, match=f"^{setting.key}: ") as caught:
