@@ -117,8 +117,8 @@ CREASE = 0.34
 """Width of the line along a spring that has yielded, in that of the spring."""
 
 BELLY, HALO, BREATH = 1.25, 1.7, 0.25
-"""Of muscles: the width of a belly along a spring, in that of the spring; the radius of a halo around the mass of
-a joint, in that of the mass; and by how much either grows and shrinks."""
+"""Of muscles: the width of a belly along a spring, in that of the spring; the radius of a halo around the
+mass of a joint, in that of the mass; and by how much either grows and shrinks."""
 
 GHOST_WIDTH = 0.025
 """Width of a ghost's springs, in the world."""

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from sim import Moment, Scene, Simulation
 from sim.forces.environment import Environment
 from sim.forces.fillings import FillingRow
+from sim.scene.columns import column
 from sim.scene.surroundings import STILL_AIR
 from sim.scene.types import Damage
 
@@ -80,6 +81,11 @@ class Picture:
 def broken_of(damage: Damage | None) -> tuple[int, ...]:
     """Indices of the springs that are broken."""
     return damage.broken if damage is not None else ()
+
+
+def own_rest_angles(simulation: Simulation) -> Floats:
+    """(J,) degrees; without what keys, muscles and yielding add, of which the page is told apart."""
+    return column(simulation.capture().scene.angular_springs, "rest_angle")
 
 
 def yielded_of(damage: Damage | None, rest_lengths: Floats) -> int:

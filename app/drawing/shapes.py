@@ -97,9 +97,7 @@ COILS = {"coil": 3.3, "coil of slim springs": 7.0, "coil of very slim springs": 
 _BAR = np.array([[0.0, -0.5], [1.0, -0.5], [1.0, 0.5], [0.0, 0.5]])
 _ALONG = np.linspace(0.0, 1.0, 17)
 _SWELL = 0.5 * np.sin(np.pi * _ALONG) ** 0.7
-_BELLY = np.vstack(
-    (np.column_stack((_ALONG, -_SWELL)), np.column_stack((_ALONG, _SWELL))[-2:0:-1])
-)
+_BELLY = np.vstack((np.column_stack((_ALONG, -_SWELL)), np.column_stack((_ALONG, _SWELL))[-2:0:-1]))
 _SLICE = np.array([[0.0, 0.0], [1.0, -0.5], [1.0, 0.5]])
 _SUPPORT = np.array([[0.0, 0.0], [-0.7, -1.15], [0.7, -1.15]])
 _BASE = np.array([[-1.0, -1.35], [1.0, -1.35], [1.0, -1.15], [-1.0, -1.15]])

@@ -101,8 +101,8 @@ class Sketch:
         radius: (n,) of each mass in the world.
         environment: the table of what surrounds the body, its masses by their index; None where nothing does.
         contact: px, the distance at which contact begins; 0 where there is none.
-        muscles: (k, 6) whether a muscle is a joint's, the index of its spring or joint, amplitude (of a joint's
-            degrees), phase (degrees), whether its wave is a pulse, and waves in a beat.
+        muscles: (k, 6) whether a muscle is a joint's, the index of its spring or joint, amplitude (of a
+            joint's degrees), phase (degrees), whether its wave is a pulse, and waves in a beat.
         beat: frequency (Hz) and phase (degrees) of what they keep to.
         loads: (k, 3) of each constant force which mass it acts on, and its arrow in the world.
     """
@@ -188,7 +188,14 @@ class Sketch:
 def _muscles(scene: Scene) -> Floats:
     """See `Sketch`; none where there is no beat, since they rest."""
     rows = [
-        (joint, part, each.muscle.amplitude, each.muscle.phase, each.muscle.wave == "pulse", each.muscle.per_beat)
+        (
+            joint,
+            part,
+            each.muscle.amplitude,
+            each.muscle.phase,
+            each.muscle.wave == "pulse",
+            each.muscle.per_beat,
+        )
         for joint, parts in enumerate((scene.linear_springs, scene.angular_springs))
         for part, each in enumerate(parts)
         if scene.beat and each.muscle

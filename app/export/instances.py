@@ -99,7 +99,7 @@ def muscles(sketch: Sketch, picture: Picture, of_joints: bool) -> Instances:
 
 
 def _swings(sketch: Sketch, picture: Picture) -> tuple[Floats, Floats]:
-    """(S,) by which factor muscles stretch each rest length, and (J,) degrees by which they turn rest angles."""
+    """(S,) by which factor muscles stretch rest lengths, and (J,) degrees by which they turn rest angles."""
     rows = sketch.muscles
     swing, of_joints, part = (
         rows[:, 2] * _waves(sketch, rows, picture.time),

@@ -59,6 +59,18 @@ def give_muscles(scene: Scene, parts: Selection) -> Edit:
     return Edit(f"{counted(len(springs) + len(joints), 'muscle')} added", given)
 
 
+def toggle_muscles(scene: Scene, parts: Selection) -> Edit:
+    """A muscle for each of some springs and joints; where all have one, none any more.
+
+    Raises:
+        SettingError: there are no springs and no joints among them.
+        SceneError: one of them does not exist.
+    """
+    have = muscles_of(scene, parts)
+    every = (have.springs or have.joints) and have == parts._replace(masses=frozenset())
+    return (take_muscles if every else give_muscles)(scene, parts)
+
+
 def take_muscles(scene: Scene, parts: Selection) -> Edit:
     """Some springs and joints without their muscles; the last muscle takes the beat with it.
 

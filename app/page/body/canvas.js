@@ -15,8 +15,6 @@ import { hear, onTold } from "../../wire/channel.js";
 import { Glide } from "./glide.js";
 
 const BODY = "/body/";
-/** Whether what only breathes is to stay still. */
-const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
 const state = {
   /** @type {Plan | null} */
@@ -94,7 +92,7 @@ function paint() {
 /** @param {Plan} plan @param {Frame} frame @param {import("../../drawing/static/plan.js").Damage} damage */
 function show(plan, frame, damage) {
   const world = draw.toWorld(plan, frame.positions);
-  const still = calm.matches;
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   if (owners.has(`${BODY}halos`)) put("halos", draw.muscles(plan, frame, world, true, damage, still));
   if (owners.has(`${BODY}muscles`)) put("muscles", draw.muscles(plan, frame, world, false, damage, still));
   put("springs", draw.springs(plan, frame, world, damage));
