@@ -80,6 +80,8 @@ _SIZE = 12
 """Its dimension in later updates, which start from the stiffest motion found before."""
 _ENDLESS = 1.0
 """Limit, s, beyond which a body whose walls and contact soften with the step counts as having none."""
+_MOMENTS = 8
+"""Moments of a beat at which a body with muscles is looked at."""
 _NOISE = 1e-3
 """Size of the noise that is added to that motion, relative to it."""
 
@@ -113,7 +115,8 @@ def finished(look: Look) -> StabilityEstimate:
 class StabilityMeter:
     """Estimates the stability limit of a moving body under a method.
 
-    The estimate concerns small motions about the present state. It approaches the true limit from above
+    The estimate concerns small motions about the present state; where there are muscles, at the worst moment
+    of their beat. It approaches the true limit from above
     and is within a per cent of it. It is infinite where nothing pulls, and for methods that have no limit:
     those that choose their steps, and generalized-alpha.
 
@@ -141,6 +144,9 @@ class StabilityMeter:
         yields = bool(environment.walls.rows.size or environment.contact.present)
         self._softens = environment.step > 0.0 and yields
         self.motion = np.zeros((2, n))
+        # By moment of the beat, what was found there and the motion that set it; and the moment that is next.
+        self._moments: dict[int, tuple[StabilityEstimate, Floats]] = {}
+        self._next = 0
 
     def update(self, state: State) -> StabilityEstimate:
         """The limit at the state in `state` (which is only read).
@@ -155,11 +161,28 @@ class StabilityMeter:
         """
         if self._rule is None:
             return StabilityEstimate(np.inf, None)
-        body, probe = self._system.body, self._probe
-        here = self._here
-        free = state.inverse_mass[here] > 0.0
         for field in _COPIED:
-            getattr(probe, field)[:] = getattr(state, field)
+            getattr(self._probe, field)[:] = getattr(state, field)
+        if not self._system.body.muscles.present:
+            return (yield from self._look_at_probe())
+        return (yield from self._look_at_beat())
+
+    def _look_at_beat(self) -> Look:
+        """The least of the limits that the body has as its muscles are at each moment of a beat.
+
+        The first look is at all of these moments, each later one at the next of them.
+        """
+        for k in (self._next,) if self._moments else range(_MOMENTS):
+            self._probe.clock[0] = k / _MOMENTS * self._system.body.muscles.period
+            estimate = yield from self._look_at_probe()
+            self._moments[k], self._next = (estimate, self.motion), (k + 1) % _MOMENTS
+        least, self.motion = min(self._moments.values(), key=lambda moment: moment[0].limit)
+        return least
+
+    def _look_at_probe(self) -> Look:
+        """As `look`, at the state of the probe."""
+        body, probe = self._system.body, self._probe
+        free = probe.inverse_mass[self._here] > 0.0
         refresh(body, probe)
         physics = self._physics(self._limit)
         # Coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
