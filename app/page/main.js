@@ -30,6 +30,7 @@ import { beginViser, canDraw, complain, endLoading } from "./viser/loading.js";
 import { restoreLooks } from "./looks/looks.js";
 import { showMeasures } from "./measure/measure.js";
 import { addMenu } from "./looks/menu.js";
+import { addMuscles } from "./muscles/muscle_strip.js";
 import { mindWidgets } from "./viser/widgets.js";
 import { mindNumbers } from "./viser/numbers.js";
 import { addOverlay } from "./body/overlay.js";
@@ -93,6 +94,7 @@ whenViser((viser) => {
   listenToOpenFile();
   restoreLooks();
   addTransport();
+  addMuscles();
   addShareDialog();
   addUnderlay();
   addTraces();

@@ -16,7 +16,6 @@ from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
 import msgspec
-import numpy as np
 import viser
 
 import sim
@@ -26,7 +25,7 @@ from sim.errors import InputError, SceneError
 from sim.methods.registry import METHODS
 from sim.scene.types import shown_name
 
-from ..drawing.plan import Picture, broken_of
+from ..drawing.plan import Picture, broken_of, own_rest_angles
 from ..drawing.sketch import Mapping, world_size
 from ..session import commands
 from ..session.pacing import is_large
@@ -513,14 +512,9 @@ class Tab:
 
     def _plan(self, session: Session) -> None:
         """Tell the page of the body, as far as it is another one."""
-        simulation = session.simulation
         self._planned = session.revision
         self._mapping = Mapping.of(session.scene)
-        rest_angles = simulation.rest_angles - simulation.rest_angle_shift
-        damage = simulation.damage
-        if damage is not None and damage.set_angles:
-            rest_angles = rest_angles - np.array(damage.set_angles)  # of which the page is told apart
-        self._view.build(session.scene, self._page.looks.dark, rest_angles)
+        self._view.build(session.scene, self._page.looks.dark, own_rest_angles(session.simulation))
 
     def _show(self, session: Session) -> None:
         """Send the picture, the texts and the controls, as far as they changed."""

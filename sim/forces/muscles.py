@@ -77,6 +77,11 @@ def new_muscles(scene: Scene, spring_order: Indices, joint_order: Indices) -> Mu
     )
 
 
+def swings(beat: Beat, muscles: Sequence[SpringMuscle | JointMuscle], time: float) -> Floats:
+    """(k,) the amplitude times the wave of each muscle at a time, s."""
+    return waves(_rows(beat, muscles), time)
+
+
 def _rows(beat: Beat, muscles: Sequence[SpringMuscle | JointMuscle]) -> Rows:
     """(k, 4) a row for each muscle."""
     rows = [
