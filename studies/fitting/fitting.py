@@ -9,7 +9,8 @@ import msgspec
 from rich.console import Console
 
 import sim
-from sim.design.fit import Estimate, Fit
+from sim.design.estimates import Estimate
+from sim.design.fit import Fit
 from sim.store.files import safe_name
 
 from ..reporting.output import Watch, comma_separated, encoded, make_folder, table
