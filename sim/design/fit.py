@@ -49,6 +49,10 @@ _WINDOWS = (0.25, 0.5, 1.0)
 """Parts of the rows that are fitted one after another, so that no swing is mistaken for the next."""
 _ROUNDS = 60
 """Largest number of steps towards the least sum of squares."""
+_AS_GOOD = 0.01
+"""Rise of the sum of squares that is none."""
+_GIVING_WAY = 5
+"""Largest number of steps in which unknowns give way to others that are held."""
 _FAR = 0.1
 """Least noise of a column that is assumed at first, as a part of how far off the scene is."""
 _NOISELESS = 1e-7
@@ -180,7 +184,7 @@ class _Search:
             self._noise = self._left_noise(u)
             u = self._down(u, 1.0) if several else u
         self._progress("what the data tell")
-        return self._summed_up(u)
+        return self._summed_up(u, first)
 
     def _starts(self, first: Floats) -> Iterator[Floats]:
         """The scene's own numbers, and then others, those that fit the first rows best first."""
@@ -238,6 +242,15 @@ class _Search:
             columns.append((ends[0] - ends[1]) / (2.0 * _STEP))
         return np.column_stack(columns)
 
+    def _directions(
+        self, u: Floats, residuals: Callable[[Floats], Floats]
+    ) -> tuple[Floats, Floats, Floats, NDArray[np.bool_]]:
+        """The slopes, their singular values and directions, and which of these are known."""
+        slopes = self._differences(u, residuals)
+        _, singular, directions = np.linalg.svd(slopes, full_matrices=False)
+        known = singular > max(1.0 / _UNKNOWN, _RANK * float(singular.max(initial=0.0)))
+        return slopes, singular, directions, known
+
     def _left(self, u: Floats) -> list[Floats]:
         """(columns, rows) residuals of each measurement, in units of noise, with gaps."""
         flat, found, at = self._problem.residuals(u, self._noise), [], 0
@@ -266,7 +279,7 @@ class _Search:
         return found
 
     # --------------------------------------------------------------------- what it means
-    def _summed_up(self, u: Floats) -> Fit:
+    def _summed_up(self, u: Floats, first: Floats) -> Fit:
         from scipy.stats import t as student
 
         problem = self._problem
@@ -274,16 +287,23 @@ class _Search:
         shares = [np.array([counted_once(row) for row in each]) for each in left]
         noise = [n / np.sqrt(s) for n, s in zip(self._noise, shares, strict=True)]
         residuals = partial(problem.residuals, noise=noise)
-        _, singular, directions = np.linalg.svd(self._differences(u, residuals), full_matrices=False)
+        slopes, singular, directions, known = self._directions(u, residuals)
+        if not known.all():
+            # What the data cannot tell stays as the scene has it.
+            back = np.clip(u - (u - first) @ directions[~known].T @ directions[~known], self._low, self._high)
+            if float((residuals(back) ** 2).sum()) < float((residuals(u) ** 2).sum()) + _AS_GOOD:
+                u = back
+                slopes, singular, directions, known = self._directions(u, residuals)
         counts = [(~np.isnan(table.measured)).sum(axis=1) for table in problem.tables]
         effective = [c * s for c, s in zip(counts, shares, strict=True)]
         freedom = max(1.0, sum(float(each.sum()) for each in effective) - u.size)
         wide = float(student.ppf(0.5 + 0.5 * _CONFIDENCE, freedom))
-        known = singular > max(1.0 / _UNKNOWN, _RANK * float(singular.max(initial=0.0)))
         spread = directions[known] / singular[known, None]
-        vague = directions[~known] * np.minimum(1.0 / np.maximum(singular[~known], 1e-300), 1.0)[:, None]
-        told = Told(problem.parameters, u, spread, directions[~known], vague, wide)
-        values = told.values(partial(self._rise, u, residuals))
+        told = Told(
+            problem.parameters, u, spread, directions[~known], wide,
+            partial(self._give_way, u, residuals, slopes, wide**2),
+        )  # fmt: skip
+        values = told.values()
         runs = problem.fitted(u)
         series = [
             Series(table.measurement.name, m.column.name, m.text, m.column.unit, table.measurement.time,
@@ -294,7 +314,7 @@ class _Search:
         ]  # fmt: skip
         sentences = [
             *told.sentences(),
-            *at_ends(problem.parameters, u, self._low, self._high),
+            *at_ends(problem.parameters, u, self._low, self._high, told.known),
             *hanging_together(series),
         ]
         return Fit(
@@ -302,11 +322,36 @@ class _Search:
             lambda by: problem.scene_at(np.clip(u + by, self._low, self._high)), spread,
         )  # fmt: skip
 
-    def _rise(self, u: Floats, residuals: Callable[[Floats], Floats], i: int, by: float) -> float:
-        """How much the sum of squares grows where one unknown is larger by something."""
-        moved = u.copy()
-        moved[i] = min(u[i] + by, self._high[i])
-        return float((residuals(moved) ** 2).sum() - (residuals(u) ** 2).sum())
+    def _give_way(
+        self,
+        u: Floats,
+        residuals: Callable[[Floats], Floats],
+        slopes: Floats,
+        enough: float,
+        at: Floats,
+        held: Sequence[int],
+    ) -> tuple[Floats, float]:
+        """Other unknowns, of which some are held and the others give way, and by how much the sum of squares
+        is larger.
+
+        It takes a few steps of Newton's method with the slopes of the best, until that is less than enough.
+        """
+        least = float((residuals(u) ** 2).sum())
+        free = [i for i in range(u.size) if i not in held]
+        inverse = np.linalg.pinv(slopes[:, free], rcond=_RANK)
+        at = np.clip(at, self._low, self._high)
+        best, rise = at, math.inf
+        for _ in range(_GIVING_WAY if free else 1):
+            left = residuals(at)
+            found = float((left**2).sum()) - least
+            if found < rise:
+                best, rise = at, found
+            if rise < enough:
+                break
+            at = at.copy()
+            at[free] -= np.clip(inverse @ left, -1.0, 1.0)
+            at = np.clip(at, self._low, self._high)
+        return best, rise
 
 
 def counted_once(residuals: Floats) -> float:
