@@ -46,7 +46,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     fillings = body.environment.fillings
     tables = body.spring_a, body.spring_b, body.joint_a, body.joint_b, fillings.loop, fillings.start
     room = body.stiffness.size + 3
-    pattern = _pattern(body.masses, room, *(table.tobytes() for table in (*tables, np.flatnonzero(held))))
+    pattern = pattern_of(body.masses, room, *(table.tobytes() for table in (*tables, np.flatnonzero(held))))
     count, wide = len(fillings.rows), 2 * slots_of(body)
     krylov, of_mass = 0, np.zeros(0, np.int64)
     if body.environment.contact.present:
@@ -67,7 +67,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
 
 
 @lru_cache(maxsize=_KEPT)
-def _pattern(n: int, room: int, *tables: bytes) -> Pattern:
+def pattern_of(n: int, room: int, *tables: bytes) -> Pattern:
     """The pattern of a body with n masses; `room` is the size of `parent`, the tables are its own."""
     a, b, ja, jb, loop, start, held = (np.frombuffer(table, np.int64) for table in tables)
     ends = np.array([b, a]).T - 1  # (S, 2)
