@@ -24,6 +24,7 @@ _STYLES = (
     "viser/viser.css",
     "body/overlay.css",
     "time/dock.css",
+    "modes/modes.css",
     "measure/tools.css",
     "edit/edit.css",
     "looks/dialogs.css",

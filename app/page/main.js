@@ -30,6 +30,7 @@ import { beginViser, canDraw, complain, endLoading } from "./viser/loading.js";
 import { restoreLooks } from "./looks/looks.js";
 import { showMeasures } from "./measure/measure.js";
 import { addMenu } from "./looks/menu.js";
+import { addModes } from "./modes/strip.js";
 import { mindWidgets } from "./viser/widgets.js";
 import { mindNumbers } from "./viser/numbers.js";
 import { addOverlay } from "./body/overlay.js";
@@ -93,6 +94,7 @@ whenViser((viser) => {
   listenToOpenFile();
   restoreLooks();
   addTransport();
+  addModes();
   addShareDialog();
   addUnderlay();
   addTraces();

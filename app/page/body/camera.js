@@ -209,8 +209,9 @@ export function keepFlat() {
     const sheet = covered(canvas, box);
     placeTransport(box, sheet);
     const { above, below } = besideTools(box);
-    const cover = [sheet, above, below].join(" ");
-    // A view that its user has chosen stays when the panel's sheet or the tools grow or shrink.
+    const modes = /** @type {HTMLElement | null} */ (document.querySelector(".softrod-modes"))?.offsetHeight ?? 0;
+    const cover = [sheet, above, below, modes].join(" ");
+    // A view that its user has chosen stays when the panel's sheet, the tools or the modes grow or shrink.
     const grown = cover !== covers && untouched();
     if ((told().scene !== scene || size !== now || grown) && fit()) {
       scene = told().scene;
