@@ -16,7 +16,6 @@ from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
 import msgspec
-import numpy as np
 import viser
 
 import sim
@@ -26,7 +25,7 @@ from sim.errors import InputError, SceneError
 from sim.methods.registry import METHODS
 from sim.scene.types import shown_name
 
-from ..drawing.plan import Picture, broken_of
+from ..drawing.plan import Picture, broken_of, own_rest_angles
 from ..drawing.sketch import Mapping, world_size
 from ..session import commands
 from ..session.notices import About
@@ -52,6 +51,7 @@ from .making.maker import LessonMaker, Measured
 from .measure.fit_panel import FitPanel
 from .measure.measure_panel import MeasurePanel
 from .measure.tools_panel import ToolsPanel
+from .modes.modes import ModesView
 from .opening import asked_scene
 from .page import Page
 from .panel import Panel, set_theme
@@ -74,7 +74,7 @@ SHELF_EVERY = 0.3
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
 
-TOLD_CONTROLS = ("chooser", "edit", "files", "help", "measure", "play", "solver", "tools", "view")
+TOLD_CONTROLS = ("chooser", "edit", "files", "help", "measure", "modes", "play", "solver", "tools", "view")
 """Controls of which the script is told whether they are there: it makes some, and commands need some."""
 
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
@@ -168,6 +168,7 @@ class Tab:
         self._begin_class = begin_class
         self._first = scene = self._asked_scene(query) or scene
         self._mail = Mail(client)
+        self._modes = ModesView(self._mail)
         self._view = Canvas(client, self._mail, self._post)
         self._role = role_of(self._mail)
         self._front: Front | None = None
@@ -221,6 +222,10 @@ class Tab:
                 session.post(commands.Speed(speed))
             case from_page.Visit():
                 session.post(commands.Visit())
+            case from_page.PutMode(mode, part):
+                session.post(commands.PutMode(mode, part))
+            case from_page.DriveMode(mode):
+                session.post(commands.DriveMode(mode))
             case from_page.Perform(command):
                 self.perform(command)
             case from_page.Part():
@@ -352,6 +357,7 @@ class Tab:
         if self._measure is not None:
             self._measure.tick()
         self._show(session)
+        self._modes.tell(session)
         self._panel.show_selection()
         if "edit" in self._page.controls:
             self._answers.edits.tell()
@@ -514,14 +520,9 @@ class Tab:
 
     def _plan(self, session: Session) -> None:
         """Tell the page of the body, as far as it is another one."""
-        simulation = session.simulation
         self._planned = session.revision
         self._mapping = Mapping.of(session.scene)
-        rest_angles = simulation.rest_angles - simulation.rest_angle_shift
-        damage = simulation.damage
-        if damage is not None and damage.set_angles:
-            rest_angles = rest_angles - np.array(damage.set_angles)  # of which the page is told apart
-        self._view.build(session.scene, self._page.looks.dark, rest_angles)
+        self._view.build(session.scene, self._page.looks.dark, own_rest_angles(session.simulation))
 
     def _show(self, session: Session) -> None:
         """Send the picture, the texts and the controls, as far as they changed."""

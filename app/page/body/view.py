@@ -99,6 +99,8 @@ class Canvas:
     def _kinds(sketch: Sketch) -> dict[str, str]:
         """The meshes of what there is to draw, by the names of their nodes."""
         kinds = {
+            "halos": "disc" if sketch.muscles[:, 0].any() else "",
+            "muscles": "" if sketch.muscles[:, 0].all() else "belly",
             "springs": sketch.spring_shape if len(sketch.springs) else "",
             "yielded": "bar" if sketch.yields else "",
             "wedges": "slice" if len(sketch.joint_a) else "",

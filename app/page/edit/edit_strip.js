@@ -73,12 +73,14 @@ export function addEditStrip(tracing) {
     return button;
   };
   const onSelected = [...ACTIONS.map(actionButton), makeButton("Copy", toClipboard, "")];
+  const muscle = makeButton(COMMANDS.muscle.label, () => perform("muscle"), "");
+  muscle.title = withKey(COMMANDS.muscle.hint ?? "", "muscle");
   const stiffen = actionButton("stiffen");
   const paste = makeButton("Paste", pasteHere, "");
   const rests = makeButton("Moved rest", () => setTakesNew(!takesNew()), "");
   rests.title = "Springs and joints of what is moved take their new lengths and angles as rest, or keep the old ones";
   const done = makeButton("Done", () => setEditing(false), "");
-  bar.append(count, ...onSelected, paste, ...ALWAYS.map(actionButton), stiffen, rests, tracing.button, tracing.said, done, tracing.row);
+  bar.append(count, ...onSelected, muscle, paste, ...ALWAYS.map(actionButton), stiffen, rests, tracing.button, tracing.said, done, tracing.row);
   const live = make("div", "softrod-tell");
   live.setAttribute("role", "status");
   document.body.append(strip, bar, live);
@@ -106,6 +108,7 @@ export function addEditStrip(tracing) {
     redo.title = redoable ? `Redo: ${redoable} (Ctrl Y)` : "Nothing to redo";
     const some = countSelected();
     for (const button of onSelected) showIf(button, some > 0);
+    showIf(muscle, selected.springs.length + selected.joints.length > 0);
     const offered = stiffen.hidden && editing.stiffen > 0;
     showIf(stiffen, editing.stiffen > 0);
     stiffen.textContent = `Keep it, ${Number(editing.stiffen.toPrecision(3))} times as stiff`;

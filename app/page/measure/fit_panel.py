@@ -11,10 +11,12 @@ import viser
 
 import sim
 from sim.compiling.compiler import is_ready, needed_by
-from sim.design.fit import MAX_VARIED, Estimate, Fit
+from sim.design.estimates import Estimate
+from sim.design.fit import Fit
 from sim.design.matching import Match, guesses, matched
 from sim.design.measurements import Measurement
 from sim.design.places import places_of
+from sim.design.residuals import MAX_VARIED
 from sim.edit.edit import Edit
 from sim.errors import InputError, SceneError, SettingError
 from sim.settings import settings_of
