@@ -30,6 +30,7 @@ import { beginViser, canDraw, complain, endLoading } from "./viser/loading.js";
 import { restoreLooks } from "./looks/looks.js";
 import { showMeasures } from "./measure/measure.js";
 import { addMenu } from "./looks/menu.js";
+import { listenToMelodies } from "./modes/melody.js";
 import { addModes } from "./modes/strip.js";
 import { mindWidgets } from "./viser/widgets.js";
 import { mindNumbers } from "./viser/numbers.js";
@@ -95,6 +96,7 @@ whenViser((viser) => {
   restoreLooks();
   addTransport();
   addModes();
+  listenToMelodies();
   addShareDialog();
   addUnderlay();
   addTraces();

@@ -64,8 +64,8 @@ def widest(scene: sim.Scene, seconds: float = 15.0) -> list[float]:
     return most.tolist()
 
 
-def test_there_are_eight() -> None:
-    assert len(NAMES) == 8
+def test_there_are_ten() -> None:
+    assert len(NAMES) == 10
 
 
 @pytest.mark.parametrize("name", NAMES)
