@@ -31,6 +31,7 @@ import { restoreLooks } from "./looks/looks.js";
 import { showMeasures } from "./measure/measure.js";
 import { addMenu } from "./looks/menu.js";
 import { listenToMelodies } from "./modes/melody.js";
+import { addMuscles } from "./muscles/muscle_strip.js";
 import { addModes } from "./modes/strip.js";
 import { mindWidgets } from "./viser/widgets.js";
 import { mindNumbers } from "./viser/numbers.js";
@@ -95,6 +96,7 @@ whenViser((viser) => {
   listenToOpenFile();
   restoreLooks();
   addTransport();
+  addMuscles();
   addModes();
   listenToMelodies();
   addShareDialog();

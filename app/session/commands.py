@@ -32,7 +32,7 @@ from .versions import Versions
 
 _MOST_STEPS = 1000
 """Single steps that are done at once, at most."""
-_OF_SOLVER = ("dt", "tolerance")
+_NOT_OF_REST = ("tempo", "dt", "tolerance")
 """Settings that have nothing to do with where a body rests."""
 
 
@@ -124,7 +124,7 @@ class SetValue(Command):
         value = min(max(self.value, setting.low), setting.high)
         act = log.Set(key=self.key, value=value)
         session.change(lambda: session.recorder.do(act), setting.label, self.key)
-        if self.key not in _OF_SOLVER:
+        if self.key not in _NOT_OF_REST:
             session.foreseen.look(session.simulation, session.now())
 
 

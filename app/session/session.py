@@ -32,7 +32,7 @@ from .hand import FRAME, PointerHands
 from .history import History, OldFuture
 from .log import Log
 from .modes import Drive, ModesWatch
-from .notices import Notice, runaway
+from .notices import About, Notice, no_shape, runaway
 from .pacing import HEAVY_UNIT, Pacer, is_large
 from .record import Recorder
 from .replay import Player
@@ -151,6 +151,7 @@ class Session:
         history: the moments that are past, and which of them is shown.
         old_future: what would have come, where the user has gone back and on; or None.
         refusal: why the body could not keep its shape, until something else is done to it; or None.
+        refused_shape: (n, 2) that shape, px.
         offer_back: whether the body ran away and can be taken back to just before that.
         replay: the log that is played, if one is.
         opened: the scene as it was opened.
@@ -190,6 +191,7 @@ class Session:
         self.notices: list[Notice] = []
         self.stability_watch = StabilityWatch()
         self.refusal: sim.DesignError | None = None
+        self.refused_shape = self.simulation.positions
         self.hands = PointerHands(lambda: self.simulation, self.do, clock)
         self.follows_energy = False
         self.fallbacks = 0
@@ -251,6 +253,10 @@ class Session:
         for command in self._waiting():
             playing = command.playing_after(playing)
         return playing
+
+    def holds(self, about: About) -> bool:
+        """Whether what a notice is about is still so."""
+        return self.simulation.divergence is not None if about == "runaway" else self.refusal is not None
 
     def _waiting(self) -> list[Command]:
         """The commands that wait; handlers may be adding to them."""
@@ -328,14 +334,16 @@ class Session:
             try:
                 if self.replay is not None and command.takes_over(self):
                     self._end_replay("You have taken over from the replay.")
-                if command.acts:
+                if command.takes_over(self) or command.brings_body:
                     self.refusal = None
                 command.apply(self, at)
                 self.note(command.changes)
             except (InputError, SettingError, SceneError) as error:
                 if isinstance(error, sim.DesignError):
-                    self.refusal = error
-                self.notices.append(Notice("error", "That cannot be done", str(error)))
+                    self.refusal, self.refused_shape = error, self.simulation.positions
+                    self.notices.append(no_shape(error))
+                else:
+                    self.notices.append(Notice("error", "That cannot be done", str(error)))
         if self.replay is None and (not self.playing or self.simulation.divergence is not None):
             self.hands.steer(self.following, glide=False)
 

@@ -63,6 +63,7 @@ export const COMMANDS = {
   rest: {"label": "Rest as is", "keys": [], "hint": "Springs and joints rest as they are now", "where": "edit"},
   keep: {"label": "Keep this shape", "keys": [], "hint": "Springs and joints hold the body as it is now", "where": "edit"},
   stiffen: {"label": "Keep it, stiffer", "keys": [], "hint": "With the least stiffness that holds it as it is now", "where": "edit"},
+  muscle: {"label": "Muscle", "keys": ["u"], "shown": "U", "hint": "Springs and joints that move to a beat; again, and they are none any more", "needs": "edit"},
   body: {"label": "The body by keys", "keys": ["Tab"], "shown": "Tab", "where": "own"},
   lengths: {"label": "Every spring longer, shorter", "keys": ["↑ ↓"], "shown": "↑ ↓", "where": "held"},
   angles: {"label": "Every rest angle up, down", "keys": ["→ ←"], "shown": "→ ←", "where": "held"},

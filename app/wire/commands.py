@@ -11,6 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
+from sim.edit.muscles import toggle_muscles
+
 from ..drawing.looks import ICONS
 from ..session import commands
 from ..session.session import Session
@@ -112,6 +114,10 @@ def _plot(_: Session, page: Page) -> None:
 
 def _lesson(_: Session, page: Page) -> None:
     page.make_lesson()
+
+
+def _muscle(session: Session, _: Page) -> None:
+    session.post(commands.Change(lambda moment, selected: toggle_muscles(moment.scene, selected)))
 
 
 def _help(_: Session, page: Page) -> None:
@@ -239,6 +245,10 @@ COMMANDS: dict[str, Row] = {
         "Keep this shape", "edit", hint="Springs and joints hold the body as it is now"
     ),
     "stiffen": Row("Keep it, stiffer", "edit", hint="With the least stiffness that holds it as it is now"),
+    "muscle": Row(
+        "Muscle", _muscle, ("U",), "selected springs and joints become muscles, or are none any more",
+        hint="Springs and joints that move to a beat; again, and they are none any more", needs="edit",
+    ),
     # ------------------------------------------------------------------------- the body by keys, and the help
     "body": Row(
         "The body by keys", "own", ("Tab",),

@@ -1,5 +1,5 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "modes" | "mute" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "modes" | "mute" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "muscle" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
 /** Commands that the page's script does. */
 export type PageCommand = "gallery" | "share" | "fit" | "larger" | "mute" | "video" | "picture" | "edit";
 /** Do a command of the table, see `commands`. */
@@ -116,6 +116,8 @@ export type EndTrying = { do: "endTrying" };
 export type DropLesson = { do: "dropLesson" };
 /** The scene is to have another name and another description. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
+/** The beat of all muscles is to have another frequency, Hz. */
+export type Tempo = { do: "tempo"; frequency: number };
 /** Some parts are to be selected; with `toggle`, they change sides and the others stay as they are. */
 export type Select = { do: "select"; masses?: number[]; springs?: number[]; joints?: number[]; toggle?: boolean };
 /** What lies whole in a rectangle is to be selected, or with `add` selected too. */
@@ -132,9 +134,13 @@ export type Turn = { do: "turn"; joint: number; angle?: number | null };
 export type Stroke = { do: "stroke"; points: [number, number][] };
 /** What is selected, or else one mass, is to be moved by (x, y), and may rest as it is then. */
 export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
+/** The selected muscles are to come to their largest later, and to be larger. */
+export type MoveMuscles = { do: "moveMuscles"; later?: number; stretch?: number; turn?: number; keys?: boolean };
+/** The selected muscles are to have another wave, or another number of waves in a beat, or are to be spread over the beat. */
+export type ShapeMuscles = { do: "shapeMuscles"; wave?: "pulse" | "sine" | null; per_beat?: number | null; spread?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "keep" | "mirror" | "pin" | "remove" | "rest" | "stiffen" | "triangulate"; mass?: number | null; under?: number | null };
-export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | PutMode | DriveMode | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
+export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | PutMode | DriveMode | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act;
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */

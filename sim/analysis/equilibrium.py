@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 from ..body.sparsity import new_matrix
-from ..body.system import build_system, damage_of, new_scratch, start_of, unsoftened
+from ..body.system import build_system, damage_of, for_analysis, new_scratch, start_of
 from ..errors import InputError
 from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
@@ -120,7 +120,7 @@ class Resting:
     """
 
     def __init__(self, scene: Scene, balanced: bool) -> None:
-        scene = unsoftened(validate(scene))
+        scene = for_analysis(validate(scene))
         wind = scene.wind and msgspec.structs.replace(scene.wind, turbulence=0.0)
         scene = msgspec.structs.replace(scene, wind=wind)
         self.scene = scene

@@ -18,7 +18,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..body.system import build_system, start_of, unsoftened
+from ..body.system import build_system, for_analysis, start_of
 from ..errors import InputError
 from ..kernels.core.tables import Floats, Indices
 from ..motion.moment import Moment
@@ -119,7 +119,7 @@ class Modes:
         self.frequencies = found.frequencies
         self.shapes = _orthogonal(found.shapes.reshape(-1, masses, 2), self._mass)
         self.masses = (self._mass[:, None] * self.shapes**2).sum((1, 2))
-        exact = unsoftened(self.scene)
+        exact = for_analysis(self.scene)
         self._system, self._state = start_of(exact, build_system(exact))
         self._here = self._system.mass_index
         self._physics = Physics(self._system.body, self._state)
