@@ -30,6 +30,7 @@ import { beginViser, canDraw, complain, endLoading } from "./viser/loading.js";
 import { restoreLooks } from "./looks/looks.js";
 import { showMeasures } from "./measure/measure.js";
 import { addMenu } from "./looks/menu.js";
+import { listenToMelodies } from "./modes/melody.js";
 import { addMuscles } from "./muscles/muscle_strip.js";
 import { addModes } from "./modes/strip.js";
 import { mindWidgets } from "./viser/widgets.js";
@@ -97,6 +98,7 @@ whenViser((viser) => {
   addTransport();
   addMuscles();
   addModes();
+  listenToMelodies();
   addShareDialog();
   addUnderlay();
   addTraces();

@@ -270,7 +270,7 @@ class DriveMode(Command):
 
     def apply(self, session: Session, at: float) -> None:
         if self.mode < 0:
-            session.end_drive()
+            session.fade_drive()
         else:
             session.drive_on(self.mode, at)
 

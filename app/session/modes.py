@@ -25,10 +25,16 @@ LARGE = 0.1
 """Amplitude of a full bar of the slowest mode, in sizes of the body."""
 MOVED = 1e-3
 """By how much of its size an anchor may have moved before the body's modes are found anew."""
+STANDS = 10
+"""Looks for which it has to have been let go."""
 PIECES = 20
 """Calls of `step` in which a mass that drives a mode is led through a period."""
 SWELLING = 6.0
 """Periods in which a mode that nothing damps comes to a full bar when it is driven."""
+RAMP = 2.0
+"""Periods in which it begins, and fades: what begins or ends at once shakes other modes, too."""
+SEEN = 0.03
+"""Part of a full bar from which on a mode has a phase to keep in step with."""
 FURTHEST = 0.01
 """How far supports are moved at most to drive a mode, in sizes of the body."""
 
@@ -49,6 +55,7 @@ class ModesWatch:
         self._lock = threading.Lock()
         self._about: tuple[Any, ...] = ()
         self._held = np.zeros((0, 2))
+        self._stood = 0  # looks since an anchor was moved and let go
         self._result: tuple[tuple[Any, ...], Modes | str] | None = None
         self._works = False
         self.found: Modes | None = None
@@ -74,9 +81,11 @@ class ModesWatch:
             self.found = None  # of another body
         held = simulation.positions[sorted({anchor.mass for anchor in scene.anchors})]
         about = (_Same(scene), simulation.damage)
-        moved = held.shape != self._held.shape or (
-            not busy and float(np.abs(held - self._held).max(initial=0.0)) > MOVED * _size(simulation)
-        )
+        other = held.shape != self._held.shape
+        away = not other and float(np.abs(held - self._held).max(initial=0.0)) > MOVED * _size(simulation)
+        # One that is just being led has no place yet.
+        self._stood = self._stood + 1 if away and not busy else 0
+        moved = other or self._stood > STANDS
         if works or simulation.divergence is not None or not (about != self._about or moved):
             return
         if not is_ready(FOR_FALLBACK):
@@ -155,8 +164,10 @@ class Drive:
         about: where they were, px.
         swings: their amplitudes, px.
         frequency: angular, rad/s.
-        began: simulated time, s.
-        part: of these amplitudes; less as the mode comes to a full bar, so that nothing breaks by it.
+        since: simulated time, s, from which on it is driven.
+        began: simulated time, s, at which they went through the middle.
+        part: of these amplitudes.
+        let_go: simulated time, s, from which on it fades.
     """
 
     mode: int
@@ -165,8 +176,10 @@ class Drive:
     about: NDArray[np.float64]
     swings: NDArray[np.float64]
     frequency: float
+    since: float
     began: float
-    part: float = 1.0
+    part: float
+    let_go: float = math.inf
 
     @staticmethod
     def of(watch: ModesWatch, mode: int, simulation: sim.Simulation) -> Drive:
@@ -181,26 +194,38 @@ class Drive:
         w = float(modes.frequencies[mode])
         if (period := 2.0 * math.pi / w) < 4.0 * simulation.dt:
             raise InputError(f"mode {mode + 1} has a period of {period:.3g} s, less than four time steps")
-        full = float(watch.full[mode])
-        if (supports := modes.supports(mode)) is not None:
-            masses, ways, felt = supports
-            # A force f B sin(wt) on a mode of mass M has it grow by f B / (2 M w) in a second.
-            wanted = full * 2.0 * float(modes.masses[mode]) * w / (felt * SWELLING * period)
-            swings = min(wanted, FURTHEST * modes.size) * ways
-        else:
-            masses = np.array([np.argmax(np.hypot(*modes.shapes[mode].T))])
-            swings = full * modes.shapes[mode][masses]
-        about = simulation.positions[masses]
-        led = tuple(int(mass) for mass in masses)
-        return Drive(mode, led, supports is None, about, swings, w, simulation.time)
+        full, mass = float(watch.full[mode]), float(modes.masses[mode])
+        now = simulation.time
+        if (supports := modes.supports(mode)) is None:
+            most = int(np.argmax(np.hypot(*modes.shapes[mode].T)))
+            about, swings = simulation.positions[[most]], full * modes.shapes[mode][[most]]
+            return Drive(mode, (most,), True, about, swings, w, now, now, 1.0)
+        masses, ways, felt = supports
+        # A force f B sin(wt) on a mode of mass M has it grow by f B / (2 M w) in a second.
+        size = min(full * 2.0 * mass * w / (felt * SWELLING * period), FURTHEST * modes.size)
+        led = tuple(int(each) for each in masses)
+        return Drive(mode, led, False, simulation.positions[masses], size * ways, w, now, now, 0.0)
 
-    def gentler(self, watch: ModesWatch, simulation: sim.Simulation) -> Drive:
-        """As it goes on: the nearer the mode is to a full bar, the less."""
+    def in_step(self, watch: ModesWatch, simulation: sim.Simulation) -> Drive:
+        """As it goes on: in step with the mode, whose period changes as it grows, more and more at first, and
+        less as it comes to a full bar."""
         now = watch.excitation(simulation)
         if now is None:
             return self
-        amplitude = math.hypot(now.amplitudes[self.mode], now.rates[self.mode] / self.frequency)
-        return replace(self, part=1.0 - min(amplitude / float(watch.full[self.mode]), 1.0))
+        q, rate = float(now.amplitudes[self.mode]), float(now.rates[self.mode]) / self.frequency
+        full, time = float(watch.full[self.mode]), simulation.time
+        level, ramp = math.hypot(q, rate) / full, RAMP * 2.0 * math.pi / self.frequency
+        part = (1.0 - min(level, 1.0)) * min((time - self.since) / ramp, 1.0)
+        part *= max(1.0 - max(time - self.let_go, 0.0) / ramp, 0.0)
+        if level < SEEN:
+            return replace(self, part=part)
+        # It does most work where it goes with the velocity.
+        ahead = math.atan2(q, rate) + 0.5 * math.pi
+        return replace(self, part=part, began=time - ahead / self.frequency)
+
+    def has_faded(self, time: float) -> bool:
+        """Whether it is over at a simulated time, s."""
+        return time - self.let_go >= RAMP * 2.0 * math.pi / self.frequency
 
     def steps(self, dt: float) -> int:
         """Time steps in which they are led in straight lines."""
@@ -209,17 +234,15 @@ class Drive:
     def lead(self, simulation: sim.Simulation, steps: int) -> list[log.Act]:
         """What leads them through the next time steps."""
         part = self.part * math.sin(self.frequency * (simulation.time + steps * simulation.dt - self.began))
-        return self._to(simulation, self.about + part * self.swings, log.Lead)
+        return self._to(self.about + part * self.swings)
 
-    def end(self, simulation: sim.Simulation) -> list[log.Act]:
+    def end(self) -> list[log.Act]:
         """What puts them back, or lets go."""
         if self.grabbed:
             return [log.Release(mass=mass) for mass in self.masses]
-        return self._to(simulation, self.about, log.Move)
+        return self._to(self.about)
 
-    def _to(
-        self, simulation: sim.Simulation, places: NDArray[np.float64], how: type[log.Lead | log.Move]
-    ) -> list[log.Act]:
-        kind = log.Follow if simulation.rate_limited else how
+    def _to(self, places: NDArray[np.float64]) -> list[log.Act]:
+        # Their motion is slow and smooth, so that it needs no limit as that of a hand does.
         pairs = zip(self.masses, places.tolist(), strict=True)
-        return [kind(mass=mass, to=(x, y)) for mass, (x, y) in pairs]
+        return [log.Lead(mass=mass, to=(x, y)) for mass, (x, y) in pairs]

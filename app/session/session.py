@@ -357,7 +357,7 @@ class Session:
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
             self.hold_keys(frozenset(), self._keys_at)
         if self.drive is not None and now - self._drive_at > KEYS_FORGOTTEN_AFTER:
-            self.end_drive()
+            self.fade_drive()
         running = self.playing and (self.replay is not None or self.simulation.divergence is None)
         if running and self.replay is not None:
             self._play_log(self.replay, now, budget)
@@ -441,7 +441,7 @@ class Session:
             InputError: that mode cannot be driven.
         """
         self._drive_at = at
-        if self.drive is not None and self.drive.mode == mode:
+        if self.drive is not None and self.drive.mode == mode and self.drive.let_go == math.inf:
             return
         self.end_drive()
         if self.modes is None:
@@ -452,10 +452,18 @@ class Session:
             self.do(log.Grab(mass=mass))
         self.drive = drive
 
+    def fade_drive(self) -> None:
+        """Drive no mode any more: supports come to rest where they were, and a hand lets go."""
+        drive = self.drive
+        if drive is None or drive.grabbed:
+            self.end_drive()
+        elif drive.let_go == math.inf:
+            self.drive = replace(drive, let_go=self.simulation.time)
+
     def end_drive(self) -> None:
-        """Drive no mode any more; supports are put back."""
+        """Drive no mode any more, from this moment on."""
         drive, self.drive = self.drive, None
-        for act in drive.end(self.simulation) if drive is not None else ():
+        for act in drive.end() if drive is not None else ():
             self.do(act)
 
     def put(self, make: Callable[[sim.Moment], sim.Moment], label: str, key: str) -> None:
@@ -671,10 +679,12 @@ class Session:
 
     def _stepped(self, steps: int, attempts: int | None) -> int:
         """Do some steps, and lead what drives a mode meanwhile; returns how many were done."""
+        if self.drive is not None and self.drive.has_faded(self.simulation.time):
+            self.end_drive()
         if self.drive is None:
             return self.recorder.step(steps, attempts=attempts)
         if self.modes is not None and not self.drive.grabbed:
-            self.drive = self.drive.gentler(self.modes, self.simulation)
+            self.drive = self.drive.in_step(self.modes, self.simulation)
         done, each = 0, self.drive.steps(self.simulation.dt)
         while done < steps:
             n = min(each, steps - done)

@@ -590,6 +590,20 @@ class OfferGallery(Event, frozen=True, kw_only=True):
     why: str
 
 
+class Melody(Event, frozen=True, kw_only=True):
+    """A plot is to be heard.
+
+    Attributes:
+        name: what is plotted.
+        unit: of its values.
+        values: of equal distance in time; None where there is none.
+    """
+
+    name: str
+    unit: str
+    values: tuple[float | None, ...]
+
+
 class ShelfChanged(Event, frozen=True, kw_only=True):
     """There are other scenes than before."""
 

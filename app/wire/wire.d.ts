@@ -223,6 +223,8 @@ export type TextsTaken = { tell: "textsTaken"; refused: string };
 export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; field: string; refused: string };
 /** Show the gallery, and why. */
 export type OfferGallery = { tell: "offerGallery"; why: string };
+/** A plot is to be heard. */
+export type Melody = { tell: "melody"; name: string; unit: string; values: (number | null)[] };
 /** There are other scenes than before. */
 export type ShelfChanged = { tell: "shelfChanged" };
 /** All scenes, and the name of the present one. */
@@ -251,6 +253,6 @@ export type Fan = { tell: "fan"; numbers: Float32Array; draws: number; masses: n
 export type ModeShapes = { tell: "modeShapes"; numbers: Float32Array };
 /** How much of each mode is in the motion now, see `modes.modes.encode_levels`. */
 export type ModeLevels = { tell: "modeLevels"; numbers: Float32Array };
-export type ToPage = PageState | Tools | Modes | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | Frame | Damage | Arrows | Measured | Fan | ModeShapes | ModeLevels;
+export type ToPage = PageState | Tools | Modes | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | Melody | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | Frame | Damage | Arrows | Measured | Fan | ModeShapes | ModeLevels;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; modes: Modes; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows; measured: Measured; fan: Fan; modeShapes: ModeShapes; modeLevels: ModeLevels };
+export type Told = { pageState: PageState; tools: Tools; modes: Modes; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; melody: Melody; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows; measured: Measured; fan: Fan; modeShapes: ModeShapes; modeLevels: ModeLevels };

@@ -208,15 +208,14 @@ class Modes:
         strained but what swings.
 
         Of all small motions of the ground, shifts and turns, it is that with which they do most work on the
-        mode for the distance that they move in the mean.
+        mode for the distance that the body would move in the mean, if it were rigid.
 
         Args:
             mode: which, from 0.
 
         Returns:
-            the masses (a,); how they move (a, 2), the farthest by 1; and the force on the mode, by its modal
-            mass and for the mass that its shape moves most, when that one moves by 1 px, kg/s². None where no
-            held mass feels the mode.
+            the masses (a,); how they move (a, 2), if the farthest mass of a rigid body would move by 1; and
+            the force on the mode when that is 1 px, kg/s². None where no held mass feels the mode.
         """
         held = np.array(sorted({anchor.mass for anchor in self.scene.anchors if anchor.circle is None}), int)
         if not held.size:
@@ -227,15 +226,15 @@ class Modes:
         still = np.zeros_like(x)
         change = self._physics.forces(x + step, still) - self._physics.forces(x - step, still)
         felt = change[self._here][held] / (2.0 * np.abs(step).max())
-        arm = (self.rest[held] - self.rest[held].mean(0)) @ (1.0, 1.0j)
+        arm = (self.rest - self.rest.mean(0)) @ (1.0, 1.0j)
         reach = float(np.sqrt((np.abs(arm) ** 2).mean()))
         ways = [np.ones_like(arm), 1j * np.ones_like(arm), *([1j * arm / reach] if reach > 0.0 else [])]
-        moved = sum(float((felt.conj() * way).real.sum()) * way for way in ways)
+        moved = sum(float((felt.conj() * way[held]).real.sum()) * way for way in ways)
         farthest = float(np.abs(moved).max())
         stiffness = float(self.masses[mode] * self.frequencies[mode] ** 2)
         if not farthest > 1e-9 * stiffness:
             return None
-        moved = moved / farthest
+        moved = (moved / farthest)[held]
         size = float((felt.conj() * moved).real.sum())
         return held, np.column_stack((moved.real, moved.imag)), size
 

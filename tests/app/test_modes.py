@@ -122,7 +122,7 @@ def test_what_cannot_be_put_in_is_nothing(command: commands.PutMode) -> None:
 
 
 def test_a_mode_is_driven_while_it_is_said_and_its_support_comes_back() -> None:
-    page, watch = opened()
+    page, watch = opened("lesson-bridge-modes")
     session, start = page.session, page.session.simulation.positions
     for _ in range(90):
         page.frames(1, commands.DriveMode(1))
@@ -133,10 +133,11 @@ def test_a_mode_is_driven_while_it_is_said_and_its_support_comes_back() -> None:
     now = watch.excitation(session.simulation)
     assert now is not None
     assert now.energies[1] > 0.5 * now.energies.sum()
-    page.frames(int(KEYS_FORGOTTEN_AFTER * 60.0) + 2)
+    # Nothing is heard of it any more: it fades.
+    page.frames(int(KEYS_FORGOTTEN_AFTER * 60.0) + 60)
     assert session.drive is None
     held = [anchor.mass for anchor in session.scene.anchors]
-    assert np.array_equal(session.simulation.positions[held], start[held])
+    assert np.abs(session.simulation.positions[held] - start[held]).max() < 1e-9
     assert watch.number == 1  # the support's way is no other body
     agrees(page)
 

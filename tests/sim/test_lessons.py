@@ -65,8 +65,8 @@ def widest(scene: sim.Scene, seconds: float = 15.0) -> list[float]:
     return most.tolist()
 
 
-def test_there_are_nine() -> None:
-    assert len(NAMES) == 9
+def test_there_are_eleven() -> None:
+    assert len(NAMES) == 11
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -36,9 +36,9 @@ const isTyping = (target) =>
     target.tagName === "TEXTAREA" ||
     target.tagName === "SELECT" ||
     (target instanceof HTMLInputElement && !["range", "checkbox", "radio", "button"].includes(target.type)));
-/** A slider that was reached with the Tab key takes the arrows for itself. @param {EventTarget | null} target */
+/** A slider that was reached with the Tab key takes the arrows for itself; of the bars of modes see `isTaken`. @param {EventTarget | null} target */
 const isSlider = (target) =>
-  target instanceof HTMLElement && target.matches('[role="slider"]:focus-visible, input[type="range"]:focus-visible');
+  target instanceof HTMLElement && target.matches('[role="slider"]:not(.softrod-mode):focus-visible, input[type="range"]:focus-visible');
 /**
  * Whether what has the focus takes a key for itself: the body, an instrument, a muscle's mark or a bar of a mode arrows and Space, the
  * open box of instruments Esc.

@@ -61,7 +61,7 @@ class ModesView:
             frequencies=_rounded(modes.frequencies / (2.0 * math.pi)),
             damping=_rounded(modes.damping_ratios),
             full=_rounded(watch.full),
-            driven=-1 if drive is None else drive.mode,
+            driven=-1 if drive is None or drive.let_go < math.inf else drive.mode,
         )
         self._mail.tell(state)
         self._tell_levels(session, modes)

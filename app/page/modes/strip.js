@@ -33,6 +33,9 @@ const READ_EVERY = 500;
 const HOW = "Point at a bar for its shape. Drag it: the body swings so. Press and hold it: it is driven.";
 const OTHERS = "In none of these: faster modes, and what a large motion has beyond small ones";
 
+/** As it stands below a bar. @param {number} f Hz */
+const hertz = (f) => few(f, f < 100 ? 2 : 3);
+
 /** Puts up the strip, which is hidden while nobody looks at modes. */
 export function addModes() {
   const strip = make("div", "softrod-modes");
@@ -240,11 +243,11 @@ export function addModes() {
     const count = frequencies().length;
     if (shown.length === (count ? count + 1 : 0)) {
       shown.forEach(({ name }, i) => {
-        const text = i < count ? few(frequencies()[i], 2) : "else";
+        const text = i < count ? hertz(frequencies()[i]) : "else";
         if (name.textContent !== text) name.textContent = text;
       });
     } else {
-      shown = count ? [...frequencies().map((f) => newBar(few(f, 2))), newBar("else")] : [];
+      shown = count ? [...frequencies().map((f) => newBar(hertz(f))), newBar("else")] : [];
       bars.replaceChildren(...shown.map(({ element }) => element));
       shown.forEach((bar, i) => {
         listen(bar, i);

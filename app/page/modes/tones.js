@@ -43,7 +43,7 @@ export function tonesOf(frequencies, dampings, amplitudes, speed = 1) {
     const pitch = damping < 1 ? frequency * Math.sqrt(1 - damping * damping) * up : 0;
     const sounds = pitch > 0 && pitch <= HIGHEST;
     // As a full bar has the same action in each mode, its loudness is that of its speed.
-    const gain = sounds ? LOUDEST * Math.min(Math.max(amplitudes[i] ?? 0, 0), 1) : 0;
+    const gain = sounds && amplitudes[i] > 0 ? LOUDEST * Math.min(amplitudes[i], 1) : 0;
     return { pitch, decay: 2 * Math.PI * frequency * damping * speed, gain };
   });
 }
