@@ -30,6 +30,8 @@ import { beginViser, canDraw, complain, endLoading } from "./viser/loading.js";
 import { restoreLooks } from "./looks/looks.js";
 import { showMeasures } from "./measure/measure.js";
 import { addMenu } from "./looks/menu.js";
+import { addMuscles } from "./muscles/muscle_strip.js";
+import { addModes } from "./modes/strip.js";
 import { mindWidgets } from "./viser/widgets.js";
 import { mindNumbers } from "./viser/numbers.js";
 import { addOverlay } from "./body/overlay.js";
@@ -93,6 +95,8 @@ whenViser((viser) => {
   listenToOpenFile();
   restoreLooks();
   addTransport();
+  addMuscles();
+  addModes();
   addShareDialog();
   addUnderlay();
   addTraces();

@@ -28,7 +28,6 @@ from sim.motion.simulation import Key
 from sim.scene.numbers import Angle, Vector
 from sim.scene.sentences import in_words
 from sim.scene.validate import consistent_pose, validate
-from sim.settings import set_value_at
 from sim.store.files import MAX_FILE_BYTES, decode_scene, encode_fields, fields_of
 from sim.store.places import as_utf8, repeated_key
 
@@ -145,13 +144,13 @@ class Keys(Act, frozen=True, tag_field="do", tag="keys"):
 
 
 class Set(Act, frozen=True, tag_field="do", tag="set"):
-    """A number of the scene was set, see `sim.settings.set_value_at`."""
+    """A number of the scene was set, see `sim.set_value`."""
 
     key: Annotated[str, Meta(max_length=60)]
     value: float
 
     def do(self, simulation: sim.Simulation) -> None:
-        simulation.replace(set_value_at(simulation.scene, self.key, self.value, simulation.time))
+        simulation.replace(sim.set_value(simulation.scene, self.key, self.value, simulation.time))
 
 
 class Choose(Act, frozen=True, tag_field="do", tag="choose"):

@@ -99,8 +99,15 @@ def set_choice(scene: Scene, key: str, value: str) -> Scene:
     return validate(choice.write(scene, value))
 
 
-def set_value(scene: Scene, key: str, value: float) -> Scene:
+def set_value(scene: Scene, key: str, value: float, time: float = 0.0) -> Scene:
     """The scene with one setting changed.
+
+    Args:
+        scene: whose setting.
+        key: its name.
+        value: the new one.
+        time: of the run that goes on with it, s: at another tempo the waves of muscles go on from where they
+            are then.
 
     Raises:
         SettingError: there is no such setting, it does not apply to the scene, or the value is out of range.
@@ -115,21 +122,12 @@ def set_value(scene: Scene, key: str, value: float) -> Scene:
     if setting.integer and value != int(value):
         raise SettingError(f"{key}: {value:g} is not a whole number")
     try:
-        return validate(setting.write(scene, int(value) if setting.integer else float(value)))
+        new = setting.write(scene, int(value) if setting.integer else float(value))
+        if key == "tempo" and scene.beat:
+            new = msgspec.structs.replace(new, beat=scene.beat.at_tempo(float(value), time))
+        return validate(new)
     except SceneError as error:
         raise SettingError(f"{key}: {error}") from None
-
-
-def set_value_at(scene: Scene, key: str, value: float, time: float) -> Scene:
-    """As `set_value`, while a body moves: of another tempo, the beat goes on from where it is at a time, s.
-
-    Raises:
-        SettingError: as `set_value`.
-    """
-    changed = set_value(scene, key, value)
-    if key == "tempo" and scene.beat:
-        return msgspec.structs.replace(changed, beat=scene.beat.at_tempo(value, time))
-    return changed
 
 
 def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
@@ -276,6 +274,10 @@ def _has_ground(scene: Scene) -> bool:
 
 def _has_contact(scene: Scene) -> bool:
     return _has_springs(scene) and scene.contact is not None
+
+
+def _has_muscles(scene: Scene) -> bool:
+    return moves(scene) and is_muscular(scene)
 
 
 def _has_filling(kind: type) -> Callable[[Scene], bool]:
