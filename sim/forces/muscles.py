@@ -34,6 +34,7 @@ class Muscles(Table):
     """Read-only. S springs and J joints that muscles move."""
 
     present: bool  # there are any
+    period: float  # of the beat, s; 0 where it does not go on
     spring: Indices  # (S,) each spring
     stretch: Rows  # (S, 4) a `Row` for each
     joint: Indices  # (J,) each joint
@@ -67,6 +68,7 @@ def new_muscles(scene: Scene, spring_order: Indices, joint_order: Indices) -> Mu
     return read_only(
         Muscles(
             present=bool(stretched or turned),
+            period=1.0 / beat.frequency if beat.frequency else 0.0,
             spring=np.array([k for k, _ in stretched], np.int64),
             stretch=_rows(beat, [muscle for _, muscle in stretched]),
             joint=np.array([k for k, _ in turned], np.int64),

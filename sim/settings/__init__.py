@@ -22,7 +22,7 @@ from ..scene.columns import has_any
 from ..scene.parts import Beat
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
-from ..scene.surroundings import Contact, Gas, Liquid, Wall, Wind
+from ..scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 from ..scene.types import (
     AngularSpring,
     ForceLaw,
@@ -266,6 +266,14 @@ def _has_walls(scene: Scene) -> bool:
     return moves(scene) and bool(scene.walls)
 
 
+def _has_medium(scene: Scene) -> bool:
+    return _has_springs(scene) and bool(scene.medium)
+
+
+def _has_ground(scene: Scene) -> bool:
+    return _has_springs(scene) and bool(scene.ground)
+
+
 def _has_contact(scene: Scene) -> bool:
     return _has_springs(scene) and scene.contact is not None
 
@@ -352,6 +360,11 @@ _ALL = (
         _has_wind,
     ),
     _setting("turbulence", "Turbulence", (0.0, 1.0), at(Wind, "wind.turbulence"), _has_wind),
+    _setting("drag_across", "Drag across springs", (0.0, 5.0), at(Medium, "medium.across"), _has_medium),
+    _setting("drag_along", "Drag along springs", (0.0, 5.0), at(Medium, "medium.along"), _has_medium),
+    _setting("ground_forward", "Friction forwards", (0.0, 2.0), at(Ground, "ground.forward"), _has_ground),
+    _setting("ground_backward", "Friction backwards", (0.0, 2.0), at(Ground, "ground.backward"), _has_ground),
+    _setting("ground_sideways", "Friction sideways", (0.0, 2.0), at(Ground, "ground.sideways"), _has_ground),
     _setting(
         "wall_friction", "Friction of walls", (0.0, 2.0), largest(Wall, "walls", "friction"), _has_walls
     ),

@@ -325,6 +325,29 @@ def test_what_a_program_cannot_do_is_refused_in_one_sentence(
     assert command("export", name, "--c", out, "--set", f"{setting}=0") == 0
 
 
+def test_a_program_refuses_a_medium_and_ground(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = tmp_path / "scene.json"
+    ground = sim.Ground(forward=0.0, backward=0.0)
+    resisted = changed(sim.load_scene("rope"), medium=sim.Medium(), ground=ground)
+    sim.save_scene(resisted, scene)
+    out = tmp_path / "body.py"
+    assert command("export", scene, "--python", out) == 1
+    assert capsys.readouterr().err == (
+        "softrod: a program cannot do drag across springs and drag along springs and friction sideways; set "
+        "drag_across and drag_along and ground_sideways to 0 to have one without them\n"
+    )
+    words = [
+        word for key in ("drag_across", "drag_along", "ground_sideways") for word in ("--set", f"{key}=0")
+    ]
+    assert command("export", scene, "--python", out, *words) == 0
+    data = json.loads(body_json(body_of(resisted)))
+    assert data["medium"] == {"across": 1.0, "along": 0.5}
+    assert data["ground"]["sideways"] == 0.4
+    settings = {row["setting"]: row["value"] for row in tables(resisted)["settings"]}
+    assert settings["medium_across [kg/(px s)]"] == "1.0"
+    assert settings["ground_slip_speed [px/s]"] == "10.0"
+
+
 def test_a_program_says_what_is_another_in_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "body.py"
     assert command("export", "lesson-cantilever", "--python", out) == 0

@@ -188,9 +188,16 @@ def test_sliders_set_what_they_set_in_the_page() -> None:
         "tutorial-3.3": {"rest_angle": 25.0, "rest_length_scale": 1.3, "angular_stiffness": 700.0},
         "tutorial-3.2": {"template": 90.0},
         "rope": {"tempo": 3.3, "rest_angle": 12.0, "rest_length_scale": 0.9},
-    }
+        "rod": {
+            "drag_across": 0.3, "drag_along": 0.1,
+            "ground_forward": 0.1, "ground_backward": 1.0, "ground_sideways": 0.6,
+        },
+    }  # fmt: skip
     for name, values in changes.items():
-        scene = by(sim.load_scene(name), "symplectic_euler")
+        scene = sim.load_scene(name)
+        if "drag_across" in values:
+            scene = replace(scene, medium=sim.Medium(), ground=sim.Ground())
+        scene = by(scene, "symplectic_euler")
         if "tempo" in values:
             scene = with_muscles(scene, np.random.default_rng(1))
         about = about_of(live_html(sim.Simulation(scene).capture())[0])

@@ -25,7 +25,7 @@ from sim import (
     Simulation,
     SpringMuscle,
 )
-from sim.scene.surroundings import Gas, Liquid, Wall, Wind
+from sim.scene.surroundings import Gas, Ground, Liquid, Medium, Wall, Wind
 from sim.scene.types import ArrowKeys, ForceLaw
 from sim.settings import settings_of
 
@@ -207,6 +207,14 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
         fields["angular_springs"] = tuple(
             msgspec.structs.replace(joint, yield_torque=_ten_to(rng, 3.0, 8.0))
             for joint in scene.angular_springs
+        )
+    # A live file has joints yield a little otherwise now and then, which is seen where something resists.
+    if "angular_springs" not in fields and rng.random() < 0.5:
+        fields["medium"] = Medium(across=_ten_to(rng, -3.0, 1.0), along=_ten_to(rng, -3.0, 1.0))
+    if "angular_springs" not in fields and rng.random() < 0.5:
+        forward, backward, sideways = rng.choice([0.0, 0.3, 2.0], 3).tolist()
+        fields["ground"] = Ground(
+            forward=forward, backward=backward, sideways=sideways, slip_speed=_ten_to(rng, 0.5, 2.0)
         )
     return msgspec.structs.replace(scene, **fields)
 

@@ -67,7 +67,7 @@ def test_groups_of_presets_are_kept_apart_and_found_by_name() -> None:
     assert {name for name, info in grouped.items() if info.group == "study"} == {
         f"study-{name}" for name in ("w1", "w2", "w3", "w4", "w5", "ring", "tree", "cloth")
     }
-    assert {info.group for info in grouped.values()} == {"lessons", "study"}
+    assert {info.group for info in grouped.values()} == {"lessons", "muscles", "study"}
     assert all(info.built_in for info in grouped.values())
     for name in grouped:
         scene = load_scene(name)

@@ -52,6 +52,10 @@ _MORE_UNITS = {
     "area": "L^2",
     "wind_velocity": "L/s",
     "wind_length_scale": "L",
+    "medium_across": "kg/(L s)",
+    "medium_along": "kg/(L s)",
+    "ground_gravity": "L/s^2",
+    "ground_slip_speed": "L/s",
     "contact_distance": "L",
     "contact_stiffness": "kg/(L s^2)",
     "contact_slip_speed": "L/s",
@@ -229,7 +233,8 @@ def _settings(body: Body) -> dict[str, Any]:
 
 def _surroundings(scene: sim.Scene) -> dict[str, Any]:
     """What may act on a body from outside, with single numbers."""
-    return {name: value for name in ("wind", "contact", "beat") if (value := getattr(scene, name))}
+    names = ("wind", "medium", "ground", "contact", "beat")
+    return {name: value for name in names if (value := getattr(scene, name))}
 
 
 # ------------------------------------------------------------------------- tables

@@ -19,6 +19,7 @@ from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import ForceLaw, Method, is_damageable, shown_name
+from sim.settings import SETTINGS
 
 from .body import Body
 
@@ -32,6 +33,15 @@ _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ01234567
 """What is left of a user's text in a comment: nothing that could end the comment or mean anything in it."""
 
 _DIRECTIVE = re.compile(r" *# (?P<word>ifdef (?P<asked>\w+)|else|endif)")
+
+_RESISTANCE = {
+    "drag_across": "drag across springs",
+    "drag_along": "drag along springs",
+    "ground_forward": "friction forwards",
+    "ground_backward": "friction backwards",
+    "ground_sideways": "friction sideways",
+}
+"""What a medium and the ground do that programs cannot, by its settings."""
 
 LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
 """The force laws that programs are written for."""
@@ -60,6 +70,10 @@ class Plan:
         lacks = {"turbulence": "gusts of wind"} if body.gusts else {}
         if contact is not None and contact.distance > 0.0 and len(body.ends):
             lacks["contact_distance"] = "contact of bodies"
+        for key, what in _RESISTANCE.items():
+            setting = SETTINGS[key]
+            if setting.applies(body.scene) and setting.read(body.scene):
+                lacks[key] = what
         check_law(body)
         if lacks:
             raise InputError(

@@ -37,6 +37,8 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "airFriction": scene.air_friction,
         "wind": list(body.wind),
         "waves": air.waves.tolist(),
+        "medium": msgspec.to_builtins(scene.medium) if scene.medium else None,
+        "ground": _ground(scene.ground) if scene.ground else None,
         "softening": system.body.softening,
         "positions": body.positions.ravel().tolist(),
         "velocities": body.velocities.ravel().tolist(),
@@ -90,6 +92,16 @@ def _contact(system: System) -> dict[str, Any] | None:
         "damping": contact.damping,
         "margin": contact.margin,
         "apart": apart,
+    }
+
+
+def _ground(ground: sim.Ground) -> dict[str, float]:
+    return {
+        "gravity": ground.gravity,
+        "forward": ground.forward,
+        "backward": ground.backward,
+        "sideways": ground.sideways,
+        "slipSpeed": ground.slip_speed,
     }
 
 

@@ -74,6 +74,11 @@ const WRITE = {
   wind_speed: (body, value) => blow(body, { speed: value }),
   wind_direction: (body, value) => blow(body, { direction: value }),
   turbulence: (body, value, { value: first }) => blow(body, { gusts: value / first }),
+  drag_across: (body, value) => body.medium && (body.medium.across = value),
+  drag_along: (body, value) => body.medium && (body.medium.along = value),
+  ground_forward: (body, value) => body.ground && (body.ground.forward = value),
+  ground_backward: (body, value) => body.ground && (body.ground.backward = value),
+  ground_sideways: (body, value) => body.ground && (body.ground.sideways = value),
   wall_friction: (body, value, { value: first }) => {
     body.walls.forEach((wall, i) => (wall[5] = first ? body.data.walls[i][5] * (value / first) : value));
   },
