@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 
 import sim
-from sim.settings import apply_assignments, scene_of_step
+from sim.edit.edit import Selection
+from sim.edit.muscles import move_muscles, take_muscles
+from sim.settings import apply_assignments, scene_of_step, set_value
 from sim.store.files import built_in_folder
 from tests.sim.measured import measure
 
@@ -65,8 +67,8 @@ def widest(scene: sim.Scene, seconds: float = 15.0) -> list[float]:
     return most.tolist()
 
 
-def test_there_are_eleven() -> None:
-    assert len(NAMES) == 11
+def test_there_are_twelve() -> None:
+    assert len(NAMES) == 12
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -250,6 +252,119 @@ def test_backwards() -> None:
     more = step_of("lesson-backwards", 5, "gravity=1010")
     assert numbers(more)[0] - numbers(rod)[0] == pytest.approx(0.37, abs=0.02)
     assert is_answer("lesson-backwards", 5, "0.37 px")
+
+
+def creep(scene: sim.Scene, beats: int = 5) -> float:
+    """How far to the right a worm gets in a second, px, after the beat in which it begins."""
+    simulation = sim.Simulation(scene)
+    assert scene.beat
+    simulation.advance(1.0 / scene.beat.frequency)
+    start = float(simulation.positions[:, 0].mean())
+    simulation.advance(beats / scene.beat.frequency)
+    assert 0.0 < simulation.positions[:, 0].min() < simulation.positions[:, 0].max() < 720.0
+    return (float(simulation.positions[:, 0].mean()) - start) * scene.beat.frequency / beats
+
+
+def test_a_worm_creeps_with_its_waves() -> None:
+    there, back = (creep(step_of("lesson-worm", number)) for number in (0, 1))
+    assert there == pytest.approx(18.0, abs=0.5)
+    assert back == pytest.approx(-there, rel=0.02)
+    assert is_answer("lesson-worm", 0, "to the right, with its arches")
+    assert is_answer("lesson-worm", 1, "to the left, as fast")
+    simulation = sim.Simulation(step_of("lesson-worm", 1))
+    for waves in (2.0, -2.0):
+        scene = set_value(simulation.capture().scene, "waves", waves, simulation.time)
+        simulation.replace(scene)
+        simulation.advance(1.0)
+        start = simulation.positions[:, 0].mean()
+        simulation.advance(1.0)
+        assert (simulation.positions[:, 0].mean() - start) * waves > 30.0, "within a beat it has turned round"
+    # A mass in the middle hardly moves on at the floor and on top of an arch: a stair of two steps a beat.
+    simulation, speeds = sim.Simulation(step_of("lesson-worm", 0)), []
+    simulation.advance(2.0)
+    for _ in range(100):
+        before = simulation.positions[12, 0]
+        simulation.advance(0.02)
+        speeds.append(float(simulation.positions[12, 0] - before) / 0.02)
+    spectrum = np.abs(np.fft.rfft(speeds))  # of two beats
+    assert spectrum[4] > 3.0 * np.delete(spectrum[1:], 3).max()
+    assert min(speeds) < 5.0 < 30.0 < max(speeds)
+
+
+def test_a_worm_gets_on_by_what_an_arch_hides() -> None:
+    for swing, reach, hidden in ((45, 205.0, 18.0), (60, 180.0, 30.0)):
+        scene = step_of("lesson-worm", 2, f"swing={swing}")
+        simulation = sim.Simulation(scene)
+        simulation.advance(2.0)
+        assert np.ptp(simulation.positions[:, 0]) == pytest.approx(reach, abs=3.0)
+        assert (240.0 - reach) / 2.0 == pytest.approx(hidden, abs=0.6)
+        assert creep(scene) == pytest.approx(hidden, abs=2.5)
+    assert is_answer("lesson-worm", 2, "18 px")
+    slow, fast = (creep(step_of("lesson-worm", 3, f"tempo={tempo}"), beats=4) for tempo in (1, 2))
+    assert fast / slow == pytest.approx(2.0, abs=0.1)
+    assert creep(step_of("lesson-worm", 3, "tempo=4")) > 5.0 * slow, "it hops"
+    assert is_answer("lesson-worm", 3, "twice as fast")
+
+
+def test_a_worm_gets_nowhere_on_ice_and_needs_little_friction() -> None:
+    rough = creep(step_of("lesson-worm", 0))
+    assert abs(creep(step_of("lesson-worm", 4))) < 0.01
+    simulation = sim.Simulation(step_of("lesson-worm", 4))
+    simulation.advance(1.0)
+    assert np.abs(simulation.velocities[:, 0]).max() > 10.0, "though its masses move"
+    assert creep(step_of("lesson-worm", 5)) / rough == pytest.approx(1.05, abs=0.05)
+    assert creep(step_of("lesson-worm", 5, "wall_friction=2")) < rough
+    slips = [creep(step_of("lesson-worm", 5, f"wall_friction={friction}")) for friction in (0.01, 0.003)]
+    assert 0.8 * rough < slips[0] < 0.95 * rough
+    assert slips[1] < 0.5 * rough
+    assert is_answer("lesson-worm", 4, "stays where it is")
+    assert is_answer("lesson-worm", 5, "about as fast as on the first floor")
+
+
+def test_what_the_marks_of_a_worm_do() -> None:
+    worm = step_of("lesson-worm", 6)
+    whole, every = creep(worm), range(len(worm.angular_springs))
+    assert len(every) == 22
+    at_rest = []
+    for joint in (11, 21):
+        muscle = worm.angular_springs[joint].muscle
+        assert muscle
+        rests = Selection(joints=frozenset({joint}))
+        at_rest.append(creep(move_muscles(worm, rests, 0.0, 0.0, -muscle.amplitude).scene))
+        assert at_rest[-1] == pytest.approx(creep(take_muscles(worm, rests).scene), abs=0.01)
+    assert at_rest[0] / whole == pytest.approx(0.8, abs=0.03)
+    assert at_rest[1] > 0.98 * whole
+    together = Selection(joints=frozenset(every))
+    assert creep(move_muscles(worm, together, 0.25, 0.0, 0.0).scene) == pytest.approx(whole, rel=0.02)
+    assert creep(move_muscles(worm, together, 0.0, 0.0, 5.0).scene) > 1.3 * whole
+    assert is_answer("lesson-worm", 6, "creeps on, less well")
+    assert is_answer("lesson-worm", 7, "as before")
+
+
+def test_what_walks_better() -> None:
+    for waves, speed in ((1, 55.0), (2, 18.0), (3, 12.0)):
+        assert creep(step_of("lesson-worm", 8, f"waves={waves}"), beats=3) == pytest.approx(speed, rel=0.06)
+    assert is_answer("lesson-worm", 8, "one wave")
+
+    def thrown(*more: str) -> float:
+        """How far off the floor it gets as a whole, px."""
+        simulation, most = sim.Simulation(step_of("lesson-worm", 8, *more)), 0.0
+        while simulation.time < 6.0:
+            simulation.advance(0.02)
+            most = max(most, 500.0 - float(simulation.positions[:, 1].max()))
+        return most
+
+    assert thrown() < 1.0
+    assert thrown("waves=1", "swing=60", "tempo=2") > 20.0
+    lesson = sim.load_scene("lesson-worm").lesson
+    assert lesson is not None
+    goal = lesson.steps[8].goal
+    assert goal is not None
+    simulation = sim.Simulation(step_of("lesson-worm", 8, "swing=70", "tempo=2"))
+    reached = simulation.record(4.0, goal.quantity)[goal.quantity]
+    assert goal.low is not None
+    assert reached.max() > goal.low, "it can be done in less than 4 s"
+    assert reached.max() < 740.0
 
 
 def test_the_table_of_the_lesson_gives_back_what_is_not_told() -> None:
