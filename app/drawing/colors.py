@@ -86,6 +86,7 @@ class Palette:
     torque_plus: Rgb
     torque_minus: Rgb
     liquid: Rgb
+    muscle: Rgb
     force: Rgb
 
     def css(self, name: str) -> str:

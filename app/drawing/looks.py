@@ -10,6 +10,7 @@ import json
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from sim.kernels.core.waves import SHARPNESS as SHARPNESS
 from sim.store.link import PATH
 
 # ------------------------------------------------------------------------- colours
@@ -31,6 +32,7 @@ COLORS = {
     "torque-plus": ("f08c00", "ffa94d"),
     "torque-minus": ("8e44ad", "cc8ee8"),
     "liquid": ("1c8fe0", "1c8fe0"),
+    "muscle": ("e0457b", "ff7aa8"),
     "force": ("c2185b", "ff7eb6"),
     "velocity": ("00796b", "3ce0c4"),
     "torque": ("7c4a03", "ffe066"),
@@ -113,6 +115,10 @@ strength of metals is defined."""
 
 CREASE = 0.34
 """Width of the line along a spring that has yielded, in that of the spring."""
+
+BELLY, HALO, BREATH = 1.25, 1.7, 0.25
+"""Of muscles: the width of a belly along a spring, in that of the spring; the radius of a halo around the
+mass of a joint, in that of the mass; and by how much either grows and shrinks."""
 
 GHOST_WIDTH = 0.025
 """Width of a ghost's springs, in the world."""

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from sim import Moment, Scene, Simulation
 from sim.forces.environment import Environment
 from sim.forces.fillings import FillingRow
+from sim.scene.columns import column
 from sim.scene.surroundings import STILL_AIR
 from sim.scene.types import Damage
 
@@ -26,6 +27,8 @@ _STRAIN_SHADES = 32
 """Shades between a spring's colour at rest and its full colour, on either side."""
 
 _TURN_SHADES = 32
+_BREATH = 0.25, 0.95
+"""How much of its colour a muscle has at its longest and at its shortest."""
 _PALEST = 0.15
 """How much of its colour the wedge of a joint at its rest angle has."""
 
@@ -80,6 +83,11 @@ def broken_of(damage: Damage | None) -> tuple[int, ...]:
     return damage.broken if damage is not None else ()
 
 
+def own_rest_angles(simulation: Simulation) -> Floats:
+    """(J,) degrees; without what keys, muscles and yielding add, of which the page is told apart."""
+    return column(simulation.capture().scene.angular_springs, "rest_angle")
+
+
 def yielded_of(damage: Damage | None, rest_lengths: Floats) -> int:
     """How many springs have yielded and are not broken: their rest length has moved by more than YIELDED."""
     if damage is None or not damage.set_lengths:
@@ -127,9 +135,14 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
     surroundings: tuple[ArrayLike, ...] = ()
     if sketch.environment is not None:
         surroundings = _surroundings(sketch, sketch.environment)
+    moved: tuple[ArrayLike, ...] = ()
+    if len(sketch.muscles):
+        moved = sketch.loads, (*sketch.beat, *sketch.muscles.ravel()), muscle_colors(sketch)
     elif len(sketch.loads):
+        moved = (sketch.loads,)
+    if moved and not surroundings:
         surroundings = [], [], [], []  # what a body does not have may be left out at the end only
-    return joined(*sections, *surroundings, *([sketch.loads] if len(sketch.loads) else []))
+    return joined(*sections, *surroundings, *moved)
 
 
 def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:
@@ -186,6 +199,12 @@ def strain_colors(sketch: Sketch) -> NDArray[np.uint8]:
     colors = sketch.palette
     pushed, pulled = blend(colors.rest, colors.pushed, part), blend(colors.rest, colors.pulled, part)
     return sketch.encode(np.vstack((pushed, pulled[-2::-1])))
+
+
+def muscle_colors(sketch: Sketch) -> NDArray[np.uint8]:
+    """(k, 3) of a muscle at its longest to one at its shortest."""
+    colors = sketch.palette
+    return sketch.encode(blend(colors.paper, colors.muscle, np.linspace(*_BREATH, _TURN_SHADES)))
 
 
 def turn_colors(sketch: Sketch) -> NDArray[np.uint8]:

@@ -95,6 +95,9 @@ COILS = {"coil": 3.3, "coil of slim springs": 7.0, "coil of very slim springs": 
 """Coils by their slimness: one scene is drawn with one of them."""
 
 _BAR = np.array([[0.0, -0.5], [1.0, -0.5], [1.0, 0.5], [0.0, 0.5]])
+_ALONG = np.linspace(0.0, 1.0, 17)
+_SWELL = 0.5 * np.sin(np.pi * _ALONG) ** 0.7
+_BELLY = np.vstack((np.column_stack((_ALONG, -_SWELL)), np.column_stack((_ALONG, _SWELL))[-2:0:-1]))
 _SLICE = np.array([[0.0, 0.0], [1.0, -0.5], [1.0, 0.5]])
 _SUPPORT = np.array([[0.0, 0.0], [-0.7, -1.15], [0.7, -1.15]])
 _BASE = np.array([[-1.0, -1.35], [1.0, -1.35], [1.0, -1.15], [-1.0, -1.15]])
@@ -103,6 +106,7 @@ _MAKERS: dict[str, Callable[[], Mesh]] = {
     "disc": partial(convex, _circle(36)),  # of radius 1
     "ring": _ring,
     "bar": partial(convex, _BAR),  # from (0, 0) to (1, 0), of width 1
+    "belly": partial(convex, _BELLY),  # of a muscle, from (0, 0) to (1, 0), of width 1
     "slice": partial(convex, _SLICE),  # of a wedge: its tip at (0, 0), its base of width 1 at x = 1
     "pin": partial(convex, _SUPPORT, _BASE),  # a support: its tip at (0, 0), on a plate
     **{name: partial(_coil, round(3 + 0.75 * slimness), slimness) for name, slimness in COILS.items()},

@@ -101,6 +101,9 @@ class Sketch:
         radius: (n,) of each mass in the world.
         environment: the table of what surrounds the body, its masses by their index; None where nothing does.
         contact: px, the distance at which contact begins; 0 where there is none.
+        muscles: (k, 6) whether a muscle is a joint's, the index of its spring or joint, amplitude (of a
+            joint's degrees), phase (degrees), whether its wave is a pulse, and waves in a beat.
+        beat: frequency (Hz) and phase (degrees) of what they keep to.
         loads: (k, 3) of each constant force which mass it acts on, and its arrow in the world.
     """
 
@@ -135,6 +138,8 @@ class Sketch:
             self.environment = new_environment(drawn, np.arange(n), self.springs, n)
         self.contact = scene.contact.distance if scene.contact else 0.0
         self.loads = _load_arrows(scene, mapping)
+        self.muscles = _muscles(scene)
+        self.beat = (scene.beat.frequency, scene.beat.phase) if scene.beat else (0.0, 0.0)
         self.thickness = self._spring_thickness()
         self.spring_shape = self._spring_shape()
 
@@ -178,6 +183,24 @@ class Sketch:
     def pinned(self) -> NDArray[np.int64]:
         """Held masses that are not driven."""
         return self.held[self.held != self.driven] if self.driven is not None else self.held
+
+
+def _muscles(scene: Scene) -> Floats:
+    """See `Sketch`; none where there is no beat, since they rest."""
+    rows = [
+        (
+            joint,
+            part,
+            each.muscle.amplitude,
+            each.muscle.phase,
+            each.muscle.wave == "pulse",
+            each.muscle.per_beat,
+        )
+        for joint, parts in enumerate((scene.linear_springs, scene.angular_springs))
+        for part, each in enumerate(parts)
+        if scene.beat and each.muscle
+    ]
+    return np.array(rows, float).reshape(-1, 6)
 
 
 def _load_arrows(scene: Scene, mapping: Mapping) -> Floats:

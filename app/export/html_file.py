@@ -169,7 +169,7 @@ def stage(scene: sim.Scene, places: Floats) -> dict[str, object]:
         "springs": sketch.spring_shape,
         "meshes": {
             name: [line.round(4).ravel().tolist() for line in meshes()[name].outlines]
-            for name in (*_MESHES, sketch.spring_shape)
+            for name in (*_MESHES, sketch.spring_shape, *(["belly"] if len(sketch.muscles) else []))
         },
     }
 

@@ -5,18 +5,23 @@ A test holds the two against each other.
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..drawing.looks import (
+    BELLY,
+    BREATH,
     CREASE,
     FILL,
     FULL_DEVIATION,
     GHOST_WIDTH,
+    HALO,
     PIN,
     RING,
+    SHARPNESS,
     SHINE,
     THICKEST,
     THINNEST,
@@ -24,7 +29,7 @@ from ..drawing.looks import (
     WIDEST,
     YIELDED,
 )
-from ..drawing.plan import Picture, broken_of, strain_colors, turn_colors
+from ..drawing.plan import Picture, broken_of, muscle_colors, strain_colors, turn_colors
 from ..drawing.sketch import Floats, Sketch
 
 
@@ -64,7 +69,8 @@ def every_spring(sketch: Sketch, picture: Picture) -> Instances:
     """As `springs`, with those that are broken."""
     start, angles, lengths = _between(sketch, picture.positions)
     moved = picture.damage.set_lengths if picture.damage is not None else ()
-    rest = sketch.rest_length * picture.rest_length_scale + (np.array(moved) if moved else 0.0)
+    stretch, _ = _swings(sketch, picture)
+    rest = sketch.rest_length * picture.rest_length_scale * stretch + (np.array(moved) if moved else 0.0)
     rest = np.maximum(rest * sketch.mapping.scale, 1e-9)
     strain = (lengths / rest - 1.0) / sketch.full_strain
     widths = sketch.thickness
@@ -72,6 +78,45 @@ def every_spring(sketch: Sketch, picture: Picture) -> Instances:
         # A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
         widths = widths * np.clip(np.sqrt(rest / np.maximum(lengths, 1e-12)), THINNEST, THICKEST)
     return Instances(start, angles, lengths, widths, _colored(strain_colors(sketch), strain))
+
+
+def muscles(sketch: Sketch, picture: Picture, of_joints: bool) -> Instances:
+    """Bellies along springs, or halos around the masses of joints."""
+    rows = sketch.muscles[sketch.muscles[:, 0] == of_joints]
+    part, breath = rows[:, 1].astype(np.int64), np.sign(rows[:, 2]) * _waves(sketch, rows, picture.time)
+    gone = np.array(broken_of(picture.damage), np.int64)
+    if of_joints:
+        tip = sketch.joint_mass[part]
+        whole = ~(np.isin(sketch.joint_a[part], gone) | np.isin(sketch.joint_b[part], gone))
+        places, angles = to_world(sketch, picture.positions)[tip], np.zeros(len(part))
+        lengths = widths = HALO * (1.0 + BREATH * breath) * sketch.radius[tip]
+    else:
+        breath, whole = -breath, ~np.isin(part, gone)
+        places, angles, lengths = (each[part] for each in _between(sketch, picture.positions))
+        widths = BELLY * (1.0 + BREATH * breath) * sketch.thickness[part] * (1.0 if sketch.bars else 2.0)
+    colors = _colored(muscle_colors(sketch), breath)
+    return Instances(places, angles, lengths, widths, colors).some(whole)
+
+
+def _swings(sketch: Sketch, picture: Picture) -> tuple[Floats, Floats]:
+    """(S,) by which factor muscles stretch rest lengths, and (J,) degrees by which they turn rest angles."""
+    rows = sketch.muscles
+    swing, of_joints, part = (
+        rows[:, 2] * _waves(sketch, rows, picture.time),
+        rows[:, 0] == 1.0,
+        rows[:, 1].astype(np.int64),
+    )
+    stretch, turn = np.ones(len(sketch.springs)), np.zeros(len(sketch.joint_a))
+    stretch[part[~of_joints]] += swing[~of_joints]
+    turn[part[of_joints]] = swing[of_joints]
+    return stretch, turn
+
+
+def _waves(sketch: Sketch, rows: Floats, time: float) -> Floats:
+    """(k,) the wave of each muscle at a time."""
+    frequency, phase = sketch.beat
+    size = np.sin(math.tau * (rows[:, 5] * (frequency * time + phase / 360.0) + rows[:, 3] / 360.0))
+    return np.where(rows[:, 4] == 1.0, np.exp(SHARPNESS * (size - 1.0)), size)
 
 
 def yielded(sketch: Sketch, picture: Picture) -> Instances:
@@ -108,7 +153,8 @@ def deviations(sketch: Sketch, picture: Picture, rest_angles: Floats) -> Floats:
     a, b = along[sketch.joint_a], along[sketch.joint_b]
     cross, dot = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1]
     moved = picture.damage.set_angles if picture.damage is not None else ()
-    rest = rest_angles + picture.rest_angle_shift + (np.array(moved) if moved else 0.0)
+    _, turn = _swings(sketch, picture)
+    rest = rest_angles + picture.rest_angle_shift + turn + (np.array(moved) if moved else 0.0)
     off = np.degrees(np.arctan2(cross, dot)) - rest
     return off - 360.0 * np.ceil((off - 180.0) / 360.0)
 

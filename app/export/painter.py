@@ -87,6 +87,9 @@ class Painter:
         for gas, polygon in around.fillings(sketch, picture.positions, broken, self.window):
             self._lay(pen, "gas" if gas else "liquid", [polygon])
         self._lay(pen, "wind", around.streaks(sketch, picture.time, self.window))
+        if len(sketch.muscles):
+            pen.stamp("disc", instances.muscles(sketch, picture, of_joints=True))
+            pen.stamp("belly", instances.muscles(sketch, picture, of_joints=False))
         pen.stamp("pin", instances.pins(sketch, picture))
         if len(sketch.springs):
             pen.stamp(sketch.spring_shape, instances.springs(sketch, picture))

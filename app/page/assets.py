@@ -24,6 +24,8 @@ _STYLES = (
     "viser/viser.css",
     "body/overlay.css",
     "time/dock.css",
+    "muscles/muscles.css",
+    "modes/modes.css",
     "measure/tools.css",
     "edit/edit.css",
     "looks/dialogs.css",

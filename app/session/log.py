@@ -150,7 +150,7 @@ class Set(Act, frozen=True, tag_field="do", tag="set"):
     value: float
 
     def do(self, simulation: sim.Simulation) -> None:
-        simulation.replace(sim.set_value(simulation.scene, self.key, self.value))
+        simulation.replace(sim.set_value(simulation.scene, self.key, self.value, simulation.time))
 
 
 class Choose(Act, frozen=True, tag_field="do", tag="choose"):

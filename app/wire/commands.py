@@ -11,6 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
+from sim.edit.muscles import toggle_muscles
+
 from ..drawing.looks import ICONS
 from ..session import commands
 from ..session.session import Session
@@ -98,6 +100,10 @@ def _foretell(session: Session, _: Page) -> None:
     session.post(commands.Foretell(session.foresight is None))
 
 
+def _modes(session: Session, _: Page) -> None:
+    session.post(commands.ShowModes())
+
+
 def _anew(session: Session, _: Page) -> None:
     session.post(commands.Open(session.opened, session.lesson_begun))
 
@@ -108,6 +114,10 @@ def _plot(_: Session, page: Page) -> None:
 
 def _lesson(_: Session, page: Page) -> None:
     page.make_lesson()
+
+
+def _muscle(session: Session, _: Page) -> None:
+    session.post(commands.Change(lambda moment, selected: toggle_muscles(moment.scene, selected)))
 
 
 def _help(_: Session, page: Page) -> None:
@@ -172,6 +182,13 @@ COMMANDS: dict[str, Row] = {
         "Stopwatch", "own", ("T", "L"),
         "start or stop the stopwatch, a lap, once it is on the canvas",
     ),
+    "modes": Row(
+        "Modes", _modes, ("V",), "modes: how the body can swing, and how much of each is in its motion",
+        hint="how the body can swing, and how much of each is in its motion", needs="modes",
+    ),
+    "mute": Row(
+        "Sound of the modes, or silence", "page", ("M",), "the sound of the modes, or silence", needs="modes"
+    ),
     "dark": Row("Dark", _toggle("dark"), needs="view"),
     "meter": Row(
         "Stability bar", _toggle("meter"), hint="always, not only where the time step is near its limit",
@@ -228,6 +245,10 @@ COMMANDS: dict[str, Row] = {
         "Keep this shape", "edit", hint="Springs and joints hold the body as it is now"
     ),
     "stiffen": Row("Keep it, stiffer", "edit", hint="With the least stiffness that holds it as it is now"),
+    "muscle": Row(
+        "Muscle", _muscle, ("U",), "selected springs and joints become muscles, or are none any more",
+        hint="Springs and joints that move to a beat; again, and they are none any more", needs="edit",
+    ),
     # ------------------------------------------------------------------------- the body by keys, and the help
     "body": Row(
         "The body by keys", "own", ("Tab",),

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import msgspec
 from msgspec import Meta, Struct
 
+from sim.scene.parts import Wave
+
 from .commands import COMMANDS
 
 
@@ -120,6 +122,20 @@ class BeginStep(FromPage, frozen=True):
 
     step: StepNumber
     how: Literal["run", "wait", "on"] = "wait"
+
+
+# ------------------------------------------------------------------------- modes
+class PutMode(FromPage, frozen=True):
+    """The body is to be put into a mode, with a part of the amplitude of a full bar."""
+
+    mode: Annotated[int, Meta(ge=0, le=99)]
+    part: Annotated[float, Meta(ge=0.0, le=1.0)]
+
+
+class DriveMode(FromPage, frozen=True):
+    """A mode is to be driven as long as a bar is pressed; none (-1) from then on."""
+
+    mode: Annotated[int, Meta(ge=-1, le=99)]
 
 
 # ------------------------------------------------------------------------- long texts
@@ -503,6 +519,12 @@ class SetTexts(Edit, frozen=True):
     description: Annotated[str, Meta(max_length=8000)]
 
 
+class Tempo(Edit, frozen=True):
+    """The beat of all muscles is to have another frequency, Hz."""
+
+    frequency: Annotated[float, Meta(ge=0, le=100)]
+
+
 class Gesture(Edit, frozen=True):
     """Something that is to be done to the body's parts."""
 
@@ -571,6 +593,32 @@ class Move(Gesture, frozen=True):
     rest: bool = False
     under: Index | None = None
     keys: bool = False
+
+
+class MoveMuscles(Gesture, frozen=True):
+    """The selected muscles are to come to their largest later, and to be larger.
+
+    Those by keys that follow each other are one step of undo; so are all others until the next `Visit`.
+
+    Attributes:
+        later: beats.
+        stretch: is added to the amplitudes of springs.
+        turn: degrees that are added to those of joints.
+    """
+
+    later: Annotated[float, Meta(ge=-10, le=10)] = 0.0
+    stretch: Annotated[float, Meta(ge=-2, le=2)] = 0.0
+    turn: Degrees = 0.0
+    keys: bool = False
+
+
+class ShapeMuscles(Gesture, frozen=True):
+    """The selected muscles are to have another wave, or another number of waves in a beat, or are to be
+    spread over the beat."""
+
+    wave: Wave | None = None
+    per_beat: Annotated[int, Meta(ge=1, le=16)] | None = None
+    spread: bool = False
 
 
 class Act(Gesture, frozen=True):

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 from ..body.sparsity import new_matrix
-from ..body.system import build_system, damage_of, new_scratch, start_of, unsoftened
+from ..body.system import build_system, damage_of, for_analysis, new_scratch, start_of
 from ..errors import InputError
 from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
@@ -120,7 +120,7 @@ class Resting:
     """
 
     def __init__(self, scene: Scene, balanced: bool) -> None:
-        scene = unsoftened(validate(scene))
+        scene = for_analysis(validate(scene))
         wind = scene.wind and msgspec.structs.replace(scene.wind, turbulence=0.0)
         scene = msgspec.structs.replace(scene, wind=wind)
         self.scene = scene
@@ -171,7 +171,7 @@ class Resting:
         """
         if self.slides:
             return
-        state, part = self.state, self._parts()
+        state, part = self.state, self.parts()
         free = state.inverse_mass[: part.size] > 0.0
         force = np.zeros(part.size, complex)
         force[free] = (state.gx + 1j * state.gy)[: part.size][free] / state.inverse_mass[: part.size][free]
@@ -193,7 +193,7 @@ class Resting:
         """(S,) whether each spring is broken."""
         return self.state.broken > 0.0 if self.state.broken.size else np.zeros(self.tables.springs, bool)
 
-    def _parts(self) -> Indices:
+    def parts(self) -> Indices:
         """(n + 1,) the part that the mass of each slot belongs to, by the lowest slot in it.
 
         A part is what springs that are not broken connect.

@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from ..body.stable_spring import joint_softness
-from ..body.system import build_system, damage_of, joint_stiffness, start_of, unsoftened
+from ..body.system import build_system, damage_of, for_analysis, joint_stiffness, start_of
 from ..errors import InputError
 from ..kernels.core.tables import Floats, Indices
 from ..methods.limits import flip, undamped_step
@@ -206,7 +206,7 @@ class Dampers:
     """
 
     def __init__(self, scene: Scene) -> None:
-        exact = unsoftened(scene)
+        exact = for_analysis(scene)
         self._system, self._state = start_of(exact, build_system(exact))
         self._physics = Physics(self._system.body, self._state)
         # Its drag grows with the square of the speed: of small vibrations it takes nothing.
@@ -216,7 +216,7 @@ class Dampers:
         self._broken, self._loose = broken_parts(scene)
         # Friction is in proportion to speeds only far below those at which things slip.
         slips = [wall.slip_speed for wall in scene.walls]
-        slips += [scene.contact.slip_speed] if scene.contact is not None else []
+        slips += [part.slip_speed for part in (scene.contact, scene.ground) if part]
         self._creep = _CREEP * min(slips, default=1.0 / _CREEP)
 
     def ratio(
@@ -393,7 +393,7 @@ def _vibration(dampers: Dampers, omega: float, shape: Floats) -> Vibration:
 
 
 def _fastest(scene: Scene) -> Vibration | None:
-    exact = unsoftened(scene)
+    exact = for_analysis(scene)
     system, state = start_of(exact, build_system(exact))
     state.vx[:] = state.vy[:] = 0.0
     meter = StabilityMeter(system, flip(0.0, undamped_step))  # 2 / the largest angular frequency

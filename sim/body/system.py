@@ -11,6 +11,7 @@ import numpy as np
 from ..forces.environment import new_environment
 from ..forces.joints import LAWS, NO_JOINTS
 from ..forces.limits import Limits, new_limits, without_broken
+from ..forces.muscles import new_muscles, waves
 from ..forces.term import read_only
 from ..kernels.core.roots import LEAST
 from ..kernels.core.tables import (
@@ -106,10 +107,14 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
     )
 
 
-def unsoftened(scene: Scene) -> Scene:
-    """The scene by a method for which neither springs nor walls and contact soften, see `build_system`."""
+def for_analysis(scene: Scene) -> Scene:
+    """The scene as analyses take it: its muscles rest, and nothing softens by its method.
+
+    See `build_system` for what would.
+    """
     # One with a fixed step, for which springs do not, and an implicit one, for which walls do not.
-    return msgspec.structs.replace(scene, integrator=Integrator(method="generalized_alpha"))
+    method = Integrator(method="generalized_alpha")
+    return msgspec.structs.replace(scene, integrator=method, beat=msgspec.UNSET)
 
 
 def damage_of(scene: Scene) -> Damage | None:
@@ -243,16 +248,32 @@ def new_state(system: System) -> State:
     return state
 
 
-def refresh(body: Body, state: State) -> None:
-    """Recompute what depends on the scale of rest lengths and the shift of rest angles."""
-    scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
-    springs, joints = slice(body.springs), slice(1, body.joints + 1)
-    state.rest_tension[springs] = body.stiffness[springs] * (body.rest_length[springs] * scale)
-    angle = body.joint_rest + shift
+def rest_lengths(body: Body, state: State) -> Floats:
+    """(S,) the present rest length of each spring of the tables, px.
+
+    In it are the scale of rest lengths, what muscles do at `State.clock`, and what has yielded.
+    """
+    rest = body.rest_length[: body.springs] * state.controls[CONTROL_SCALE]
+    if body.muscles.present:
+        rest[body.muscles.spring] *= 1.0 + waves(body.muscles.stretch, float(state.clock[0]))
+    return rest + state.set_length if body.limits.present else rest
+
+
+def rest_angles(body: Body, state: State) -> Floats:
+    """(J,) the present rest angle of each joint of the tables, degrees in (-180, 180], likewise."""
+    angle = body.joint_rest + state.controls[CONTROL_SHIFT]
     if body.limits.present:
-        state.rest_tension[springs] += body.stiffness[springs] * state.set_length
         angle = angle + state.set_angle
-    rest = np.radians(180.0 - (180.0 - angle) % 360.0)
+    if body.muscles.present:
+        angle[body.muscles.joint] += waves(body.muscles.turn, float(state.clock[0]))
+    return 180.0 - (180.0 - angle) % 360.0
+
+
+def refresh(body: Body, state: State) -> None:
+    """Recompute what depends on the scale of rest lengths, the shift of rest angles, and the clock."""
+    springs, joints = slice(body.springs), slice(1, body.joints + 1)
+    state.rest_tension[springs] = body.stiffness[springs] * rest_lengths(body, state)
+    rest = np.radians(rest_angles(body, state))
     state.torque_rest[joints] = rest
     state.torque_cos[joints] = body.joint_stiffness * np.cos(rest)
     state.torque_sin[joints] = body.joint_stiffness * np.sin(rest)
@@ -386,6 +407,7 @@ def _body(
         more_spring_mass=more_spring_mass,
         more_spring_sign=more_spring_sign,
         limits=new_limits(scene, spring_order, joint_order) if damageable else Limits.empty(),
+        muscles=new_muscles(scene, spring_order, joint_order),
         environment=new_environment(
             scene,
             mass_index,

@@ -8,7 +8,7 @@ import msgspec
 
 from ..errors import SceneError
 from ..scene.numbers import Vector
-from ..scene.parts import Anchor, AngularSpring, LinearSpring, Mass
+from ..scene.parts import Anchor, AngularSpring, Beat, LinearSpring, Mass
 from ..scene.sentences import in_words
 from ..scene.types import Scene
 from ..scene.validate import validate
@@ -60,12 +60,14 @@ def copy(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> 
 
 
 def paste(scene: Scene, fragment: Fragment, at: Vector) -> Edit:
-    """A fragment with its middle at a place, px.
+    """A fragment with its middle at a place, px; its muscles bring a beat to a scene that has none.
 
     Raises:
         SceneError: it would be out of range, or too much for one scene.
     """
     scene = of_parts(scene)
+    if not scene.beat and any(part.muscle for part in (*fragment.springs, *fragment.joints)):
+        scene = msgspec.structs.replace(scene, beat=Beat())
     x, y = place(at)
     n, s = len(scene.masses), len(scene.linear_springs)
     replace = msgspec.structs.replace

@@ -30,7 +30,7 @@ def move(scene: Scene, masses: Collection[int], by: Vector) -> Edit:
 
 def mirror(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> Edit:
     """Some masses mirrored left to right about their middle, and the forces on them; the joints among them
-    bend the other way.
+    bend the other way, and their muscles bend them the other way.
 
     Raises:
         SceneError: one of them would be out of range.
@@ -52,7 +52,11 @@ def mirror(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -
     for j, joint in enumerate(scene.angular_springs):
         ends = {springs[joint.a].a, springs[joint.a].b, springs[joint.b].a, springs[joint.b].b}
         if ends <= inside:
-            turned.append((j, msgspec.structs.replace(joint, rest_angle=wrapped(-joint.rest_angle))))
+            muscle = joint.muscle
+            if muscle:
+                muscle = msgspec.structs.replace(muscle, amplitude=0.0 - muscle.amplitude)
+            rest_angle = wrapped(-joint.rest_angle)
+            turned.append((j, msgspec.structs.replace(joint, rest_angle=rest_angle, muscle=muscle)))
     joints = changed(scene.angular_springs, turned)
     scene = msgspec.structs.replace(scene, masses=changed(scene.masses, forces), angular_springs=joints)
     return Edit(label, scene, shift=edit.shift)

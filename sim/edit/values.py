@@ -11,9 +11,10 @@ import msgspec
 import numpy as np
 
 from ..errors import SettingError
+from ..forces.muscles import swings
 from ..motion.moment import Moment
 from ..scene.columns import column
-from ..scene.parts import AngularSpring, LinearSpring, Mass
+from ..scene.parts import AngularSpring, JointMuscle, LinearSpring, Mass, Muscle, SpringMuscle
 from ..scene.types import Damage, Scene
 from ..scene.validate import number_range
 from .build import angle_between, in_turn, positions_of
@@ -36,11 +37,12 @@ class Number:
     """A number that each part of a kind has.
 
     Attributes:
-        kind, field: where it is.
+        kind, field: where it is; of what a part may have, as in "muscle.phase", for parts that have it.
         label, unit: for people.
         low, high: its range.
         optional: whether a part may be without it.
         axis: of a vector, 0 for x and 1 for y; None for a number by itself.
+        whole: whether it is a whole number.
     """
 
     kind: Kind
@@ -51,15 +53,25 @@ class Number:
     high: float
     optional: bool = False
     axis: int | None = None
+    whole: bool = False
 
     def of_part(self, part: Any) -> float | None:
         """The number that a part has."""
+        if "." in self.field:
+            owner, field = self.field.split(".")
+            return getattr(getattr(part, owner) or None, field, None)
         value = getattr(part, self.field)
         return value if self.axis is None else (value or (0.0, 0.0))[self.axis]
 
     def replaced(self, part: Any, value: float | None) -> Any:
         """The part with another number."""
         new: Any = value
+        if "." in self.field:
+            owner, field = self.field.split(".")
+            if not (has := getattr(part, owner)):
+                return part
+            new = msgspec.structs.replace(has, **{field: int(new) if self.whole else new})
+            return msgspec.structs.replace(part, **{owner: new})
         if self.axis is not None:
             vector: list[Any] = list(getattr(part, self.field) or (0.0, 0.0))
             vector[self.axis] = value
@@ -71,6 +83,11 @@ class Number:
 def _number(kind: Kind, field: str, label: str, optional: bool = False, axis: int | None = None) -> Number:
     low, high, unit = number_range(_TYPES[kind], field)
     return Number(kind, field, label, unit, low, high, optional, axis)
+
+
+def _of_muscle(kind: Kind, muscle: type[Muscle], field: str, label: str, whole: bool = False) -> Number:
+    low, high, unit = number_range(muscle, field)
+    return Number(kind, f"muscle.{field}", label, unit, low, high, whole=whole)
 
 
 NUMBERS = (
@@ -88,6 +105,12 @@ NUMBERS = (
     _number("angular_springs", "damping", "Joint damping"),
     _number("angular_springs", "rest_angle", "Rest angle"),
     _number("angular_springs", "yield_torque", "Yield torque", optional=True),
+    _of_muscle("linear_springs", SpringMuscle, "amplitude", "Muscle amplitude"),
+    _of_muscle("linear_springs", SpringMuscle, "phase", "Muscle phase"),
+    _of_muscle("linear_springs", SpringMuscle, "per_beat", "Muscle waves per beat", whole=True),
+    _of_muscle("angular_springs", JointMuscle, "amplitude", "Joint muscle amplitude"),
+    _of_muscle("angular_springs", JointMuscle, "phase", "Joint muscle phase"),
+    _of_muscle("angular_springs", JointMuscle, "per_beat", "Joint muscle waves per beat", whole=True),
 )
 """Every number that can be set for single parts."""
 
@@ -113,7 +136,7 @@ def number(kind: str, field: str) -> Number:
 
 def values_of(scene: Scene, of: Number, parts: Collection[int]) -> set[float | None]:
     """The different values that some parts have."""
-    if of.axis is not None:
+    if of.axis is not None or "." in of.field:
         every = getattr(scene, of.kind)
         return {of.of_part(every[i]) for i in parts}
     found = np.unique(column(getattr(scene, of.kind), of.field)[list(parts)])
@@ -192,7 +215,8 @@ def set_start(scene: Scene, of: Number, masses: Collection[int], value: float) -
 
 
 def take_as_rest(moment: Moment, parts: Selection) -> Edit:
-    """The selected springs and joints rest as they are at a moment; of masses alone, all that they move.
+    """The selected springs and joints rest as they are at a moment; of masses alone, all that they move. What
+    a muscle moves rests as it is then, too, and is moved on from there.
 
     Raises:
         SettingError: there is nothing that could rest, or a spring is too long.
@@ -207,18 +231,23 @@ def take_as_rest(moment: Moment, parts: Selection) -> Edit:
     if not (springs or joints):
         raise SettingError("no spring and no joint is selected that could rest as it is")
     length, angle = number("linear_springs", "rest_length"), number("angular_springs", "rest_angle")
+    beat = scene.beat
+
+    def swing(part: LinearSpring | AngularSpring) -> float:
+        return float(swings(beat, [part.muscle], moment.time)[0]) if beat and part.muscle else 0.0
+
     lengths: dict[int, float | None] = {}
     for s in springs:
         spring = scene.linear_springs[s]
         yielded = damage.set_lengths[s] if damage.set_lengths else 0.0
         now = math.dist(places[spring.a], places[spring.b]) - yielded
-        lengths[s] = max(now, 0.0) / moment.rest_length_scale
+        lengths[s] = max(now, 0.0) / moment.rest_length_scale / (1.0 + swing(spring))
         _refuse_value(length, lengths[s])
     angles: dict[int, float | None] = {}
     for j in joints:
         joint = scene.angular_springs[j]
         turned = moment.rest_angle_shift + (damage.set_angles[j] if damage.set_angles else 0.0)
-        angles[j] = _turned(angle_between(scene, joint.a, joint.b, places), -turned)
+        angles[j] = _turned(angle_between(scene, joint.a, joint.b, places), -turned - swing(joint))
     first = _with_values(scene, length, lengths, "")
     return Edit("rest as it is", _with_values(first.scene, angle, angles, "").scene)
 
@@ -236,6 +265,8 @@ def _refuse_value(of: Number, value: float | None) -> None:
         raise SettingError(
             f"{of.label}: {value:g} is not in the range {of.low:g}..{of.high:g} {of.unit}".rstrip()
         )
+    elif of.whole and value != int(value):
+        raise SettingError(f"{of.label}: {value:g} is not a whole number")
 
 
 def _with_values(scene: Scene, of: Number, values: dict[int, float | None], label: str) -> Edit:

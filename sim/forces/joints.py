@@ -192,14 +192,20 @@ def joint_power_of_keys(body, state, turn, q):
     """The power of keys that turn all rest angles at `turn`, degrees/s; kg px²/s³."""
     power = 0.0
     for j in range(body.joints):
-        (ax, ay), (bx, by) = joint_vectors(body, q, j)
-        off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.torque_rest[j + 1])
-        aa, bb = ax * ax + ay * ay, bx * bx + by * by
-        weight = math.sqrt(aa * bb)
-        if not is_sine(body.law):
-            weight = aa * bb / (length_of(ax, ay, body.softening) * length_of(bx, by, body.softening))
-        power -= body.torque_size[j + 1] * weight * terms(body.law, off)[0] * math.radians(turn)
+        power += joint_power(body, state, q, j, turn)
     return power
+
+
+@kernel(fastmath=FAST)
+def joint_power(body, state, q, j, turn):
+    """The power of what turns the rest angle of a joint at `turn`, degrees/s; kg px²/s³."""
+    (ax, ay), (bx, by) = joint_vectors(body, q, j)
+    off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.torque_rest[j + 1])
+    aa, bb = ax * ax + ay * ay, bx * bx + by * by
+    weight = math.sqrt(aa * bb)
+    if not is_sine(body.law):
+        weight = aa * bb / (length_of(ax, ay, body.softening) * length_of(bx, by, body.softening))
+    return -body.torque_size[j + 1] * weight * terms(body.law, off)[0] * math.radians(turn)
 
 
 @kernel(fastmath=FAST)

@@ -33,7 +33,8 @@ class Driver:
         self._circles = {
             int(system.mass_index[a.mass]): a.circle for a in scene.anchors if a.circle is not None
         }
-        self._timed = any(term.depends_on_time(system.body) for term in TERMS)
+        muscular = system.body.muscles.present
+        self._timed = muscular or any(term.depends_on_time(system.body) for term in TERMS)
         self._hand = 0.0 if scene.force_law == "tutorial" else 1.0
 
     def drive(

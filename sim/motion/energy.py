@@ -24,11 +24,13 @@ class Energies:
             liquids, and of contact. Each is an attribute, too, under its name there, such as `walls`.
         anchors: work done on the body by moved anchors. Grabbing a mass removes its kinetic energy and that
             of its height; releasing it adds that of its height at that moment.
-        damping, air, friction: work of the damping of springs, of air friction, and of walls and contact by
-            friction and in bouncing, which is negative; but wind can do work on a body.
+        damping, air, friction: work of the damping of springs, of air friction and a medium, and of walls,
+            contact and the ground by friction and in bouncing, which is negative; but wind can do work on a
+            body.
         plastic, broken: energy lost in yielding, and with springs and joints that broke, which is negative.
         law: work of a force law that is not the gradient of an energy.
         keys: work of keys that change rest lengths and rest angles.
+        muscles: work of muscles, which do so, too.
         changes: energy added by changes of settings.
         fallbacks: energy added by fallback steps, which is negative or zero.
         residual: the sum of the energies minus its initial value and all of the above. This is the error of
@@ -48,6 +50,7 @@ class Energies:
     broken: float
     law: float
     keys: float
+    muscles: float
     changes: float
     fallbacks: float
     residual: float
@@ -101,6 +104,7 @@ class EnergyTracker:
             broken=work.broken,
             law=work.law,
             keys=work.keys,
+            muscles=work.muscles,
             changes=self._changes,
             fallbacks=work.fallbacks,
             residual=total - self._start - work.total - self._changes,

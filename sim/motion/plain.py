@@ -152,6 +152,7 @@ class PlainSolver:
             scale = drive.scale * math.exp(drive.growth * since)
             controls[CONTROL_SCALE] = min(max(scale, SCALE_MIN), SCALE_MAX)
             controls[CONTROL_SHIFT] = 180.0 - (180.0 - (drive.shift + drive.turn * since)) % 360.0
+        if drive.pressed or self._body.muscles.present:
             refresh(self._body, self._state)
 
     def _verdict(self, x: Vectors, v: Vectors) -> int:

@@ -16,12 +16,12 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.system import System
+from ..body.system import System, rest_lengths
 from ..errors import InputError
 from ..forces.all import WITH_ENERGY
 from ..forces.joints import JointsTwin
 from ..forces.springs import SpringsTwin
-from ..kernels.core.tables import CONTROL_SCALE, State
+from ..kernels.core.tables import State
 from ..scene.types import Scene
 from .energy import ENERGY_FIELDS, Energies
 from .loads import Loads
@@ -183,10 +183,7 @@ def _directions(simulation: Moving, springs: Indices) -> Floats:
 
 def _elongations(simulation: Moving, springs: Indices) -> Floats:
     (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
-    rest = system.body.rest_length[rows] * state.controls[CONTROL_SCALE]
-    if system.body.limits.present:
-        rest = rest + state.set_length[rows]
-    return _lengths(simulation, springs) - rest
+    return _lengths(simulation, springs) - rest_lengths(system.body, state)[rows]
 
 
 def _pulls(simulation: Moving, springs: Indices) -> Floats:
@@ -236,6 +233,7 @@ _ENERGY_SUMMARIES = {
     "broken": "energy change by breaking",
     "law": "work of a law without an energy",
     "keys": "work of the arrow keys",
+    "muscles": "work of the muscles",
     "changes": "energy change by changes of settings",
     "fallbacks": "energy change by fallback steps",
     "residual": "error of the energy balance",

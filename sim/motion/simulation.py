@@ -12,7 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..body.stable_spring import clamp_stiffness
-from ..body.system import System, build_system, new_scratch, new_state, put_damage, refresh, same_topology
+from ..body.system import (
+    System,
+    build_system,
+    new_scratch,
+    new_state,
+    put_damage,
+    refresh,
+    rest_angles,
+    same_topology,
+)
 from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
 from ..forces.limits import without_broken
@@ -115,10 +124,7 @@ class Simulation:
     @property
     def rest_angles(self) -> NDArray[np.float64]:
         """(J,) the present rest angle of each angular spring, in degrees in (-180, 180]."""
-        angles = self._body.joint_rest + self._state.controls[CONTROL_SHIFT]
-        if self._body.limits.present:
-            angles = angles + self._state.set_angle
-        return 180.0 - (180.0 - angles[self._system.joint_order]) % 360.0
+        return rest_angles(self._body, self._state)[self._system.joint_order]
 
     @property
     def rest_length_scale(self) -> float:
@@ -557,6 +563,7 @@ class Simulation:
                 system = dataclasses.replace(system, body=without_broken(system.body, broken))
             self._stepper.solver.system = system
             self._look_at_tables()
+        self._state.clock[0] = time
         refresh(self._body, self._state)
         self._set_inverse_masses()
         if self._tracker is not None:

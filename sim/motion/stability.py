@@ -45,6 +45,7 @@ from numpy.typing import NDArray
 from ..body.stable_spring import clamp_stiffness
 from ..body.system import System, build_system, new_state, refresh, start_of
 from ..forces.all import TERMS
+from ..forces.resistance import most_resisted
 from ..forces.term import Twin
 from ..kernels.core.tables import Floats, State
 from ..methods.limits import StabilityLimit
@@ -80,6 +81,8 @@ _SIZE = 12
 """Its dimension in later updates, which start from the stiffest motion found before."""
 _ENDLESS = 1.0
 """Limit, s, beyond which a body whose walls and contact soften with the step counts as having none."""
+_MOMENTS = 8
+"""Moments of a beat at which a body with muscles is looked at."""
 _NOISE = 1e-3
 """Size of the noise that is added to that motion, relative to it."""
 
@@ -113,7 +116,8 @@ def finished(look: Look) -> StabilityEstimate:
 class StabilityMeter:
     """Estimates the stability limit of a moving body under a method.
 
-    The estimate concerns small motions about the present state. It approaches the true limit from above
+    The estimate concerns small motions about the present state; where there are muscles, at the worst moment
+    of their beat. It approaches the true limit from above
     and is within a per cent of it. It is infinite where nothing pulls, and for methods that have no limit:
     those that choose their steps, and generalized-alpha.
 
@@ -144,6 +148,9 @@ class StabilityMeter:
         yields = bool(environment.walls.rows.size or environment.contact.present)
         self._softens = environment.step > 0.0 and yields
         self.motion = np.zeros((2, n))
+        # By moment of the beat, what was found there and the motion that set it; and the moment that is next.
+        self._moments: dict[int, tuple[StabilityEstimate, Floats]] = {}
+        self._next = 0
 
     def update(self, state: State) -> StabilityEstimate:
         """The limit at the state in `state` (which is only read).
@@ -158,11 +165,28 @@ class StabilityMeter:
         """
         if self._rule is None:
             return StabilityEstimate(np.inf, None)
-        body, probe = self._system.body, self._probe
-        here = self._here
-        free = state.inverse_mass[here] > 0.0
         for field in _COPIED:
-            getattr(probe, field)[:] = getattr(state, field)
+            getattr(self._probe, field)[:] = getattr(state, field)
+        if not self._system.body.muscles.present:
+            return (yield from self._look_at_probe())
+        return (yield from self._look_at_beat())
+
+    def _look_at_beat(self) -> Look:
+        """The least of the limits that the body has as its muscles are at each moment of a beat.
+
+        The first look is at all of these moments, each later one at the next of them.
+        """
+        for k in (self._next,) if self._moments else range(_MOMENTS):
+            self._probe.clock[0] = k / _MOMENTS * self._system.body.muscles.period
+            estimate = yield from self._look_at_probe()
+            self._moments[k], self._next = (estimate, self.motion), (k + 1) % _MOMENTS
+        least, self.motion = min(self._moments.values(), key=lambda moment: moment[0].limit)
+        return least
+
+    def _look_at_probe(self) -> Look:
+        """As `look`, at the state of the probe."""
+        body, probe = self._system.body, self._probe
+        free = probe.inverse_mass[self._here] > 0.0
         refresh(body, probe)
         physics = self._physics(self._limit)
         # Coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
@@ -241,7 +265,8 @@ class StabilityMeter:
     def _by_velocities(self, physics: Physics | Twin, w: Floats) -> Floats:
         """C w, likewise."""
         body, environment = self._system.body, self._system.body.environment
-        around = environment.walls.rows.size or environment.contact.present or environment.air.friction
+        resisted = environment.air.friction or environment.resistance.rows.size
+        around = environment.walls.rows.size or environment.contact.present or resisted
         if not (body.damped or body.joint_damped or around):
             return np.zeros_like(w)
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
@@ -301,8 +326,8 @@ def quick_limit(system: System) -> float:
 
 
 def damped_limit(system: System) -> float:
-    """Like `quick_limit`, for velocity Verlet with damping, and with contact: the smallest root of
-    dt² k + 4 dt c = 4, s."""
+    """Like `quick_limit`, for velocity Verlet with damping, and with contact, a medium and the ground: the
+    smallest root of dt² k + 4 dt c = 4, s."""
     body = system.body
     k = _row_sums(system, body.stiffness, body.joint_stiffness)
     c = _row_sums(system, body.damping, body.torque_damping[1 : body.joints + 1])
@@ -311,6 +336,10 @@ def damped_limit(system: System) -> float:
         free = np.where(system.held, 0.0, system.inverse_mass)
         k += 4.0 * contact.stiffness * contact.distance * free
         c += 2.0 * contact.damping * contact.stiffness * contact.distance**2 * free
+    resistance = body.environment.resistance
+    if len(resistance.rows):
+        most = most_resisted(resistance, np.stack((body.spring_a, body.spring_b), 1), body.rest_length)
+        c += most[1 : body.masses + 1] * np.where(system.held, 0.0, system.inverse_mass)
     with np.errstate(divide="ignore"):
         return float((2.0 / (c + np.sqrt(c * c + k))).min())
 

@@ -1,10 +1,11 @@
-"""What bodies are made of: masses, linear springs, angular springs, and anchors that hold masses."""
+"""What bodies are made of: masses, linear and angular springs, their muscles, and anchors."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 import msgspec
+from msgspec import Meta
 
 from .numbers import (
     Angle,
@@ -41,6 +42,48 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     force: tuple[ForceComponent, ForceComponent] | msgspec.UnsetType = msgspec.UNSET
 
 
+Wave = Literal["sine", "pulse"]
+"""How a muscle moves during a beat; see `Muscle`."""
+
+
+class Muscle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What moves a spring's rest length or a joint's rest angle up and down in time with the scene's `Beat`.
+
+    At the phase p the wave "sine" is sin p, and "pulse" is exp(4 (sin p - 1)): it rests near 0 for most of
+    the time, and comes up to 1 where the sine does. With b(t) the beats until time t, p is
+    2 pi (per_beat b(t) + phase / 360°).
+
+    Attributes:
+        phase: 0..360 °, how far ahead of the beat it is.
+        wave: its shape.
+        per_beat: 1..16, waves in a beat.
+    """
+
+    phase: Annotated[float, bounded(0.0, 360.0, "°", "Phase of a muscle")] = 0.0
+    wave: Wave = "sine"
+    per_beat: Annotated[int, Meta(ge=1, le=16, description="Waves of a muscle in a beat")] = 1
+
+
+class SpringMuscle(Muscle, frozen=True, kw_only=True):
+    """The muscle of a linear spring: its rest length is multiplied by 1 + amplitude times the wave.
+
+    Attributes:
+        amplitude: -0.9..0.9, as a fraction of the rest length.
+    """
+
+    amplitude: Annotated[float, bounded(-0.9, 0.9, "", "Amplitude of a spring's muscle")] = 0.2
+
+
+class JointMuscle(Muscle, frozen=True, kw_only=True):
+    """The muscle of an angular spring: amplitude times the wave is added to its rest angle.
+
+    Attributes:
+        amplitude: -180..180 °.
+    """
+
+    amplitude: Annotated[float, bounded(-180.0, 180.0, "°", "Amplitude of a joint's muscle")] = 20.0
+
+
 class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
     """A damped spring along the line from mass `a` to mass `b`.
 
@@ -57,6 +100,7 @@ class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
         yield_force: the force beyond which it is stretched or squeezed for good, so that its rest length
             follows, 0..1e15 kg px/s², or None if it never is.
         hardening: 0..1e15 kg/s²; by how much the yield force grows per px by which the rest length has moved.
+        muscle: what moves its rest length; files leave it out where there is none.
     """
 
     a: Index
@@ -67,6 +111,7 @@ class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     strength: Force | None = None
     yield_force: Force | None = None
     hardening: Stiffness = 0.0
+    muscle: SpringMuscle | msgspec.UnsetType = msgspec.UNSET
 
 
 class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
@@ -91,6 +136,7 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
         rest_angle: -180..180 °.
         yield_torque: the torque beyond which it is bent for good, so that its rest angle follows,
             0..1e18 kg px²/s², or None if it never is.
+        muscle: what moves its rest angle; files leave it out where there is none.
     """
 
     a: Index
@@ -99,6 +145,24 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
     damping: Damping = 0.0
     rest_angle: Angle = 0.0
     yield_torque: Annotated[float, bounded(0.0, 1e18, "kg px²/s²", "A torque")] | None = None
+    muscle: JointMuscle | msgspec.UnsetType = msgspec.UNSET
+
+
+class Beat(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The beat that all muscles of a scene keep to: frequency t + phase / 360° beats until time t.
+
+    Attributes:
+        frequency: 0..100 Hz.
+        phase: 0..360 °, at time zero.
+    """
+
+    frequency: Annotated[float, bounded(0.0, 100.0, "Hz", "Tempo", slider=(0.0, 4.0))] = 1.0
+    phase: Annotated[float, bounded(0.0, 360.0, "°", "Phase of the beat")] = 0.0
+
+    def at_tempo(self, frequency: float, time: float) -> Beat:
+        """The beat of another frequency, Hz, that at a time, s, is where this one is."""
+        phase = (self.phase + 360.0 * (self.frequency - frequency) * time) % 360.0
+        return msgspec.structs.replace(self, frequency=frequency, phase=phase)
 
 
 class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -19,10 +19,21 @@ from ..errors import SceneError, SettingError
 from ..forces.joints import LAWS
 from ..methods.registry import METHODS
 from ..scene.columns import has_any
+from ..scene.parts import Beat
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
-from ..scene.surroundings import Contact, Gas, Liquid, Wall, Wind
-from ..scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template, rebuilt
+from ..scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
+from ..scene.types import (
+    AngularSpring,
+    ForceLaw,
+    Integrator,
+    LinearSpring,
+    Rope,
+    Scene,
+    Template,
+    is_muscular,
+    rebuilt,
+)
 from ..scene.validate import validate
 from .numbers import Access, at, largest, replaced, wind_direction, wind_speed, with_wind
 from .recipes import Setting, keys_of_recipe, recipe_settings, turned
@@ -88,8 +99,15 @@ def set_choice(scene: Scene, key: str, value: str) -> Scene:
     return validate(choice.write(scene, value))
 
 
-def set_value(scene: Scene, key: str, value: float) -> Scene:
+def set_value(scene: Scene, key: str, value: float, time: float = 0.0) -> Scene:
     """The scene with one setting changed.
+
+    Args:
+        scene: whose setting.
+        key: its name.
+        value: the new one.
+        time: of the run that goes on with it, s: at another tempo the waves of muscles go on from where they
+            are then.
 
     Raises:
         SettingError: there is no such setting, it does not apply to the scene, or the value is out of range.
@@ -104,7 +122,10 @@ def set_value(scene: Scene, key: str, value: float) -> Scene:
     if setting.integer and value != int(value):
         raise SettingError(f"{key}: {value:g} is not a whole number")
     try:
-        return validate(setting.write(scene, int(value) if setting.integer else float(value)))
+        new = setting.write(scene, int(value) if setting.integer else float(value))
+        if key == "tempo" and scene.beat:
+            new = msgspec.structs.replace(new, beat=scene.beat.at_tempo(float(value), time))
+        return validate(new)
     except SceneError as error:
         raise SettingError(f"{key}: {error}") from None
 
@@ -239,8 +260,20 @@ def _has_walls(scene: Scene) -> bool:
     return moves(scene) and bool(scene.walls)
 
 
+def _has_medium(scene: Scene) -> bool:
+    return _has_springs(scene) and bool(scene.medium)
+
+
+def _has_ground(scene: Scene) -> bool:
+    return _has_springs(scene) and bool(scene.ground)
+
+
 def _has_contact(scene: Scene) -> bool:
     return _has_springs(scene) and scene.contact is not None
+
+
+def _has_muscles(scene: Scene) -> bool:
+    return moves(scene) and is_muscular(scene)
 
 
 def _has_filling(kind: type) -> Callable[[Scene], bool]:
@@ -305,6 +338,7 @@ _ALL = (
         Access(-180.0, 180.0, "°", lambda scene: float(scene.template or 0), _write_template),
         lambda scene: _has_joints(scene) and scene.template is not None, integer=True,
     ),
+    _setting("tempo", "Tempo", (0.0, 4.0), at(Beat, "beat.frequency"), _has_muscles),
     _setting(
         "gravity", "Gravity", (0.0, 5000.0), Access(-1e6, 1e6, "px/s²", _read_gravity, _write_gravity), moves,
     ),
@@ -324,6 +358,11 @@ _ALL = (
         _has_wind,
     ),
     _setting("turbulence", "Turbulence", (0.0, 1.0), at(Wind, "wind.turbulence"), _has_wind),
+    _setting("drag_across", "Drag across springs", (0.0, 5.0), at(Medium, "medium.across"), _has_medium),
+    _setting("drag_along", "Drag along springs", (0.0, 5.0), at(Medium, "medium.along"), _has_medium),
+    _setting("ground_forward", "Friction forwards", (0.0, 2.0), at(Ground, "ground.forward"), _has_ground),
+    _setting("ground_backward", "Friction backwards", (0.0, 2.0), at(Ground, "ground.backward"), _has_ground),
+    _setting("ground_sideways", "Friction sideways", (0.0, 2.0), at(Ground, "ground.sideways"), _has_ground),
     _setting(
         "wall_friction", "Friction of walls", (0.0, 2.0), largest(Wall, "walls", "friction"), _has_walls
     ),

@@ -52,7 +52,7 @@ def at(kind: type, path: str) -> Access:
 
     def read(scene: Scene) -> float:
         owner = getattr(scene, part[0]) if part else scene
-        return 0.0 if owner is None else getattr(owner, field)
+        return getattr(owner, field) if owner else 0.0
 
     return Access(*number_range(kind, field), read, replaced(path))
 

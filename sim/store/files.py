@@ -95,6 +95,7 @@ def indented_json(data: bytes) -> bytes:
 def fields_of(scene: Scene) -> dict[str, Any]:
     """What a file of a valid scene has, by its fields' names; `encode_fields` makes JSON of it."""
     fields = {**msgspec.structs.asdict(scene), "format": FORMAT_VERSION}
+    fields = {name: value for name, value in fields.items() if value is not msgspec.UNSET}
     if scene.bodies:
         for field in BODY_FIELDS:
             del fields[field]

@@ -2,6 +2,7 @@
 import { createInterface } from "node:readline";
 import * as draw from "../../app/drawing/static/draw.js";
 import { airAt, loops, outline, skin, wallInView } from "../../app/drawing/static/environment.js";
+import { swings } from "../../app/drawing/static/swing.js";
 import { readDamage, readFrame, readPlan } from "../../app/drawing/static/plan.js";
 
 const plain = (instances) =>
@@ -19,13 +20,15 @@ for await (const line of createInterface({ input: process.stdin })) {
   console.log(
     JSON.stringify({
       springs: plain(draw.springs(plan, frame, world, damage)),
+      bellies: plan.muscles.length ? plain(draw.muscles(plan, frame, world, false, damage)) : null,
+      halos: plan.muscles.length ? plain(draw.muscles(plan, frame, world, true, damage)) : null,
       yielded: plain(draw.yielded(plan, world, damage)),
       wedges: plain(draw.wedges(plan, frame, world, damage)),
       masses: plain(draw.masses(plan, world)),
       pins: plain(draw.pins(plan, world)),
       ring: plan.driven < 0 ? null : plain(draw.ring(plan, world)),
       ghost: frame.ghost ? plain(draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage)) : null,
-      deviations: [...draw.deviations(plan, frame.positions, frame.angleShift, damage)],
+      deviations: [...draw.deviations(plan, frame.positions, frame.angleShift, damage, swings(plan, frame.time).turn)],
       sizes: [plan.walls.length, plan.fillings.length, plan.wind.length],
       outlines: {
         wall: plan.walls.length ? outline(wallInView(plan, 0, on, view).corners) : "",

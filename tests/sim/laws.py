@@ -11,15 +11,17 @@ import math
 from collections.abc import Callable
 
 import numpy as np
+from msgspec import UnsetType
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from sim import Scene
+from sim import Beat, JointMuscle, Scene, SpringMuscle
 from sim.body.system import joint_stiffness
 from sim.scene.types import Circle
 
 Complexes = NDArray[np.complex128]
 Points = NDArray[np.float64]
+Muscle = SpringMuscle | JointMuscle | UnsetType
 Path = Callable[[float], tuple[complex, complex]]
 """Time to (position, velocity)."""
 
@@ -40,6 +42,15 @@ def circle_path(center: complex, circle: Circle) -> Path:
         return position, circle.radius * rate * complex(math.cos(phase), math.sin(phase))
 
     return at
+
+
+def by_muscle(beat: Beat | UnsetType, muscle: Muscle, t: float) -> float:
+    """The amplitude of a muscle times its wave, as the docstring of `sim.scene.parts.Muscle` has it."""
+    if not (beat and muscle):
+        return 0.0
+    turns = muscle.per_beat * (beat.frequency * t + beat.phase / 360.0) + muscle.phase / 360.0
+    up = math.sin(2.0 * math.pi * turns)
+    return muscle.amplitude * (up if muscle.wave == "sine" else math.exp(4.0 * up - 4.0))
 
 
 class Laws:
@@ -70,9 +81,15 @@ class Laws:
 
     def at(self, t: float) -> None:
         """Set the rest lengths and rest angles to those of a time."""
-        scale = self.scene.rest_length_scale * math.exp(self.growth * t)
-        self.rest_lengths = [spring.rest_length * scale for spring in self.scene.linear_springs]
-        self.rest_angles = [math.radians(j.rest_angle + self.turn * t) for j in self.scene.angular_springs]
+        scale, beat = self.scene.rest_length_scale * math.exp(self.growth * t), self.scene.beat
+        self.rest_lengths = [
+            spring.rest_length * scale * (1.0 + by_muscle(beat, spring.muscle, t))
+            for spring in self.scene.linear_springs
+        ]
+        self.rest_angles = [
+            math.radians(joint.rest_angle + self.turn * t + by_muscle(beat, joint.muscle, t))
+            for joint in self.scene.angular_springs
+        ]
 
     def joint(self, j: int, a: complex, b: complex) -> tuple[float, float]:
         """(torque, energy) of a joint whose springs have the vectors a and b; without its damping."""

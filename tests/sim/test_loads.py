@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -43,7 +44,7 @@ def by_differences(scene: Scene, steps: int = 400) -> tuple[Simulation, np.ndarr
     return simulation, forces, differences
 
 
-def oscillator(**changes: float) -> Scene:
+def oscillator(**changes: Any) -> Scene:
     """A mass of 2 kg on a spring along x, stretched by 50 px, and an anchor."""
     return Scene(
         name="oscillator",

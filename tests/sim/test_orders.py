@@ -19,6 +19,7 @@ from sim.scene.types import Circle, ForceLaw, Method
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import body
 from tests.sim.laws import Laws, Path
+from tests.sim.muscular import with_muscles
 
 REPLACE = msgspec.structs.replace
 DURATION = 0.4
@@ -38,6 +39,7 @@ class Motion:
         air: air friction, kg/px.
         seed: of the body's random numbers.
         gusts: whether there are any, in a wind so strong that no velocity relative to it changes sign.
+        muscles: whether every spring and every joint has one.
     """
 
     shape: str = "chain"
@@ -48,6 +50,7 @@ class Motion:
     air: float = 0.0
     seed: int = 1
     gusts: bool = False
+    muscles: bool = False
 
     def scene(self) -> Scene:
         """The body, a hundred times softer than most."""
@@ -61,6 +64,7 @@ class Motion:
             gravity=(30.0, 100.0),
         )
         circle = Circle(radius=10.0, frequency=1.5, ramp=0.2) if self.anchor == "circle" else None
+        scene = with_muscles(scene) if self.muscles else scene
         return REPLACE(
             scene,
             linear_springs=tuple(
@@ -84,6 +88,7 @@ class Motion:
                 *([] if self.damped else ["undamped"]),
                 *(["air"] if self.air else []),
                 *(["gusts"] if self.gusts else []),
+                *(["muscles"] if self.muscles else []),
             ]
         )
 
@@ -169,6 +174,9 @@ SMOOTH = [
     Motion("cloth", keys=frozenset({"up", "right"}), anchor="still"),
     Motion(air=0.002, gusts=True, anchor="still"),
     Motion("ring", air=0.002, gusts=True, keys=frozenset({"up", "right"})),
+    Motion(muscles=True),
+    Motion("ring", "angle", muscles=True),
+    Motion("cloth", "tutorial", keys=frozenset({"up", "right"}), anchor="still", muscles=True),
 ]
 
 
@@ -253,6 +261,8 @@ def controlled(name: str) -> tuple[Scene, float, np.ndarray]:
         "stiff": lambda: (stiff_rope("conservative"), 0.2),
         "stiff tutorial": lambda: (stiff_rope("tutorial"), 0.2),
         "air": lambda: (Motion(air=0.01).scene(), 1.0),
+        "muscles": lambda: (Motion(muscles=True).scene(), 1.0),
+        "stiff muscles": lambda: (with_muscles(stiff_rope("conservative")), 0.2),
     }[name]()
     return scene, duration, Laws(scene).solution([duration], 1e-12)[0]
 
@@ -266,7 +276,9 @@ def controlled_error(name: str, method: Method, tolerance: float) -> float:
 
 
 @pytest.mark.parametrize("method", ADAPTIVE)
-@pytest.mark.parametrize("name", ["soft", "undamped", "lively", "stiff", "stiff tutorial"])
+@pytest.mark.parametrize(
+    "name", ["soft", "undamped", "lively", "stiff", "stiff tutorial", "muscles", "stiff muscles"]
+)
 def test_the_error_goes_with_the_tolerance(name: str, method: Method) -> None:
     tolerances = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]
     sizes = [controlled_error(name, method, tolerance) for tolerance in tolerances]

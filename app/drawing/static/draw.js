@@ -13,12 +13,14 @@
  * @property {Uint8Array} [batched_colors] three each
  */
 import {
-  CREASE, FILL, FULL_DEVIATION, GHOST_WIDTH, PIN, RING, SHINE, THICKEST, THINNEST, WEDGE, WIDEST, YIELDED,
+  BELLY, BREATH, CREASE, FILL, FULL_DEVIATION, GHOST_WIDTH, HALO, PIN, RING, SHINE, THICKEST, THINNEST, WEDGE, WIDEST,
+  YIELDED,
 } from "./looks.js";
 import { UNHARMED } from "./plan.js";
+import { beatsAt, countMuscles, muscleAt, swings, waveAt } from "./swing.js";
 
 // Depths: what is nearer is drawn over the rest.
-const Z = { pin: -0.15, spring: -0.12, yielded: -0.1, wedge: -0.06, ring: 0.0, rim: 0.02, mass: 0.03, shine: 0.04, ghost: 0.06 };
+const Z = { halo: -0.17, muscle: -0.16, pin: -0.15, spring: -0.12, yielded: -0.1, wedge: -0.06, ring: 0.0, rim: 0.02, mass: 0.03, shine: 0.04, ghost: 0.06 };
 /** Size of what is not to be seen: an instance that is left out would be another one's. */
 const VANISHED = 1e-6;
 /** An angle in (-180, 180]. @param {number} degrees */
@@ -70,8 +72,9 @@ export function toWorld(plan, positions) {
  * @param {Float32Array} positions px
  * @param {number} shift degrees added to all rest angles
  * @param {Damage} damage
+ * @param {Float64Array} [turn] degrees that muscles add to each
  */
-export function deviations(plan, positions, shift, damage = UNHARMED) {
+export function deviations(plan, positions, shift, damage = UNHARMED, turn) {
   const { springs, joints, restAngle } = plan;
   const result = new Float64Array(restAngle.length);
   /** @param {number} spring @returns {[number, number]} */
@@ -83,7 +86,7 @@ export function deviations(plan, positions, shift, damage = UNHARMED) {
     const [ax, ay] = vector(joints[4 * j]);
     const [bx, by] = vector(joints[4 * j + 1]);
     const angle = (Math.atan2(ax * by - ay * bx, ax * bx + ay * by) * 180) / Math.PI;
-    result[j] = wrapped(angle - restAngle[j] - shift - (damage.setAngle[j] ?? 0));
+    result[j] = wrapped(angle - restAngle[j] - shift - (damage.setAngle[j] ?? 0) - (turn?.[j] ?? 0));
   }
   return result;
 }
@@ -133,11 +136,12 @@ export function springs(plan, frame, world, damage = UNHARMED) {
   const count = plan.restLength.length;
   const result = instances(count);
   const strain = new Float64Array(count);
+  const { stretch } = swings(plan, frame.time);
   for (let i = 0; i < count; i++) {
     const [a, b] = [2 * plan.springs[2 * i], 2 * plan.springs[2 * i + 1]];
     const [dx, dy] = [world[b] - world[a], world[b + 1] - world[a + 1]];
     const length = Math.hypot(dx, dy);
-    const restLength = plan.restLength[i] * frame.lengthScale + (damage.setLength[i] ?? 0);
+    const restLength = plan.restLength[i] * frame.lengthScale * (stretch[i] ?? 1) + (damage.setLength[i] ?? 0);
     const rest = Math.max(restLength * plan.scale, 1e-9);
     strain[i] = (length / rest - 1) / plan.fullStrain[plan.fullStrain.length > 1 ? i : 0];
     // A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
@@ -146,6 +150,44 @@ export function springs(plan, frame, world, damage = UNHARMED) {
     put(result, i, world[a], world[a + 1], Z.spring, Math.atan2(dy, dx), long, wide);
   }
   return { ...result, batched_colors: colored(plan.strainColors, strain, 1) };
+}
+
+/**
+ * What muscles are drawn as: bellies along springs, or halos around the masses of joints. They breathe: a belly is thick
+ * and strong in colour while its muscle is short.
+ *
+ * @param {Plan} plan
+ * @param {Frame} frame
+ * @param {Float64Array} world
+ * @param {boolean} ofJoints
+ * @param {Damage} damage
+ * @param {boolean} still whether they do not breathe
+ * @returns {Instances}
+ */
+export function muscles(plan, frame, world, ofJoints, damage = UNHARMED, still = false) {
+  const beats = beatsAt(plan, frame.time);
+  const all = Array.from({ length: countMuscles(plan) }, (_, k) => muscleAt(plan, k));
+  const some = all.filter(({ joint }) => joint === ofJoints);
+  const result = instances(some.length);
+  const breath = new Float64Array(some.length);
+  some.forEach((muscle, k) => {
+    const { part, amplitude } = muscle;
+    breath[k] = still ? 0 : (ofJoints ? 1 : -1) * Math.sign(amplitude) * waveAt(muscle, beats);
+    const grown = 1 + BREATH * breath[k];
+    if (ofJoints) {
+      const tip = plan.joints[4 * part + 2];
+      const gone = damage.broken.has(plan.joints[4 * part]) || damage.broken.has(plan.joints[4 * part + 1]);
+      const size = gone ? VANISHED : HALO * grown * plan.radius[tip];
+      put(result, k, world[2 * tip], world[2 * tip + 1], Z.halo, 0, size, size);
+    } else {
+      const [a, b] = [2 * plan.springs[2 * part], 2 * plan.springs[2 * part + 1]];
+      const [dx, dy] = [world[b] - world[a], world[b + 1] - world[a + 1]];
+      const gone = damage.broken.has(part);
+      const wide = BELLY * grown * plan.thickness[part] * (plan.bars ? 1 : 2);
+      put(result, k, world[a], world[a + 1], Z.muscle, Math.atan2(dy, dx), gone ? VANISHED : Math.hypot(dx, dy), gone ? VANISHED : wide);
+    }
+  });
+  return { ...result, batched_colors: colored(plan.muscleColors, breath, 1) };
 }
 
 /**
@@ -180,7 +222,7 @@ export function yielded(plan, world, damage) {
  */
 export function wedges(plan, frame, world, damage = UNHARMED) {
   const { slices, joints, springs } = plan;
-  const off = deviations(plan, frame.positions, frame.angleShift, damage);
+  const off = deviations(plan, frame.positions, frame.angleShift, damage, swings(plan, frame.time).turn);
   const result = instances(off.length * slices);
   for (let j = 0; j < off.length; j++) {
     const [spring, tip, sense] = [joints[4 * j + 1], joints[4 * j + 2], joints[4 * j + 3]];

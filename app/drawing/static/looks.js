@@ -1,5 +1,6 @@
 // @ts-check
 /** Written by `python -m app.drawing.looks`; app/drawing/looks.py says what each is. */
+export const SHARPNESS = 4.0;
 export const LAYERS = {
   "grid": {"color": "grid", "opacity": 1.0, "width": 1.0, "round": false},
   "major": {"color": "line", "opacity": 1.0, "width": 1.0, "round": false},
@@ -32,6 +33,9 @@ export const THINNEST = 0.5;
 export const THICKEST = 1.2;
 export const YIELDED = 0.002;
 export const CREASE = 0.34;
+export const BELLY = 1.25;
+export const HALO = 1.7;
+export const BREATH = 0.25;
 export const GHOST_WIDTH = 0.025;
 export const MARGIN = 1.04;
 export const NEAR = 0.2;

@@ -32,6 +32,8 @@
  * @property {Float32Array} wind velocity, px/s; of each wave of its gusts wave vector, amplitude and phase; or nothing
  * @property {number} contact px, the distance at which contact begins; 0 where there is none
  * @property {Float32Array} loads of each constant force which mass it acts on, and its arrow, in the world
+ * @property {Float32Array} muscles frequency, Hz, and phase of the beat, and of each muscle what swing.js says; or nothing
+ * @property {Float32Array} muscleColors a table, from a muscle at its longest to one at its shortest
  */
 
 /**
@@ -46,7 +48,7 @@ export function readPlan(data) {
     radius: take(), springs: take(), restLength: take(), thickness: take(), fullStrain: take(), joints: take(),
     restAngle: take(), pinned: take(), massColors: take(), strainColors: take(), turnColors: take(),
     inkColors: take(), walls: take(), fillings: take(), wind: take(), contact: take()[0] ?? 0,
-    loads: take(),
+    loads: take(), muscles: take(), muscleColors: take(),
   };
 }
 

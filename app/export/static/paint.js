@@ -102,6 +102,11 @@ export function paint(stage, canvas, { plan, frame, damage }) {
   to.globalAlpha = 1;
   /** @param {string} mesh @param {Instances} parts */
   const put = (mesh, parts) => stamp(to, stage.meshes[mesh], parts, on);
+  if (plan.muscles.length) {
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    put("disc", draw.muscles(plan, frame, world, true, damage, still));
+    put("belly", draw.muscles(plan, frame, world, false, damage, still));
+  }
   put("pin", draw.pins(plan, world));
   put(stage.springs, draw.springs(plan, frame, world, damage));
   put("bar", draw.yielded(plan, world, damage));

@@ -17,6 +17,7 @@ from app.classroom.room import Answer, Content, Ghost, Line, Phase, Room, Vote, 
 from sim.errors import SettingError
 from sim.settings import CHOICES, setting_of
 
+from ...drawing.plan import own_rest_angles
 from ...drawing.sketch import Mapping
 from ...lessons import goal_text, reading_text
 from ...session.session import Session
@@ -139,11 +140,8 @@ class ClassRole(Role):
         """
         plan = session.openings, session.revision
         if plan != self._plan:
-            simulation = session.simulation
             self._plan, self._plan_number = plan, next(plan_numbers)
-            self._angles = simulation.rest_angles - simulation.rest_angle_shift
-            if (damage := simulation.damage) is not None and damage.set_angles:
-                self._angles = self._angles - np.array(damage.set_angles)
+            self._angles = own_rest_angles(session.simulation)
         front = Front(
             self._plan_number,
             audience,

@@ -73,12 +73,14 @@ export function addEditStrip(tracing) {
     return button;
   };
   const onSelected = [...ACTIONS.map(actionButton), makeButton("Copy", toClipboard, "")];
+  const muscle = makeButton(COMMANDS.muscle.label, () => perform("muscle"), "");
+  muscle.title = withKey(COMMANDS.muscle.hint ?? "", "muscle");
   const stiffen = actionButton("stiffen");
   const paste = makeButton("Paste", pasteHere, "");
   const rests = makeButton("Moved rest", () => setTakesNew(!takesNew()), "");
   rests.title = "Springs and joints of what is moved take their new lengths and angles as rest, or keep the old ones";
   const done = makeButton("Done", () => setEditing(false), "");
-  bar.append(count, ...onSelected, paste, ...ALWAYS.map(actionButton), stiffen, rests, tracing.button, tracing.said, done, tracing.row);
+  bar.append(count, ...onSelected, muscle, paste, ...ALWAYS.map(actionButton), stiffen, rests, tracing.button, tracing.said, done, tracing.row);
   const live = make("div", "softrod-tell");
   live.setAttribute("role", "status");
   document.body.append(strip, bar, live);
@@ -106,6 +108,8 @@ export function addEditStrip(tracing) {
     redo.title = redoable ? `Redo: ${redoable} (Ctrl Y)` : "Nothing to redo";
     const some = countSelected();
     for (const button of onSelected) showIf(button, some > 0);
+    showIf(muscle, selected.springs.length + selected.joints.length > 0);
+    const offered = stiffen.hidden && editing.stiffen > 0;
     showIf(stiffen, editing.stiffen > 0);
     stiffen.textContent = `Keep it, ${Number(editing.stiffen.toPrecision(3))} times as stiff`;
     rests.ariaPressed = String(takesNew());
@@ -119,6 +123,7 @@ export function addEditStrip(tracing) {
     const isIn = focused instanceof HTMLButtonElement && (strip.contains(focused) || bar.contains(focused));
     if (isIn && (focused.disabled || !focused.checkVisibility())) lid.focus();
     place();
+    if (offered) stiffen.scrollIntoView({ block: "nearest", inline: "nearest" }); // on a phone the bar is longer than it shows
   };
   const place = () => {
     const canvas = viser()?.canvas?.getBoundingClientRect();
@@ -158,8 +163,8 @@ export function addEditStrip(tracing) {
   let { selected } = editing;
   onEditing(() => {
     // Not at every move of the pointer.
-    const { on, tool, undo, redo } = editing;
-    const now = [on, tool, undo, redo, takesNew()].join("|");
+    const { on, tool, undo, redo, stiffen: factor } = editing;
+    const now = [on, tool, undo, redo, factor, takesNew()].join("|");
     if (now === shown && editing.selected === selected) return;
     [shown, selected] = [now, editing.selected];
     show();

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import binascii
+import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -13,7 +14,7 @@ import numpy as np
 
 from sim import Moment, Scene
 from sim.design.keep_shape import keep_shape_at
-from sim.edit import build, copying, shape, texts
+from sim.edit import build, copying, muscles, shape, texts
 from sim.edit.edit import Edit, Selection, carried, counted, refuse_missing
 from sim.edit.values import number, set_number, take_as_rest
 from sim.errors import SceneError, SettingError
@@ -67,6 +68,11 @@ class Edits:
                 self._session.post(commands.Select(lambda *now: selected(ask, *now)))
             case asks.Act(what="copy"):
                 self._copy = True
+            case asks.Tempo(frequency):
+                self._session.post(commands.SetValue("tempo", frequency))
+            case asks.MoveMuscles():
+                key, within = ("muscles by keys", NUDGES) if ask.keys else ("muscles by hand", math.inf)
+                self._session.post(commands.Change(lambda *now: edited(ask, *now), key, within=within))
             case asks.Move(keys=True):
                 move = commands.Change(lambda *now: edited(ask, *now), "moved by keys", within=NUDGES)
                 self._session.post(move)
@@ -207,6 +213,12 @@ def edited(ask: asks.Gesture, moment: Moment, selection: Selection) -> Edit:
             origin, point = _point(scene, 0.0, 0.0), _point(scene, x, y)
             masses = masses_of(scene, _aimed(scene, selection, None, under))
             return _moved(moment, masses, (point[0] - origin[0], point[1] - origin[1]), rest)
+        case asks.MoveMuscles(later, stretch, turn):
+            return muscles.move_muscles(scene, selection, later, stretch, turn)
+        case asks.ShapeMuscles(spread=True):
+            return muscles.spread_muscles(scene, selection)
+        case asks.ShapeMuscles(wave, per_beat):
+            return muscles.shape_muscles(scene, selection, wave, per_beat)
         case asks.Act(what, mass, under):
             return _done(what, moment, _aimed(scene, selection, mass, under))
         case _:

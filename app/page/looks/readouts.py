@@ -315,6 +315,7 @@ _ENERGY_NAMES = {
     "broken": "lost in breaking",
     "law": "made by the tutorial's law",
     "keys": "work of the keys",
+    "muscles": "work of the muscles",
     "changes": "changes of settings",
     "fallbacks": "lost in fallback steps",
     "residual": "residual: the method's error",

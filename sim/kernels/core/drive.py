@@ -1,4 +1,4 @@
-"""The motion of held masses, and the effect of held keys, at any time."""
+"""The motion of held masses, and the effect of held keys and of muscles, at any time."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import math
 
 from ..engine.jit import kernel
 from .tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN
+from .waves import wave
 
 
 @kernel(internal=True)
@@ -20,25 +21,49 @@ def wrap(angle):
 
 @kernel(internal=True)
 def refresh(body, state):
-    """Recompute what depends on the scale of rest lengths and the shift of rest angles."""
+    """Recompute what depends on the scale of rest lengths, the shift of rest angles, and the clock."""
     scale = state.controls[CONTROL_SCALE]
-    shift = state.controls[CONTROL_SHIFT]
     for s in range(body.springs):
-        state.rest_tension[s] = body.stiffness[s] * (body.rest_length[s] * scale)
-    if body.limits.present:
-        for s in range(body.springs):
-            state.rest_tension[s] += body.stiffness[s] * state.set_length[s]
-    for j in range(body.joints):
-        degrees = wrap(body.joint_rest[j] + shift)
+        rest = body.rest_length[s] * scale
         if body.limits.present:
-            degrees = wrap(degrees + state.set_angle[j])
-        rest = math.radians(degrees)
-        state.torque_cos[j + 1] = body.torque_size[j + 1] * math.cos(rest)
-        state.torque_sin[j + 1] = body.torque_size[j + 1] * math.sin(rest)
-        state.torque_rest[j + 1] = rest
+            rest += state.set_length[s]
+        state.rest_tension[s] = body.stiffness[s] * rest
+    for j in range(body.joints):
+        _turn_to(body, state, j, 0.0)
     if body.ring:
         state.torque_cos[0] = state.torque_cos[body.joints]
         state.torque_sin[0] = state.torque_sin[body.joints]
+    if body.muscles.present:
+        flex(body, state)
+
+
+@kernel(internal=True)
+def flex(body, state):
+    """Let muscles move rest lengths and rest angles to where they are at the time of the clock."""
+    muscles, t, scale = body.muscles, state.clock[0], state.controls[CONTROL_SCALE]
+    for i in range(muscles.spring.size):
+        s = muscles.spring[i]
+        rest = body.rest_length[s] * scale * (1.0 + wave(muscles.stretch[i], t))
+        if body.limits.present:
+            rest += state.set_length[s]
+        state.rest_tension[s] = body.stiffness[s] * rest
+    for i in range(muscles.joint.size):
+        _turn_to(body, state, muscles.joint[i], wave(muscles.turn[i], t))
+    if body.ring and muscles.joint.size:
+        state.torque_cos[0] = state.torque_cos[body.joints]
+        state.torque_sin[0] = state.torque_sin[body.joints]
+
+
+@kernel(internal=True)
+def _turn_to(body, state, j, more):
+    """Set the rest angle of a joint: its own, with the shift and `more` degrees."""
+    degrees = wrap(body.joint_rest[j] + state.controls[CONTROL_SHIFT])
+    if body.limits.present:
+        degrees = wrap(degrees + state.set_angle[j])
+    rest = math.radians(wrap(degrees + more))
+    state.torque_cos[j + 1] = body.torque_size[j + 1] * math.cos(rest)
+    state.torque_sin[j + 1] = body.torque_size[j + 1] * math.sin(rest)
+    state.torque_rest[j + 1] = rest
 
 
 @kernel(internal=True)
@@ -69,24 +94,38 @@ def drive_to(body, state, drive, t, q, v):
 
 @kernel(forceinline=True)
 def act_at(body, state, drive, t):
-    """Set the clock of the gusts to time t, and rest lengths and angles to what held keys make of them then.
+    """Set the clock to time t, and rest lengths and angles to what held keys and muscles make of them then.
 
     A step that is refused has set them to a later time.
     """
-    if drive.timed:
-        state.clock[0] = t
+    scale, shift = drive.scale, drive.shift
     if drive.pressed:
         since = t - drive.start
-        scale, shift = drive.scale * math.exp(drive.growth * since), drive.shift + drive.turn * since
-        set_controls(body, state, scale, shift)
+        scale, shift = scale * math.exp(drive.growth * since), shift + drive.turn * since
+    act_as(body, state, drive, t, scale, shift)
 
 
 @kernel(forceinline=True)
-def press(body, state, drive, h):
-    """Let held keys act for h more seconds; unlike `drive_to`, the same for any grouping of steps."""
+def act_as(body, state, drive, t, scale, shift):
+    """Set the clock to time t, muscles to what they are then, and what held keys change to given values."""
+    if drive.timed:
+        state.clock[0] = t
     if drive.pressed:
-        scale = state.controls[CONTROL_SCALE] * math.exp(drive.growth * h)
-        set_controls(body, state, scale, state.controls[CONTROL_SHIFT] + drive.turn * h)
+        set_controls(body, state, scale, shift)
+    elif body.muscles.present:
+        flex(body, state)
+
+
+@kernel(forceinline=True)
+def press(body, state, drive, t, h):
+    """Set the clock to time t, and let held keys act for h more seconds.
+
+    Unlike `drive_to`, this is the same for any grouping of steps.
+    """
+    scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
+    if drive.pressed:
+        scale, shift = scale * math.exp(drive.growth * h), shift + drive.turn * h
+    act_as(body, state, drive, t, scale, shift)
 
 
 @kernel(internal=True)

@@ -17,6 +17,7 @@ from ..engine.table import Floats, Indices, Record, Rows, Table
 if TYPE_CHECKING:  # the pages about forces need the tables here
     from ...forces.environment import Environment
     from ...forces.limits import Limits
+    from ...forces.muscles import Muscles
 
 
 class Body(Table):
@@ -67,6 +68,7 @@ class Body(Table):
     more_spring_sign: Floats  # and the sign
     environment: Environment  # what else acts on the masses; see there
     limits: Limits  # what springs and joints bear; see there
+    muscles: Muscles  # what moves rest lengths and rest angles by itself; see there
 
     @property
     def joint_stiffness(self) -> Floats:
@@ -95,7 +97,7 @@ class State(Table):
     air: Floats  # (slots,) air friction / mass, 1/px
     gx: Floats  # (slots,) acceleration by gravity and by the constant force on each mass, px/s²
     gy: Floats
-    clock: Floats  # (1,) time of the gusts, s
+    clock: Floats  # (1,) time of the gusts, and that for which muscles are set, s
     # Empty where nothing yields or breaks.
     set_length: Floats  # (S,) px by which rest lengths have moved for good
     set_angle: Floats  # (J,) degrees by which rest angles have
@@ -204,9 +206,9 @@ class Matrix(Table):
 class Drive(Table):
     """How held masses move, and what held keys do, during a call."""
 
-    moving: bool  # any mass is listed here, a key is held, or a force changes with time
+    moving: bool  # any mass is listed here, a key is held, or anything changes with time
     pressed: bool  # a key is held
-    timed: bool  # a force changes with time by itself, see `forces.term.Term`
+    timed: bool  # there are muscles, or a force changes with time by itself, see `forces.term.Term`
     start: float  # time at the start of the call, s
     duration: float  # s until masses that are led straight reach their targets; infinite if there are none
     mass: Indices  # (M,) slots of the masses
@@ -395,11 +397,12 @@ class Work(Record):
 
     anchors: float  # by moved anchors
     damping: float  # by damping, which is negative
-    air: float  # by air friction, which is negative
+    air: float  # by air friction and a medium, which is negative
     law: float  # by a force law that has no energy
     keys: float  # by keys that change rest lengths and rest angles
+    muscles: float  # by muscles, which do so, too
     fallbacks: float  # by fallback steps, which is negative or zero
-    walls: float  # by friction on walls and in contact, and by bouncing, which is negative
+    walls: float  # by friction on walls, the ground and in contact, and by bouncing, which is negative
     plastic: float  # lost in yielding, which is negative
     broken: float  # of springs and joints that broke, which is negative
 

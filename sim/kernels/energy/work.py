@@ -6,6 +6,7 @@ import math
 
 from ...forces.all import add_forces, add_power
 from ...forces.joints import TUTORIAL, joint_power_of_keys, power_of_law
+from ...forces.muscles import power_of_muscles
 from ...forces.springs import spring_forces, spring_power_of_keys
 from ...forces.walls import gather_others, mark_quick, work_of_quick
 from ..core.drive import drive_to, hand_speed
@@ -122,6 +123,8 @@ def _add_powers(problem, drive, t, h, q, v):
     if drive.pressed:
         keys = spring_power_of_keys(body, state, drive.growth, q)
         work.keys += h * (keys + joint_power_of_keys(body, state, drive.turn, q))
+    if body.muscles.present:
+        work.muscles += h * power_of_muscles(body, state, q, t)
 
 
 @kernel(fastmath=FAST)

@@ -24,15 +24,14 @@ def _step(problem, drive, old, new, t, h, tolerance):
     Led masses and held keys are updated before the forces, which see them as they are at the end of a step,
     as in the tutorial.
     """
-    state, trial, q, v = problem.state, problem.integrator.trial, new.q, new.v
+    trial, q, v = problem.integrator.trial, new.q, new.v
     _copy(old.q, old.v, q, v)
     trial.count = trial.most
     for i in range(1, trial.most + 1):
         trial.end = fixed_time(problem, trial.number + i)
         lead_to(drive, trial.end, q, v)
-        press(problem.body, state, drive, h)
-        if drive.timed:
-            state.clock[0] = trial.end
+        if drive.moving:
+            press(problem.body, problem.state, drive, trial.end, h)
         accelerate(problem, q, v, new.a)
         _kick_and_drift(q, v, new.a, h)
         lead_to(drive, trial.end, q, v)  # the drift has moved them

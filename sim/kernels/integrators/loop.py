@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from ..core.drive import lead_to, set_controls
+from ..core.drive import act_as, lead_to
 from ..core.shared import accelerate, accumulate, no_tunnelling, settle, within_strength
 from ..core.tables import CONTROL_SCALE, CONTROL_SHIFT
 from ..engine.jit import kernel
@@ -92,7 +92,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         good = error <= 1.0 and _is_acceptable(problem, old, new, h, tolerance, shortest)
         tries += trial.count if good else 1
         if not good and drive.moving:  # the step has set them to a later time
-            _act_as(body, state, drive, t, scale, shift)
+            act_as(body, state, drive, t, scale, shift)
         if not good and trial.count > 1:
             most, tries = 1, tries - 1  # one at a time, up to the last good state
             continue
@@ -108,7 +108,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
             accumulate(problem, drive, t, new.q, new.v, new.a, h)
             if drive.moving:
-                _act_as(body, state, drive, trial.end, scale, shift)
+                act_as(body, state, drive, trial.end, scale, shift)
             replace_state(old.q, old.v, old.a, new.q, new.v, new.a)
         else:
             # Swap the arrays instead of copying them.
@@ -144,15 +144,6 @@ def _is_acceptable(problem, old, new, h, tolerance, shortest):
         and no_tunnelling(problem, old.q, new.q)
         and (too_short or within_strength(problem, new.q, tolerance))
     )
-
-
-@kernel(forceinline=True)
-def _act_as(body, state, drive, t, scale, shift):
-    """Set the clock of the gusts to time t, and what held keys change to given values."""
-    if drive.timed:
-        state.clock[0] = t
-    if drive.pressed:
-        set_controls(body, state, scale, shift)
 
 
 @kernel(internal=True)

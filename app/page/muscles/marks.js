@@ -1,0 +1,133 @@
+// @ts-check
+/**
+ * Where muscles stand in the strip, and what a drag makes of them. Arithmetic only.
+ *
+ * A mark is the crest of its muscle's wave: across is where in the beat the wave is largest, up is how far it goes then.
+ *
+ * @typedef {import("../../drawing/static/plan.js").Plan} Plan
+ * @typedef {import("../../drawing/static/swing.js").Muscle} Muscle
+ * @typedef {Muscle & {key: string, crest: number}} Mark crest: 0 to 1, a part of the beat
+ * @typedef {{width: number, height: number}} Box pixels
+ * @typedef {{later: number, stretch: number, turn: number}} Way beats, a fraction, degrees
+ */
+import { countMuscles, muscleAt, waveAt } from "../../drawing/static/swing.js";
+
+/** Amplitudes that reach to the edge: of a spring, a fraction, and of a joint, degrees. */
+const [FULL_STRETCH, FULL_TURN] = [0.4, 60];
+/** Amplitudes that there can be. */
+const [MOST_STRETCH, MOST_TURN] = [0.9, 180];
+/** Pixels around the wave. */
+export const EDGE = 15;
+/** Parts of a beat to which a drag keeps. */
+const GRID = 72;
+/** Points of a drawn wave, for each of its crests. */
+const POINTS = 48;
+
+/** @param {number} value */
+const inTurn = (value) => value - Math.floor(value);
+
+/** All muscles of a body. @param {Plan} plan @returns {Mark[]} */
+export const marksOf = (plan) =>
+  Array.from({ length: countMuscles(plan) }, (_, k) => {
+    const muscle = muscleAt(plan, k);
+    // As the server has them, which are of double precision.
+    muscle.phase = Number(muscle.phase.toPrecision(7));
+    muscle.amplitude = Number(muscle.amplitude.toPrecision(7));
+    const crest = inTurn((90 - muscle.phase) / 360) / muscle.perBeat;
+    return { ...muscle, key: `${muscle.joint ? "j" : "s"}${muscle.part}`, crest };
+  });
+
+/** From the middle to the edge: -1 to 1. @param {Mark} mark */
+const heightOf = ({ joint, amplitude }) => Math.max(-1, Math.min(1, amplitude / (joint ? FULL_TURN : FULL_STRETCH)));
+
+/** @param {number} part of the beat @param {Box} box */
+export const across = (part, { width }) => EDGE + part * (width - 2 * EDGE);
+/** @param {number} height -1 to 1 @param {Box} box */
+const up = (height, { height: all }) => all / 2 - height * (all / 2 - EDGE);
+
+/** Where a mark is. @param {Mark} mark @param {Box} box */
+export const placeOf = (mark, box) => ({ x: across(mark.crest, box), y: up(heightOf(mark), box) });
+
+/** Where its wave is as high for other times in the beat, pixels across. @param {Mark} mark @param {Box} box */
+export const otherCrests = (mark, box) =>
+  Array.from({ length: mark.perBeat - 1 }, (_, k) => across(mark.crest + (k + 1) / mark.perBeat, box));
+
+/** The wave of a muscle over a beat, as the path of a line. @param {Mark} mark @param {Box} box */
+export function waveOf(mark, box) {
+  const count = POINTS * mark.perBeat;
+  const height = heightOf(mark);
+  const phase = 90 - 360 * mark.perBeat * mark.crest;
+  let path = "";
+  for (let k = 0; k <= count; k++) {
+    const size = waveAt({ ...mark, phase }, k / count);
+    path += `${k ? "L" : "M"}${across(k / count, box).toFixed(1)} ${up(height * size, box).toFixed(1)}`;
+  }
+  return path;
+}
+
+/** The nearest mark within reach, the last one drawn first. @param {Mark[]} marks @param {Box} box @param {{x: number, y: number}} at @param {number} reach */
+export function markAt(marks, box, at, reach) {
+  let [found, least] = [/** @type {Mark | null} */ (null), reach];
+  for (const mark of marks) {
+    const { x, y } = placeOf(mark, box);
+    const distance = Math.hypot(x - at.x, y - at.y);
+    if (distance <= least) [found, least] = [mark, distance];
+  }
+  return found;
+}
+
+/**
+ * How far a drag moves marks: all by as much, on a grid for the one that is dragged, and none out of its range.
+ *
+ * @param {Mark} held the mark that is dragged, as it was
+ * @param {Mark[]} all that move with it, as they were
+ * @param {Box} box
+ * @param {number} dx pixels
+ * @param {number} dy
+ * @returns {Way}
+ */
+export function wayOf(held, all, box, dx, dy) {
+  const crest = held.crest + dx / (box.width - 2 * EDGE);
+  const part = within(all, -dy / (box.height / 2 - EDGE));
+  const full = held.joint ? FULL_TURN : FULL_STRETCH;
+  const finest = held.joint ? 1 : 0.01;
+  // A mark that goes up or down stops at round numbers; one that does not stays where it is.
+  const higher = dy ? within(all, (Math.round((held.amplitude + part * full) / finest) * finest - held.amplitude) / full) : 0;
+  return {
+    later: dx ? Math.round(crest * GRID) / GRID - held.crest : 0,
+    stretch: higher * FULL_STRETCH,
+    turn: higher * FULL_TURN,
+  };
+}
+
+/** A step by keys. @param {Mark[]} all that move @param {number} later beats @param {number} higher -1 to 1 @returns {Way} */
+export function stepOf(all, later, higher) {
+  const part = within(all, higher);
+  return { later, stretch: part * FULL_STRETCH, turn: part * FULL_TURN };
+}
+
+/** By how much amplitudes can grow, of their full height, so that none leaves its range. @param {Mark[]} all @param {number} wanted */
+function within(all, wanted) {
+  let part = wanted;
+  for (const { joint, amplitude } of all) {
+    const [full, most] = joint ? [FULL_TURN, MOST_TURN] : [FULL_STRETCH, MOST_STRETCH];
+    part = Math.max((-most - amplitude) / full, Math.min((most - amplitude) / full, part));
+  }
+  return part;
+}
+
+/** A mark after it was moved. @param {Mark} mark @param {Way} way @returns {Mark} */
+export const movedBy = (mark, { later, stretch, turn }) => ({
+  ...mark,
+  crest: inTurn((mark.crest + later) * mark.perBeat) / mark.perBeat,
+  amplitude: mark.amplitude + (mark.joint ? turn : stretch),
+});
+
+/** What a mark is called. @param {Mark} mark */
+export const nameOf = ({ joint, part }) => `${joint ? "joint" : "spring"} ${part}`;
+
+/** How far its muscle goes, and when. @param {Mark} mark */
+export function inWords({ joint, amplitude, crest }) {
+  const size = joint ? `${Math.round(amplitude)}°` : `${Math.round(100 * amplitude)} %`;
+  return `${amplitude > 0 ? "+" : ""}${size.replace("-", "−")} at ${crest.toFixed(2)} of the beat`;
+}
