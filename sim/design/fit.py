@@ -301,7 +301,7 @@ class _Search:
         spread = directions[known] / singular[known, None]
         told = Told(
             problem.parameters, u, spread, directions[~known], wide,
-            partial(self._give_way, u, residuals, slopes, wide**2),
+            partial(self._give_way, residuals, slopes, float((residuals(u) ** 2).sum()), wide**2),
         )  # fmt: skip
         values = told.values()
         runs = problem.fitted(u)
@@ -324,29 +324,27 @@ class _Search:
 
     def _give_way(
         self,
-        u: Floats,
         residuals: Callable[[Floats], Floats],
         slopes: Floats,
+        least: float,
         enough: float,
         at: Floats,
         held: Sequence[int],
     ) -> tuple[Floats, float]:
         """Other unknowns, of which some are held and the others give way, and by how much the sum of squares
-        is larger.
+        is larger than the least.
 
         It takes a few steps of Newton's method with the slopes of the best, until that is less than enough.
         """
-        least = float((residuals(u) ** 2).sum())
-        free = [i for i in range(u.size) if i not in held]
+        free = [i for i in range(at.size) if i not in held]
         inverse = np.linalg.pinv(slopes[:, free], rcond=_RANK)
         at = np.clip(at, self._low, self._high)
         best, rise = at, math.inf
         for _ in range(_GIVING_WAY if free else 1):
             left = residuals(at)
-            found = float((left**2).sum()) - least
-            if found < rise:
-                best, rise = at, found
-            if rise < enough:
+            before, rise = rise, min(rise, float((left**2).sum()) - least)
+            best = at if rise < before else best
+            if rise < enough or rise > 0.9 * before:
                 break
             at = at.copy()
             at[free] -= np.clip(inverse @ left, -1.0, 1.0)

@@ -93,7 +93,7 @@ def of_whole_springs(resistance: Resistance, ends: Indices, broken: Floats) -> R
     rows, whole = resistance.rows.copy(), broken == 0.0
     for first in range(0, len(rows), max(len(ends), 1)):
         of_law = rows[first : first + len(ends)]
-        weight = np.bincount(ends.ravel(), of_law[:, 1:3].ravel())
+        weight = np.asarray(np.bincount(ends.ravel(), of_law[:, 1:3].ravel()), float)
         of_law[:, 1:3] = _shares(ends, whole, weight)
         of_law[~whole, 0] = 0.0
     return read_only(resistance.replaced(rows=rows))

@@ -252,10 +252,6 @@ def _has_joints(scene: Scene) -> bool:
     return moves(scene) and bool(scene.angular_springs)
 
 
-def _has_muscles(scene: Scene) -> bool:
-    return moves(scene) and is_muscular(scene)
-
-
 def _has_wind(scene: Scene) -> bool:
     return moves(scene) and scene.wind is not None
 

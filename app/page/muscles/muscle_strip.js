@@ -9,11 +9,12 @@ import { has, onTold, send, told } from "../../wire/channel.js";
 import { change, editing, onEditing } from "../edit/editing.js";
 import { beatsAt, countMuscles } from "../../drawing/static/swing.js";
 import { make, makeButton } from "../looks/dialog.js";
-import { makeSvg, set } from "../body/overlay.js";
+import { floorOf, makeSvg, set } from "../body/overlay.js";
 import { across, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf, stepOf, wayOf, waveOf } from "./marks.js";
 import { addMuscleMarks } from "./muscle_marks.js";
 import { timeNow } from "../time/transport.js";
 import { tuning } from "./tuning.js";
+import { viser } from "../viser/viser.js";
 
 /**
  * @typedef {import("./marks.js").Mark} Mark
@@ -32,6 +33,10 @@ const SETTLES = 500;
 const [LATER, HIGHER, FINE] = [1 / 36, 0.05, 0.2];
 /** Waves that are drawn, beside those of marks that are selected. */
 const MOST_WAVES = 60;
+/** Waves of selected marks that are drawn boldly. */
+const FEW = 5;
+/** Pixels of height below which the body needs the room more than the strip. */
+const LOW = 400;
 /** Milliseconds between two looks at the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
 
@@ -123,6 +128,7 @@ function makeStrip() {
     const bold = all.filter((mark) => mark === pointed || mark === focused || isSelected(mark));
     const faint = all.filter((mark) => !bold.includes(mark)).slice(0, MOST_WAVES);
     set(waves, { d: faint.map((mark) => waveOf(mark, box)).join("") });
+    chosen.classList.toggle("softrod-muscles-many", bold.length > FEW);
     set(chosen, { d: bold.map((mark) => waveOf(mark, box)).join("") });
     const repeated = all.flatMap((mark) => otherCrests(mark, box).map((x) => `M${x.toFixed(1)} ${placeOf(mark, box).y.toFixed(1)}h0`));
     set(others, { d: repeated.join("") });
@@ -293,7 +299,8 @@ function makeStrip() {
     drawMarks();
   });
   setInterval(() => told().rest && !strip.hidden && drawNow(), CLOCK_EVERY);
-  setOpen(true);
+  const canvas = viser()?.canvas?.getBoundingClientRect();
+  setOpen(!canvas || floorOf(canvas) - canvas.top + strip.offsetHeight >= LOW);
   return {
     /** Shows the muscles of another plan, or nothing. @param {import("../../drawing/static/plan.js").Plan} plan */
     take: (plan) => {
