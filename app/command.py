@@ -17,7 +17,7 @@ Settings = Annotated[
         metavar="KEY=VALUE",
         help="set a number of the scene; may be repeated. Keys: linear_stiffness, linear_damping, "
         "angular_stiffness, angular_damping, rest_length_scale, rest_angle, gravity, air_friction, masses, "
-        "dt, tolerance, template; wind_speed, wind_direction, turbulence; wall_friction, bounciness; "
+        "dt, tolerance, template; tempo; wind_speed, wind_direction, turbulence; wall_friction, bounciness; "
         "contact_distance, contact_stiffness, contact_friction; gas_pressure, liquid_stiffness; strength, "
         "yield_force; and force_law and method, which are names",
     ),

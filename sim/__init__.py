@@ -35,20 +35,26 @@ from .scene.makers import (
     flag_pole,
     girder,
     hair_tuft,
+    hand,
+    heart,
     jelly,
     polygon,
     rod,
     rope,
+    swimmer,
     tree,
+    walker,
     water_balloon,
+    worm,
 )
 from .scene.parts import Beat, JointMuscle, SpringMuscle
+from .scene.recipes.creatures import Hand, Heart, Swimmer, Walker, Worm
 from .scene.recipes.outlines import AirBalloon, Box, Polygon, WaterBalloon
 from .scene.recipes.plants import HairTuft, Tree
 from .scene.recipes.rods import Rod
 from .scene.recipes.sheets import Cloth, FlagPole, Jelly
 from .scene.recipes.trusses import Bridge, Girder
-from .scene.surroundings import Contact, Gas, Liquid, Wall, Wind
+from .scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 from .scene.types import (
     Anchor,
     AngularSpring,
@@ -86,7 +92,10 @@ __all__ = [
     "FlagPole",
     "Gas",
     "Girder",
+    "Ground",
     "HairTuft",
+    "Hand",
+    "Heart",
     "InputError",
     "Integrator",
     "Jelly",
@@ -95,6 +104,7 @@ __all__ = [
     "Liquid",
     "Mass",
     "Measurement",
+    "Medium",
     "Moment",
     "Polygon",
     "Pose",
@@ -109,14 +119,17 @@ __all__ = [
     "SettingError",
     "Simulation",
     "SpringMuscle",
+    "Swimmer",
     "Tree",
     "Tuning",
     "Vibration",
     "Vibrations",
     "View",
+    "Walker",
     "Wall",
     "WaterBalloon",
     "Wind",
+    "Worm",
     "air_balloon",
     "box",
     "bridge",
@@ -127,6 +140,8 @@ __all__ = [
     "flag_pole",
     "girder",
     "hair_tuft",
+    "hand",
+    "heart",
     "jelly",
     "keep_shape",
     "list_scenes",
@@ -143,9 +158,12 @@ __all__ = [
     "set_choice",
     "set_value",
     "set_wishes",
+    "swimmer",
     "tree",
     "tuning",
     "validate",
     "vibrations",
+    "walker",
     "water_balloon",
+    "worm",
 ]

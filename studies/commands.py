@@ -17,7 +17,7 @@ from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
 from app.command import CsvComma, Settings, fail, scene_of
-from sim.design.fit import OF_MEASUREMENT
+from sim.design.residuals import OF_MEASUREMENT
 from sim.errors import InputError
 
 from .sweep.measures import MEASURES, parse_measures

@@ -25,6 +25,7 @@ _STYLES = (
     "body/overlay.css",
     "time/dock.css",
     "muscles/muscles.css",
+    "modes/modes.css",
     "measure/tools.css",
     "edit/edit.css",
     "looks/dialogs.css",

@@ -28,6 +28,7 @@ PARTS = {
     "solver": "the Solver tab",
     "measure": "the Measure tab",
     "tools": "the instruments",
+    "modes": "the strip of modes, in the View menu",
     "edit": "the tools that build and change the body, undo and redo",
     "files": "the Share tab",
     "view": "the other entries of the View menu",

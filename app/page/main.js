@@ -30,7 +30,9 @@ import { beginViser, canDraw, complain, endLoading } from "./viser/loading.js";
 import { restoreLooks } from "./looks/looks.js";
 import { showMeasures } from "./measure/measure.js";
 import { addMenu } from "./looks/menu.js";
+import { listenToMelodies } from "./modes/melody.js";
 import { addMuscles } from "./muscles/muscle_strip.js";
+import { addModes } from "./modes/strip.js";
 import { mindWidgets } from "./viser/widgets.js";
 import { mindNumbers } from "./viser/numbers.js";
 import { addOverlay } from "./body/overlay.js";
@@ -95,6 +97,8 @@ whenViser((viser) => {
   restoreLooks();
   addTransport();
   addMuscles();
+  addModes();
+  listenToMelodies();
   addShareDialog();
   addUnderlay();
   addTraces();

@@ -32,9 +32,8 @@ from .viser.slider_box import SliderBox, mixed_words
 
 PANEL_WIDTH = 348
 FOREMOST = (
-    "beat.frequency", "wind_speed", "gas_pressure", "pressure", "liquid_stiffness", "bulk_modulus", "load",
-    "strength", "yield_force", "rest_angle", "template", "bend", "angular_stiffness", "linear_stiffness",
-    "gravity",
+    "tempo", "wind_speed", "gas_pressure", "pressure", "liquid_stiffness", "bulk_modulus", "load", "strength",
+    "yield_force", "rest_angle", "template", "bend", "angular_stiffness", "linear_stiffness", "gravity",
 )  # fmt: skip
 """Settings that make most of a scene, in order; the first two that there is a use for stand at the top."""
 

@@ -28,6 +28,7 @@ from sim.scene.types import shown_name
 from ..drawing.plan import Picture, broken_of, own_rest_angles
 from ..drawing.sketch import Mapping, world_size
 from ..session import commands
+from ..session.notices import About
 from ..session.pacing import is_large
 from ..session.plots import Wish, text_of
 from ..session.session import Changed, Notice, Session
@@ -50,6 +51,7 @@ from .making.maker import LessonMaker, Measured
 from .measure.fit_panel import FitPanel
 from .measure.measure_panel import MeasurePanel
 from .measure.tools_panel import ToolsPanel
+from .modes.modes import ModesView
 from .opening import asked_scene
 from .page import Page
 from .panel import Panel, set_theme
@@ -72,7 +74,7 @@ SHELF_EVERY = 0.3
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
 
-TOLD_CONTROLS = ("chooser", "edit", "files", "help", "measure", "play", "solver", "tools", "view")
+TOLD_CONTROLS = ("chooser", "edit", "files", "help", "measure", "modes", "play", "solver", "tools", "view")
 """Controls of which the script is told whether they are there: it makes some, and commands need some."""
 
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
@@ -150,7 +152,7 @@ class Tab:
         self._shelf = Shelf(owned)
         self._shelf_stamp = self._shelf.stamp()
         self._shelf_due = 0.0
-        self._runaway: viser.NotificationHandle | None = None
+        self._passing: dict[About, viser.NotificationHandle] = {}  # notices that go when it is over
         self._keep_due = 0.0
         self._kept_scene: tuple[int, str] = (-1, "")
         self._secret = secrets.token_hex(16)
@@ -166,6 +168,7 @@ class Tab:
         self._begin_class = begin_class
         self._first = scene = self._asked_scene(query) or scene
         self._mail = Mail(client)
+        self._modes = ModesView(self._mail)
         self._view = Canvas(client, self._mail, self._post)
         self._role = role_of(self._mail)
         self._front: Front | None = None
@@ -219,6 +222,10 @@ class Tab:
                 session.post(commands.Speed(speed))
             case from_page.Visit():
                 session.post(commands.Visit())
+            case from_page.PutMode(mode, part):
+                session.post(commands.PutMode(mode, part))
+            case from_page.DriveMode(mode):
+                session.post(commands.DriveMode(mode))
             case from_page.Perform(command):
                 self.perform(command)
             case from_page.Part():
@@ -329,7 +336,7 @@ class Tab:
         if front is None:
             return False
         show, anew = self._front_view.show, self._generation != session.generation
-        if not (anew or session.notices or self._notices or self._runaway):
+        if not (anew or session.notices or self._notices or self._passing):
             return show(front, self._page.looks.dark, session.now())
         with self.client.atomic():
             if anew:
@@ -350,6 +357,7 @@ class Tab:
         if self._measure is not None:
             self._measure.tick()
         self._show(session)
+        self._modes.tell(session)
         self._panel.show_selection()
         if "edit" in self._page.controls:
             self._answers.edits.tell()
@@ -709,9 +717,9 @@ class Tab:
     def _tell(self, session: Session) -> None:
         self._notices.extend(session.notices)
         session.notices.clear()
-        if self._runaway is not None and session.simulation.divergence is None:
-            self._runaway.remove()
-            self._runaway = None
+        for about in tuple(self._passing):
+            if not session.holds(about):
+                self._passing.pop(about).remove()
         while self._notices:
             notice = self._notices.popleft()
             handle = self.client.add_notification(
@@ -720,7 +728,7 @@ class Tab:
                 color=_COLORS[notice.kind],
                 auto_close_seconds=None if notice.kind == "error" else 5.0,
             )
-            if notice.runaway:
-                if self._runaway is not None:
-                    self._runaway.remove()
-                self._runaway = handle
+            if notice.about is not None:
+                if notice.about in self._passing:
+                    self._passing[notice.about].remove()
+                self._passing[notice.about] = handle

@@ -24,6 +24,7 @@ from . import log
 from .ghost import Ghost
 from .hand import DRAG_EVENT, FRAME
 from .log import Log
+from .modes import ModesWatch
 from .pacing import is_large
 from .session import Changed, Command, Session
 from .shadow import Foresight
@@ -31,7 +32,7 @@ from .versions import Versions
 
 _MOST_STEPS = 1000
 """Single steps that are done at once, at most."""
-_NOT_OF_REST = ("beat.frequency", "dt", "tolerance")
+_NOT_OF_REST = ("tempo", "dt", "tolerance")
 """Settings that have nothing to do with where a body rests."""
 
 
@@ -224,6 +225,60 @@ class SelectJoint(Command):
     def apply(self, session: Session, at: float) -> None:
         if 0 <= self.joint < len(session.simulation.scene.angular_springs):
             session.joint = self.joint
+
+
+# ------------------------------------------------------------------------- modes
+@dataclass(frozen=True)
+class ShowModes(Command):
+    """Whether the body's slow vibrations are looked at; or the other of the two (None)."""
+
+    on: bool | None = None
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        on = session.modes is None if self.on is None else self.on
+        if not on:
+            session.end_drive()
+        session.modes = (session.modes or ModesWatch()) if on else None
+
+
+@dataclass(frozen=True)
+class PutMode(Command):
+    """The body is to be put into a mode, with a part of the amplitude of a full bar."""
+
+    mode: int
+    part: float
+    acts = True
+
+    def apply(self, session: Session, at: float) -> None:
+        watch = session.modes
+        if watch is None or watch.excitation(session.simulation) is None or watch.found is None:
+            return
+        if not (0 <= self.mode < len(watch.full) and math.isfinite(self.part)):
+            return
+        mode, modes = self.mode, watch.found
+        amplitude = min(max(self.part, 0.0), 1.0) * float(watch.full[mode])
+        session.put(lambda now: modes.put(now, mode, amplitude), f"mode {mode + 1}", f"mode {mode}")
+
+
+@dataclass(frozen=True)
+class DriveMode(Command):
+    """A mode is to be driven by hand from now on, or none any more (-1)."""
+
+    mode: int
+    acts = True
+
+    def apply(self, session: Session, at: float) -> None:
+        if self.mode < 0:
+            session.fade_drive()
+        else:
+            session.drive_on(self.mode, at)
+
+    def takes_over(self, session: Session) -> bool:
+        return self.mode >= 0
+
+    def playing_after(self, playing: bool) -> bool:
+        return playing or self.mode >= 0
 
 
 # ------------------------------------------------------------------------- editing

@@ -8,6 +8,8 @@ from typing import Literal
 import sim
 from sim.settings import SETTINGS
 
+About = Literal["runaway", "shape"]
+
 
 @dataclass(frozen=True)
 class Notice:
@@ -16,14 +18,14 @@ class Notice:
     Attributes:
         kind: how bad it is.
         title, text: what it says.
-        runaway: whether it is about a body that ran away: there is one such notice at most, and none once the
-            body is sound again.
+        about: what it is about, if that may end: a body that ran away, or a shape that cannot be kept. There
+            is one such notice at most, and none once it is over.
     """
 
     kind: Literal["error", "warning", "info"]
     title: str
     text: str
-    runaway: bool = False
+    about: About | None = None
 
 
 def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
@@ -42,7 +44,19 @@ def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
             f"{str(divergence)[:1].upper()}{str(divergence)[1:]}. The last good state is shown. Go back to "
             f"just before it, {_remedy(divergence)}, and go on; or press Reset."
         )
-    return Notice("error", "The body exploded", text, runaway=True)
+    return Notice("error", "The body exploded", text, "runaway")
+
+
+def no_shape(error: sim.DesignError) -> Notice:
+    """What to tell where a body cannot keep its shape."""
+    sentence = error.sentence
+    text = f"{sentence[:1].upper()}{sentence[1:]}."
+    if error.motion is not None:
+        text += " The line shows where it goes."
+    if error.stiffening is not None:
+        factor = float(f"{error.stiffening:.3g}")  # as the button has it
+        text += f" The button “Keep it, {factor:g} times as stiff” makes it so."
+    return Notice("error", "This shape cannot be kept", text, "shape")
 
 
 def _remedy(divergence: sim.Divergence) -> str:

@@ -31,7 +31,8 @@ from .ghost import Ghost
 from .hand import FRAME, PointerHands
 from .history import History, OldFuture
 from .log import Log
-from .notices import Notice, runaway
+from .modes import Drive, ModesWatch
+from .notices import About, Notice, no_shape, runaway
 from .pacing import HEAVY_UNIT, Pacer, is_large
 from .record import Recorder
 from .replay import Player
@@ -42,7 +43,8 @@ from .versions import Versions
 __all__ = ["FRAME", "KEYS_FORGOTTEN_AFTER", "Notice", "Session"]
 
 KEYS_FORGOTTEN_AFTER = 0.5
-"""Seconds of silence after which held keys count as released: the connection may be gone."""
+"""Seconds of silence after which held keys, and what drives a mode, count as released: the connection may be
+gone."""
 
 MAX_QUEUE = 4000
 """Commands that wait at most; beyond that the page is not a person, and the oldest are dropped."""
@@ -149,6 +151,7 @@ class Session:
         history: the moments that are past, and which of them is shown.
         old_future: what would have come, where the user has gone back and on; or None.
         refusal: why the body could not keep its shape, until something else is done to it; or None.
+        refused_shape: (n, 2) that shape, px.
         offer_back: whether the body ran away and can be taken back to just before that.
         replay: the log that is played, if one is.
         opened: the scene as it was opened.
@@ -157,6 +160,8 @@ class Session:
         hands: what the pointers do.
         preparing: what is being compiled, for the page to say; empty when nothing is.
         foreseen: where the body will rest, while a slider moves.
+        modes: the body's slow vibrations, while somebody looks at them; else None.
+        drive: what drives one of them, or None.
     """
 
     def __init__(
@@ -186,11 +191,15 @@ class Session:
         self.notices: list[Notice] = []
         self.stability_watch = StabilityWatch()
         self.refusal: sim.DesignError | None = None
+        self.refused_shape = self.simulation.positions
         self.hands = PointerHands(lambda: self.simulation, self.do, clock)
         self.follows_energy = False
         self.fallbacks = 0
         self.preparing = ""
         self.foreseen = Foreseen()
+        self.modes: ModesWatch | None = None
+        self.drive: Drive | None = None
+        self._drive_at = -math.inf
 
     # --------------------------------------------------------------------- what the page looks at
     def now(self) -> float:
@@ -244,6 +253,10 @@ class Session:
         for command in self._waiting():
             playing = command.playing_after(playing)
         return playing
+
+    def holds(self, about: About) -> bool:
+        """Whether what a notice is about is still so."""
+        return self.simulation.divergence is not None if about == "runaway" else self.refusal is not None
 
     def _waiting(self) -> list[Command]:
         """The commands that wait; handlers may be adding to them."""
@@ -321,14 +334,16 @@ class Session:
             try:
                 if self.replay is not None and command.takes_over(self):
                     self._end_replay("You have taken over from the replay.")
-                if command.acts:
+                if command.takes_over(self) or command.brings_body:
                     self.refusal = None
                 command.apply(self, at)
                 self.note(command.changes)
             except (InputError, SettingError, SceneError) as error:
                 if isinstance(error, sim.DesignError):
-                    self.refusal = error
-                self.notices.append(Notice("error", "That cannot be done", str(error)))
+                    self.refusal, self.refused_shape = error, self.simulation.positions
+                    self.notices.append(no_shape(error))
+                else:
+                    self.notices.append(Notice("error", "That cannot be done", str(error)))
         if self.replay is None and (not self.playing or self.simulation.divergence is not None):
             self.hands.steer(self.following, glide=False)
 
@@ -341,6 +356,8 @@ class Session:
         now = self._clock()
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
             self.hold_keys(frozenset(), self._keys_at)
+        if self.drive is not None and now - self._drive_at > KEYS_FORGOTTEN_AFTER:
+            self.fade_drive()
         running = self.playing and (self.replay is not None or self.simulation.divergence is None)
         if running and self.replay is not None:
             self._play_log(self.replay, now, budget)
@@ -348,6 +365,8 @@ class Session:
             self._step(now, budget)
         running = running and self.playing  # it may have ended just now
         self.stability_watch.tick(self.simulation, self.revision, running, now, budget)
+        if self.modes is not None:
+            self.modes.tick(self.simulation, self.drive is not None or bool(self.hands.masses))
 
     def keepsake(self) -> bytes:
         """What is needed to go on later where this page is now, see `resume`."""
@@ -412,7 +431,58 @@ class Session:
 
     def let_go(self) -> None:
         """Have all hands let go."""
+        self.end_drive()
         self.hands.let_all_go(self.following)
+
+    def drive_on(self, mode: int, at: float) -> None:
+        """Drive a mode by hand, as was said at a wall time, s, until `end_drive` or until it is said no more.
+
+        Raises:
+            InputError: that mode cannot be driven.
+        """
+        self._drive_at = at
+        if self.drive is not None and self.drive.mode == mode and self.drive.let_go == math.inf:
+            return
+        self.end_drive()
+        if self.modes is None:
+            return
+        self.play(True)
+        drive = Drive.of(self.modes, mode, self.simulation)
+        for mass in drive.masses if drive.grabbed else ():
+            self.do(log.Grab(mass=mass))
+        self.drive = drive
+
+    def fade_drive(self) -> None:
+        """Drive no mode any more: supports come to rest where they were, and a hand lets go."""
+        drive = self.drive
+        if drive is None or drive.grabbed:
+            self.end_drive()
+        elif drive.let_go == math.inf:
+            self.drive = replace(drive, let_go=self.simulation.time)
+
+    def end_drive(self) -> None:
+        """Drive no mode any more, from this moment on."""
+        drive, self.drive = self.drive, None
+        for act in drive.end() if drive is not None else ():
+            self.do(act)
+
+    def put(self, make: Callable[[sim.Moment], sim.Moment], label: str, key: str) -> None:
+        """Go on with other places and speeds of the same body.
+
+        Args:
+            make: makes the moment to go on at of the present one.
+            label: what that is called.
+            key: what is done with the same one in a row is one step of undo.
+        """
+        self.let_go()
+        before = self.simulation.capture()
+        moment = make(before)
+        self.branch()
+        self.recorder.restore(moment)
+        self.versions.add_leap(label, before, moment, key)
+        self.companions.begin(self.simulation, self.history)
+        self.history.amend(self.simulation.capture(), self.companions.capture())
+        self.note(Changed.SETTINGS)
 
     def change(self, change: Callable[[], None], label: str, key: str = "") -> None:
         """Go on with changed settings.
@@ -430,6 +500,7 @@ class Session:
             self.versions.add_leap(label, before, after, key)
             # Another body, whose time begins anew: what is past belongs to the other one.
             self.hands.drop()
+            self.drive = None
             self._begin_history()
             self._choose_joint()
             self.selection = Selection()
@@ -459,6 +530,7 @@ class Session:
             edit: what made it of the one before; None where it is another body's.
         """
         self.hands.drop()
+        self.drive = None
         self.lesson_begun = True  # it goes on where it was
         self.recorder.restore(moment)
         self.selection = Selection() if edit is None else still_selected(edit, self.selection)
@@ -477,6 +549,7 @@ class Session:
         self.opened = simulation.capture().scene
         self.lesson_begun = True
         self.hands.drop()
+        self.drive = None
         self.simulation, self.recorder = simulation, Recorder(simulation)
         if self.follows_energy:
             self.recorder.do(log.FollowEnergy(on=True))
@@ -599,10 +672,29 @@ class Session:
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
         began = time.perf_counter()
-        done = self.recorder.step(steps, attempts=self.pacer.attempts(budget))
+        done = self._stepped(steps, self.pacer.attempts(budget))
         seconds = self._count(now, done, steps - done, began)
         self.companions.follow(self.simulation, done, led, budget - seconds)
         self._after_steps()
+
+    def _stepped(self, steps: int, attempts: int | None) -> int:
+        """Do some steps, and lead what drives a mode meanwhile; returns how many were done."""
+        if self.drive is not None and self.drive.has_faded(self.simulation.time):
+            self.end_drive()
+        if self.drive is None:
+            return self.recorder.step(steps, attempts=attempts)
+        if self.modes is not None and not self.drive.grabbed:
+            self.drive = self.drive.in_step(self.modes, self.simulation)
+        done, each = 0, self.drive.steps(self.simulation.dt)
+        while done < steps:
+            n = min(each, steps - done)
+            for act in self.drive.lead(self.simulation, n):
+                self.do(act)
+            did = self.recorder.step(n, attempts=attempts)
+            done += did
+            if did < n:
+                break
+        return done
 
     def _count(self, now: float, done: int, missed: int, began: float) -> float:
         """Enter steps that were done since `began` into the pacer; returns the seconds they took."""

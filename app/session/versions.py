@@ -29,7 +29,8 @@ class Step:
     Attributes:
         label: what was done.
         forward, backward: there and back, if the motion goes on over it.
-        before, after: the moments to be at instead, where it is another body's.
+        before, after: the moments to be at instead, where it is another body's, or the same one has other
+            places and speeds.
         scale, shift: by what the change multiplied the rest length scale, and what it added to all rest
             angles, beside the scene: settings take in what keys have done.
         key: changes with the same one that follow each other are one step; empty for a step that has ended.
@@ -47,6 +48,11 @@ class Step:
     until: float = math.inf
 
     @property
+    def is_state(self) -> bool:
+        """Whether the scene is the same before and after, and only places and speeds differ."""
+        return self.before is not None and self.forward.scene is self.backward.scene
+
+    @property
     def bytes(self) -> int:
         """What it takes, about, beside what it shares with other steps."""
         one, two = self.backward.scene, self.forward.scene
@@ -57,7 +63,9 @@ class Step:
             if isinstance(value := getattr(two, field), tuple) and value is not getattr(one, field)
         )
         maps = self.forward.masses, self.forward.springs, self.forward.joints
-        return _OVERHEAD + _PER_PART * (parts + 2 * sum(len(each) for each in maps if each))
+        moments = (self.before, self.after) if self.is_state else ()
+        rows = sum(moment.rows.nbytes for moment in moments if moment is not None)
+        return _OVERHEAD + rows + _PER_PART * (parts + 2 * sum(len(each) for each in maps if each))
 
 
 class Versions:
@@ -139,7 +147,13 @@ class Versions:
         self._add(step)
 
     def add_leap(self, label: str, before: Moment, after: Moment, key: str = "") -> None:
-        """Another body took the place of the one before; `key` as for a change."""
+        """Another body took the place of the one before, or the same one has other places and speeds.
+
+        Args:
+            label: what was done.
+            before, after: just before and after.
+            key: as for a change.
+        """
         last = self._last_of(key)
         if last is not None and last.before is not None:
             self._drop_last()
@@ -179,7 +193,7 @@ class Versions:
         if step.before is not None:
             # A redo comes back to where this was left.
             self._steps[self._at] = replace(step, after=moment)
-            return step.before, None
+            return _at_time_of(step, step.before, moment), step.backward if step.is_state else None
         back = carried(step.backward, moment)
         back = replace(
             back,
@@ -196,7 +210,7 @@ class Versions:
         self._at += 1
         if step.after is not None:
             self._steps[self._at - 1] = replace(step, before=moment)
-            return step.after, None
+            return _at_time_of(step, step.after, moment), step.forward if step.is_state else None
         # What is removed again comes back from where it is now.
         self._steps[self._at - 1] = replace(step, backward=inverse(step.forward, moment.scene, moment))
         there = carried(step.forward, moment)
@@ -249,6 +263,11 @@ class Versions:
         while len(self._steps) > MOST_STEPS or (self._bytes > MOST_BYTES and len(self._steps) > 1):
             self._bytes -= self._steps.pop(0).bytes
         self._at = len(self._steps)
+
+
+def _at_time_of(step: Step, moment: Moment, now: Moment) -> Moment:
+    """The moment to be at: of the same body, time goes on."""
+    return replace(moment, time=now.time, step_count=now.step_count) if step.is_state else moment
 
 
 def _sum(one: NDArray[np.float64] | None, two: NDArray[np.float64] | None) -> NDArray[np.float64] | None:

@@ -35,6 +35,8 @@ export const COMMANDS = {
   fit: {"label": "Show the whole scene", "keys": ["0"], "shown": "0", "page": true},
   larger: {"label": "Larger, for a projector", "keys": ["p"], "shown": "P", "page": true},
   stopwatch: {"label": "Stopwatch", "keys": ["t", "l"], "shown": "T", "where": "own"},
+  modes: {"label": "Modes", "keys": ["v"], "shown": "V", "hint": "how the body can swing, and how much of each is in its motion", "needs": "modes"},
+  mute: {"label": "Sound of the modes, or silence", "keys": ["m"], "shown": "M", "needs": "modes", "page": true},
   dark: {"label": "Dark", "keys": [], "needs": "view"},
   meter: {"label": "Stability bar", "keys": [], "hint": "always, not only where the time step is near its limit", "needs": "view"},
   gizmos: {"label": "Arrows at held masses", "keys": [], "hint": "to drag them along one axis", "needs": "view"},

@@ -100,6 +100,10 @@ def _foretell(session: Session, _: Page) -> None:
     session.post(commands.Foretell(session.foresight is None))
 
 
+def _modes(session: Session, _: Page) -> None:
+    session.post(commands.ShowModes())
+
+
 def _anew(session: Session, _: Page) -> None:
     session.post(commands.Open(session.opened, session.lesson_begun))
 
@@ -177,6 +181,13 @@ COMMANDS: dict[str, Row] = {
     "stopwatch": Row(
         "Stopwatch", "own", ("T", "L"),
         "start or stop the stopwatch, a lap, once it is on the canvas",
+    ),
+    "modes": Row(
+        "Modes", _modes, ("V",), "modes: how the body can swing, and how much of each is in its motion",
+        hint="how the body can swing, and how much of each is in its motion", needs="modes",
+    ),
+    "mute": Row(
+        "Sound of the modes, or silence", "page", ("M",), "the sound of the modes, or silence", needs="modes"
     ),
     "dark": Row("Dark", _toggle("dark"), needs="view"),
     "meter": Row(

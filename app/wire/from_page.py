@@ -124,6 +124,20 @@ class BeginStep(FromPage, frozen=True):
     how: Literal["run", "wait", "on"] = "wait"
 
 
+# ------------------------------------------------------------------------- modes
+class PutMode(FromPage, frozen=True):
+    """The body is to be put into a mode, with a part of the amplitude of a full bar."""
+
+    mode: Annotated[int, Meta(ge=0, le=99)]
+    part: Annotated[float, Meta(ge=0.0, le=1.0)]
+
+
+class DriveMode(FromPage, frozen=True):
+    """A mode is to be driven as long as a bar is pressed; none (-1) from then on."""
+
+    mode: Annotated[int, Meta(ge=-1, le=99)]
+
+
 # ------------------------------------------------------------------------- long texts
 class Part(FromPage, frozen=True):
     """A part of what is too long for one message: a keepsake ("resume"), a link, a file, or what is pasted.

@@ -6,6 +6,7 @@ import { COMMANDS } from "./commands.js";
 import { editing, setEditing } from "../page/edit/editing.js";
 import { openGallery } from "../page/scenes/gallery.js";
 import { toggleProjector } from "../page/looks/looks.js";
+import { toggleSound } from "../page/modes/sound.js";
 import { takePicture } from "../page/files/picture.js";
 import { openShareDialog } from "../page/files/share.js";
 
@@ -17,6 +18,7 @@ const OWN = {
   share: () => openShareDialog(),
   fit: () => void fit(true),
   larger: () => toggleProjector(),
+  mute: () => toggleSound(),
   picture: () => void takePicture(),
   video: () => void window.open("video", "_blank", "noopener"),
   edit: () => setEditing(!editing.on),

@@ -96,6 +96,28 @@ class Tools(State, frozen=True, kw_only=True):
     coordinates: bool = False
 
 
+class Modes(State, frozen=True, kw_only=True, omit_defaults=True):
+    """The slow vibrations of the body, where the page looks at them.
+
+    Attributes:
+        on: whether it does.
+        number: of the shapes that belong to them.
+        trouble: why there are none, in a sentence without a full stop; empty while they are looked for, too.
+        frequencies: Hz, the slowest first.
+        damping: ratios, 1 where a vibration is critically damped.
+        full: amplitudes of full bars, px.
+        driven: the mode that is driven, or -1.
+    """
+
+    on: bool = False
+    number: int = 0
+    trouble: str = ""
+    frequencies: tuple[float, ...] = ()
+    damping: tuple[float, ...] = ()
+    full: tuple[float, ...] = ()
+    driven: int = -1
+
+
 class Hud(State, frozen=True, kw_only=True):
     """The head-up display over the canvas, HTML."""
 
@@ -229,6 +251,14 @@ class Fan(Numbers, frozen=True, kw_only=True):
     draws: int = 0
     masses: int = 0
     rate: float = 0.0
+
+
+class ModeShapes(Numbers, frozen=True, kw_only=True):
+    """Shapes of the modes, see `modes.modes.encode_shapes`; none while nobody looks."""
+
+
+class ModeLevels(Numbers, frozen=True, kw_only=True):
+    """How much of each mode is in the motion now, see `modes.modes.encode_levels`."""
 
 
 # ------------------------------------------------------------------------- in a class
@@ -558,6 +588,20 @@ class OfferGallery(Event, frozen=True, kw_only=True):
     """Show the gallery, and why."""
 
     why: str
+
+
+class Melody(Event, frozen=True, kw_only=True):
+    """A plot is to be heard.
+
+    Attributes:
+        name: what is plotted.
+        unit: of its values.
+        values: of equal distance in time; None where there is none.
+    """
+
+    name: str
+    unit: str
+    values: tuple[float | None, ...]
 
 
 class ShelfChanged(Event, frozen=True, kw_only=True):

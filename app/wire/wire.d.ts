@@ -1,7 +1,7 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "muscle" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "modes" | "mute" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "muscle" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
 /** Commands that the page's script does. */
-export type PageCommand = "gallery" | "share" | "fit" | "larger" | "video" | "picture" | "edit";
+export type PageCommand = "gallery" | "share" | "fit" | "larger" | "mute" | "video" | "picture" | "edit";
 /** Do a command of the table, see `commands`. */
 export type Perform = { do: "perform"; command: CommandName };
 /** The arrow keys that are held; said again and again while any is. */
@@ -24,6 +24,10 @@ export type Visit = { do: "visit" };
 export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
 /** The page goes to a step of the scene's lesson. */
 export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "wait" };
+/** The body is to be put into a mode, with a part of the amplitude of a full bar. */
+export type PutMode = { do: "putMode"; mode: number; part: number };
+/** A mode is to be driven as long as a bar is pressed; none (-1) from then on. */
+export type DriveMode = { do: "driveMode"; mode: number };
 /** A part of what is too long for one message: a keepsake ("resume"), a link, a file, or what is pasted. */
 export type Part = { do: "part"; kind: "file" | "link" | "paste" | "resume"; number: number; of: number; letters: string };
 /** A link to the scene, with the present pose or without. */
@@ -136,7 +140,7 @@ export type MoveMuscles = { do: "moveMuscles"; later?: number; stretch?: number;
 export type ShapeMuscles = { do: "shapeMuscles"; wave?: "pulse" | "sine" | null; per_beat?: number | null; spread?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "keep" | "mirror" | "pin" | "remove" | "rest" | "stiffen" | "triangulate"; mass?: number | null; under?: number | null };
-export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act;
+export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | PutMode | DriveMode | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act;
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */
@@ -173,6 +177,8 @@ export type Entry = { name: string; title: string; line: string; text: string; g
 export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };
 /** What is measured on the canvas. */
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
+/** The slow vibrations of the body, where the page looks at them. */
+export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };
 /** The head-up display over the canvas, HTML. */
 export type Hud = { tell: "hud"; html: string };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
@@ -217,6 +223,8 @@ export type TextsTaken = { tell: "textsTaken"; refused: string };
 export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; field: string; refused: string };
 /** Show the gallery, and why. */
 export type OfferGallery = { tell: "offerGallery"; why: string };
+/** A plot is to be heard. */
+export type Melody = { tell: "melody"; name: string; unit: string; values: (number | null)[] };
 /** There are other scenes than before. */
 export type ShelfChanged = { tell: "shelfChanged" };
 /** All scenes, and the name of the present one. */
@@ -241,6 +249,10 @@ export type Arrows = { tell: "arrows"; numbers: Float32Array };
 export type Measured = { tell: "measured"; numbers: Float32Array };
 /** Bodies that go with what was measured about as well as the fitted one: (frames, draws, masses, 2) places, px, from time 0 on; none where no fit is shown. */
 export type Fan = { tell: "fan"; numbers: Float32Array; draws: number; masses: number; rate: number };
-export type ToPage = PageState | Tools | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | Frame | Damage | Arrows | Measured | Fan;
+/** Shapes of the modes, see `modes.modes.encode_shapes`; none while nobody looks. */
+export type ModeShapes = { tell: "modeShapes"; numbers: Float32Array };
+/** How much of each mode is in the motion now, see `modes.modes.encode_levels`. */
+export type ModeLevels = { tell: "modeLevels"; numbers: Float32Array };
+export type ToPage = PageState | Tools | Modes | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | Melody | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | Frame | Damage | Arrows | Measured | Fan | ModeShapes | ModeLevels;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows; measured: Measured; fan: Fan };
+export type Told = { pageState: PageState; tools: Tools; modes: Modes; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; melody: Melody; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows; measured: Measured; fan: Fan; modeShapes: ModeShapes; modeLevels: ModeLevels };

@@ -171,7 +171,7 @@ class Resting:
         """
         if self.slides:
             return
-        state, part = self.state, self._parts()
+        state, part = self.state, self.parts()
         free = state.inverse_mass[: part.size] > 0.0
         force = np.zeros(part.size, complex)
         force[free] = (state.gx + 1j * state.gy)[: part.size][free] / state.inverse_mass[: part.size][free]
@@ -193,7 +193,7 @@ class Resting:
         """(S,) whether each spring is broken."""
         return self.state.broken > 0.0 if self.state.broken.size else np.zeros(self.tables.springs, bool)
 
-    def _parts(self) -> Indices:
+    def parts(self) -> Indices:
         """(n + 1,) the part that the mass of each slot belongs to, by the lowest slot in it.
 
         A part is what springs that are not broken connect.

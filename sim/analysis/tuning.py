@@ -216,7 +216,7 @@ class Dampers:
         self._broken, self._loose = broken_parts(scene)
         # Friction is in proportion to speeds only far below those at which things slip.
         slips = [wall.slip_speed for wall in scene.walls]
-        slips += [scene.contact.slip_speed] if scene.contact is not None else []
+        slips += [part.slip_speed for part in (scene.contact, scene.ground) if part]
         self._creep = _CREEP * min(slips, default=1.0 / _CREEP)
 
     def ratio(

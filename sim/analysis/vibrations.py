@@ -17,7 +17,7 @@ MOST_MASSES = 1000
 _NOT_HELD = "vibrations: the springs do not hold the body where it starts, so it does not vibrate there"
 _SHIFT = 1.0
 """What is added to squares of angular frequencies, 1/s², so that the matrix of a free body has an inverse."""
-_NOTHING = 1e-3
+NOTHING = 1e-3
 """Square of an angular frequency, 1/s², up to which a motion counts as one that nothing resists."""
 _FEW, _MANY = 6, 120
 """Arnoldi's method finds the slowest vibrations where they are one of so many of at least this many."""
@@ -73,7 +73,7 @@ def free_vibrations(scene: Scene, count: int) -> Vibrations:
     for wanted in (count, most):
         softness, shapes = _motions(body, _SHIFT, wanted)
         square = 1.0 / softness - _SHIFT
-        kept = np.flatnonzero(square > _NOTHING)[:count]
+        kept = np.flatnonzero(square > NOTHING)[:count]
         if kept.size == count or softness.size == most:
             break
     return Vibrations(np.sqrt(square[kept]), _by_mass(body, shapes[kept]))

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import itertools
+from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
-from ..kernels.core.tables import Body, Floats, Indices, Matrix
+from ..kernels.core.tables import Body, Indices, Matrix
 from .system import slots_of
 
 NO_MATRIX = Matrix.empty()
@@ -15,68 +17,85 @@ NO_MATRIX = Matrix.empty()
 
 _KRYLOV = 40
 """Largest dimension of a Krylov space for the parts of contact that are not in the pattern."""
+_KEPT = 4
+"""Number of patterns that are kept. That of a cloth of 10 000 masses takes 20 MB."""
+
+
+class Pattern(NamedTuple):
+    """What of a `Matrix` depends only on what connects the masses and on which are held; fields as there."""
+
+    walk: Indices
+    parent: Indices
+    order: Indices
+    row_start: Indices
+    column: Indices
+    diagonal: Indices
+    spring_target: Indices
+    joint_target: Indices
+    loop_target: Indices
 
 
 def new_matrix(body: Body, held: np.ndarray) -> Matrix:
-    """Arrays for the matrix of a body, whose pattern is found here, once.
+    """Arrays for the matrix of a body.
 
-    The order is SuperLU's minimum degree, called through SciPy. The pattern of the factors follows from
-    elimination on the graph of masses, in which a spring connects its two masses, a joint all of its three or
-    four, and a filling those that are neighbours around it.
+    The order is SuperLU's minimum degree, called through SciPy, on the graph of masses in which a spring
+    connects its two masses, a joint all of its three or four, and a filling those that are neighbours around
+    it. The pattern is that of the factors. Those that were used last are kept, as a scene is often made anew
+    with other numbers.
     """
-    n = body.masses
-    a, b = body.spring_a - 1, body.spring_b - 1
-    ja, jb = body.joint_a, body.joint_b
-    ends = np.array([b, a]).T  # (S, 2)
+    fillings = body.environment.fillings
+    tables = body.spring_a, body.spring_b, body.joint_a, body.joint_b, fillings.loop, fillings.start
+    room = body.stiffness.size + 3
+    pattern = pattern_of(body.masses, room, *(table.tobytes() for table in (*tables, np.flatnonzero(held))))
+    count, wide = len(fillings.rows), 2 * slots_of(body)
+    krylov, of_mass = 0, np.zeros(0, np.int64)
+    if body.environment.contact.present:
+        krylov, of_mass = _KRYLOV + 3, np.zeros(wide // 2, np.int64)
+        of_mass[pattern.order] = pattern.diagonal
+    return Matrix(
+        blocks=np.zeros(4 * pattern.column.size),
+        slot=np.zeros(body.masses, np.int64),
+        borders=np.zeros((2 * count, wide if count else 0)),
+        corrections=np.zeros((count + 1, count)),
+        of_mass=of_mass,
+        touching=np.zeros(3 if krylov else 0),
+        touched=np.zeros((3 if krylov else 0, wide)),
+        krylov=np.zeros((krylov, wide)),
+        hessenberg=np.zeros((_KRYLOV + 4 if krylov else 0, _KRYLOV + 1)),
+        **pattern._asdict(),
+    )
+
+
+@lru_cache(maxsize=_KEPT)
+def pattern_of(n: int, room: int, *tables: bytes) -> Pattern:
+    """The pattern of a body with n masses; `room` is the size of `parent`, the tables are its own."""
+    a, b, ja, jb, loop, start, held = (np.frombuffer(table, np.int64) for table in tables)
+    ends = np.array([b, a]).T - 1  # (S, 2)
     spring_pairs = _pairs(ends, ends)
     of_joint = [_pairs(ends[s], ends[t]) for s in (ja, jb) for t in (ja, jb)]
-    joint_pairs = np.concatenate(of_joint, 1) if len(ja) else np.zeros((0, 16, 2), np.int64)
-    neighbours: list[set[int]] = [set() for _ in range(n)]
-    loop_pairs = _loop_pairs(body)
-    for pairs in (spring_pairs, joint_pairs, loop_pairs):
-        for row, column in np.unique(pairs.reshape(-1, 2), axis=0).tolist():
-            neighbours[row].add(column)
-    for i in range(n):
-        neighbours[i].add(i)
-    order = _minimum_degree(neighbours)
-    position = np.empty(n, np.int64)
-    position[order] = np.arange(n)
-    rows = _fill(neighbours, order, position)
-    row_start = np.concatenate(([0], np.cumsum([len(row) for row in rows]))).astype(np.int64)
-    column = np.concatenate([np.array(row, np.int64) for row in rows])
+    joint_pairs = np.concatenate(of_joint, 1)
+    loop_pairs = _loop_pairs(loop - 1, start)
+    pairs = np.concatenate([pairs.reshape(-1, 2) for pairs in (spring_pairs, joint_pairs, loop_pairs)])
+    position, row_start, column = _factors(n, pairs)
+    order = np.empty(n, np.int64)
+    order[position] = np.arange(1, n + 1)
     # The keys are ascending, so that a binary search finds the number of a block from its row and column.
     keys = np.repeat(np.arange(n), np.diff(row_start)) * n + column
 
     def targets(pairs: Indices) -> Indices:
         return np.searchsorted(keys, (position[pairs[..., 0]] * n + position[pairs[..., 1]]).ravel())
 
-    fillings = len(body.environment.fillings.rows)
-    walk, parent = forest(body, held)
-    diagonal = np.searchsorted(keys, np.arange(n) * n + np.arange(n))
-    wide, of_mass = 2 * slots_of(body), np.zeros(0, np.int64)
-    krylov = 0
-    if body.environment.contact.present:
-        krylov, of_mass = _KRYLOV + 3, np.zeros(wide // 2, np.int64)
-        of_mass[1 : n + 1] = diagonal[position]
-    return Matrix(
-        blocks=np.zeros(4 * column.size),
+    walk, parent = _forest(n, room, a, b, held + 1)
+    return Pattern(
         walk=walk,
         parent=parent,
-        order=order + 1,
+        order=order,
         row_start=row_start,
         column=column,
-        diagonal=diagonal,
-        slot=np.zeros(n, np.int64),
+        diagonal=np.searchsorted(keys, np.arange(n) * (n + 1)),
         spring_target=targets(spring_pairs),
         joint_target=targets(joint_pairs),
         loop_target=targets(loop_pairs),
-        borders=np.zeros((2 * fillings, 2 * slots_of(body) if fillings else 0)),
-        corrections=np.zeros((fillings + 1, fillings)),
-        of_mass=of_mass,
-        touching=np.zeros(3 if krylov else 0),
-        touched=np.zeros((3 if krylov else 0, wide)),
-        krylov=np.zeros((krylov, wide)),
-        hessenberg=np.zeros((_KRYLOV + 4 if krylov else 0, _KRYLOV + 1)),
     )
 
 
@@ -102,10 +121,8 @@ def _pairs(rows: Indices, columns: Indices) -> Indices:
     )
 
 
-def _loop_pairs(body: Body) -> Indices:
+def _loop_pairs(loop: Indices, start: Indices) -> Indices:
     """(M, 2, 2) the (row, column) of each mass of a loop with the masses before and after it."""
-    fillings = body.environment.fillings
-    loop, start = fillings.loop - 1, fillings.start
     before, after = loop.copy(), loop.copy()
     for first, behind in itertools.pairwise(start):
         before[first:behind] = np.roll(loop[first:behind], 1)
@@ -113,62 +130,53 @@ def _loop_pairs(body: Body) -> Indices:
     return np.stack((np.stack((loop, before), 1), np.stack((loop, after), 1)), 1)
 
 
-def _minimum_degree(neighbours: list[set[int]]) -> Indices:
+def _factors(n: int, pairs: Indices) -> tuple[Indices, Indices, Indices]:
+    """The position of each mass in the order of elimination, and in that order the first block of each row of
+    the factors and the columns of all.
+
+    Args:
+        n: number of masses.
+        pairs: (k, 2) masses, counted from 0, that are connected; both ways round.
+    """
     # Only implicit methods need this import.
-    from scipy.sparse import csc_matrix
+    from scipy.sparse import coo_matrix
     from scipy.sparse.linalg import splu
 
-    n = len(neighbours)
-    start = np.concatenate(([0], np.cumsum([len(row) for row in neighbours])))
-    index = np.concatenate([np.fromiter(sorted(row), np.int64) for row in neighbours])
-    # Any diagonally dominant numbers: only the pattern matters.
-    value: Floats = np.full(index.size, -1.0)
-    value[index == np.repeat(np.arange(n), np.diff(start))] = n + 1.0
-    factors = splu(
-        csc_matrix((value, index, start), (n, n)),
-        permc_spec="MMD_AT_PLUS_A",
-        diag_pivot_thresh=0.0,
-        options={"SymmetricMode": True},
-    )
-    order = np.empty(n, np.int64)
-    order[factors.perm_c] = np.arange(n)
-    return order
+    row, column = np.concatenate((pairs.T, np.tile(np.arange(n), (2, 1))), 1)
+    graph = coo_matrix((np.ones(row.size), (row, column)), (n, n)).tocsc()
+    graph.sort_indices()
+    count = np.diff(graph.indptr)
+    # All of what elimination adds off the diagonal is negative, so that nothing cancels; and it is hardly
+    # less than what it comes from, so that nothing vanishes along a chain.
+    on_diagonal = graph.indices == np.repeat(np.arange(n), count)
+    graph.data = np.where(on_diagonal, np.repeat((1.0 + 1e-6) * count, count) - 1.0, -1.0)
+    factors = splu(graph, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+    # Zeros in it are none of the pattern, but of how SuperLU stores it.
+    lower = factors.L
+    lower.eliminate_zeros()
+    lower.sort_indices()
+    rows = lower.tocsr()
+    before, after = np.diff(rows.indptr), np.diff(lower.indptr)  # both with the diagonal
+    row_start = np.concatenate(([0], np.cumsum(before + after - 1)))
+    columns = np.empty(row_start[-1], np.int64)
+    # A row of the factors is one of the lower ones, and what is below the diagonal in its column.
+    columns[np.arange(rows.nnz) + np.repeat(row_start[:-1] - rows.indptr[:-1], before)] = rows.indices
+    below = np.arange(lower.nnz) + np.repeat(row_start[:-1] + before - 1 - lower.indptr[:-1], after)
+    columns[below] = lower.indices
+    return factors.perm_c.astype(np.int64), row_start, columns
 
 
-def _fill(neighbours: list[set[int]], order: Indices, position: Indices) -> list[list[int]]:
-    """The columns of each row of the factors, in the order of elimination.
-
-    Eliminating a mass connects its later neighbours with each other; it is enough to add them to the
-    neighbours of the first of them.
-    """
-    n = len(neighbours)
-    upper: list[set[int]] = [
-        {int(p) for p in position[list(neighbours[m])] if p > i} for i, m in enumerate(order)
-    ]
-    rows: list[list[int]] = [[] for _ in range(n)]
-    for i in range(n):
-        later = sorted(upper[i])
-        if later:
-            upper[later[0]].update(later[1:])
-        for j in later:
-            rows[j].append(i)
-        rows[i].append(i)
-        rows[i].extend(later)
-    return rows
-
-
-def forest(body: Body, held: np.ndarray) -> tuple[Indices, Indices]:
+def _forest(n: int, room: int, a: Indices, b: Indices, held: Indices) -> tuple[Indices, Indices]:
     """(walk, parent): see `Matrix`. Held masses and the first mass of a part without any have no parent."""
-    n = body.masses
-    parent = np.zeros(body.stiffness.size + 3, np.int64)
+    parent = np.zeros(room, np.int64)
     neighbours: list[list[int]] = [[] for _ in range(n + 1)]
-    for a, b in zip(body.spring_a.tolist(), body.spring_b.tolist(), strict=True):
-        neighbours[a].append(b)
-        neighbours[b].append(a)
+    for one, other in zip(a.tolist(), b.tolist(), strict=True):
+        neighbours[one].append(other)
+        neighbours[other].append(one)
     walk: list[int] = []
     seen: set[int] = set()
     # All held masses are roots before any other mass is reached from one of them.
-    for roots in ((np.flatnonzero(held) + 1).tolist(), *([m] for m in range(1, n + 1))):
+    for roots in (held.tolist(), *([m] for m in range(1, n + 1))):
         queue = [m for m in roots if m not in seen]
         seen.update(queue)
         for m in queue:  # it grows meanwhile

@@ -46,6 +46,7 @@ class DesignError(InputError):
     """What is asked for cannot be had. The message is one sentence that names the part.
 
     Attributes:
+        sentence: that one, without what was asked for, and without a full stop.
         motion: (n, 2) how the masses would move, relative to the largest movement; None where it is not a
             motion that is in the way.
         stiffening: factor of all stiffness with which it could be had, or None.
@@ -59,7 +60,7 @@ class DesignError(InputError):
         of: str = "keep shape",
     ) -> None:
         super().__init__(f"{of}: {sentence}")
-        self.motion, self.stiffening = motion, stiffening
+        self.sentence, self.motion, self.stiffening = sentence, motion, stiffening
 
 
 def keep_shape(scene: Scene, parts: Selection | None = None, allow_stiffening: bool = False) -> Scene:
@@ -344,7 +345,8 @@ def _overloaded(statics: Statics, share: Floats, stiffening: float) -> DesignErr
     over = np.flatnonzero(share > 1.0)
     worst = int(over[np.argmax(share[over])])
     word, index = statics.name_of(worst)
-    others = f"; {over.size - 1} more would need up to as much" if over.size > 1 else ""
+    rest = int(over.size) - 1
+    others = f", and {rest} other{'s' if rest > 1 else ''} up to as much" if rest else ""
     return DesignError(
         f"{word} {index} would need {share[worst]:.3g} times its stiffness{others}", stiffening=stiffening
     )

@@ -55,8 +55,11 @@ class Parameter:
 
     def value(self, u: float) -> float:
         """The number for u."""
-        value = math.exp(u) if self.logarithmic else self.scale * u
-        return min(max(value, self.low), self.high)
+        return min(max(self.free(u), self.low), self.high)
+
+    def free(self, u: float) -> float:
+        """The number for u, whatever its range is."""
+        return math.exp(u) if self.logarithmic else self.scale * u
 
     def u(self, value: float) -> float:
         """The u of a number."""

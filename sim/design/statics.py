@@ -97,7 +97,7 @@ class Statics:
         most: (m,) the most that each can bear: a spring what would shorten its rest length to nothing, a
             joint what bends it by `MOST_BENT`. Infinite for touching masses.
         is_spring: (m,) whether each is a spring.
-        load: (2 f,) f, kg px/s²: x and y for each free mass in turn.
+        load: (2 f,) f, kg px/s²: x and y for each free mass, in the order in which they are eliminated.
         scale: the largest of `load` in size.
     """
 
@@ -126,7 +126,9 @@ class Statics:
             )
         )
         self.is_spring = np.arange(self.most.size) < of_springs.size
-        self.load = self._known()[self.free].view(np.float64).copy()
+        order = system.mass_order[body.matrix.order - 1]
+        self._rows = order[self.free[order]]
+        self.load = self._known()[self._rows].view(np.float64).copy()
         self.scale = float(np.abs(self.load).max(initial=0.0))
 
     def _stiffness_of_walls(self) -> Floats:
@@ -178,7 +180,9 @@ class Statics:
             (unit[s], -unit[s], across[first], -across[first], -across[second], across[second], t.normal)
         )
         here = self.free[mass]
-        row = 2 * (np.cumsum(self.free) - 1)[mass[here]]
+        place = np.zeros(self.free.size, np.int64)
+        place[self._rows] = np.arange(self._rows.size)
+        row = 2 * place[mass[here]]
         rows = np.concatenate((row, row + 1))
         columns, values = np.tile(column[here], 2), np.concatenate((value[here].real, value[here].imag))
         shape = self.load.size, self.stiffness.size
@@ -258,7 +262,7 @@ class Statics:
         added = typical if evenly else np.where(diagonal > 0.0, diagonal, typical)
         shifted = (square + diags_array(np.full(diagonal.size, shift * added))).tocsc()
         options = {"SymmetricMode": True}
-        return splu(shifted, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options), weighted
+        return splu(shifted, permc_spec="NATURAL", diag_pivot_thresh=0.0, options=options), weighted
 
     def mechanism(self) -> Vectors:
         """(n,) the part of the load that no unknown can bear, kg px/s²: a motion that nothing resists."""
@@ -269,7 +273,7 @@ class Statics:
             for _ in range(_REFINEMENTS):
                 left = left - self.matrix @ (weighted @ factors.solve(left))
         motion = np.zeros(self.free.size, complex)
-        motion[self.free] = left.view(complex)
+        motion[self._rows] = left.view(complex)
         return motion
 
     def share(self, x: Floats) -> Floats:

@@ -5,6 +5,9 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..errors import InputError
 
 _METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "km": 1e3}
@@ -107,3 +110,8 @@ def _has(text: str, dimension: str, length: str) -> bool:
 def _normal(text: str) -> str:
     text = re.sub(r"\s+", " ", text.translate(_SIGNS)).strip()
     return re.sub(r"\s*/\s*", "/", text).replace("s2", "s^2").replace("s-1", "/s")
+
+
+def within_half_a_turn(degrees: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The same angles, within -180..180°."""
+    return (degrees + 180.0) % 360.0 - 180.0

@@ -29,7 +29,7 @@ from ..body.system import same_topology
 from ..edit.edit import Edit, of_parts
 from ..errors import InputError, SceneError, SettingError
 from ..methods.registry import METHODS
-from ..motion.stability import limit_at_start
+from ..motion.stability import StabilityMeter, meter_at_start
 from ..scene.columns import ends
 from ..scene.parts import AngularSpring, LinearSpring
 from ..scene.types import Scene
@@ -49,12 +49,14 @@ _LEAST = 1e-2
 nothing is changed greatly for nearly nothing."""
 _CLOSE, _EXACT = 0.05, 2e-4
 """Residuals from which on the weight is zero, and at which the search ends."""
-_GAIN = 1e-4
-"""Part of the squares that a trial takes away, below which the search ends."""
-_STIFFER, _MOST_CAUTIOUS = 4.0, 1e3
-"""Factor of Levenberg's damping after a trial that is worse, and its largest value."""
-_FARTHEST = math.log(1e5)
-"""Largest logarithm of a factor."""
+_GAIN, _FINE = 2e-3, 5e-3
+"""Part of the squares that a trial takes away, and change of the unknowns in one that is worse, below which the
+search ends."""
+_STIFFER, _CAUTIOUS = 4.0, 1e-5
+"""Factor of Levenberg's damping after a trial that is worse, and its smallest value, with which nothing changes
+that has no effect."""
+_MOST = 1e3
+"""Largest factor, and one over the smallest: what takes more is another body."""
 _STEEPEST = math.log(30.0)
 """Largest logarithm of the ratio of stiffness at the root to that at the tip by a taper."""
 _LOST = 20.0
@@ -184,7 +186,8 @@ def set_wishes(
     Returns:
         The design. Where the wishes cannot be had together it is the nearest, in the sense of the smallest
         sum of squares of the logarithms of what is reached over what is wished, and it says which wishes
-        stand against each other.
+        stand against each other. No stiffness changes by a factor of more than 1000, or, with a taper, of
+        5500 at its ends.
 
     Raises:
         SceneError: the scene is not valid.
@@ -200,7 +203,12 @@ def set_wishes(
     against = () if best.is_enough else search.least_conflict(wishes)
     reached = {name: best.reached[name] for name in wishes.names}
     made = best.factors.applied(scene)
-    conflict = _sentence(wishes, against, reached, scene.view.unit) if against else ""
+    conflict = ""
+    if against:
+        conflict = _sentence(wishes, against, reached, scene.view.unit)
+        changed = (abs(math.log(factor)) for factor in (best.factors.springs, best.factors.joints))
+        if max(changed) > 0.99 * math.log(_MOST):
+            conflict += f"; stiffness changes by a factor of at most {_MOST:g}"
     return Design(made, best.factors, reached, against, conflict)
 
 
@@ -302,7 +310,9 @@ class _Search:
         ]
         self._tapers = len(scene.linear_springs) > 1 and bool(scene.anchors)
         self._start = AtRest(scene)
+        self._meter: StabilityMeter | None = None  # the stiffest motions of two trials are much alike
         self._last: tuple[_Wishes, _Trial] | None = None  # a search often begins where the one before ended
+        self._found: dict[_Wishes, _Trial] = {}  # some of the wishes are looked at more than once
 
     def refuse_hopeless(self, wishes: _Wishes) -> None:
         """Refuse what has nothing to do with stiffness or damping.
@@ -322,11 +332,14 @@ class _Search:
 
     def best(self, wishes: _Wishes) -> _Trial:
         """The trial that comes nearest to some wishes; with a taper only if it has to be."""
-        found = self._nearest(wishes, self._changes)
+        found = self._nearest(wishes)
         about = [name for name in wishes.names if name != "calm_after"]
         if found.is_enough or not self._tapers or len(about) < 2:
             return found
-        other = self._nearest(wishes, [*self._changes, ("taper", tapered)])
+        changes = [*self._changes, ("taper", tapered)]
+        if wishes.dt is not None and wishes.calm_after is None:
+            changes.append(("damping", _damped))
+        other = self._descend(wishes, changes, self._unknowns(found, changes))
         return other if other.miss < 0.9 * found.miss else found
 
     def least_conflict(self, wishes: _Wishes) -> tuple[str, ...]:
@@ -338,40 +351,55 @@ class _Search:
                     return some
         return names
 
-    def _nearest(self, wishes: _Wishes, changes: Sequence[tuple[str, Change]]) -> _Trial:
-        """The trial with the smallest squares, by these changes."""
-        names = [name for name, _ in changes]
-        first = self._try(wishes, names, np.zeros(len(names)))
+    def _nearest(self, wishes: _Wishes) -> _Trial:
+        """The trial with the smallest squares, without a taper."""
+        if wishes not in self._found:
+            self._found[wishes] = self._newly_nearest(wishes)
+        return self._found[wishes]
+
+    def _newly_nearest(self, wishes: _Wishes) -> _Trial:
+        changes = self._changes
+        first = self._try(wishes, [name for name, _ in changes], np.zeros(len(changes)))
         if first.is_enough:
             return first
         # A time step that the body bears anyhow is looked at only once it does not.
         looked = _Wishes(**{n: getattr(wishes, n) for n in wishes.names if n != "dt"})
-        found = self._descend(looked, changes) if looked.names else first
         if wishes.dt is None:
-            return found
-        start = self._unknowns(found, names)
-        found = self._try(wishes, names, start)
+            return self._descend(wishes, changes)
+        found = self._nearest(looked) if looked.names else first
+        start = self._unknowns(found, changes)
+        found = self._try(wishes, [name for name, _ in changes], start)
         if found.is_enough or wishes.calm_after is not None:
             return found if found.is_enough else self._descend(wishes, changes, start)
         # Damping, of which nothing is wished, shortens the steps that a body bears.
         return self._descend(wishes, [*changes, ("damping", _damped)], np.append(start, 0.0))
 
-    @staticmethod
-    def _unknowns(trial: _Trial, names: Sequence[str]) -> Floats:
-        logs = {"taper": trial.factors.taper}
-        for name in ("springs", "joints"):
-            logs[name] = math.log(getattr(trial.factors, name))
-        return np.array([logs[name] for name in names])
+    def _unknowns(self, trial: _Trial, changes: Sequence[tuple[str, Change]]) -> Floats:
+        factors = trial.factors
+        dampings = zip((factors.spring_damping, factors.joint_damping), self._own_damping(), strict=True)
+        logs = {
+            "springs": math.log(factors.springs),
+            "joints": math.log(factors.joints),
+            "taper": factors.taper,
+            "damping": next((math.log(damping / own) for damping, own in dampings if damping and own), 0.0),
+        }
+        return np.array([logs[name] for name, _ in changes])
+
+    def _own_damping(self) -> list[float]:
+        """The damping of springs and of joints that the scene has, kg/s."""
+        return [SETTINGS[key].read(self._scene) for key in _DAMPINGS]
 
     def _descend(
         self, wishes: _Wishes, changes: Sequence[tuple[str, Change]], start: Floats | None = None
     ) -> _Trial:
         """The trial with the smallest squares, by Levenberg's method."""
+        from scipy.optimize import lsq_linear
+
         names = [name for name, _ in changes]
-        most = np.array([_STEEPEST if name == "taper" else _FARTHEST for name in names])
+        most = np.array([_STEEPEST if name == "taper" else math.log(_MOST) for name in names])
         at = np.zeros(len(names)) if start is None else start
         here = self._try(wishes, names, at)
-        caution, slopes = 0.0, None
+        caution, slopes = _CAUTIOUS, None
         # Of a time step, which is known within a per cent, no more is asked than that it will do.
         exact = np.array([REACHED if name == "dt" else _EXACT for name in wishes.names])
         for _ in range(_TRIALS):
@@ -384,19 +412,20 @@ class _Search:
             unit = np.eye(len(names))
             left = np.concatenate((here.residuals, weight * at, np.zeros(len(names))))
             rows = np.vstack((slopes, weight * unit, caution * unit))
-            to = np.clip(at - np.linalg.lstsq(rows, left, 1e-6)[0], -most, most)
+            to = at - lsq_linear(rows, left, (at - most, at + most), method="bvls").x
             there = self._try(wishes, names, to)
             before = here.miss + weight**2 * float(at @ at)
             after = there.miss + weight**2 * float(to @ to)
+            moved = float(np.abs(to - at).max())
             if after < before:
                 at, here = to, there
-                caution = caution / _STIFFER**2 if caution > _LEAST else 0.0
+                caution = caution / _STIFFER**2 if caution > _LEAST else _CAUTIOUS
                 if after > (1.0 - _GAIN) * before:
                     break
                 slopes = None
             else:
                 caution = max(_STIFFER * caution, _LEAST)
-                if caution > _MOST_CAUTIOUS:
+                if moved < _FINE:
                     break
         return here
 
@@ -429,8 +458,8 @@ class _Search:
             taper=logs.get("taper", 0.0),
         )
         if damping := logs.get("damping"):
-            own = [math.exp(damping) * SETTINGS[key].read(self._scene) for key in _DAMPINGS]
-            factors = replace(factors, spring_damping=own[0], joint_damping=own[1])
+            springs, joints = (math.exp(damping) * own for own in self._own_damping())
+            factors = replace(factors, spring_damping=springs, joint_damping=joints)
         return factors
 
     def _bears(self, factors: Factors) -> float:
@@ -438,7 +467,8 @@ class _Search:
         method = self._scene.integrator.method
         if METHODS[method].limit is None:
             return math.inf
-        return limit_at_start(factors.applied(self._scene), method).limit
+        self._meter, found = meter_at_start(factors.applied(self._scene), method, self._meter)
+        return found.limit
 
     def _from(self, scene: Scene) -> Scene:
         """A scene whose search for its pose at rest begins where the one before ended."""

@@ -24,7 +24,7 @@ from ..kernels.core.tables import Body, State
 from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.table import Rows, Table
 from ..scene.surroundings import Wind
-from ..scene.types import Scene
+from ..scene.types import Scene, is_windy
 from .term import Floats, Term, Vectors, read_only
 
 _WAVES = 12
@@ -40,7 +40,7 @@ class Air(Table):
     """Read-only. K waves of gusts."""
 
     friction: float  # F, kg/px
-    moves: bool  # there is wind, and friction for it to act by
+    moves: bool  # there is wind, and air friction or a medium for it to act by
     wind_x: float  # px/s, the mean wind
     wind_y: float
     waves: Rows  # (K, 6), a `Wave` each
@@ -59,7 +59,7 @@ class Wave(NamedTuple):
 
 def new_air(scene: Scene) -> Air:
     """The table of a valid scene."""
-    wind = scene.wind if scene.air_friction > 0.0 else None
+    wind = scene.wind if is_windy(scene) else None
     x, y = wind.velocity if wind else (0.0, 0.0)
     waves = _waves(wind) if wind else np.zeros((0, len(Wave._fields)))
     return read_only(

@@ -12,11 +12,12 @@ from .air import AIR
 from .chain import chain_accelerations, is_chain_like
 from .contact import CONTACT
 from .fillings import FILLINGS
+from .resistance import RESISTANCE
 from .springs import accelerations_by, spring_forces
 from .term import in_turn, least_of, never, nothing, written
 from .walls import WALLS
 
-TERMS = (AIR, WALLS, FILLINGS, CONTACT)
+TERMS = (AIR, RESISTANCE, WALLS, FILLINGS, CONTACT)
 """The forces; each is added to those before it."""
 
 WITH_ENERGY = tuple(term for term in TERMS if term.energy is not None)

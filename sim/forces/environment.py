@@ -10,6 +10,7 @@ from ..scene.types import Scene, is_surrounded
 from .air import Air, new_air
 from .contact_pairs import Contacts, new_contacts
 from .fillings import Fillings, new_fillings
+from .resistance import Resistance, new_resistance
 from .walls import Walls, new_walls
 
 
@@ -20,6 +21,7 @@ class Environment(Table):
     step: float  # s, of an explicit method with a fixed step, which softens walls and contact; 0 for others
     mass: Floats  # (slots,) kg
     air: Air
+    resistance: Resistance
     walls: Walls
     fillings: Fillings
     contact: Contacts
@@ -45,6 +47,7 @@ def new_environment(
         step=step,
         mass=mass,
         air=new_air(scene),
+        resistance=new_resistance(scene, ends, mass),
         walls=new_walls(scene),
         fillings=new_fillings(scene, mass_index),
         contact=new_contacts(scene, mass_index, ends, slots),

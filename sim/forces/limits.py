@@ -35,6 +35,7 @@ from .broad_phase import update_pairs
 from .contact import energy_on_spring
 from .fillings import FillingRow
 from .joints import deflection_at, is_sine, joint_energy, joint_vectors, terms
+from .resistance import of_whole_springs
 from .springs import spring_force
 from .term import read_only
 
@@ -243,6 +244,10 @@ def without_broken(body: Body, broken: Floats) -> Body:
     environment, fillings = body.environment, body.environment.fillings
     if environment.contact.present:
         environment = environment.replaced(contact=environment.contact.replaced(broken=broken.copy()))
+    if environment.resistance.rows.size:
+        ends = np.stack((body.spring_a, body.spring_b), 1)
+        whole = of_whole_springs(environment.resistance, ends, broken)
+        environment = environment.replaced(resistance=whole)
     if leaks := leaking(fillings.loops(), np.stack((body.spring_a, body.spring_b), 1), gone):
         rows = fillings.rows.copy()
         for k in leaks:

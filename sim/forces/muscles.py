@@ -77,12 +77,6 @@ def new_muscles(scene: Scene, spring_order: Indices, joint_order: Indices) -> Mu
     )
 
 
-def retimed(beat: Beat, frequency: float, time: float) -> Beat:
-    """The beat at another frequency, Hz, whose waves go on at a time, s, from where they are then."""
-    phase = (beat.phase + 360.0 * (beat.frequency - frequency) * time) % 360.0
-    return Beat(frequency=frequency, phase=phase)
-
-
 def swings(beat: Beat, muscles: Sequence[SpringMuscle | JointMuscle], time: float) -> Floats:
     """(k,) the amplitude times the wave of each muscle at a time, s."""
     return waves(_rows(beat, muscles), time)

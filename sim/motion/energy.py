@@ -24,8 +24,9 @@ class Energies:
             liquids, and of contact. Each is an attribute, too, under its name there, such as `walls`.
         anchors: work done on the body by moved anchors. Grabbing a mass removes its kinetic energy and that
             of its height; releasing it adds that of its height at that moment.
-        damping, air, friction: work of the damping of springs, of air friction, and of walls and contact by
-            friction and in bouncing, which is negative; but wind can do work on a body.
+        damping, air, friction: work of the damping of springs, of air friction and a medium, and of walls,
+            contact and the ground by friction and in bouncing, which is negative; but wind can do work on a
+            body.
         plastic, broken: energy lost in yielding, and with springs and joints that broke, which is negative.
         law: work of a force law that is not the gradient of an energy.
         keys: work of keys that change rest lengths and rest angles.

@@ -45,6 +45,7 @@ from numpy.typing import NDArray
 from ..body.stable_spring import clamp_stiffness
 from ..body.system import System, build_system, new_state, refresh, start_of
 from ..forces.all import TERMS
+from ..forces.resistance import most_resisted
 from ..forces.term import Twin
 from ..kernels.core.tables import Floats, State
 from ..methods.limits import StabilityLimit
@@ -123,13 +124,16 @@ class StabilityMeter:
     Args:
         system: the tables; those of `clamp_stiffness` for the stable spring.
         method: name of the method, or a rule instead.
+        like: a meter of the same body with other numbers, from whose motion and limit it begins.
 
     Attributes:
         motion: (2, n) the motion that sets the limit, in the order of the slots, of any size; where it is a
             complex one, that part of it which is largest.
     """
 
-    def __init__(self, system: System, method: str | StabilityLimit) -> None:
+    def __init__(
+        self, system: System, method: str | StabilityLimit, like: StabilityMeter | None = None
+    ) -> None:
         self._system = system
         self._rule = METHODS[method].limit if isinstance(method, str) else method
         self._probe = new_state(system)
@@ -138,8 +142,8 @@ class StabilityMeter:
         # Alternating signs are close to the stiffest mode of a chain, and no mode is orthogonal to noise.
         noise = np.random.default_rng(1).normal(size=(2, n))
         self._noise = noise / float(np.sqrt((noise * noise).sum()))
-        self._start = noise + 3.0 * (-1.0) ** np.arange(n)
-        self._limit = 0.0
+        self._start = like._start if like else noise + 3.0 * (-1.0) ** np.arange(n)
+        self._limit = like._limit if like else 0.0
         environment = system.body.environment
         yields = bool(environment.walls.rows.size or environment.contact.present)
         self._softens = environment.step > 0.0 and yields
@@ -261,7 +265,8 @@ class StabilityMeter:
     def _by_velocities(self, physics: Physics | Twin, w: Floats) -> Floats:
         """C w, likewise."""
         body, environment = self._system.body, self._system.body.environment
-        around = environment.walls.rows.size or environment.contact.present or environment.air.friction
+        resisted = environment.air.friction or environment.resistance.rows.size
+        around = environment.walls.rows.size or environment.contact.present or resisted
         if not (body.damped or body.joint_damped or around):
             return np.zeros_like(w)
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
@@ -321,8 +326,8 @@ def quick_limit(system: System) -> float:
 
 
 def damped_limit(system: System) -> float:
-    """Like `quick_limit`, for velocity Verlet with damping, and with contact: the smallest root of
-    dt² k + 4 dt c = 4, s."""
+    """Like `quick_limit`, for velocity Verlet with damping, and with contact, a medium and the ground: the
+    smallest root of dt² k + 4 dt c = 4, s."""
     body = system.body
     k = _row_sums(system, body.stiffness, body.joint_stiffness)
     c = _row_sums(system, body.damping, body.torque_damping[1 : body.joints + 1])
@@ -331,6 +336,10 @@ def damped_limit(system: System) -> float:
         free = np.where(system.held, 0.0, system.inverse_mass)
         k += 4.0 * contact.stiffness * contact.distance * free
         c += 2.0 * contact.damping * contact.stiffness * contact.distance**2 * free
+    resistance = body.environment.resistance
+    if len(resistance.rows):
+        most = most_resisted(resistance, np.stack((body.spring_a, body.spring_b), 1), body.rest_length)
+        c += most[1 : body.masses + 1] * np.where(system.held, 0.0, system.inverse_mass)
     with np.errstate(divide="ignore"):
         return float((2.0 / (c + np.sqrt(c * c + k))).min())
 
@@ -381,8 +390,27 @@ def _by(scene: Scene, method: str) -> Scene:
     return msgspec.structs.replace(scene, integrator=integrator)
 
 
+def meter_at_start(
+    scene: Scene, method: str, like: StabilityMeter | None = None
+) -> tuple[StabilityMeter, StabilityEstimate]:
+    """As `limit_at_start`, with the meter that found it.
+
+    Args:
+        scene: the scene.
+        method: the method.
+        like: a meter of the same scene with other numbers: it is much faster to begin there.
+    """
+    return _meter_at_start(scene, build_system(_by(scene, method)), method, like)
+
+
 def _limit_at_start(scene: Scene, system: System, method: str) -> StabilityEstimate:
+    return _meter_at_start(scene, system, method, None)[1]
+
+
+def _meter_at_start(
+    scene: Scene, system: System, method: str, like: StabilityMeter | None
+) -> tuple[StabilityMeter, StabilityEstimate]:
     system, state = start_of(scene, system)
-    meter = StabilityMeter(system, method)
+    meter = StabilityMeter(system, method, like)
     meter.update(state)
-    return meter.update(state)
+    return meter, meter.update(state)

@@ -7,19 +7,21 @@ from collections.abc import Callable
 from typing import Any
 
 from ..errors import SceneError
+from .parts import Beat
+from .recipes.creatures import Hand, Heart, Swimmer, Walker, Worm
 from .recipes.outlines import AirBalloon, Box, Polygon, WaterBalloon
 from .recipes.plants import HairTuft, Tree
 from .recipes.recipe import AnyRecipe
 from .recipes.rods import Rod, Rope
 from .recipes.sheets import Cloth, FlagPole, Jelly
 from .recipes.trusses import Bridge, Girder
-from .surroundings import Wall, Wind
+from .surroundings import Contact, Medium, Wall, Wind
 from .types import ArrowKeys, Scene
 from .validate import validate
 
 _OF_SCENES = (
-    "name", "title", "description", "gravity", "air_friction", "wind", "walls", "contact",
-    "rest_length_scale", "force_law", "integrator", "arrow_keys", "view", "pose",
+    "name", "title", "description", "gravity", "air_friction", "wind", "medium", "ground", "walls", "contact",
+    "beat", "rest_length_scale", "force_law", "integrator", "arrow_keys", "view", "pose",
 )  # fmt: skip
 """The fields of a scene that its maker takes."""
 
@@ -110,6 +112,13 @@ cloth = _maker(Cloth, gravity=(0.0, 1000.0), air_friction=0.0005)
 girder = _maker(Girder, gravity=(0.0, 1000.0))
 jelly = _maker(Jelly, **_FALLING)
 bridge = _maker(Bridge, gravity=(0.0, 1000.0))
+_ROUGH = (Wall(point=(300.0, 500.0), normal=(0.0, -1.0), friction=0.9, bounciness=0.1),)
+_CREEPING: dict[str, Any] = {"gravity": (0.0, 1000.0), "walls": _ROUGH, "arrow_keys": _KEYS}
+worm = _maker(Worm, beat=Beat(frequency=1.0), **_CREEPING)
+walker = _maker(Walker, beat=Beat(frequency=1.4), **_CREEPING)
+hand = _maker(Hand, beat=Beat(frequency=0.25), contact=Contact(distance=12.0), **_CREEPING)
+swimmer = _maker(Swimmer, beat=Beat(frequency=2.0), medium=Medium(across=0.5, along=0.25), arrow_keys=_KEYS)
+heart = _maker(Heart, beat=Beat(frequency=1.2), air_friction=0.002, arrow_keys=_KEYS)
 
 
 def fine_rope(masses: int, **changes: Any) -> Scene:

@@ -23,7 +23,7 @@ from .numbers import (
 )
 
 
-class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
     """A point mass.
 
     Attributes:
@@ -84,7 +84,7 @@ class JointMuscle(Muscle, frozen=True, kw_only=True):
     amplitude: Annotated[float, bounded(-180.0, 180.0, "°", "Amplitude of a joint's muscle")] = 20.0
 
 
-class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
     """A damped spring along the line from mass `a` to mass `b`.
 
     The force along the line is -stiffness (|L| - rest_length) - damping (u . dv), with the vector L from a to
@@ -114,7 +114,7 @@ class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     muscle: SpringMuscle | msgspec.UnsetType = msgspec.UNSET
 
 
-class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
     """A spring that holds two linear springs, which share a mass, at an angle.
 
     V is the angle from spring `a` to spring `b`, positive from +x towards +y. Opposite torques act on the two
@@ -159,6 +159,11 @@ class Beat(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     frequency: Annotated[float, bounded(0.0, 100.0, "Hz", "Tempo", slider=(0.0, 4.0))] = 1.0
     phase: Annotated[float, bounded(0.0, 360.0, "°", "Phase of the beat")] = 0.0
 
+    def at_tempo(self, frequency: float, time: float) -> Beat:
+        """The beat of another frequency, Hz, that at a time, s, is where this one is."""
+        phase = (self.phase + 360.0 * (self.frequency - frequency) * time) % 360.0
+        return msgspec.structs.replace(self, frequency=frequency, phase=phase)
+
 
 class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """The motion of an anchor that goes round a circle.
@@ -177,7 +182,7 @@ class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     ramp: Annotated[float, bounded(1e-3, 100.0, "s", "Time in which the motion gets going")] = 0.1
 
 
-class Anchor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class Anchor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
     """A mass that is held: it moves only when it is dragged, or on its own circle.
 
     Under the force law "tutorial", the damping of springs treats a dragged mass as being at rest, as the

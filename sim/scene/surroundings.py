@@ -1,4 +1,4 @@
-"""What a body meets besides its own springs: moving air, walls, and what fills it."""
+"""What a body meets besides its own springs: moving air, a medium, the ground, walls, and what fills it."""
 
 from __future__ import annotations
 
@@ -34,6 +34,43 @@ class Wind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     turbulence: Annotated[float, bounded(0.0, 10.0, "", "Turbulence")] = 0.0
     length_scale: Annotated[float, bounded(1.0, 1e5, "px", "Length of the gusts")] = 400.0
     seed: Annotated[int, Meta(ge=0, le=10**9)] = 0
+
+
+class Medium(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A viscous medium around all springs, which resists motion across a spring more than motion along it.
+
+    The force per length of a spring is -across v across it and -along v along it, where v is the velocity
+    relative to the medium; half of a spring counts for each end. This is resistive force theory (Gray &
+    Hancock 1955), for what is small and slow. The scene's wind moves the medium. For a slender rod, `across`
+    is nearly twice `along`.
+
+    Attributes:
+        across: 0..1e6 kg/(px s).
+        along: 0..1e6 kg/(px s).
+    """
+
+    across: Annotated[float, bounded(0.0, 1e6, "kg/(px s)", "Drag across springs")] = 1.0
+    along: Annotated[float, bounded(0.0, 1e6, "kg/(px s)", "Drag along springs")] = 0.5
+
+
+class Ground(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The ground on which all springs lie, of a scene that is seen from above, with friction as of scales.
+
+    All springs of a mass bear an equal share of its weight. An end of a spring that slides at the speed v is
+    slowed by friction N tanh(v / slip_speed), across the spring and along it, where N is the weight on that
+    end. Forwards is from the spring's mass a to its mass b. A mass without springs slides freely.
+
+    Attributes:
+        gravity: 0..1e6 px/s², at which all masses are pressed onto the ground.
+        forward, backward, sideways: 0..100, coefficients of friction.
+        slip_speed: 1e-3..1e6 px/s.
+    """
+
+    gravity: Annotated[float, bounded(0.0, 1e6, "px/s²", "Gravity onto the ground")] = 1000.0
+    forward: Annotated[float, bounded(0.0, 100.0, "", "Friction forwards")] = 0.2
+    backward: Annotated[float, bounded(0.0, 100.0, "", "Friction backwards")] = 0.3
+    sideways: Annotated[float, bounded(0.0, 100.0, "", "Friction sideways")] = 0.4
+    slip_speed: Annotated[float, bounded(1e-3, 1e6, "px/s", "Speed of full friction")] = 10.0
 
 
 class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -19,7 +19,7 @@ from .parts import Anchor, AngularSpring, Beat, LinearSpring, Mass
 from .parts import Circle as Circle
 from .recipes.recipe import AnyRecipe, expand
 from .recipes.recipe import Rope as Rope
-from .surroundings import Contact, Gas, Liquid, Wall, Wind
+from .surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 
 FORMAT_VERSION = 3
 """Version of the file format that this release writes; older files are read, newer ones are refused."""
@@ -151,6 +151,9 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         gravity: acceleration, px/s², each component within ±1e6; +y is down where `view.y_down`.
         air_friction: 0..1000 kg/px; the force on each axis is -air_friction v |v|.
         wind: air that moves, or None.
+        medium: a viscous medium around all springs, which the wind moves; files leave it out where there is
+            none.
+        ground: ground below all springs, of a scene that is seen from above; likewise.
         walls: walls, floors and slopes.
         contact: contact of bodies with each other and with themselves, or None.
         rest_length_scale: 0.01..100; multiplies every rest length.
@@ -178,6 +181,8 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     gravity: Annotated[Vector, Meta(description="Acceleration of gravity (px/s²)")] = (0.0, 0.0)
     air_friction: Annotated[float, bounded(0.0, 1000.0, "kg/px", "Air friction")] = 0.0
     wind: Wind | None = None
+    medium: Medium | msgspec.UnsetType = msgspec.UNSET
+    ground: Ground | msgspec.UnsetType = msgspec.UNSET
     walls: tuple[Wall, ...] = ()
     contact: Contact | None = None
     rest_length_scale: Annotated[float, bounded(0.01, 100.0, "", "Factor of all rest lengths")] = 1.0
@@ -211,7 +216,13 @@ def shown_name(scene: Scene) -> str:
 def is_surrounded(scene: Scene) -> bool:
     """Whether anything acts on a scene's masses besides springs, still air and gravity."""
     touches = scene.contact is not None and scene.contact.distance > 0.0 and bool(scene.linear_springs)
-    return bool(scene.walls or scene.fillings or touches or (scene.wind and scene.air_friction > 0.0))
+    resisted = (scene.medium or scene.ground) and scene.linear_springs
+    return bool(scene.walls or scene.fillings or touches or resisted or is_windy(scene))
+
+
+def is_windy(scene: Scene) -> bool:
+    """Whether a scene has wind, and air friction or a medium by which it acts."""
+    return scene.wind is not None and bool(scene.air_friction > 0.0 or scene.medium)
 
 
 def is_loaded(scene: Scene) -> bool:

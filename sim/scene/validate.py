@@ -10,7 +10,7 @@ import math
 import re
 import weakref
 from collections.abc import Iterator
-from typing import Any, get_type_hints
+from typing import get_type_hints
 
 import msgspec
 
@@ -29,6 +29,8 @@ _valid: weakref.ref[Scene] | None = None
 """The scene that was found valid last. A slider's new scene comes here twice: from the setting, and from the
 simulation that goes on with it."""
 
+_writer, _reader = msgspec.msgpack.Encoder(enc_hook=of_python), msgspec.msgpack.Decoder(Scene)
+
 _HALF = re.compile("[\ud800-\udfff]")
 """Half of a surrogate pair: a Python string can contain one, UTF-8 cannot."""
 
@@ -45,10 +47,7 @@ def validate(scene: Scene) -> Scene:
         return scene
     if not isinstance(scene, Scene):
         raise SceneError(f"a Scene is expected, not {type(scene).__name__}")
-    try:
-        converted = msgspec.convert(plain(scene), Scene)
-    except msgspec.ValidationError as error:
-        raise SceneError(sentence(error, scene)) from None
+    converted = _read_back(scene)
     if converted != scene:  # a list is converted to a tuple, and a dict to a struct
         raise SceneError(difference(scene, converted))
     consistent(scene)
@@ -78,9 +77,20 @@ def consistent_pose(pose: Pose, scene: Scene) -> Pose:
     return pose
 
 
-def plain(scene: Scene) -> dict[str, Any]:
-    """The scene as dicts, tuples, numbers and strings."""
-    return msgspec.to_builtins(scene, enc_hook=of_python)
+def _read_back(scene: Scene) -> Scene:
+    """The scene as it is read from what it is written as.
+
+    Raises:
+        SceneError: a type or a number is wrong.
+    """
+    try:
+        return _reader.decode(_writer.encode(scene))
+    except Exception:
+        # By dicts it takes several times as long, but what is wrong is known even if it cannot be written.
+        try:
+            return msgspec.convert(msgspec.to_builtins(scene, enc_hook=of_python), Scene)
+        except msgspec.ValidationError as error:
+            raise SceneError(sentence(error, scene)) from None
 
 
 def number_range(kind: type, field: str) -> tuple[float, float, str]:
@@ -188,51 +198,54 @@ def _recipe_problems(scene: Scene) -> Iterator[str]:
 
 
 def _linear_problems(scene: Scene, n: int) -> Iterator[str]:
-    pairs: dict[frozenset[int], int] = {}
+    pairs: dict[int, int] = {}
+    starts = scene.pose.positions if scene.pose else tuple(mass.position for mass in scene.masses)
     for s, spring in enumerate(scene.linear_springs):
-        for end in ("a", "b"):
-            i = getattr(spring, end)
-            if i >= n:
-                yield f"linear_springs[{s}].{end}: mass {i} does not exist ({_span(n)})"
-                return
-        if spring.a == spring.b:
-            yield f"linear_springs[{s}].b: a spring must join two masses, not mass {spring.a} with itself"
-        other = pairs.setdefault(frozenset((spring.a, spring.b)), s)
+        a, b = spring.a, spring.b
+        if a >= n or b >= n:
+            end, i = ("a", a) if a >= n else ("b", b)
+            yield f"linear_springs[{s}].{end}: mass {i} does not exist ({_span(n)})"
+            return
+        if a == b:
+            yield f"linear_springs[{s}].b: a spring must join two masses, not mass {a} with itself"
+        other = pairs.setdefault(_pair(a, b), s)
         if other != s:
-            yield f"linear_springs[{s}]: it joins masses {spring.a} and {spring.b}, as spring {other} does"
-        starts = scene.pose.positions if scene.pose else None
-        if starts is None or len(starts) == n:
-            p = starts[spring.a] if starts else scene.masses[spring.a].position
-            q = starts[spring.b] if starts else scene.masses[spring.b].position
-            if math.dist(p, q) < SHORTEST:
-                where = "pose.positions" if starts else "masses"
-                yield (
-                    f"linear_springs[{s}]: {where} {spring.a} and {spring.b} start in the same place, "
-                    "so the spring between them has no direction"
-                )
+            yield f"linear_springs[{s}]: it joins masses {a} and {b}, as spring {other} does"
+        if len(starts) == n and math.dist(starts[a], starts[b]) < SHORTEST:
+            where = "pose.positions" if scene.pose else "masses"
+            yield (
+                f"linear_springs[{s}]: {where} {a} and {b} start in the same place, "
+                "so the spring between them has no direction"
+            )
+
+
+def _pair(a: int, b: int) -> int:
+    """A number for an unordered pair of indices."""
+    return a << 32 | b if a < b else b << 32 | a
 
 
 def _angular_problems(scene: Scene, springs: int) -> Iterator[str]:
-    pairs: dict[frozenset[int], int] = {}
+    pairs: dict[int, int] = {}
+    linear, template = scene.linear_springs, scene.template
     for j, joint in enumerate(scene.angular_springs):
-        for end in ("a", "b"):
-            s = getattr(joint, end)
-            if s >= springs:
-                yield f"angular_springs[{j}].{end}: spring {s} does not exist ({_span(springs)})"
-                return
-        if joint.a == joint.b:
-            yield f"angular_springs[{j}].b: it must hold two different springs, not {joint.a} with itself"
+        a, b = joint.a, joint.b
+        if a >= springs or b >= springs:
+            end, s = ("a", a) if a >= springs else ("b", b)
+            yield f"angular_springs[{j}].{end}: spring {s} does not exist ({_span(springs)})"
+            return
+        if a == b:
+            yield f"angular_springs[{j}].b: it must hold two different springs, not {a} with itself"
             continue
-        p, q = scene.linear_springs[joint.a], scene.linear_springs[joint.b]
-        if not {p.a, p.b} & {q.a, q.b}:
-            yield f"angular_springs[{j}]: springs {joint.a} and {joint.b} share no mass"
-        other = pairs.setdefault(frozenset((joint.a, joint.b)), j)
+        p, q = linear[a], linear[b]
+        if p.a != q.a and p.a != q.b and p.b != q.a and p.b != q.b:
+            yield f"angular_springs[{j}]: springs {a} and {b} share no mass"
+        other = pairs.setdefault(_pair(a, b), j)
         if other != j:
-            yield f"angular_springs[{j}]: it holds springs {joint.a} and {joint.b}, as spring {other} does"
-        if scene.template is not None and joint.rest_angle != scene.template:
+            yield f"angular_springs[{j}]: it holds springs {a} and {b}, as spring {other} does"
+        if template is not None and joint.rest_angle != template:
             yield (
                 f"angular_springs[{j}].rest_angle: {joint.rest_angle:g} is not the scene's template, "
-                f"{scene.template}"
+                f"{template}"
             )
 
 

@@ -17,13 +17,12 @@ import msgspec
 from ..body.system import joint_stiffness
 from ..errors import SceneError, SettingError
 from ..forces.joints import LAWS
-from ..forces.muscles import retimed
 from ..methods.registry import METHODS
 from ..scene.columns import has_any
 from ..scene.parts import Beat
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
-from ..scene.surroundings import Contact, Gas, Liquid, Wall, Wind
+from ..scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 from ..scene.types import (
     AngularSpring,
     ForceLaw,
@@ -124,9 +123,8 @@ def set_value(scene: Scene, key: str, value: float, time: float = 0.0) -> Scene:
         raise SettingError(f"{key}: {value:g} is not a whole number")
     try:
         new = setting.write(scene, int(value) if setting.integer else float(value))
-        if scene.beat and new.beat and new.beat.frequency != scene.beat.frequency:
-            beat = retimed(scene.beat, new.beat.frequency, time)
-            new = msgspec.structs.replace(new, beat=beat)
+        if key == "tempo" and scene.beat:
+            new = msgspec.structs.replace(new, beat=scene.beat.at_tempo(float(value), time))
         return validate(new)
     except SceneError as error:
         raise SettingError(f"{key}: {error}") from None
@@ -262,6 +260,14 @@ def _has_walls(scene: Scene) -> bool:
     return moves(scene) and bool(scene.walls)
 
 
+def _has_medium(scene: Scene) -> bool:
+    return _has_springs(scene) and bool(scene.medium)
+
+
+def _has_ground(scene: Scene) -> bool:
+    return _has_springs(scene) and bool(scene.ground)
+
+
 def _has_contact(scene: Scene) -> bool:
     return _has_springs(scene) and scene.contact is not None
 
@@ -332,6 +338,7 @@ _ALL = (
         Access(-180.0, 180.0, "°", lambda scene: float(scene.template or 0), _write_template),
         lambda scene: _has_joints(scene) and scene.template is not None, integer=True,
     ),
+    _setting("tempo", "Tempo", (0.0, 4.0), at(Beat, "beat.frequency"), _has_muscles),
     _setting(
         "gravity", "Gravity", (0.0, 5000.0), Access(-1e6, 1e6, "px/s²", _read_gravity, _write_gravity), moves,
     ),
@@ -351,6 +358,11 @@ _ALL = (
         _has_wind,
     ),
     _setting("turbulence", "Turbulence", (0.0, 1.0), at(Wind, "wind.turbulence"), _has_wind),
+    _setting("drag_across", "Drag across springs", (0.0, 5.0), at(Medium, "medium.across"), _has_medium),
+    _setting("drag_along", "Drag along springs", (0.0, 5.0), at(Medium, "medium.along"), _has_medium),
+    _setting("ground_forward", "Friction forwards", (0.0, 2.0), at(Ground, "ground.forward"), _has_ground),
+    _setting("ground_backward", "Friction backwards", (0.0, 2.0), at(Ground, "ground.backward"), _has_ground),
+    _setting("ground_sideways", "Friction sideways", (0.0, 2.0), at(Ground, "ground.sideways"), _has_ground),
     _setting(
         "wall_friction", "Friction of walls", (0.0, 2.0), largest(Wall, "walls", "friction"), _has_walls
     ),
@@ -383,7 +395,6 @@ _ALL = (
         "yield_force", "Yield force", (100.0, 1e6), largest(LinearSpring, "linear_springs", "yield_force"),
         _has_limit("yield_force"), logarithmic=True,
     ),
-    _setting("beat.frequency", "Tempo", (0.0, 4.0), at(Beat, "beat.frequency"), _has_muscles),
     _setting("dt", "Time step", (1e-4, 0.01), at(Integrator, "integrator.dt"), moves, logarithmic=True),
     _setting(
         "tolerance", "Tolerance", (1e-6, 10.0), at(Integrator, "integrator.tolerance"),

@@ -12,7 +12,7 @@ from rich.table import Table
 
 import sim
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
-from sim.body.sparsity import fill, new_matrix
+from sim.body.sparsity import fill, new_matrix, pattern_of
 from sim.body.system import build_system
 
 PRESETS = ("study-w4", "study-ring", "study-tree", "hair-tuft", "flag-pole", "study-cloth")
@@ -82,6 +82,7 @@ def bench_matrices(console: Console, repeats: int) -> None:
     for scene in (*map(sim.load_scene, PRESETS), girder(GIRDER), *map(cloth, SIDES)):
         system, times = build_system(scene), []
         for _ in range(repeats):
+            pattern_of.cache_clear()
             began = time.perf_counter()
             new_matrix(system.body, system.held)
             times.append(time.perf_counter() - began)

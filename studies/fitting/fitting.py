@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -9,7 +10,8 @@ import msgspec
 from rich.console import Console
 
 import sim
-from sim.design.fit import Estimate, Fit
+from sim.design.estimates import Estimate
+from sim.design.fit import Fit
 from sim.store.files import safe_name
 
 from ..reporting.output import Watch, comma_separated, encoded, make_folder, table
@@ -75,5 +77,5 @@ def _write(found: Fit, scene: sim.Scene, out: Path, decimal_comma: bool) -> None
 
 def _row(each: Estimate) -> tuple[object, ...]:
     known = "yes" if each.known else "no"
-    low, high = (each.low, each.high) if each.known else (None, None)
-    return each.name, each.unit, each.value, low, high, known, each.before
+    ends = (end if math.isfinite(end) else None for end in (each.low, each.high))
+    return each.name, each.unit, each.value, *ends, known, each.before

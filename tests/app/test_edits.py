@@ -449,7 +449,8 @@ def test_a_shape_that_cannot_be_kept_is_refused_with_the_motion_and_an_offer() -
     )
     page = Page(arm)
     page.do(Act("keep"))
-    assert "joint 0 would need 2.31 times its stiffness" in page.session.notices.pop().text
+    said = page.session.notices.pop().text
+    assert said.startswith("Joint 0 would need 2.31 times its stiffness. The button")
     assert page.letters.last(Versions).stiffen == pytest.approx(2.309, abs=1e-3)
     assert picture_of(page.session).ghost is None
     scene = page.do(Act("stiffen"))
@@ -457,13 +458,30 @@ def test_a_shape_that_cannot_be_kept_is_refused_with_the_motion_and_an_offer() -
     assert page.letters.last(Versions).stiffen == 0.0
     # Without the joint it turns; the way that it goes is drawn until something else is done.
     page.do(commands.Undo(), Select(joints=(0,)), Act("remove"), Act("keep"))
-    assert "nothing keeps" in page.session.notices.pop().text
+    said = page.session.notices.pop().text
+    assert said.startswith("Nothing keeps")
+    assert said.endswith("The line shows where it goes.")
     shown = picture_of(page.session).ghost
     assert shown is not None
     assert shown[2, 1] != 0.0
     assert shown[:2].tolist() == [[0.0, 0.0], [100.0, 0.0]]
+    # The line stays where it is, while the body leaves the shape.
+    page.frames(5, commands.Play(True))
+    page.frames(1, commands.Play(False))
+    assert page.session.simulation.positions[2, 1] > 1.0
+    still = picture_of(page.session).ghost
+    assert still is not None
+    assert np.array_equal(still, shown)
     page.do(Act("pin", mass=2))
     assert picture_of(page.session).ghost is None
+    # So it is for another body, or for this one as it was with other masses.
+    for after in (commands.Open(sim.load_scene("ring")), commands.Undo()):
+        page.frames(1, commands.Open(arm), commands.Play(False))
+        page.do(Place(0.0, 0.0), Select(joints=(0,)), Act("remove"), Act("keep"))
+        assert picture_of(page.session).ghost is not None
+        page.frames(1, after)
+        assert picture_of(page.session).ghost is None
+        page.session.notices.clear()
 
 
 def test_who_draws_a_body_and_lets_it_go_is_told_once_what_keeps_it() -> None:

@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import get_args
 
+import msgspec
 import numpy as np
 import pytest
 from msgspec.structs import replace as changed
@@ -93,6 +94,19 @@ LOADED = changed(
         changed(m, force=(300.0 * i, -4000.0)) if i % 3 == 2 else m for i, m in enumerate(DAMPED.masses)
     ),
 )
+MUSCULAR = changed(
+    DAMPED,
+    bodies=(),
+    beat=sim.Beat(frequency=1.7, phase=40.0),
+    linear_springs=tuple(
+        changed(s, muscle=sim.SpringMuscle(amplitude=0.2, phase=50.0 * i, per_beat=1 + i % 3)) if i % 2 else s
+        for i, s in enumerate(DAMPED.linear_springs)
+    ),
+    angular_springs=tuple(
+        changed(j, muscle=sim.JointMuscle(amplitude=-30.0, phase=70.0 * i, wave="pulse")) if i % 3 else j
+        for i, j in enumerate(DAMPED.angular_springs)
+    ),
+)
 SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "rope": (sim.load_scene("tutorial-3.3"), ("rest_angle=25",)),
     "diagonal template": (sim.load_scene("tutorial-3.2"), ("template=135",)),
@@ -111,6 +125,10 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "stable spring": (sim.load_scene("girder"), ("method=stable_spring",)),
     "no springs, a slope": (LOOSE, ()),
     "constant forces": (LOADED, ()),
+    "muscles": (MUSCULAR, ()),
+    "muscles, angle law": (MUSCULAR, ("force_law=angle", "tempo=3")),
+    "muscles of springs alone": (changed(MUSCULAR, angular_springs=()), ()),
+    "muscles that rest": (changed(MUSCULAR, beat=msgspec.UNSET), ()),
 }
 
 
@@ -138,7 +156,14 @@ def test_programs_move_as_the_command_does(name: str, tmp_path: Path) -> None:
 def test_a_program_begins_at_the_moment_that_it_is_made_of(tmp_path: Path) -> None:
     rope = sim.rope(masses=8, length=240.0, driven=None, arrow_keys=sim.ArrowKeys(), integrator=EULER)
     circle = sim.Anchor(mass=0, circle=Circle(radius=20.0, frequency=1.5))
-    simulation = sim.Simulation(changed(rope, anchors=(circle,), bodies=()))
+    scene = changed(rope, anchors=(circle,), bodies=())
+    springs = tuple(changed(s, muscle=sim.SpringMuscle(phase=90.0)) for s in scene.linear_springs)
+    joints = tuple(changed(j, muscle=sim.JointMuscle()) for j in scene.angular_springs[2:])
+    simulation = sim.Simulation(
+        changed(
+            scene, beat=sim.Beat(), linear_springs=springs, angular_springs=scene.angular_springs[:2] + joints
+        )
+    )
     simulation.keys = {"up", "right"}
     simulation.step(80)
     simulation.keys = ()
@@ -300,6 +325,29 @@ def test_what_a_program_cannot_do_is_refused_in_one_sentence(
     assert command("export", name, "--c", out, "--set", f"{setting}=0") == 0
 
 
+def test_a_program_refuses_a_medium_and_ground(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = tmp_path / "scene.json"
+    ground = sim.Ground(forward=0.0, backward=0.0)
+    resisted = changed(sim.load_scene("rope"), medium=sim.Medium(), ground=ground)
+    sim.save_scene(resisted, scene)
+    out = tmp_path / "body.py"
+    assert command("export", scene, "--python", out) == 1
+    assert capsys.readouterr().err == (
+        "softrod: a program cannot do drag across springs and drag along springs and friction sideways; set "
+        "drag_across and drag_along and ground_sideways to 0 to have one without them\n"
+    )
+    words = [
+        word for key in ("drag_across", "drag_along", "ground_sideways") for word in ("--set", f"{key}=0")
+    ]
+    assert command("export", scene, "--python", out, *words) == 0
+    data = json.loads(body_json(body_of(resisted)))
+    assert data["medium"] == {"across": 1.0, "along": 0.5}
+    assert data["ground"]["sideways"] == 0.4
+    settings = {row["setting"]: row["value"] for row in tables(resisted)["settings"]}
+    assert settings["medium_across [kg/(px s)]"] == "1.0"
+    assert settings["ground_slip_speed [px/s]"] == "10.0"
+
+
 def test_a_program_says_what_is_another_in_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "body.py"
     assert command("export", "lesson-cantilever", "--python", out) == 0
@@ -366,6 +414,34 @@ def test_a_scene_can_be_made_of_the_json() -> None:
     simulation.step(STEPS)
     other.step(STEPS)
     assert other.positions == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+
+
+def test_muscles_are_in_json_and_tables_as_in_the_scene() -> None:
+    data = json.loads(body_json(body_of(MUSCULAR)))
+    assert msgspec.convert(data["beat"], sim.Beat) == MUSCULAR.beat
+    for name, parts in (
+        ("springs", MUSCULAR.linear_springs),
+        ("joints", MUSCULAR.angular_springs),
+    ):
+        muscles = [part.muscle or None for part in parts]
+        assert data[name]["muscle"] == [muscle and msgspec.to_builtins(muscle) for muscle in muscles]
+        assert None in muscles
+        assert any(muscles)
+        rows = tables(MUSCULAR)[name]
+        amplitude = {"springs": "muscle_amplitude", "joints": "muscle_angle [deg]"}[name]
+        for muscle, row in zip(muscles, rows, strict=True):
+            wanted = muscle and (muscle.amplitude, muscle.phase, muscle.wave, muscle.per_beat)
+            columns = amplitude, "muscle_phase [deg]", "muscle_wave", "muscle_waves_per_beat"
+            a, phase, wave, per_beat = (row[column] for column in columns)
+            assert wanted == (muscle and (float(a), float(phase), wave, int(per_beat)))
+    settings = {row["setting"]: row["value"] for row in tables(MUSCULAR)["settings"]}
+    assert float(settings["beat_frequency [Hz]"]) == MUSCULAR.beat.frequency  # type: ignore[union-attr]
+    plain = body_of(DAMPED)
+    assert b"muscle" not in body_json(plain)
+    assert "beat_frequency [Hz]" not in {row["setting"] for row in tables(DAMPED)["settings"]}
+    for write in (python_program, c_program):
+        assert b"uscle" not in write(plain)[0]
+    assert '"muscles": null' in javascript_program(plain.moment)[0].decode()
 
 
 def test_json_has_all_that_a_scene_has_with_units() -> None:

@@ -24,7 +24,7 @@ from app.export.live.program import javascript_program
 from sim.settings import set_value
 from sim.store.files import list_scenes
 from tests.page.check import FOLDER, NODE
-from tests.sim.fuzzing import wild_scene, wild_world
+from tests.sim.fuzzing import wild_scene, wild_world, with_muscles
 
 STEPS = 400
 CLOSE = 1e-9
@@ -100,7 +100,10 @@ def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() 
     scenes = []
     for seed in range(60):
         rng = np.random.default_rng(seed)
-        scene = by(wild_world(wild_scene(rng), rng), list(METHODS)[seed % 2])
+        scene = wild_world(wild_scene(rng), rng)
+        if seed % 3 == 0:
+            scene = with_muscles(scene, rng)
+        scene = by(scene, list(METHODS)[seed % 2])
         dt = max(1e-6, min(scene.integrator.dt, 2e-4))
         scenes.append(replace(scene, integrator=replace(scene.integrator, dt=dt)))
     compared = broke = 0
@@ -184,9 +187,19 @@ def test_sliders_set_what_they_set_in_the_page() -> None:
         "pile": {"contact_stiffness": 400.0, "contact_friction": 1.2, "air_friction": 0.002},
         "tutorial-3.3": {"rest_angle": 25.0, "rest_length_scale": 1.3, "angular_stiffness": 700.0},
         "tutorial-3.2": {"template": 90.0},
-    }
+        "rope": {"tempo": 3.3, "rest_angle": 12.0, "rest_length_scale": 0.9},
+        "rod": {
+            "drag_across": 0.3, "drag_along": 0.1,
+            "ground_forward": 0.1, "ground_backward": 1.0, "ground_sideways": 0.6,
+        },
+    }  # fmt: skip
     for name, values in changes.items():
-        scene = by(sim.load_scene(name), "symplectic_euler")
+        scene = sim.load_scene(name)
+        if "drag_across" in values:
+            scene = replace(scene, medium=sim.Medium(), ground=sim.Ground())
+        scene = by(scene, "symplectic_euler")
+        if "tempo" in values:
+            scene = with_muscles(scene, np.random.default_rng(1))
         about = about_of(live_html(sim.Simulation(scene).capture())[0])
         settings = {setting["key"]: setting for setting in about["settings"]}
         other = scene

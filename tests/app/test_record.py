@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import msgspec
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -22,6 +23,7 @@ from tests.amount import examples
 from tests.app.pages import SessionPage
 from tests.app.recording import agrees, busy_page, joined, lines_of, log_of, perturbed, replayed
 from tests.app.test_cli import refused, rows_of, softrod_here
+from tests.sim.fuzzing import with_muscles
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -36,6 +38,21 @@ def test_a_log_leads_to_the_same_bits(method: str) -> None:
 @pytest.mark.parametrize("preset", ["ring", "hair-tuft", "flag-pole"])
 def test_a_log_leads_to_the_same_bits_for_any_topology(preset: str) -> None:
     agrees(busy_page(sim.load_scene(preset)))
+
+
+def test_a_log_of_muscles_leads_to_the_same_bits_also_through_another_tempo() -> None:
+    scene = with_muscles(sim.load_scene("tutorial-3.3"), np.random.default_rng(5))
+    page = busy_page(scene)
+    page.frames(1, commands.Play(False))
+    simulation = page.session.simulation
+    beat, time = simulation.scene.beat, simulation.time
+    page.frames(1, commands.SetValue("tempo", 0.7))
+    assert beat
+    assert page.session.simulation.scene.beat == beat.at_tempo(0.7, time)
+    page.frames(20, commands.Play(True))
+    page.frames(5, commands.GoBack(0.1))
+    page.frames(20, commands.Play(True))
+    agrees(page)
 
 
 def test_a_log_of_a_follower_of_choices_and_of_the_energy() -> None:

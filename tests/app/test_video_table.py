@@ -14,6 +14,12 @@ from sim.settings import set_value
 from tests.page.check import FOLDER, NODE
 from tests.sim.measured import measure
 
+RATE = FOLDER.parents[1] / "app" / "page" / "video" / "rate.js"
+RATES = """
+import { readFileSync } from "node:fs";
+import { rateOf } from "%s";
+process.stdout.write(JSON.stringify(JSON.parse(readFileSync(0, "utf8")).map(rateOf)));
+"""
 TABLE = FOLDER.parents[1] / "app" / "page" / "video" / "table.js"
 WRITE = """
 import { readFileSync } from "node:fs";
@@ -22,6 +28,18 @@ const { points, times, scale } = JSON.parse(readFileSync(0, "utf8"));
 const found = points.map(({ name, places }) => ({ name, places: new Map(places) }));
 process.stdout.write(tableOf(found, new Map(times), scale));
 """
+
+
+def by_node(script: str, given: object) -> bytes:
+    """What a script of the page writes, given something."""
+    run = subprocess.run(
+        [NODE, "--input-type=module", "--eval", script],
+        input=json.dumps(given).encode(),
+        capture_output=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stderr.decode()
+    return run.stdout
 
 
 def written(places: np.ndarray, times: np.ndarray, **scale: object) -> bytes:
@@ -38,14 +56,25 @@ def written(places: np.ndarray, times: np.ndarray, **scale: object) -> bytes:
         "times": list(enumerate(times.tolist())),
         "scale": scale,
     }
-    run = subprocess.run(
-        [NODE, "--input-type=module", "--eval", WRITE % TABLE.as_uri()],
-        input=json.dumps(said).encode(),
-        capture_output=True,
-        check=False,
-    )
-    assert run.returncode == 0, run.stderr.decode()
-    return run.stdout
+    return by_node(WRITE % TABLE.as_uri(), said)
+
+
+def test_the_frame_rate_is_told_from_the_times_of_some_frames() -> None:
+    random = np.random.default_rng(7)
+    cases, rates = [], []
+    for rate in (12.5, 24.0, 25.0, 29.97, 30.0, 59.94, 60.0, 120.0, 240.0):
+        times = np.arange(24) / rate
+        in_milliseconds = np.round(times, 3)
+        # Up to a third of the frames is not caught, in the middle.
+        caught = np.sort(random.choice(np.arange(1, 23), 15, replace=False))
+        some = np.concatenate(([0], caught, [23]))
+        uneven = times + random.uniform(-0.1, 0.1, times.size) / rate
+        cases += [times, in_milliseconds[some], random.permutation(times[some]), uneven]
+        rates += 4 * [rate]
+    found = json.loads(by_node(RATES % RATE.as_uri(), [case.tolist() for case in cases]))
+    assert found == pytest.approx(rates, rel=0.012)
+    assert found[0::4] == rates[0::4]
+    assert json.loads(by_node(RATES % RATE.as_uri(), [[], [0.0] * 9, [0.0, 0.1, 0.2]])) == [None] * 3
 
 
 def test_a_table_of_a_video_gives_back_what_the_body_was() -> None:

@@ -306,6 +306,18 @@ def test_a_body_can_be_edited_while_it_runs(open_page: OpenPage) -> None:
     becomes(desk, 12, 11, 10)
     desk.until(lambda: desk.simulation.time > time + 0.2, "the run goes on")
     assert not desk.notices()
+    # What is too soft to keep its shape is offered the stiffness for it.
+    desk.open_scene("rod")
+    desk.tell(commands.Play(False), commands.Reset(), commands.SetValue("angular_stiffness", 1.0))
+    offer = desk.page.locator(".softrod-edit-bar").get_by_text("times as stiff")
+    assert not offer.is_visible()
+    action(desk, "Keep this shape")
+    desk.until(offer.is_visible, "it is offered")
+    said = offer.inner_text()
+    desk.until(lambda: [said in text for _, text in desk.notices()] == [True], "a notice says it, too")
+    offer.click()
+    desk.until(lambda: desk.session.scene.angular_springs[0].stiffness > 1.0, "it is stiffer")
+    desk.until(lambda: not offer.is_visible() and not desk.notices(), "there is nothing more to offer")
 
 
 def test_what_was_built_is_saved_linked_and_opened_elsewhere(open_page: OpenPage) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from sim import Scene
-from sim.scene.surroundings import Contact, Gas, Liquid, Wall, Wind
+from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 from tests.sim.builders import tangle
 
 REPLACE = msgspec.structs.replace
@@ -13,6 +13,7 @@ REPLACE = msgspec.structs.replace
 OF_SURROUNDINGS = {
     "wind_speed", "wind_direction", "turbulence", "wall_friction", "bounciness", "gas_pressure",
     "liquid_stiffness", "contact_distance", "contact_stiffness", "contact_friction",
+    "drag_across", "drag_along", "ground_forward", "ground_backward", "ground_sideways",
 }  # fmt: skip
 OF_STRENGTH = {"strength", "yield_force"}
 
@@ -29,6 +30,8 @@ def with_everything() -> Scene:
         linear_springs=tuple(springs),
         air_friction=0.01,
         wind=Wind(velocity=(300.0, -400.0), turbulence=0.2),
+        medium=Medium(),
+        ground=Ground(),
         walls=(
             Wall(point=(0.0, 900.0), normal=(0.0, -1.0), friction=0.4, bounciness=0.6),
             Wall(point=(-500.0, 0.0), normal=(1.0, 0.0), friction=0.2, bounciness=0.3),

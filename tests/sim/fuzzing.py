@@ -13,8 +13,19 @@ import msgspec
 import numpy as np
 
 import sim
-from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
-from sim.scene.surroundings import Gas, Liquid, Wall, Wind
+from sim import (
+    Anchor,
+    AngularSpring,
+    Beat,
+    Integrator,
+    JointMuscle,
+    LinearSpring,
+    Mass,
+    Scene,
+    Simulation,
+    SpringMuscle,
+)
+from sim.scene.surroundings import Gas, Ground, Liquid, Medium, Wall, Wind
 from sim.scene.types import ArrowKeys, ForceLaw
 from sim.settings import settings_of
 
@@ -197,7 +208,38 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
             msgspec.structs.replace(joint, yield_torque=_ten_to(rng, 3.0, 8.0))
             for joint in scene.angular_springs
         )
+    # A live file has joints yield a little otherwise now and then, which is seen where something resists.
+    if "angular_springs" not in fields and rng.random() < 0.5:
+        fields["medium"] = Medium(across=_ten_to(rng, -3.0, 1.0), along=_ten_to(rng, -3.0, 1.0))
+    if "angular_springs" not in fields and rng.random() < 0.5:
+        forward, backward, sideways = rng.choice([0.0, 0.3, 2.0], 3).tolist()
+        fields["ground"] = Ground(
+            forward=forward, backward=backward, sideways=sideways, slip_speed=_ten_to(rng, 0.5, 2.0)
+        )
     return msgspec.structs.replace(scene, **fields)
+
+
+def with_muscles(scene: Scene, rng: Random) -> Scene:
+    """The scene with muscles in some of its springs and joints, on a beat of their own."""
+
+    def muscle(kind: Callable[..., Any], most: float) -> dict[str, Any]:
+        if rng.random() < 0.5:
+            return {}
+        wave, per_beat = str(rng.choice(["sine", "pulse"])), int(rng.choice([1, 1, 2, 16]))
+        amplitude, phase = most * float(rng.uniform(-1.0, 1.0)), float(rng.uniform(0.0, 360.0))
+        return {"muscle": kind(amplitude=amplitude, phase=phase, wave=wave, per_beat=per_beat)}
+
+    springs, joints = scene.linear_springs, scene.angular_springs
+    size = float(rng.choice([0.1, 0.9]))
+    return msgspec.structs.replace(
+        scene,
+        bodies=(),
+        linear_springs=tuple(msgspec.structs.replace(s, **muscle(SpringMuscle, size)) for s in springs),
+        angular_springs=tuple(
+            msgspec.structs.replace(j, **muscle(JointMuscle, 180.0 * size)) for j in joints
+        ),
+        beat=Beat(frequency=_ten_to(rng, -1.0, 1.0), phase=float(rng.uniform(0.0, 360.0))),
+    )
 
 
 def _limits(rng: Random, strength: float) -> dict[str, float]:
@@ -227,13 +269,16 @@ class Ending:
 
 def run_case(seed: int, frames: int, budget: int, world: bool = False) -> Ending:
     """A wild scene with inputs: an anchor moved at once, led or torn, keys held, sliders flung, masses
-    grabbed and dragged. `world`: whether it is in a wild world."""
+    grabbed and dragged. One in five has muscles. `world`: whether it is in a wild world."""
     rng = np.random.default_rng((seed, 1) if world else seed)
     simulation = None
     while simulation is None:
         try:
             scene = wild_scene(rng)
-            simulation = Simulation(wild_world(scene, rng) if world else scene)
+            scene = wild_world(scene, rng) if world else scene
+            if seed % 5 == 0:
+                scene = with_muscles(scene, np.random.default_rng((seed, 2)))
+            simulation = Simulation(scene)
         except sim.SceneError:
             continue
     simulation.track_energy(True)
@@ -254,6 +299,7 @@ def run_case(seed: int, frames: int, budget: int, world: bool = False) -> Ending
         + balance.angular
         + abs(balance.anchors)
         + abs(balance.keys)
+        + abs(balance.muscles)
         + abs(balance.changes)
     ) + abs(balance.law)
     turned_over += balance.walls + abs(balance.fillings) + max(balance.air, 0.0)

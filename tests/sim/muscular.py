@@ -19,6 +19,7 @@ def with_muscles(scene: Scene, stretch: float = 0.08, turn: float = 8.0) -> Scen
     """
     return REPLACE(
         scene,
+        bodies=(),
         beat=Beat(frequency=1.7, phase=40.0),
         linear_springs=tuple(
             REPLACE(

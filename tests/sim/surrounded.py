@@ -1,4 +1,4 @@
-"""Bodies of many shapes among walls, in the wind and with fillings."""
+"""Bodies of many shapes among walls, in the wind or a medium, on the ground, and with fillings."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 import msgspec
 
 from sim import Integrator, Scene
-from sim.scene.surroundings import Gas, Liquid, Wall, Wind
+from sim.scene.surroundings import Gas, Ground, Liquid, Medium, Wall, Wind
 from tests.sim.bodies import body
 
 KINDS: dict[str, dict[str, Any]] = {
@@ -30,7 +30,10 @@ KINDS: dict[str, dict[str, Any]] = {
 }
 """Fields of a scene."""
 
-KINDS["all"] = {**KINDS["walls"], **KINDS["gusts"], **KINDS["fillings"]}
+KINDS["medium"] = {"medium": Medium(across=3.0, along=1.2)}
+KINDS["current"] = {**KINDS["gusts"], **KINDS["medium"]}
+KINDS["ground"] = {"ground": Ground(gravity=800.0, forward=0.3, backward=0.5, sideways=0.9, slip_speed=90.0)}
+KINDS["all"] = {**KINDS["walls"], **KINDS["current"], **KINDS["ground"], **KINDS["fillings"]}
 
 
 def surrounded(kind: str, shape: str = "girder", seed: int = 0, **changes: Any) -> Scene:

@@ -29,6 +29,12 @@ def test_what_surrounds_a_body_and_what_breaks_has_settings_only_where_it_is() -
         "wind_direction",
         "turbulence",
     }
+    assert keys_of(whole) - keys_of(REPLACE(whole, medium=msgspec.UNSET)) == {"drag_across", "drag_along"}
+    assert keys_of(whole) - keys_of(REPLACE(whole, ground=msgspec.UNSET)) == {
+        "ground_forward",
+        "ground_backward",
+        "ground_sideways",
+    }
     assert keys_of(whole) - keys_of(REPLACE(whole, walls=())) == {"wall_friction", "bounciness"}
     assert keys_of(whole) - keys_of(REPLACE(whole, contact=None)) == {
         "contact_distance",

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
+import numpy as np
 import pytest
 
 import sim
@@ -31,6 +32,7 @@ from sim.store.files import (
 )
 from sim.store.own_scenes import trash_user_scene
 from tests.sim.builders import PRESETS, star, tangle
+from tests.sim.fuzzing import with_muscles
 
 REPLACE = msgspec.structs.replace
 
@@ -65,7 +67,7 @@ def test_groups_of_presets_are_kept_apart_and_found_by_name() -> None:
     assert {name for name, info in grouped.items() if info.group == "study"} == {
         f"study-{name}" for name in ("w1", "w2", "w3", "w4", "w5", "ring", "tree", "cloth")
     }
-    assert {info.group for info in grouped.values()} == {"lessons", "study"}
+    assert {info.group for info in grouped.values()} == {"lessons", "muscles", "study"}
     assert all(info.built_in for info in grouped.values())
     for name in grouped:
         scene = load_scene(name)
@@ -110,6 +112,9 @@ SCENES = [
     REPLACE(star(5), anchors=(sim.Anchor(mass=2, circle=Circle(radius=0.1 + 0.2)),)),
     tangle(1, held=(2,)),
     star(7),
+    with_muscles(star(6), np.random.default_rng(1)),
+    with_muscles(sim.rope(), np.random.default_rng(2)),
+    REPLACE(with_muscles(star(6), np.random.default_rng(1)), beat=msgspec.UNSET),
     REPLACE(star(4), name='"quoted" \\ ü 中 \x00', description="two\nlines\tand a tab"),
 ]
 
@@ -122,6 +127,11 @@ def test_round_trips_are_exact(scene: Scene, tmp_path: Path) -> None:
     assert encode_scene(again) == data
     save_scene(scene, tmp_path / "scene.json")
     assert load_scene(tmp_path / "scene.json") == scene
+
+
+def test_a_scene_without_muscles_has_nothing_of_them_in_its_file() -> None:
+    assert "beat" not in json.loads(encode_scene(star(4)))
+    assert b"muscle" not in encode_scene(star(4))
 
 
 def test_brackets_in_a_text_are_left_alone() -> None:

@@ -12,6 +12,7 @@ import pytest
 import sim
 from sim.settings import apply_assignments, scene_of_step
 from sim.store.files import built_in_folder
+from tests.sim.measured import measure
 
 NAMES = sorted(path.stem for path in (built_in_folder() / "lessons").glob("*.json"))
 
@@ -64,8 +65,8 @@ def widest(scene: sim.Scene, seconds: float = 15.0) -> list[float]:
     return most.tolist()
 
 
-def test_there_are_eight() -> None:
-    assert len(NAMES) == 8
+def test_there_are_eleven() -> None:
+    assert len(NAMES) == 11
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -210,6 +211,57 @@ def test_laws() -> None:
     for number, fastest in ((0, 90.0), (1, 170.0)):
         assert max((45.0, 90.0, 170.0), key=lambda angle: push(number, angle)) == fastest
     assert push(1, 10.0) / push(2, 10.0) == pytest.approx(1.005, abs=0.002)
+
+
+def test_backwards() -> None:
+    def numbers(scene: sim.Scene) -> tuple[float, float]:
+        """Sag, px, and frequency, Hz."""
+        told = sim.tuning(scene)
+        assert told.sag is not None
+        assert told.elastic is not None
+        return told.sag, told.elastic.frequency
+
+    rod = step_of("lesson-backwards", 0)
+    assert numbers(rod) == pytest.approx((37.0, 1.0), rel=0.01)
+    kept = sim.keep_shape(rod)
+    assert np.abs(rest(kept)[:, 1] - 180.0).max() < 1e-6
+    springs, joints = kept.linear_springs, kept.angular_springs
+    assert {spring.stiffness for spring in springs} == {2e4}
+    assert {joint.stiffness for joint in joints} == {4000.0}
+    one_held = msgspec.structs.replace(kept, anchors=kept.anchors[:1])
+    with pytest.raises(sim.DesignError, match="nothing keeps it from turning about mass 0"):
+        sim.keep_shape(one_held)
+    soft = step_of("lesson-backwards", 2)
+    assert step_of("lesson-backwards", 1) == rod
+    with pytest.raises(sim.DesignError, match=r"joint 0 would need 3\.12 times its stiffness") as refused:
+        sim.keep_shape(soft)
+    assert refused.value.stiffening == pytest.approx(3.12, abs=0.005)
+    stiffened = sim.keep_shape(soft, allow_stiffening=True)
+    assert stiffened.angular_springs[0].stiffness == pytest.approx(312.0, abs=0.5)
+
+    faster = sim.set_wishes(step_of("lesson-backwards", 3), frequency=2.0)
+    assert faster.factors.joints == pytest.approx(4.0, rel=0.05)
+    assert is_answer("lesson-backwards", 3, "4 times")
+    shallow = sim.set_wishes(step_of("lesson-backwards", 4), sag=9.2)
+    assert numbers(shallow.scene) == pytest.approx((9.2, 2.0), rel=0.01)
+    calm = sim.set_wishes(shallow.scene, calm_after=0.5)
+    assert not calm.conflict
+    assert numbers(calm.scene) == pytest.approx(numbers(shallow.scene), rel=1e-6)
+    more = step_of("lesson-backwards", 5, "gravity=1010")
+    assert numbers(more)[0] - numbers(rod)[0] == pytest.approx(0.37, abs=0.02)
+    assert is_answer("lesson-backwards", 5, "0.37 px")
+
+
+def test_the_table_of_the_lesson_gives_back_what_is_not_told() -> None:
+    hidden = step_of("lesson-backwards", 6)
+    table = measure(hidden, ["mass9.y"], 2.5, 0.02, np.random.default_rng(1))
+    sought = ["gravity", "angular_stiffness", "angular_damping"]
+    found = sim.fit(step_of("lesson-backwards", 7), table, sought)
+    for name, truth in zip(sought, (700.0, 2500.0, 60.0), strict=True):
+        each = found.values[name]
+        assert each.known, name
+        assert each.low < truth < each.high, name
+        assert each.value == pytest.approx(truth, rel=0.01), name
 
 
 def test_a_tenth_of_a_pixel_makes_all_the_difference() -> None:

@@ -152,8 +152,9 @@ def hinged(amplitude: float) -> Scene:
 
 @pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet", "rk4"])
 def test_the_stability_limit_is_that_of_the_worst_moment_of_a_beat(method: Method) -> None:
-    """A joint that is bent by d has the energy K |A||B| d² / 2 under the angle law. With springs of one length,
-    its second derivative by the free mass's position is K (1 + d² / 2) across the spring, and 0 along it."""
+    """A joint that is bent by d has the energy K |A||B| d² / 2 under the angle law. With springs of one
+    length, its second derivative by the free mass's position is K (1 + d² / 2) across the spring, and 0
+    along it."""
     straight, bent = (limit_at_start(hinged(amplitude), method).limit for amplitude in (0.0, 60.0))
     assert straight / bent == pytest.approx(math.sqrt(1.0 + 0.5 * math.radians(60.0) ** 2), rel=1e-3)
 
@@ -176,7 +177,7 @@ def test_muscles_rest_without_a_beat() -> None:
 
 
 def test_analyses_let_muscles_rest() -> None:
-    scene = REPLACE(sim.rope(masses=6, rest_angle=10.0), bodies=())
+    scene = sim.rope(masses=6, rest_angle=10.0)
     moving = with_muscles(scene)
     rest = sim.equilibrium(scene)
     assert sim.equilibrium(moving) == rest

@@ -15,6 +15,7 @@ from sim.motion.stepping import Stepper
 from sim.physics import Physics
 from sim.scene.types import ForceLaw, Method
 from tests.sim.bodies import SHAPES, body
+from tests.sim.fuzzing import with_muscles
 from tests.sim.inside import general
 
 REPLACE = msgspec.structs.replace
@@ -68,6 +69,19 @@ def test_a_run_by_numpy_is_that_of_the_kernels(method: Method, shape: str, law: 
     assert one.positions == pytest.approx(other.positions, abs=1e-9)
     assert one.velocities == pytest.approx(other.velocities, abs=1e-6)
     assert one.rest_angles == pytest.approx(other.rest_angles, abs=1e-12)
+
+
+@pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet"])
+def test_muscles_by_numpy_are_those_of_the_kernels(method: Method) -> None:
+    scene = with_muscles(lively("tangle", "conservative", method, seed=3), np.random.default_rng(1))
+    still = REPLACE(scene, beat=msgspec.UNSET)
+    one, other, resting = plain(scene), Simulation(scene), Simulation(still)
+    for simulation in (one, other, resting):
+        simulation.step(200)
+    assert one.plain
+    assert np.abs(one.positions - resting.positions).max() > 1e-3
+    assert one.positions == pytest.approx(other.positions, abs=1e-9)
+    assert one.rest_angles == pytest.approx(other.rest_angles, abs=1e-9)
 
 
 @pytest.mark.parametrize("law", ["conservative", "angle"])

@@ -6,13 +6,12 @@ import math
 import re
 
 import msgspec
+import numpy as np
 import pytest
 
 import sim
 from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
 from sim.body.system import joint_stiffness
-from sim.edit.edit import Selection
-from sim.edit.muscles import give_muscles
 from sim.methods.registry import METHODS
 from sim.settings import (
     CHOICES,
@@ -26,6 +25,7 @@ from sim.settings import (
 )
 from tests.sim.around_everything import OF_STRENGTH, OF_SURROUNDINGS, with_everything
 from tests.sim.builders import PRESETS, chain, row, star, tangle
+from tests.sim.fuzzing import with_muscles
 
 REPLACE = msgspec.structs.replace
 
@@ -121,13 +121,22 @@ def test_values_out_of_range_are_refused(setting: Setting) -> None:
         scene = set_choice(scene, "method", "auto")
     elif setting.key in OF_SURROUNDINGS | OF_STRENGTH:
         scene = with_everything()
-    elif setting.key == "beat.frequency":
-        scene = give_muscles(scene, Selection(springs=frozenset({0}))).scene
+    elif setting.key == "tempo":
+        scene = with_muscles(scene, np.random.default_rng(0))
     assert setting.key in keys_of(scene)
     for value in (math.nan, math.inf, -math.inf, setting.low - 1.0, setting.high * 1.01 + 1.0):
         with pytest.raises(SettingError, match=f"^{setting.key}: ") as caught:
             set_value(scene, setting.key, value)
         assert "\n" not in str(caught.value)
+
+
+def test_another_tempo_leaves_the_beat_where_it_is() -> None:
+    scene = with_muscles(star(5), np.random.default_rng(0))
+    for time in (0.0, 0.37, 1234.5):
+        changed = set_value(scene, "tempo", 2.5, time)
+        assert SETTINGS["tempo"].read(changed) == 2.5
+        one, other = (s.beat.frequency * time + s.beat.phase / 360.0 for s in (scene, changed) if s.beat)
+        assert abs((one - other + 0.5) % 1.0 - 0.5) < 1e-9
 
 
 def test_whole_numbers_and_templates() -> None:

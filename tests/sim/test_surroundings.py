@@ -1,4 +1,4 @@
-"""Walls, wind and fillings: their forces, derivatives, energies, and motion by every method."""
+"""Walls, wind, a medium, the ground and fillings: forces, derivatives, energies, motion by every method."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from sim.forces.air import wind_at, wind_gradient_at
 from sim.forces.push import REFERENCE_SPEED, damping_factor
 from sim.methods.registry import METHODS
 from sim.physics import Physics
-from sim.scene.surroundings import Gas, Liquid, Wall, Wind
-from sim.scene.types import Method
+from sim.scene.surroundings import Gas, Ground, Liquid, Medium, Wall, Wind
+from sim.scene.types import Damage, Method
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.inside import same_state, system_of
 from tests.sim.surrounded import KINDS, surrounded
@@ -53,7 +53,9 @@ def test_the_kernels_do_what_the_physics_in_numpy_says(kind: str, step: Method) 
         flat = np.concatenate((expected.real, expected.imag))[arrays.here]
         found = arrays.accelerations(arrays.q, arrays.v)
         assert np.abs(found - flat).max() <= 1e-12 * np.abs(flat).max()
-        without = Arrays(REPLACE(scene, walls=(), wind=None, fillings=()))
+        without = Arrays(
+            REPLACE(scene, walls=(), wind=None, fillings=(), medium=msgspec.UNSET, ground=msgspec.UNSET)
+        )
         assert np.abs(found - without.accelerations(arrays.q, arrays.v)).max() > 1.0
 
 
@@ -106,7 +108,7 @@ def test_the_matrix_is_that_of_the_forces(kind: str) -> None:
         assert np.abs(found - expected).max() <= 1e-7 * np.abs(expected).max()
 
 
-@pytest.mark.parametrize("kind", ["walls", "gusts", "all"])
+@pytest.mark.parametrize("kind", ["walls", "gusts", "medium", "ground", "all"])
 def test_the_product_with_the_derivative_by_velocities(kind: str) -> None:
     arrays = Arrays(surrounded(kind, seed=4, held=(1,)))
     expected = arrays.derivative(by_velocity=True, step=0.01)
@@ -216,6 +218,79 @@ def test_still_wind_is_still_air() -> None:
     none = REPLACE(scene, wind=None)
     one, other = (run(each, 0.2, "adams", tolerance=1e-8) for each in (still, none))
     assert np.abs(one.positions - other.positions).max() <= 1e-4
+
+
+# ------------------------------------------------------------------------- a medium, and the ground
+def stick(turn: float, velocity: tuple[float, float] = (0.0, 0.0), **fields: Any) -> Scene:
+    """A spring of 40 px at an angle in degrees, with 2 kg at each end."""
+    ends = ((0.0, 0.0), (40.0 * math.cos(math.radians(turn)), 40.0 * math.sin(math.radians(turn))))
+    return Scene(
+        name="stick",
+        masses=tuple(Mass(position=end, velocity=velocity, mass=2.0) for end in ends),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=1e4, rest_length=40.0),),
+        **fields,
+    )
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_stick_that_sinks_at_a_slant_drifts_sideways(method: Method) -> None:
+    # Along it, 4 kg g sin(30 deg) = 40 px along v; across it likewise. Twice the drag across leads it aside.
+    medium, turn = Medium(across=2.0, along=1.0), np.exp(1j * math.pi / 6.0)
+    sinking = run(stick(30.0, gravity=(0.0, 100.0), medium=medium), 3.0, method)
+    pull = 4.0 * 100.0j * np.conj(turn)  # along it, and across it
+    expected = turn * (pull.real / (40.0 * medium.along) + 1j * pull.imag / (40.0 * medium.across))
+    assert expected.real / expected.imag == pytest.approx(math.sqrt(3.0) / 5.0)
+    for velocity in sinking.velocities:
+        assert complex(*velocity) == pytest.approx(expected, rel=1e-5)
+
+
+def test_a_medium_is_carried_along_by_the_wind() -> None:
+    carried = run(stick(30.0, medium=Medium(), wind=Wind(velocity=(60.0, -25.0))), 3.0, tolerance=1e-8)
+    assert carried.velocities == pytest.approx(np.tile((60.0, -25.0), (2, 1)), rel=1e-6)
+    assert carried.energy().air == 0.0  # asked for only now, when nothing is resisted any more
+
+
+@pytest.mark.parametrize(("turn", "coefficient"), [(0.0, 0.2), (180.0, 0.3), (90.0, 0.4), (-90.0, 0.4)])
+def test_a_stick_on_the_ground_slides_to_a_stop(turn: float, coefficient: float) -> None:
+    # v' = -mu g tanh(v / s): sinh(v / s) falls as exp(-mu g t / s).
+    sliding = run(stick(turn, (150.0, 0.0), ground=Ground(slip_speed=40.0)), 0.4, tolerance=1e-8)
+    falls = math.exp(-coefficient * 1000.0 * 0.4 / 40.0)
+    expected = 40.0 * math.asinh(math.sinh(150.0 / 40.0) * falls)
+    assert sliding.velocities == pytest.approx(np.tile((expected, 0.0), (2, 1)), rel=1e-6, abs=1e-6)
+
+
+def test_what_hangs_on_a_broken_spring_rests_on_the_others() -> None:
+    rod = sim.rope(
+        masses=4, length=120.0, ground=Ground(), medium=Medium(), gravity=(0.0, 0.0), air_friction=0.0
+    )
+    rod = REPLACE(
+        rod,
+        bodies=(),
+        anchors=(),
+        linear_springs=tuple(REPLACE(s, strength=1e6, rest_length=40.0) for s in rod.linear_springs),
+    )
+    moving = tuple((30.0, 70.0) for _ in rod.masses)
+    pose = sim.Pose(positions=tuple(m.position for m in rod.masses), velocities=moving)
+    slowed = []
+    for broken in ((), (0,), (0, 1)):
+        damage = Damage(broken=broken)
+        body = Simulation(REPLACE(rod, pose=REPLACE(pose, damage=damage)))
+        slowed.append(body.loads.forces)
+    # In line, mass 1 loses half of what the medium does to it, and keeps its friction; mass 0 loses both.
+    assert np.abs(slowed[1][0]).max() <= 1e-9 < np.abs(slowed[0][0]).min()
+    assert np.abs(slowed[2][1]).max() <= 1e-9
+    by_friction = slowed[0][1] - 2.0 * (slowed[0][1] - slowed[1][1])
+    alone = Simulation(REPLACE(rod, medium=msgspec.UNSET, pose=pose)).loads.forces
+    assert by_friction == pytest.approx(alone[1], rel=1e-4)
+    assert slowed[1][2:] == pytest.approx(slowed[0][2:])
+
+
+def test_a_medium_sets_the_time_step_where_it_is_stiffest() -> None:
+    thick = stick(0.0, medium=Medium(across=1e4, along=1.0), integrator=Integrator(method="velocity_verlet"))
+    estimate = Simulation(thick).stability()
+    assert estimate.cause == "resistance"
+    # dt c / m = 1 of Verlet, with half of the spring for each end.
+    assert estimate.limit == pytest.approx(2.0 / (1e4 * 20.0), rel=0.01)
 
 
 # ------------------------------------------------------------------------- fillings
@@ -328,9 +403,9 @@ def test_the_balance_closes(method: Method, kind: str) -> None:
     balance = simulation.energy()
     largest = abs(balance.kinetic) + abs(balance.linear) + abs(balance.damping) + abs(balance.air)
     assert worst <= 1e-4 * largest
-    assert (balance.walls > 0.0 or balance.friction < 0.0) == bool(scene.walls)
+    assert (balance.walls > 0.0 or balance.friction < 0.0) == bool(scene.walls or scene.ground)
     assert (balance.fillings != 0.0) == bool(scene.fillings)
-    assert (balance.friction == 0.0) == (not scene.walls)
+    assert (balance.friction == 0.0) == (not (scene.walls or scene.ground))
 
 
 def test_the_same_bits_again_and_after_going_back() -> None:
@@ -349,7 +424,7 @@ def test_the_same_bits_again_and_after_going_back() -> None:
 def test_where_nothing_surrounds_there_is_nothing_to_pay_for() -> None:
     environment = system_of(Simulation(sim.load_scene("ring"))).body.environment
     assert not environment.present
-    for table in (environment.air, environment.walls, environment.fillings):
+    for table in (environment.air, environment.resistance, environment.walls, environment.fillings):
         assert all(array.size == 0 for name, array in table.arrays() if name != "start")
 
 

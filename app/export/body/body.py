@@ -14,7 +14,8 @@ from sim.body.system import System, build_system, joint_stiffness
 from sim.errors import InputError
 from sim.forces.limits import leaking
 from sim.motion.driving import offset
-from sim.scene.types import Circle
+from sim.scene.parts import Beat, JointMuscle, SpringMuscle
+from sim.scene.types import Circle, is_muscular
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -60,6 +61,8 @@ class Body:
         wind: of the mean wind, px/s.
         gusts: whether the wind has gusts.
         loops: gases and liquids.
+        beat: what the muscles keep to, or None if there are none.
+        spring_muscles, joint_muscles: the muscles that move, by spring and by joint.
     """
 
     moment: sim.Moment
@@ -83,6 +86,9 @@ class Body:
     wind: tuple[float, float]
     gusts: bool
     loops: list[Loop]
+    beat: Beat | None
+    spring_muscles: dict[int, SpringMuscle]
+    joint_muscles: dict[int, JointMuscle]
 
     @property
     def scene(self) -> sim.Scene:
@@ -140,6 +146,9 @@ class Body:
             wind=(float(air.wind_x), float(air.wind_y)),
             gusts=bool(air.waves.size),
             loops=_loops(system, ends, np.flatnonzero(broken)),
+            beat=scene.beat or None if is_muscular(scene) else None,
+            spring_muscles={i: s.muscle for i, s in enumerate(springs) if s.muscle and scene.beat},
+            joint_muscles={i: j.muscle for i, j in enumerate(joints) if j.muscle and scene.beat},
         )
 
     def softened(self) -> Body:

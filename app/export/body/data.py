@@ -10,6 +10,7 @@ from typing import Any
 import msgspec
 
 import sim
+from sim import AngularSpring, LinearSpring
 from sim.csv_text import csv_text
 from sim.store.files import indented_json
 
@@ -51,14 +52,24 @@ _MORE_UNITS = {
     "area": "L^2",
     "wind_velocity": "L/s",
     "wind_length_scale": "L",
+    "medium_across": "kg/(L s)",
+    "medium_along": "kg/(L s)",
+    "ground_gravity": "L/s^2",
+    "ground_slip_speed": "L/s",
     "contact_distance": "L",
     "contact_stiffness": "kg/(L s^2)",
     "contact_slip_speed": "L/s",
+    "beat_frequency": "Hz",
+    "beat_phase": "deg",
+    "muscle_angle": "deg",
+    "muscle_phase": "deg",
 }
 """Of columns that there are in tables only."""
 
 _AXES = {"position": ("x", "y"), "point": ("x", "y"), "velocity": ("vx", "vy")}
 """Names of the two columns for a list of pairs; those of others end in _x and _y."""
+
+_Parts = Sequence[LinearSpring] | Sequence[AngularSpring]
 
 Columns = Mapping[str, Sequence[Any]]
 """Lists of as many numbers, or pairs of numbers, by name."""
@@ -77,8 +88,8 @@ def body_json(body: Body) -> bytes:
         "units": {name: _unit(name, scene) for name in _UNITS},
         "y_down": scene.view.y_down,
         "masses": _masses(body),
-        "springs": _springs(body),
-        "joints": _joints(body),
+        "springs": _springs(body) | _muscles(scene.linear_springs),
+        "joints": _joints(body) | _muscles(scene.angular_springs),
         "anchors": scene.anchors,
         **_surroundings(scene),
     }
@@ -111,10 +122,12 @@ def body_csv(body: Body, decimal_comma: bool = False) -> bytes:
         for field in ("radius", "frequency", "ramp"):
             numbers = [getattr(circles.get(i), field, None) for i in range(len(scene.masses))]
             masses[f"circle_{field}"] = numbers
+    stretch = _muscle_columns(scene.linear_springs, "muscle_amplitude")
+    turn = _muscle_columns(scene.angular_springs, "muscle_angle")
     tables = {
         "masses": _table({"index": range(len(body.mass)), **masses}, scene),
-        "springs": _table({"index": range(len(body.ends)), **_springs(body)}, scene),
-        "joints": _table({"index": range(len(body.joints)), **_joints(body)}, scene),
+        "springs": _table({"index": range(len(body.ends)), **_springs(body), **stretch}, scene),
+        "joints": _table({"index": range(len(body.joints)), **_joints(body), **turn}, scene),
     }
     settings = {**_settings(body), "unit_of_length": scene.view.unit, "y_down": int(scene.view.y_down)}
     for name, fields in msgspec.to_builtins(_surroundings(scene)).items():
@@ -186,6 +199,24 @@ def _joints(body: Body) -> dict[str, Sequence[Any]]:
     return columns
 
 
+def _muscles(parts: _Parts) -> dict[str, Sequence[Any]]:
+    """A column of muscles as scenes have them, and None; nothing where no part has one."""
+    muscles = [part.muscle or None for part in parts]
+    return {"muscle": muscles} if any(muscles) else {}
+
+
+def _muscle_columns(
+    parts: Sequence[LinearSpring | AngularSpring], amplitude: str
+) -> dict[str, Sequence[Any]]:
+    """The same with a column for each number; `amplitude` is the name of that."""
+    muscles = [part.muscle or None for part in parts]
+    if not any(muscles):
+        return {}
+    names = {amplitude: "amplitude", "muscle_phase": "phase"}
+    names |= {"muscle_wave": "wave", "muscle_waves_per_beat": "per_beat"}
+    return {name: [getattr(muscle, field, None) for muscle in muscles] for name, field in names.items()}
+
+
 def _settings(body: Body) -> dict[str, Any]:
     scene = body.scene
     return {
@@ -202,7 +233,8 @@ def _settings(body: Body) -> dict[str, Any]:
 
 def _surroundings(scene: sim.Scene) -> dict[str, Any]:
     """What may act on a body from outside, with single numbers."""
-    return {name: value for name in ("wind", "contact") if (value := getattr(scene, name)) is not None}
+    names = ("wind", "medium", "ground", "contact", "beat")
+    return {name: value for name in names if (value := getattr(scene, name))}
 
 
 # ------------------------------------------------------------------------- tables

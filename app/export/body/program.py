@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
+import math
 import re
 import unicodedata
 from collections.abc import Iterable
@@ -16,7 +17,9 @@ import numpy as np
 import sim
 from sim.errors import InputError
 from sim.methods.registry import METHODS
+from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import ForceLaw, Method, is_damageable, shown_name
+from sim.settings import SETTINGS
 
 from .body import Body
 
@@ -30,6 +33,15 @@ _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ01234567
 """What is left of a user's text in a comment: nothing that could end the comment or mean anything in it."""
 
 _DIRECTIVE = re.compile(r" *# (?P<word>ifdef (?P<asked>\w+)|else|endif)")
+
+_RESISTANCE = {
+    "drag_across": "drag across springs",
+    "drag_along": "drag along springs",
+    "ground_forward": "friction forwards",
+    "ground_backward": "friction backwards",
+    "ground_sideways": "friction sideways",
+}
+"""What a medium and the ground do that programs cannot, by its settings."""
 
 LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
 """The force laws that programs are written for."""
@@ -58,6 +70,10 @@ class Plan:
         lacks = {"turbulence": "gusts of wind"} if body.gusts else {}
         if contact is not None and contact.distance > 0.0 and len(body.ends):
             lacks["contact_distance"] = "contact of bodies"
+        for key, what in _RESISTANCE.items():
+            setting = SETTINGS[key]
+            if setting.applies(body.scene) and setting.read(body.scene):
+                lacks[key] = what
         check_law(body)
         if lacks:
             raise InputError(
@@ -90,6 +106,10 @@ class Plan:
             "FILLINGS": bool(body.loops),
             "WALLS": len(body.walls) > 0,
             "CIRCLES": bool(body.circles),
+            "STRETCHED": bool(body.spring_muscles),
+            "BENT": bool(body.joint_muscles),
+            "MUSCLES": body.beat is not None,
+            "TIME": bool(body.circles) or body.beat is not None,
             "MATHEMATICS": bool(len(body.ends) or air or len(body.walls) or body.circles),
         }
         return {"TEMPLATE": False, **{f"HAS_{name}": needed for name, needed in has.items()}}
@@ -100,6 +120,7 @@ class Plan:
         masses = [*body.positions.T, *body.velocities.T, body.mass]
         springs = [*body.ends.T, body.stiffness, body.rest_length]
         rest = np.radians(body.rest_angle)
+        own = np.array([s.rest_length for s in body.scene.linear_springs]) * body.moment.rest_length_scale
         joints = [*body.joints.T, body.joint_stiffness]
         joints += [rest] if has["HAS_ANGLE_LAW"] else [np.cos(rest), np.sin(rest)]
         if has["HAS_HELD"]:
@@ -116,7 +137,24 @@ class Plan:
                 (mass, *place, circle.radius, circle.frequency, circle.ramp)
                 for mass, (circle, place) in body.circles.items()
             ],
+            "STRETCHED": [
+                self._muscle(s, muscle, float(body.rest_length[s]), float(own[s]))
+                for s, muscle in body.spring_muscles.items()
+            ],
+            "BENT": [
+                self._muscle(j, muscle, float(rest[j]), math.radians(1.0))
+                for j, muscle in body.joint_muscles.items()
+            ],
         }
+
+    def _muscle(
+        self, part: int, muscle: SpringMuscle | JointMuscle, rest: float, unit: float
+    ) -> tuple[float | int, ...]:
+        """A row of a table of muscles: `part` rests at `rest`, and `unit` is that of the amplitude."""
+        beat = self.body.beat or sim.Beat()
+        rate, phase = muscle.per_beat * beat.frequency, muscle.per_beat * beat.phase + muscle.phase
+        pulse = int(muscle.wave == "pulse")
+        return part, rest, muscle.amplitude * unit, math.tau * rate, math.radians(phase), pulse
 
     def numbers(self) -> dict[str, str]:
         """The program's single numbers, by the names of their places in the templates."""

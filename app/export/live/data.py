@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import msgspec
@@ -9,6 +10,7 @@ import numpy as np
 
 import sim
 from sim.body.system import System, build_system
+from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import Damage, is_damageable
 
 from ..body.body import Body
@@ -35,6 +37,8 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "airFriction": scene.air_friction,
         "wind": list(body.wind),
         "waves": air.waves.tolist(),
+        "medium": msgspec.to_builtins(scene.medium) if scene.medium else None,
+        "ground": _ground(scene.ground) if scene.ground else None,
         "softening": system.body.softening,
         "positions": body.positions.ravel().tolist(),
         "velocities": body.velocities.ravel().tolist(),
@@ -68,6 +72,7 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "contact": _contact(system),
         "limits": _limits(scene) if is_damageable(scene) else None,
         "yielded": _yielded(moment.damage),
+        "muscles": _muscles(body),
     }
 
 
@@ -90,6 +95,16 @@ def _contact(system: System) -> dict[str, Any] | None:
     }
 
 
+def _ground(ground: sim.Ground) -> dict[str, float]:
+    return {
+        "gravity": ground.gravity,
+        "forward": ground.forward,
+        "backward": ground.backward,
+        "sideways": ground.sideways,
+        "slipSpeed": ground.slip_speed,
+    }
+
+
 def _limits(scene: sim.Scene) -> dict[str, list[float]]:
     springs, joints = scene.linear_springs, scene.angular_springs
     return {
@@ -98,6 +113,21 @@ def _limits(scene: sim.Scene) -> dict[str, list[float]]:
         "hardening": [s.hardening for s in springs],
         "yieldTorque": [ENDLESS if j.yield_torque is None else j.yield_torque for j in joints],
     }
+
+
+def _muscles(body: Body) -> dict[str, Any] | None:
+    if body.beat is None:
+        return None
+    return {
+        "frequency": body.beat.frequency,
+        "phase": body.beat.phase,
+        "springs": _rows(body.spring_muscles),
+        "joints": _rows(body.joint_muscles),
+    }
+
+
+def _rows(muscles: Mapping[int, SpringMuscle | JointMuscle]) -> list[list[float]]:
+    return [[part, m.amplitude, m.per_beat, m.phase, int(m.wave == "pulse")] for part, m in muscles.items()]
 
 
 def _yielded(damage: Damage | None) -> dict[str, list[float]] | None:

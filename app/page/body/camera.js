@@ -209,9 +209,11 @@ export function keepFlat() {
     const sheet = covered(canvas, box);
     placeTransport(box, sheet);
     const { above, below } = besideTools(box);
-    const muscles = /** @type {HTMLElement | null} */ (document.querySelector(".softrod-muscles"))?.offsetHeight ?? 0;
-    const cover = [sheet, above, below, muscles].join(" ");
-    // A view that its user has chosen stays when the panel's sheet, the tools or the muscles grow or shrink.
+    const strips = [...document.querySelectorAll(".softrod-muscles, .softrod-modes")].map(
+      (strip) => /** @type {HTMLElement} */ (strip).offsetHeight,
+    );
+    const cover = [sheet, above, below, ...strips].join(" ");
+    // A view that its user has chosen stays when the panel's sheet, the tools or a strip grow or shrink.
     const grown = cover !== covers && untouched();
     if ((told().scene !== scene || size !== now || grown) && fit()) {
       scene = told().scene;

@@ -270,7 +270,8 @@ def picture_of(session: Session) -> Picture:
     elif future is not None:
         other, damage = future.positions_at(simulation.time), future.damage_at(simulation.time)
     elif session.refusal is not None and session.refusal.motion is not None:
-        # How the body would leave the shape that it could not keep.
-        other = simulation.positions
-        other = other + _SWAY * float(np.ptp(other, axis=0).max(initial=0.0)) * session.refusal.motion
+        # How the body would leave the shape that it could not keep; it may have other masses in the past.
+        shape = session.refused_shape
+        if len(shape) == len(simulation.scene.masses):
+            other = shape + _SWAY * float(np.ptp(shape, axis=0).max(initial=0.0)) * session.refusal.motion
     return Picture.of(simulation, other, damage)

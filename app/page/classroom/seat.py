@@ -27,7 +27,8 @@ from ..controls import Controls
 from .role import NOTHING, ClassRole, asking, kind_of, places_of, predictions, text_of
 
 _HANDS = (from_page.At, from_page.Grab, from_page.Drop, from_page.Keys, from_page.GoTo, from_page.Speed)
-_OWN = (*_HANDS, from_page.Visit, from_page.Perform, from_page.Pick, from_page.Seen)
+_MODES = (from_page.PutMode, from_page.DriveMode)
+_OWN = (*_HANDS, *_MODES, from_page.Visit, from_page.Perform, from_page.Pick, from_page.Seen)
 """What a pupil may say of a body of their own."""
 
 _ALWAYS = (from_page.InSeat, from_page.Who, from_page.Unread)

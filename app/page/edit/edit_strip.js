@@ -109,6 +109,7 @@ export function addEditStrip(tracing) {
     const some = countSelected();
     for (const button of onSelected) showIf(button, some > 0);
     showIf(muscle, selected.springs.length + selected.joints.length > 0);
+    const offered = stiffen.hidden && editing.stiffen > 0;
     showIf(stiffen, editing.stiffen > 0);
     stiffen.textContent = `Keep it, ${Number(editing.stiffen.toPrecision(3))} times as stiff`;
     rests.ariaPressed = String(takesNew());
@@ -122,6 +123,7 @@ export function addEditStrip(tracing) {
     const isIn = focused instanceof HTMLButtonElement && (strip.contains(focused) || bar.contains(focused));
     if (isIn && (focused.disabled || !focused.checkVisibility())) lid.focus();
     place();
+    if (offered) stiffen.scrollIntoView({ block: "nearest", inline: "nearest" }); // on a phone the bar is longer than it shows
   };
   const place = () => {
     const canvas = viser()?.canvas?.getBoundingClientRect();
@@ -161,8 +163,8 @@ export function addEditStrip(tracing) {
   let { selected } = editing;
   onEditing(() => {
     // Not at every move of the pointer.
-    const { on, tool, undo, redo } = editing;
-    const now = [on, tool, undo, redo, takesNew()].join("|");
+    const { on, tool, undo, redo, stiffen: factor } = editing;
+    const now = [on, tool, undo, redo, factor, takesNew()].join("|");
     if (now === shown && editing.selected === selected) return;
     [shown, selected] = [now, editing.selected];
     show();

@@ -69,7 +69,7 @@ class Edits:
             case asks.Act(what="copy"):
                 self._copy = True
             case asks.Tempo(frequency):
-                self._session.post(commands.SetValue("beat.frequency", frequency))
+                self._session.post(commands.SetValue("tempo", frequency))
             case asks.MoveMuscles():
                 key, within = ("muscles by keys", NUDGES) if ask.keys else ("muscles by hand", math.inf)
                 self._session.post(commands.Change(lambda *now: edited(ask, *now), key, within=within))

@@ -36,18 +36,19 @@ const isTyping = (target) =>
     target.tagName === "TEXTAREA" ||
     target.tagName === "SELECT" ||
     (target instanceof HTMLInputElement && !["range", "checkbox", "radio", "button"].includes(target.type)));
-/** A slider that was reached with the Tab key takes the arrows for itself. @param {EventTarget | null} target */
+/** A slider that was reached with the Tab key takes the arrows for itself; of the bars of modes see `isTaken`. @param {EventTarget | null} target */
 const isSlider = (target) =>
-  target instanceof HTMLElement && target.matches('[role="slider"]:focus-visible, input[type="range"]:focus-visible');
+  target instanceof HTMLElement && target.matches('[role="slider"]:not(.softrod-mode):focus-visible, input[type="range"]:focus-visible');
 /**
- * Whether what has the focus takes a key for itself: the body, an instrument or a muscle's mark arrows and Space, the open box of
- * instruments Esc.
+ * Whether what has the focus takes a key for itself: the body, an instrument, a muscle's mark or a bar of a mode arrows and Space, the
+ * open box of instruments Esc.
  *
  * @param {KeyboardEvent} event
  */
 function isTaken({ target, code, key }) {
   if (!(target instanceof Element)) return false;
   if (key === "Escape") return target.closest(".softrod-box[data-open]") !== null;
+  if (target.matches(".softrod-mode")) return (key in ARROWS && target.matches(":focus-visible")) || code === "Space";
   if (target.matches(".softrod-steps button")) return key === "ArrowUp" || key === "ArrowDown";
   if (target.matches(".softrod-muscle")) return key in ARROWS || code === "Space";
   return target.matches(".softrod-body, .softrod-grip, .softrod-own-grip") && (key in ARROWS || code === "Space");

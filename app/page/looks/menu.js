@@ -13,7 +13,7 @@ const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 
 /**
  * @typedef {object} Entry
  * @property {import("../../wire/wire.js").CommandName} name of the command
- * @property {"view" | "help"} part of the controls of a page without which it is left out
+ * @property {"view" | "modes" | "help"} part of the controls of a page without which it is left out
  * @property {() => boolean} [on] of a switch
  */
 
@@ -23,6 +23,7 @@ const ENTRIES = [
   { name: "larger", part: "view", on: isProjector },
   { name: "meter", part: "view", on: () => told().meter ?? false },
   { name: "gizmos", part: "view", on: () => told().gizmos ?? false },
+  { name: "modes", part: "modes", on: () => document.documentElement.hasAttribute("data-softrod-modes") },
   { name: "fit", part: "view" },
   { name: "help", part: "help" },
 ];
@@ -91,7 +92,7 @@ export function addMenu() {
   element.addEventListener("focusout", ({ relatedTarget }) => {
     if (!(relatedTarget instanceof Node && element.contains(relatedTarget))) open(false);
   });
-  onTold("pageState", () => (element.hidden = !has("view") && !has("help")));
+  onTold("pageState", () => (element.hidden = !has("view") && !has("modes") && !has("help")));
   onSight(({ box, floor }) => {
     element.classList.toggle("softrod-words", hasWords(box));
     element.style.right = `${window.innerWidth - box.right + 14}px`;

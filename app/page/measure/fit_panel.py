@@ -11,10 +11,12 @@ import viser
 
 import sim
 from sim.compiling.compiler import is_ready, needed_by
-from sim.design.fit import MAX_VARIED, Estimate, Fit
+from sim.design.estimates import Estimate
+from sim.design.fit import Fit
 from sim.design.matching import Match, guesses, matched
 from sim.design.measurements import Measurement
 from sim.design.places import places_of
+from sim.design.residuals import MAX_VARIED
 from sim.edit.edit import Edit
 from sim.errors import InputError, SceneError, SettingError
 from sim.settings import settings_of
@@ -102,10 +104,11 @@ class FitPanel:
                 hint=f"{self._scene.view.unit} to a metre",
                 order=FIRST + 2,
             )
+            usual = _OF_JOINTS if self._scene.angular_springs else _OF_SPRINGS
             self._sought = gui.add_html(_text("What is sought?"), order=FIRST + 3)
             for i, (name, label) in enumerate(self._offered().items()):
                 self._switches[name] = gui.add_checkbox(
-                    label, initial_value=name in _USUAL, order=FIRST + 4 + 0.01 * i
+                    label, initial_value=name in usual, order=FIRST + 4 + 0.01 * i
                 )
             self._fit = gui.add_button("Fit", icon=viser.Icon.CHART_DOTS, order=FIRST + 5)
             self._forget = self._page.button(
@@ -290,8 +293,9 @@ _OF_TABLE = {
     "origin": "Origin of the table",
     "length_scale": "Length scale",
 }
-_USUAL = ("linear_stiffness", "linear_damping")
-"""What is sought at first."""
+_OF_SPRINGS = ("linear_stiffness", "linear_damping")
+_OF_JOINTS = ("angular_stiffness", "angular_damping")
+"""What is sought at first: where there are joints, that they bend is what is seen."""
 
 
 def fan(found: Fit, seconds: float, breath: Breath) -> Fan:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+import numpy as np
 import viser
 
 from sim.errors import InputError
@@ -19,6 +20,7 @@ from ...drawing.colors import palette
 from ...export.workshop import workshop
 from ...session.notices import Notice
 from ...session.plots import MOST_PLOTS, Plot, Wish, curve
+from ...wire.to_page import Melody
 from ..page import Page
 from . import plots
 
@@ -34,8 +36,11 @@ WIDTH, HEIGHT = 150, 220
 SPANS = {"5 s": 5.0, "10 s": 10.0, "20 s": 20.0, "60 s": 60.0}
 """How much time a plot shows."""
 
-ADD, TABLE, PICTURE, REMOVE = "Add to it", "CSV", "Picture", "Remove"
+ADD, TABLE, PICTURE, HEAR, REMOVE = "Add to it", "CSV", "Picture", "Hear", "Remove"
 """Buttons below a plot."""
+
+NOTES = 240
+"""Values of a plot that is heard."""
 
 PICTURE_PIECES = 1000
 """Pieces of a curve in a picture."""
@@ -177,7 +182,9 @@ class PlotList:
             return
         self._numbers += 1
         order, gui = 10.0 * self._numbers + FIRST, self._client.gui
-        mine = (ADD, TABLE, PICTURE, REMOVE) if self._extend_by is not None else (TABLE, PICTURE)
+        mine = (TABLE, PICTURE, HEAR)
+        if self._extend_by is not None:
+            mine = (ADD, *mine, REMOVE)
         with self._tab:
             title = gui.add_html("", order=order)
             reading = gui.add_html("", order=order + 2)
@@ -187,7 +194,13 @@ class PlotList:
 
         @buttons.on_click
         async def _(event: viser.GuiEvent[Any]) -> None:
-            actions = {ADD: self._extend, TABLE: self._download, PICTURE: self._picture, REMOVE: self._remove}
+            actions = {
+                ADD: self._extend,
+                TABLE: self._download,
+                PICTURE: self._picture,
+                HEAR: self._hear,
+                REMOVE: self._remove,
+            }
             if event.client_id is not None and event.target.value in mine:
                 self._page.later(partial(actions[event.target.value], shown))
 
@@ -245,6 +258,17 @@ class PlotList:
             self._client.send_file_download(name, plot_png(plot, drawn, colors, title), save_immediately=True)
 
         workshop.submit(make)
+
+    def _hear(self, shown: _Shown) -> None:
+        """Have the first quantity of a plot heard, as far as it is past."""
+        quantity, rows = shown.plot.quantities[0], shown.plot.window(self.seconds)
+        if not len(rows):
+            return
+        times = np.linspace(rows[0, 0], rows[-1, 0], NOTES)
+        # At the moments that there are: between two of them nobody knows.
+        places = np.minimum(np.searchsorted(rows[:, 0], times), len(rows) - 1)
+        values = tuple(float(v) if np.isfinite(v) else None for v in rows[places, 1])
+        self._page.mail.tell(Melody(name=quantity.name, unit=quantity.unit, values=values))
 
     # --------------------------------------------------------------------- drawing
     def _show(self, shown: _Shown, reads: bool) -> None:

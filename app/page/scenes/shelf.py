@@ -65,13 +65,13 @@ def _read_once(_: Stamp) -> tuple[SceneInfo, ...]:
 
 
 OWN, OTHERS, START = "Your own", "Saved on this computer", "Start here"
-GROUPS = (OWN, OTHERS, START, "Lessons", "Bodies", "Tutorial", "Studies")
+GROUPS = (OWN, OTHERS, START, "Lessons", "Muscles", "Bodies", "Tutorial", "Studies")
 """Headings of the gallery, in order."""
 
 FIRST = ("rope", "pile", "water-balloon", "jelly", "tree", "empty")
 """What a newcomer finds first, in order: what is fun, and the way to a body of one's own."""
 
-_FOLDERS = {"study": "Studies", "lessons": "Lessons"}
+_FOLDERS = {"study": "Studies", "lessons": "Lessons", "muscles": "Muscles"}
 
 
 def entries(scenes: Iterable[SceneInfo]) -> list[Entry]:

@@ -180,7 +180,7 @@ class TuningPanel:
             hint="what the stiffnesses mean: frequencies, damping, sag, and stable time steps",
             order=order,
         )
-        self._table = gui.add_html("", order=order + 0.1)
+        self._table = gui.add_html("", order=order + 0.3)  # below what it follows from
         self._stable = page.button(
             "Make it stable at this time step",
             viser.Icon.SHIELD_CHECK,
@@ -195,7 +195,7 @@ class TuningPanel:
             self._damp_it,
             hint="the selected springs, each by itself; or else the body's slowest elastic vibration",
             visible=False,
-            order=order + 0.3,
+            order=order + 0.22,
         )
         self._sliders = [
             SliderBox(
@@ -208,8 +208,8 @@ class TuningPanel:
                 0.01,
             )
             for setting, value, place in (
-                (_wish_of("frequency", "Soft – stiff", "Hz", (1e-3, 1e6), (0.1, 30.0)), 1.0, 0.11),
-                (_wish_of("damping", "Bouncy – calm", "", (1e-4, 1.0), (0.005, 1.0)), 0.1, 0.13),
+                (_wish_of("frequency", "Soft – stiff", "Hz", (1e-3, 1e6), (0.1, 30.0)), 1.0, 0.1),
+                (_wish_of("damping", "Bouncy – calm", "", (1e-4, 1.0), (0.005, 1.0)), 0.1, 0.12),
             )
         ]
         for one in self._sliders:
@@ -267,7 +267,7 @@ class TuningPanel:
             self._conflict, self._about = "" if self._about is not None else self._conflict, scene
         if tuner is not None:
             tuner.look(scene)
-            content = _content(tuner, session) + _said(self._conflict)
+            content = _said(self._conflict) + _content(tuner, session)
         shown = tuner is not None and self._on.visible
         limited = is_limited(scene.integrator.method)
         self._stable.visible, self._damp.visible = shown and limited, shown

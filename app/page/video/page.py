@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-SCRIPTS = ("page/video/video.js", "page/video/follow.js", "page/video/table.js")
+SCRIPTS = ("page/video/video.js", "page/video/follow.js", "page/video/rate.js", "page/video/table.js")
 """Places of its scripts, which no other page has."""
 
 

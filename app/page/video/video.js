@@ -1,6 +1,7 @@
 // @ts-check
 /* The page that makes a table of a video: its frames, what is marked in them, and what that becomes. */
 import { HALF, cutOut, find, greyOf } from "./follow.js";
+import { rateOf } from "./rate.js";
 import { tableOf } from "./table.js";
 
 /** @typedef {import("./table.js").Place} Place */
@@ -12,6 +13,10 @@ const COLOURS = ["#d55e00", "#0072b2", "#009e73"];
 const MOST_FRAMES = 20000;
 /** Milliseconds in which a browser tells the time of a frame, unless it shows the same one as before. */
 const PATIENCE = 500;
+/** How fast a video is played to find its rate, and how many frames of it; slower where there are more than a few a second. */
+const [NORMAL, SLOW, FEW] = [/** @type {const} */ ([0.5, 24]), /** @type {const} */ ([0.1, 16]), 45];
+/** Milliseconds in which the next frame comes while it is played, if any does. */
+const LISTENED = 2000;
 
 /** @template {HTMLElement} T @param {string} id @returns {T} */
 const byId = (id) => /** @type {T} */ (document.getElementById(id));
@@ -67,16 +72,71 @@ async function open(file) {
     await end;
   }
   [canvas.width, canvas.height] = [plain.width, plain.height] = [video.videoWidth, video.videoHeight];
-  canvas.style.width = `min(100%, calc(62vh * ${video.videoWidth / video.videoHeight}))`;
+  canvas.style.width = `min(100%, calc(54vh * ${video.videoWidth / video.videoHeight}))`;
   forget();
   ruler = [];
   origin = { x: 0, y: 0 };
   shownAt = null;
   byId("drop").hidden = byId("about").hidden = true;
+  say("Its first frames are played, to find how many come in a second ...");
+  const found = await playedRate();
+  rate.value = String(found ?? 30);
   byId("work").hidden = false;
   slider.max = String(frames() - 1);
   await show(0);
-  say("Click a point in the frame. Follow looks for it in the next ones.");
+  say(
+    (found === null
+      ? "This browser does not tell how many frames come in a second: say it beside the slider. "
+      : `It has ${found} frames a second; if it does not, correct that beside the slider. `) +
+      "Then click a point in the frame. Follow looks for it in the next ones.",
+  );
+}
+
+/** How many frames come in a second, from some that are played; null where that cannot be told. */
+async function playedRate() {
+  const rate = rateOf(await playedTimes(...NORMAL));
+  // Of many frames a second a screen shows some only, and a slow device too few to tell.
+  return rate === null || rate > FEW ? rateOf(await playedTimes(...SLOW)) ?? rate : rate;
+}
+
+/**
+ * Times of the first frames, as the browser tells them while it plays, s.
+ * @param {number} speed
+ * @param {number} count of frames, at most
+ */
+async function playedTimes(speed, count) {
+  /** @type {number[]} */
+  const times = [];
+  if (!("requestVideoFrameCallback" in video)) return times;
+  if (video.currentTime > 0) {
+    const begun = heard("seeked");
+    video.currentTime = 0;
+    await begun;
+  }
+  let asked = 0;
+  /** @type {Promise<void>} */
+  const enough = new Promise((done) => {
+    let last = setTimeout(done, LISTENED);
+    /** @param {number} _ @param {{ mediaTime: number }} shown */
+    const take = (_, { mediaTime }) => {
+      clearTimeout(last);
+      times.push(mediaTime);
+      if (times.length === count) return done();
+      last = setTimeout(done, LISTENED);
+      asked = video.requestVideoFrameCallback(take);
+    };
+    asked = video.requestVideoFrameCallback(take);
+  });
+  video.playbackRate = speed;
+  try {
+    await video.play();
+    await Promise.race([enough, heard("ended")]);
+  } catch {
+    // It must not be played.
+  }
+  video.pause();
+  video.cancelVideoFrameCallback(asked);
+  return times;
 }
 
 /** Shows a frame, after those that were asked for before. @param {number} wanted */
@@ -203,7 +263,8 @@ function save() {
   link.download = "video.csv";
   link.click();
   URL.revokeObjectURL(link.href);
-  say(b ? "Saved." : "Saved in pixels: no ruler was drawn.");
+  const saved = b ? "Saved." : "Saved in pixels: no ruler was drawn.";
+  say(`${saved} Drop the file on the page with the body to see it there and to fit it.`);
 }
 
 /** The buttons that choose what a click marks. */

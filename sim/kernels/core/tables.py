@@ -397,12 +397,12 @@ class Work(Record):
 
     anchors: float  # by moved anchors
     damping: float  # by damping, which is negative
-    air: float  # by air friction, which is negative
+    air: float  # by air friction and a medium, which is negative
     law: float  # by a force law that has no energy
     keys: float  # by keys that change rest lengths and rest angles
     muscles: float  # by muscles, which do so, too
     fallbacks: float  # by fallback steps, which is negative or zero
-    walls: float  # by friction on walls and in contact, and by bouncing, which is negative
+    walls: float  # by friction on walls, the ground and in contact, and by bouncing, which is negative
     plastic: float  # lost in yielding, which is negative
     broken: float  # of springs and joints that broke, which is negative
 

@@ -7,6 +7,7 @@ import msgspec
 from ..numbers import MAX_MASSES, MAX_SPRINGS
 from ..parts import LinearSpring
 from .assembly import Parts, TooLarge
+from .creatures import Hand, Heart, Swimmer, Walker, Worm
 from .outlines import AirBalloon, Box, Polygon, WaterBalloon
 from .plants import HairTuft, Tree
 from .rods import Rod, Rope
@@ -15,7 +16,7 @@ from .trusses import Bridge, Girder
 
 AnyRecipe = (
     Rope | Rod | Box | Polygon | HairTuft | FlagPole | Tree | AirBalloon | WaterBalloon | Cloth | Girder
-    | Jelly | Bridge
+    | Jelly | Bridge | Worm | Swimmer | Walker | Heart | Hand
 )  # fmt: skip
 """The recipes that a scene's `bodies` may have."""
 

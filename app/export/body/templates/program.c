@@ -24,6 +24,8 @@
 #define GIVEN_AROUND { 0 }
 #define GIVEN_WALLS { { 0 } }
 #define GIVEN_CIRCLES { { 0 } }
+#define GIVEN_STRETCHED { { 0 } }
+#define GIVEN_BENT { { 0 } }
 
 # endif
 static const double DT = GIVEN_DT;  // time step, s
@@ -49,7 +51,11 @@ enum { MASSES = sizeof m / sizeof *m };
 static double ax[MASSES], ay[MASSES];  // forces (kg px/s^2), then accelerations (px/s^2)
 
 # ifdef HAS_SPRINGS
+# ifdef HAS_STRETCHED
+static struct {
+# else
 static const struct {
+# endif
     int a, b;     // masses at the ends of the spring
     double k;     // stiffness, kg/s^2
     double rest;  // rest length, px
@@ -61,7 +67,11 @@ enum { SPRINGS = sizeof s / sizeof *s };
 
 # endif
 # ifdef HAS_JOINTS
+# ifdef HAS_BENT
+static struct {
+# else
 static const struct {
+# endif
     int p, q;     // springs of the joint
     double k;     // stiffness, kg/s^2
 # ifdef HAS_ANGLE_LAW
@@ -125,6 +135,25 @@ static const struct {
     double ramp;       // time constant with which it speeds up, s
 } circle[] = GIVEN_CIRCLES;
 enum { CIRCLES = sizeof circle / sizeof *circle };
+
+# endif
+# ifdef HAS_MUSCLES
+typedef struct {
+    int part;          // the spring whose rest length it moves, or the joint whose rest angle it moves
+    double rest;       // where that rests, px or radians
+    double amplitude;  // px or radians
+    double rate;       // of the phase, 1/s
+    double phase;      // at time 0
+    int pulse;         // or a sine
+} Muscle;
+# ifdef HAS_STRETCHED
+static const Muscle stretched[] = GIVEN_STRETCHED;
+enum { STRETCHED = sizeof stretched / sizeof *stretched };
+# endif
+# ifdef HAS_BENT
+static const Muscle bent[] = GIVEN_BENT;
+enum { BENT = sizeof bent / sizeof *bent };
+# endif
 
 # endif
 static void accelerate(void) {
@@ -262,11 +291,42 @@ static void lead(double t) {
 }
 
 # endif
+# ifdef HAS_MUSCLES
+// The rest length or the rest angle that a muscle moves, at time t.
+static double moved(Muscle muscle, double t) {
+    double wave = sin(muscle.rate * t + muscle.phase);
+    return muscle.rest + muscle.amplitude * (muscle.pulse ? exp(4.0 * (wave - 1.0)) : wave);
+}
+
+// Lets all muscles move to where they are at time t.
+static void flex(double t) {
+# ifdef HAS_STRETCHED
+    for (int i = 0; i < STRETCHED; i++) s[stretched[i].part].rest = moved(stretched[i], t);
+# endif
+# ifdef HAS_BENT
+    for (int i = 0; i < BENT; i++) {
+        double angle = moved(bent[i], t);
+# ifdef HAS_ANGLE_LAW
+        j[bent[i].part].rest = remainder(angle, 6.283185307179586);
+# else
+        j[bent[i].part].cosine = cos(angle), j[bent[i].part].sine = sin(angle);
+# endif
+    }
+# endif
+}
+
+# endif
 // One time step.
 static void step(void) {
-# ifdef HAS_CIRCLES
+# ifdef HAS_TIME
     static double t = GIVEN_START;  // s
-    lead(t += DT);
+    t += DT;
+# endif
+# ifdef HAS_CIRCLES
+    lead(t);
+# endif
+# ifdef HAS_MUSCLES
+    flex(t);
 # endif
     accelerate();
     for (int i = 0; i < MASSES; i++) {

@@ -14,6 +14,8 @@ GIVEN_LOADS = [(0, 0.0, 0.0)]
 GIVEN_FILLINGS = [(True, 1.0, 1.0, 1.0, [0])]
 GIVEN_WALLS = [(0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 1.0, 0.0)]
 GIVEN_CIRCLES = [(0, 0.0, 0.0, 1.0, 1.0, 1.0)]
+GIVEN_STRETCHED = [(0, 1.0, 0.1, 1.0, 0.0, 0)]
+GIVEN_BENT = [(0, 0.0, 0.1, 1.0, 0.0, 0)]
 # endif
 DT = GIVEN_DT  # time step, s
 # ifdef HAS_GRAVITY
@@ -77,6 +79,18 @@ WALLS = GIVEN_WALLS
 # Of each held mass that goes round: which it is, its place at time 0 (px), radius (px), turns per second
 # (Hz), and the time constant with which it speeds up (s).
 CIRCLES = GIVEN_CIRCLES
+
+# endif
+# ifdef HAS_MUSCLES
+# A row for each muscle: the spring whose rest length it moves (px), or the joint whose rest angle it moves
+# (radians), where that rests, the amplitude, the rate of the phase (1/s), the phase at time 0, and 1 for a
+# pulse or 0 for a sine.
+# ifdef HAS_STRETCHED
+STRETCHED = np.array(GIVEN_STRETCHED)
+# endif
+# ifdef HAS_BENT
+BENT = np.array(GIVEN_BENT)
+# endif
 
 # endif
 
@@ -189,10 +203,37 @@ def lead(x, v, t):
 
 
 # endif
+# ifdef HAS_MUSCLES
+def moved(muscles, t):
+    """Rest lengths or rest angles that muscles move, at time t."""
+    rest, amplitude, rate, phase, pulse = muscles.T[1:]
+    wave = np.sin(rate * t + phase)
+    return rest + amplitude * np.where(pulse == 1, np.exp(4.0 * (wave - 1.0)), wave)
+
+
+def flex(t):
+    """Let all muscles move to where they are at time t."""
+    # ifdef HAS_STRETCHED
+    REST[STRETCHED[:, 0].astype(int)] = moved(STRETCHED, t)
+    # endif
+    # ifdef HAS_BENT
+    bent, angle = BENT[:, 0].astype(int), moved(BENT, t)
+    # ifdef HAS_ANGLE_LAW
+    REST_ANGLE[bent] = angle
+    # else
+    COS[bent], SIN[bent] = np.cos(angle), np.sin(angle)
+    # endif
+    # endif
+
+
+# endif
 def step(x, v, t):
     """One time step from time t (s), in place."""
     # ifdef HAS_CIRCLES
     lead(x, v, t + DT)
+    # endif
+    # ifdef HAS_MUSCLES
+    flex(t + DT)
     # endif
     v += DT * accelerations(x, v)
     x += DT * v

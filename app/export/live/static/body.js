@@ -1,12 +1,13 @@
 // @ts-check
 /**
  * The physics of a body, in plain JavaScript: masses, linear springs, joints that hold two springs at an angle, air and
- * wind, walls, gases and liquids. `sim/physics.py` has the same with its derivations; the names are those of `sim`.
+ * wind, a medium, the ground, walls, gases and liquids. `sim/physics.py` has the same with its derivations; the names are those of `sim`.
  *
  * Positions and velocities are flat: x and y of the first mass, of the second one, and so on. x grows to the right; which
  * way y grows is the scene's matter, and no force asks for it. Lengths are in px, angles of rest in degrees.
  */
 import { addContact } from "./contact.js";
+import { wave } from "./muscles.js";
 import { pushAndFriction } from "./push.js";
 
 /**
@@ -19,12 +20,16 @@ import { pushAndFriction } from "./push.js";
  *   damping: number]} Wall a point, the unit vector to the free side, 1/(px s²), 1, px/s, s/px
  * @typedef {[x: number, y: number, u: number, v: number, phase: number, rate: number]} Wave of gusts: its wave vector, 1/px,
  *   its amplitude, px/s, its phase at time zero, and the rate of that, 1/s
+ * @typedef {{across: number, along: number}} Medium kg/(px s)
+ * @typedef {{gravity: number, forward: number, backward: number, sideways: number, slipSpeed: number}} Ground px/s²; coefficients
+ *   of friction; px/s
  * @typedef {{distance: number, stiffness: number, friction: number, slipSpeed: number, damping: number, margin: number,
  *   apart: number[][]}} Contact px, kg/(px s²), 1, px/s, s/px, px; for each spring, the masses that never touch it
  * @typedef {{strength: number[], yieldForce: number[], hardening: number[], yieldTorque: number[]}} Limits of springs and
  *   joints: kg px/s², kg/s², kg px²/s²; 1e300 for what has none
  * @typedef {{length: number[], hardened: number[], angle: number[]}} Yielded what has yielded before: rest lengths by how
  *   much, px, yield forces, kg px/s², rest angles, degrees; empty where none has
+ * @typedef {import("./muscles.js").Muscles} Muscles
  *
  * @typedef {object} BodyData a body at one moment, as `app/export/live/data.py` writes it
  * @property {number} time s
@@ -34,6 +39,8 @@ import { pushAndFriction } from "./push.js";
  * @property {number} airFriction kg/px
  * @property {number[]} wind px/s
  * @property {Wave[]} waves
+ * @property {Medium | null} medium
+ * @property {Ground | null} ground
  * @property {number} softening px²: the length of a spring with the vector L is sqrt(L² + softening)
  * @property {number[]} positions px
  * @property {number[]} velocities px/s
@@ -55,6 +62,7 @@ import { pushAndFriction } from "./push.js";
  * @property {Contact | null} contact
  * @property {Limits | null} limits
  * @property {Yielded | null} yielded
+ * @property {Muscles | null} muscles
  */
 
 /** Area of a gas, as a fraction of its own area, below which its pressure grows linearly. */
@@ -79,6 +87,8 @@ export class Body {
     this.gravity = [...data.gravity];
     this.airFriction = data.airFriction;
     this.wind = [...data.wind];
+    this.medium = data.medium && { ...data.medium };
+    this.ground = data.ground && { ...data.ground };
     this.positions = Float64Array.from(data.positions);
     this.velocities = Float64Array.from(data.velocities);
     this.accelerations = new Float64Array(2 * this.masses);
@@ -98,6 +108,10 @@ export class Body {
     this.waves = data.waves;
     this.fillings = data.fillings.map((filling) => ({ ...filling }));
     this.contact = data.contact && { ...data.contact };
+    this.muscles = data.muscles && { ...data.muscles };
+    // What muscles make of rest lengths and rest angles now: how many times as long, and by how many degrees more.
+    this.stretched = new Float64Array(this.muscles ? this.springs : 0).fill(1);
+    this.bent = new Float64Array(this.muscles ? this.joints : 0);
     /** What held keys have made of all rest lengths and rest angles: a factor, and degrees. */
     this.scale = 1;
     this.shift = 0;
@@ -116,18 +130,25 @@ export class Body {
     this.cosine = new Float64Array(this.joints);
     this.sine = new Float64Array(this.joints);
     this.rest = new Float64Array(this.joints);
+    // Of each mass: how many whole springs it has; filled where there is ground.
+    this.bearers = new Float64Array(this.masses);
+    // The velocity of the air where it was last asked for, px/s.
+    this.blow = new Float64Array(2);
     for (const spring of data.broken) this.broken[spring] = 1;
     this.refresh();
+    this.flex();
   }
 
   /** The rest length of a spring, px. @param {number} s */
   restLengthOf(s) {
-    return this.restLength[s] * this.scale + this.setLength[s];
+    const own = this.restLength[s] * this.scale;
+    return (this.muscles ? own * this.stretched[s] : own) + this.setLength[s];
   }
 
   /** The rest angle of a joint, degrees in (-180, 180]. @param {number} j */
   restAngleOf(j) {
-    return wrapped(wrapped(this.restAngle[j] + this.shift) + this.setAngle[j]);
+    const own = wrapped(wrapped(this.restAngle[j] + this.shift) + this.setAngle[j]);
+    return this.muscles ? wrapped(own + this.bent[j]) : own;
   }
 
   /** Whether a joint holds nothing any more, because one of its springs is broken. @param {number} j */
@@ -135,15 +156,42 @@ export class Body {
     return this.broken[this.heldSprings[2 * j]] + this.broken[this.heldSprings[2 * j + 1]] > 0;
   }
 
-  /** Find anew what follows from rest angles and stiffnesses; to be called after these were changed. */
+  /** Find anew what follows from rest angles, stiffnesses and broken springs; to be called after these were changed. */
   refresh() {
-    for (let j = 0; j < this.joints; j++) {
-      const rest = this.restAngleOf(j) * DEGREE;
-      const stiffness = this.isLoose(j) ? 0 : this.jointStiffness[j];
-      this.rest[j] = rest;
-      this.cosine[j] = stiffness * Math.cos(rest);
-      this.sine[j] = stiffness * Math.sin(rest);
+    if (this.ground) {
+      this.bearers.fill(0);
+      for (let i = 0; i < this.ends.length; i++) this.bearers[this.ends[i]] += 1 - this.broken[i >> 1];
     }
+    for (let j = 0; j < this.joints; j++) this.#bend(j);
+  }
+
+  /** Go to a time, s: gusts and muscles are then what they are at it. @param {number} time */
+  at(time) {
+    this.time = time;
+    this.flex();
+  }
+
+  /** Let muscles move rest lengths and rest angles to where they are now. */
+  flex() {
+    const { muscles, stretched, bent } = this;
+    if (!muscles) return;
+    for (let i = 0; i < muscles.springs.length; i++) {
+      stretched[muscles.springs[i][0]] = 1 + wave(muscles, muscles.springs[i], this.time);
+    }
+    for (let i = 0; i < muscles.joints.length; i++) {
+      const j = muscles.joints[i][0];
+      bent[j] = wave(muscles, muscles.joints[i], this.time);
+      this.#bend(j);
+    }
+  }
+
+  /** Find what follows from the rest angle and the stiffness of a joint. @param {number} j */
+  #bend(j) {
+    const rest = this.restAngleOf(j) * DEGREE;
+    const stiffness = this.isLoose(j) ? 0 : this.jointStiffness[j];
+    this.rest[j] = rest;
+    this.cosine[j] = stiffness * Math.cos(rest);
+    this.sine[j] = stiffness * Math.sin(rest);
   }
 
   /**
@@ -160,6 +208,7 @@ export class Body {
       a[2 * load.mass + 1] += load.y;
     }
     this.#addSprings();
+    if (this.medium || this.ground) this.#addResistance();
     this.#addFillings();
     if (this.contact) addContact(this, this.contact, softeningStep);
     this.#addAir();
@@ -333,18 +382,56 @@ export class Body {
     return 0.5 * twice;
   }
 
+  /** Find the velocity of the air at a mass, into `blow`. @param {number} i twice the mass */
+  #blowAt(i) {
+    const { positions: x, waves, wind, blow, time } = this;
+    blow[0] = wind[0];
+    blow[1] = wind[1];
+    for (let k = 0; k < waves.length; k++) {
+      const wave = waves[k];
+      const size = Math.sin(wave[0] * x[i] + wave[1] * x[i + 1] + wave[4] + wave[5] * time);
+      blow[0] += wave[2] * size;
+      blow[1] += wave[3] * size;
+    }
+  }
+
+  /** What a medium and the ground do to the ends of springs, see `sim/forces/resistance.py`. */
+  #addResistance() {
+    const { velocities: v, accelerations: a, ends, vectors, lengths, mass, bearers, medium, ground, blow } = this;
+    for (let end = 0; end < ends.length; end++) {
+      const s = end >> 1;
+      if (this.broken[s]) continue;
+      const i = 2 * ends[end];
+      const x = vectors[2 * s] / lengths[s];
+      const y = vectors[2 * s + 1] / lengths[s];
+      let ahead = 0;
+      let beside = 0;
+      if (medium) {
+        this.#blowAt(i);
+        const u = v[i] - blow[0];
+        const w = v[i + 1] - blow[1];
+        ahead += 0.5 * lengths[s] * medium.along * (x * u + y * w);
+        beside += 0.5 * lengths[s] * medium.across * (x * w - y * u);
+      }
+      if (ground) {
+        const weight = (ground.gravity * mass[ends[end]]) / bearers[ends[end]];
+        const along = x * v[i] + y * v[i + 1];
+        const across = x * v[i + 1] - y * v[i];
+        ahead += weight * (along > 0 ? ground.forward : ground.backward) * Math.tanh(along / ground.slipSpeed);
+        beside += weight * ground.sideways * Math.tanh(across / ground.slipSpeed);
+      }
+      a[i] -= ahead * x - beside * y;
+      a[i + 1] -= ahead * y + beside * x;
+    }
+  }
+
   #addAir() {
-    const { positions: x, velocities: v, accelerations: a, airFriction, waves, wind, time } = this;
+    const { velocities: v, accelerations: a, airFriction, blow } = this;
     if (!airFriction) return;
     for (let i = 0; i < 2 * this.masses; i += 2) {
-      let past = v[i] - wind[0];
-      let beside = v[i + 1] - wind[1];
-      for (let k = 0; k < waves.length; k++) {
-        const wave = waves[k];
-        const size = Math.sin(wave[0] * x[i] + wave[1] * x[i + 1] + wave[4] + wave[5] * time);
-        past -= wave[2] * size;
-        beside -= wave[3] * size;
-      }
+      this.#blowAt(i);
+      const past = v[i] - blow[0];
+      const beside = v[i + 1] - blow[1];
       a[i] -= airFriction * past * Math.abs(past);
       a[i + 1] -= airFriction * beside * Math.abs(beside);
     }

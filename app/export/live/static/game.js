@@ -8,6 +8,7 @@
 import { Body } from "./body.js";
 import { energies } from "./energy.js";
 import { leak } from "./limits.js";
+import { setTempo } from "./muscles.js";
 import { advance, METHODS } from "./steps.js";
 
 /** Refuse what is no finite number. @param {string} name of what is done with them @param {number[]} numbers */
@@ -126,6 +127,12 @@ export class SoftBody extends Body {
     finite("bend", degrees);
     this.shift = degrees - 360 * Math.ceil((degrees - 180) / 360);
     this.refresh();
+  }
+
+  /** Set the tempo of the muscles, Hz; their beat goes on from where it is. @param {number} frequency */
+  setTempo(frequency) {
+    finite("setTempo", frequency);
+    if (this.muscles) setTempo(this.muscles, frequency, this.time);
   }
 
   /**

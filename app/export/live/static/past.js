@@ -47,5 +47,6 @@ export class Past {
     Object.assign(body, { time, scale, shift, fillings });
     ARRAYS.forEach((name, i) => body[name].set(arrays[i]));
     body.refresh();
+    body.flex();
   }
 }

@@ -16,6 +16,7 @@
  * @property {[value: number | string, label: string][]} [options] where it is chosen from a list
  * @property {Record<string, number>} [stiffness] of joints, kg/s², by the rest angle in degrees: for the tutorial's templates
  */
+import { setTempo } from "./muscles.js";
 
 const DEGREE = Math.PI / 180;
 
@@ -64,6 +65,7 @@ const WRITE = {
     body.restAngle.fill(value);
     body.jointStiffness.fill(stiffness?.[String(value)] ?? 0);
   },
+  tempo: (body, value) => body.muscles && setTempo(body.muscles, value, body.time),
   gravity: (body, value, { value: first }) => {
     const { gravity, down } = body.data;
     body.gravity = first ? gravity.map((part) => part * (value / first)) : [0, value * down];
@@ -72,6 +74,11 @@ const WRITE = {
   wind_speed: (body, value) => blow(body, { speed: value }),
   wind_direction: (body, value) => blow(body, { direction: value }),
   turbulence: (body, value, { value: first }) => blow(body, { gusts: value / first }),
+  drag_across: (body, value) => body.medium && (body.medium.across = value),
+  drag_along: (body, value) => body.medium && (body.medium.along = value),
+  ground_forward: (body, value) => body.ground && (body.ground.forward = value),
+  ground_backward: (body, value) => body.ground && (body.ground.backward = value),
+  ground_sideways: (body, value) => body.ground && (body.ground.sideways = value),
   wall_friction: (body, value, { value: first }) => {
     body.walls.forEach((wall, i) => (wall[5] = first ? body.data.walls[i][5] * (value / first) : value));
   },

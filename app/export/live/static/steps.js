@@ -46,7 +46,7 @@ function eulerStep(body, h, lead) {
   const { positions: x, velocities: v, accelerations: a, held } = body;
   const end = body.time + h;
   lead(end);
-  body.time = end; // of the gusts
+  body.at(end);
   body.accelerate(h);
   for (let i = 0; i < x.length; i++) {
     if (held[i >> 1]) continue;
@@ -76,7 +76,7 @@ function verletStep(body, h, lead) {
     v[i] += h * a[i];
   }
   lead(end);
-  body.time = end;
+  body.at(end);
   body.accelerate(h);
   for (let i = 0; i < x.length; i++) {
     if (!held[i >> 1]) v[i] = before.v[i] + 0.5 * h * (before.a[i] + a[i]);

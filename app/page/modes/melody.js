@@ -1,0 +1,45 @@
+// @ts-check
+/** A plot as pitch, for who cannot see it: the higher the value, the higher the tone. */
+import { loudspeaker } from "./sound.js";
+import { few } from "./shapes.js";
+import { melodyOf } from "./tones.js";
+import { onTold } from "../../wire/channel.js";
+import { make } from "../looks/dialog.js";
+
+/** Seconds of a plot, and of the way from one tone to the next and to silence. */
+const [LASTS, WAY] = [3, 0.01];
+const LOUD = 0.3;
+
+/** Begins to listen for plots that are to be heard. */
+export function listenToMelodies() {
+  const live = make("div", "softrod-tell");
+  live.setAttribute("role", "status");
+  document.body.append(live);
+  /** @type {OscillatorNode | null} */
+  let before = null;
+  onTold("melody", ({ name, unit, values }) => {
+    const numbers = values.map((value) => value ?? Number.NaN);
+    const finite = numbers.filter(Number.isFinite);
+    if (!finite.length) {
+      live.textContent = `${name} has no values to hear`;
+      return;
+    }
+    before?.stop();
+    const { context, out } = loudspeaker();
+    const [oscillator, gain] = [context.createOscillator(), context.createGain()];
+    const begin = context.currentTime + 0.05;
+    gain.gain.value = 0;
+    melodyOf(numbers).forEach((pitch, i) => {
+      const at = begin + (i / numbers.length) * LASTS;
+      if (pitch) oscillator.frequency.setTargetAtTime(pitch, at, i ? WAY : 1e-4);
+      gain.gain.setTargetAtTime(pitch ? LOUD : 0, at, WAY);
+    });
+    gain.gain.setTargetAtTime(0, begin + LASTS, WAY);
+    oscillator.connect(gain).connect(out);
+    oscillator.start(begin);
+    oscillator.stop(begin + LASTS + 20 * WAY);
+    before = oscillator;
+    const [low, high] = [Math.min(...finite), Math.max(...finite)];
+    live.textContent = `${name}, from ${few(low)} to ${few(high)} ${unit}`;
+  });
+}

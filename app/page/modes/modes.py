@@ -1,0 +1,153 @@
+"""What a page is told of its body's modes, only while it looks at them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim.analysis.modes import Modes
+
+from ...drawing.plan import joined
+from ...session.session import Session
+from ...wire import to_page
+from ...wire.carrier import Mail
+
+EVERY = 1.0 / 20.0
+"""Seconds between two sets of levels while the body moves, at least; the page glides between them."""
+SHARE = 0.1
+"""Share of the time that looking at the motion may take, at most."""
+STILL = 2e-4
+"""Change of a level, as a part of a full bar, below which nothing is sent."""
+
+
+class ModesView:
+    """What one page is told of modes.
+
+    Args:
+        mail: to its script.
+    """
+
+    def __init__(self, mail: Mail) -> None:
+        self._mail = mail
+        self._on = False
+        self._shapes = -1
+        self._sent: tuple[int, float, NDArray[np.float32]] | None = None
+        self._due = 0.0
+
+    def tell(self, session: Session) -> None:
+        """Send what the page does not know yet."""
+        watch = session.modes
+        if watch is None:
+            if self._on:
+                self._on, self._shapes, self._sent = False, -1, None
+                self._mail.tell(to_page.ModeShapes(numbers=np.zeros(0, np.float32)))
+                self._mail.tell(to_page.Modes())
+            return
+        self._on = True
+        modes, drive = watch.found, session.drive
+        if modes is None:
+            self._shapes, self._sent = -1, None
+            self._mail.tell(to_page.Modes(on=True, number=watch.number, trouble=watch.trouble))
+            return
+        if self._shapes != watch.number:
+            self._shapes, self._sent = watch.number, None
+            self._mail.tell(to_page.ModeShapes(numbers=encode_shapes(watch.number, modes)))
+        state = to_page.Modes(
+            on=True,
+            number=watch.number,
+            trouble="" if modes.frequencies.size else "it does not vibrate about its pose at rest",
+            frequencies=_rounded(modes.frequencies / (2.0 * math.pi)),
+            damping=_rounded(modes.damping_ratios),
+            full=_rounded(watch.full),
+            driven=-1 if drive is None or drive.let_go < math.inf else drive.mode,
+        )
+        self._mail.tell(state)
+        self._tell_levels(session, modes)
+
+    def _tell_levels(self, session: Session, modes: Modes) -> None:
+        now, watch, simulation = session.now(), session.modes, session.simulation
+        if watch is None or simulation.divergence is not None:
+            return
+        running = session.playing
+        if running and now < self._due:
+            return
+        if self._sent is not None and not running and self._sent[1] == simulation.time and now < self._due:
+            return
+        began = session.now()
+        found = watch.excitation(simulation)
+        if found is None:
+            return
+        amplitudes = np.hypot(found.amplitudes, found.rates / modes.frequencies)
+        numbers = encode_levels(
+            watch.number,
+            simulation.time,
+            amplitudes / watch.full,
+            found.energies,
+            found.others,
+            found.touching / watch.unit,
+            watch.unit,
+            found.frames,
+        )
+        self._due = now + max(EVERY, (session.now() - began) / SHARE) - 1e-3
+        if self._sent is not None:
+            number, _, before = self._sent
+            if number == watch.number and np.abs(numbers[3:] - before[3:]).max(initial=0.0) < STILL:
+                self._sent = number, simulation.time, before
+                return
+        self._sent = watch.number, simulation.time, numbers
+        self._mail.tell(to_page.ModeLevels(numbers=numbers))
+
+
+def encode_shapes(number: int, modes: Modes) -> NDArray[np.float32]:
+    """The shapes of modes, which the page draws as ghosts.
+
+    Args:
+        number: that the state of the modes carries, too.
+        modes: of the body.
+    """
+    sections: list[NDArray[np.float64] | list[float]] = [
+        [float(number), modes.size],
+        modes.rest.ravel(),
+        modes.part.astype(float),
+    ]
+    for mode in range(modes.frequencies.size):
+        marks = modes.marks(mode)
+        nodes = [value for spring, along in marks.nodes for value in (float(spring), along)]
+        sections += [modes.shapes[mode].ravel(), nodes, [float(mass) for mass in marks.antinodes]]
+    return joined(*sections)
+
+
+def encode_levels(
+    number: int,
+    time: float,
+    levels: NDArray[np.float64],
+    energies: NDArray[np.float64],
+    others: float,
+    touching: float,
+    unit: float,
+    frames: NDArray[np.float64],
+) -> NDArray[np.float32]:
+    """How much of each mode is in a motion.
+
+    Args:
+        number: of the shapes.
+        time: simulated, s.
+        levels: (k,) amplitudes in those of full bars.
+        energies: (k,) of the modes, kg px²/s².
+        others: energy that is in none of them; below zero where they would have more than there is.
+        touching: energy of what is pressed together, in units.
+        unit: energy that fills the bar of what is in no mode.
+        frames: (P, 4) see `Excitation`.
+    """
+    whole = float(energies.sum()) + abs(others)
+    # A body at rest has rounding errors only.
+    shares = np.append(energies, others) / whole if whole > 1e-12 * unit else np.zeros(len(energies) + 1)
+    other = math.copysign(math.sqrt(abs(others) / unit), others)
+    return joined([number, time, other, touching], levels, shares, frames)
+
+
+def _rounded(values: NDArray[np.float64]) -> tuple[float, ...]:
+    """With as many digits as can be seen, so that rounding alone is no change."""
+    return tuple(float(f"{value:.7g}") for value in values.tolist())

@@ -1,0 +1,76 @@
+// @ts-check
+/** Shapes and levels of modes as modes.py writes them, and where a shape is on the screen. Arithmetic only. */
+import { sections } from "../../drawing/static/plan.js";
+
+/**
+ * @typedef {object} Shape
+ * @property {Float32Array} moves x and y of each mass, in the largest
+ * @property {Float32Array} nodes of each a spring, and how far along it
+ * @property {Float32Array} antinodes masses
+ *
+ * @typedef {object} Shapes
+ * @property {number} number that levels carry, too
+ * @property {number} size of the body, px
+ * @property {Float32Array} rest x and y of each mass, px
+ * @property {Float32Array} part of each mass
+ * @property {Shape[]} modes
+ *
+ * @typedef {object} Levels
+ * @property {number} number of the shapes
+ * @property {number} time simulated seconds
+ * @property {number} other what is in no mode, as a part of a full bar; below zero where the modes have more than there is
+ * @property {number} touching energy of what is pressed together, in that of a full bar
+ * @property {Float32Array} levels amplitude of each mode, in that of a full bar
+ * @property {Float32Array} shares of the energy: of each mode, and of what is in none
+ * @property {Float32Array} frames cosine, sine, x and y of each part
+ */
+
+/** @param {Float32Array} data @returns {Shapes | null} */
+export function readShapes(data) {
+  if (!data.length) return null;
+  const take = sections(data);
+  const [number, size] = take();
+  const [rest, part] = [take(), take()];
+  const modes = [];
+  for (let moves = take(); moves.length; moves = take()) modes.push({ moves, nodes: take(), antinodes: take() });
+  return { number, size, rest, part, modes };
+}
+
+/** @param {Float32Array} data @returns {Levels} */
+export function readLevels(data) {
+  const take = sections(data);
+  const [number, time, other, touching] = take();
+  return { number, time, other, touching, levels: take(), shares: take(), frames: take() };
+}
+
+/**
+ * Where the masses are when a mode is at an amplitude.
+ *
+ * @param {Shapes} shapes
+ * @param {number} mode
+ * @param {number} amplitude px of the mass that it moves most
+ * @param {Float32Array} [frames] how the parts lie now
+ * @returns {Float32Array} px, x and y of each
+ */
+export function posed({ rest, part, modes }, mode, amplitude, frames) {
+  const { moves } = modes[mode];
+  const places = new Float32Array(rest.length);
+  for (let m = 0; m < part.length; m++) {
+    const [x, y] = [rest[2 * m] + amplitude * moves[2 * m], rest[2 * m + 1] + amplitude * moves[2 * m + 1]];
+    const at = 4 * part[m];
+    const lies = frames !== undefined && at + 3 < frames.length;
+    const [c, s, dx, dy] = lies ? frames.subarray(at, at + 4) : [1, 0, 0, 0];
+    places[2 * m] = c * x - s * y + dx;
+    places[2 * m + 1] = s * x + c * y + dy;
+  }
+  return places;
+}
+
+/** A number with as many digits as are of use. @param {number} value @param {number} [digits] */
+export const few = (value, digits = 3) => String(Number(value.toPrecision(digits)));
+
+/** A share of the energy in words. @param {number} share */
+export function percent(share) {
+  const value = 100 * Math.abs(share);
+  return value > 0 && value < 0.1 ? "less than 0.1 %" : `${few(value, value < 10 ? 2 : 3)} %`;
+}

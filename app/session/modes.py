@@ -1,0 +1,248 @@
+"""The slow vibrations of a session's body while somebody looks at them: found beside the frames."""
+
+from __future__ import annotations
+
+import math
+import threading
+from dataclasses import dataclass, replace
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+import sim
+from sim.analysis.modes import Excitation, Modes
+from sim.body.system import same_topology
+from sim.compiling.compiler import FOR_FALLBACK, is_ready
+from sim.errors import InputError
+
+from . import log
+
+COUNT = 10
+"""Modes that are looked at, at most."""
+LARGE = 0.1
+"""Amplitude of a full bar of the slowest mode, in sizes of the body."""
+MOVED = 1e-3
+"""By how much of its size an anchor may have moved before the body's modes are found anew."""
+STANDS = 10
+"""Looks for which it has to have been let go."""
+PIECES = 20
+"""Calls of `step` in which a mass that drives a mode is led through a period."""
+SWELLING = 6.0
+"""Periods in which a mode that nothing damps comes to a full bar when it is driven."""
+RAMP = 2.0
+"""Periods in which it begins, and fades: what begins or ends at once shakes other modes, too."""
+SEEN = 0.03
+"""Part of a full bar from which on a mode has a phase to keep in step with."""
+FURTHEST = 0.01
+"""How far supports are moved at most to drive a mode, in sizes of the body."""
+
+
+class ModesWatch:
+    """What a session knows of its body's slow modes; it is there only while somebody looks at them.
+
+    They are found by a thread that is there only meanwhile, and anew when the body, its numbers, its damage
+    or the places of its anchors have changed.
+
+    Attributes:
+        found: the modes; None while there are none.
+        number: counts what was found.
+        trouble: why there are none, in a sentence without a full stop; empty while they are looked for.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._about: tuple[Any, ...] = ()
+        self._held = np.zeros((0, 2))
+        self._stood = 0  # looks since an anchor was moved and let go
+        self._result: tuple[tuple[Any, ...], Modes | str] | None = None
+        self._works = False
+        self.found: Modes | None = None
+        self.number = 0
+        self.trouble = ""
+
+    def tick(self, simulation: sim.Simulation, busy: bool) -> None:
+        """Look whether the modes are still those of the body.
+
+        Args:
+            simulation: of the body.
+            busy: whether somebody leads a mass just now: then they are those from before.
+        """
+        with self._lock:
+            result, self._result = self._result, None
+            works = self._works
+        if result is not None and result[0] == self._about:
+            self.found = result[1] if isinstance(result[1], Modes) else None
+            self.trouble = result[1] if isinstance(result[1], str) else ""
+            self.number += 1
+        scene = simulation.scene
+        if self.found is not None and not same_topology(self.found.scene, scene):
+            self.found = None  # of another body
+        held = simulation.positions[sorted({anchor.mass for anchor in scene.anchors})]
+        about = (_Same(scene), simulation.damage)
+        other = held.shape != self._held.shape
+        away = not other and float(np.abs(held - self._held).max(initial=0.0)) > MOVED * _size(simulation)
+        # One that is just being led has no place yet.
+        self._stood = self._stood + 1 if away and not busy else 0
+        moved = other or self._stood > STANDS
+        if works or simulation.divergence is not None or not (about != self._about or moved):
+            return
+        if not is_ready(FOR_FALLBACK):
+            return
+        self._about, self._held = about, held
+        places = tuple((float(x), float(y)) for x, y in simulation.positions)
+        pose = sim.Pose(positions=places, velocities=((0.0, 0.0),) * len(places), damage=simulation.damage)
+        self._works = True
+        wanted = msgspec.structs.replace(scene, pose=pose)
+        thread = threading.Thread(target=self._run, args=(wanted, about), name="softrod-modes", daemon=True)
+        thread.start()
+
+    @property
+    def full(self) -> NDArray[np.float64]:
+        """(k,) amplitudes of full bars, px.
+
+        They have the same action, which is energy over frequency: a faster mode swings less far, so that the
+        body bears it.
+        """
+        modes = self.found
+        if modes is None or not modes.frequencies.size:
+            return np.zeros(0)
+        action = modes.frequencies * modes.masses
+        return LARGE * modes.size * np.sqrt(action[0] / action)
+
+    @property
+    def unit(self) -> float:
+        """Energy that fills the bar of what is in no mode, kg px²/s²: the mean of what fills the others."""
+        modes = self.found
+        if modes is None or not modes.frequencies.size:
+            return 1.0
+        return float((0.5 * modes.masses * (modes.frequencies * self.full) ** 2).mean())
+
+    def excitation(self, simulation: sim.Simulation) -> Excitation | None:
+        """How much of each mode is in the body's motion now; None while there are none."""
+        modes = self.found
+        if modes is None or not same_topology(modes.scene, simulation.scene):
+            return None
+        return modes.excitation(simulation.positions, simulation.velocities)
+
+    def _run(self, scene: sim.Scene, about: tuple[Any, ...]) -> None:
+        result: Modes | str
+        try:
+            result = Modes(scene, COUNT)
+            _ = result.damping_ratios
+        except InputError as error:
+            result = str(error)
+        with self._lock:
+            self._works, self._result = False, (about, result)
+
+
+class _Same:
+    """A scene that equals itself alone: two are compared at every frame."""
+
+    def __init__(self, scene: sim.Scene) -> None:
+        self._scene = scene
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other._scene is self._scene
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def _size(simulation: sim.Simulation) -> float:
+    return float(np.hypot(*np.ptp(simulation.positions, axis=0)))
+
+
+@dataclass(frozen=True)
+class Drive:
+    """Masses that are led to and fro by hand at the frequency of a mode.
+
+    Attributes:
+        mode: which.
+        masses: that are led.
+        grabbed: whether it is a free one, in a hand meanwhile.
+        about: where they were, px.
+        swings: their amplitudes, px.
+        frequency: angular, rad/s.
+        since: simulated time, s, from which on it is driven.
+        began: simulated time, s, at which they went through the middle.
+        part: of these amplitudes.
+        let_go: simulated time, s, from which on it fades.
+    """
+
+    mode: int
+    masses: tuple[int, ...]
+    grabbed: bool
+    about: NDArray[np.float64]
+    swings: NDArray[np.float64]
+    frequency: float
+    since: float
+    began: float
+    part: float
+    let_go: float = math.inf
+
+    @staticmethod
+    def of(watch: ModesWatch, mode: int, simulation: sim.Simulation) -> Drive:
+        """How a mode is driven: by all supports together, or else by the mass that it moves most.
+
+        Raises:
+            InputError: there is no such mode, or it is too fast for the time step.
+        """
+        modes = watch.found
+        if modes is None or not 0 <= mode < modes.frequencies.size:
+            raise InputError(f"there is no mode {mode + 1} to drive")
+        w = float(modes.frequencies[mode])
+        if (period := 2.0 * math.pi / w) < 4.0 * simulation.dt:
+            raise InputError(f"mode {mode + 1} has a period of {period:.3g} s, less than four time steps")
+        full, mass = float(watch.full[mode]), float(modes.masses[mode])
+        now = simulation.time
+        if (supports := modes.supports(mode)) is None:
+            most = int(np.argmax(np.hypot(*modes.shapes[mode].T)))
+            about, swings = simulation.positions[[most]], full * modes.shapes[mode][[most]]
+            return Drive(mode, (most,), True, about, swings, w, now, now, 1.0)
+        masses, ways, felt = supports
+        # A force f B sin(wt) on a mode of mass M has it grow by f B / (2 M w) in a second.
+        size = min(full * 2.0 * mass * w / (felt * SWELLING * period), FURTHEST * modes.size)
+        led = tuple(int(each) for each in masses)
+        return Drive(mode, led, False, simulation.positions[masses], size * ways, w, now, now, 0.0)
+
+    def in_step(self, watch: ModesWatch, simulation: sim.Simulation) -> Drive:
+        """As it goes on: in step with the mode, whose period changes as it grows, more and more at first, and
+        less as it comes to a full bar."""
+        now = watch.excitation(simulation)
+        if now is None:
+            return self
+        q, rate = float(now.amplitudes[self.mode]), float(now.rates[self.mode]) / self.frequency
+        full, time = float(watch.full[self.mode]), simulation.time
+        level, ramp = math.hypot(q, rate) / full, RAMP * 2.0 * math.pi / self.frequency
+        part = (1.0 - min(level, 1.0)) * min((time - self.since) / ramp, 1.0)
+        part *= max(1.0 - max(time - self.let_go, 0.0) / ramp, 0.0)
+        if level < SEEN:
+            return replace(self, part=part)
+        # It does most work where it goes with the velocity.
+        ahead = math.atan2(q, rate) + 0.5 * math.pi
+        return replace(self, part=part, began=time - ahead / self.frequency)
+
+    def has_faded(self, time: float) -> bool:
+        """Whether it is over at a simulated time, s."""
+        return time - self.let_go >= RAMP * 2.0 * math.pi / self.frequency
+
+    def steps(self, dt: float) -> int:
+        """Time steps in which they are led in straight lines."""
+        return max(1, int(2.0 * math.pi / self.frequency / PIECES / dt))
+
+    def lead(self, simulation: sim.Simulation, steps: int) -> list[log.Act]:
+        """What leads them through the next time steps."""
+        part = self.part * math.sin(self.frequency * (simulation.time + steps * simulation.dt - self.began))
+        return self._to(self.about + part * self.swings)
+
+    def end(self) -> list[log.Act]:
+        """What puts them back, or lets go."""
+        if self.grabbed:
+            return [log.Release(mass=mass) for mass in self.masses]
+        return self._to(self.about)
+
+    def _to(self, places: NDArray[np.float64]) -> list[log.Act]:
+        # Their motion is slow and smooth, so that it needs no limit as that of a hand does.
+        pairs = zip(self.masses, places.tolist(), strict=True)
+        return [log.Lead(mass=mass, to=(x, y)) for mass, (x, y) in pairs]

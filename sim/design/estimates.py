@@ -1,0 +1,393 @@
+"""What a fit tells: numbers with intervals, columns with what is left of them, and sentences."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .combinations import Combination, candidates
+from .parameters import Parameter
+from .units import within_half_a_turn
+
+Floats = NDArray[np.float64]
+
+_INVOLVED = 0.1
+"""Part in an unknown direction from which on a number is named with it."""
+_ALONE = 0.98
+"""Part of a number that is unknown, whatever the others are, from which on it is named by itself."""
+_MUCH = 3.0
+"""How many times less a number is known than it would be, from which on it is named with what is unknown."""
+_FARTHEST = 20.0
+"""Change of u up to which an end is looked for where the data would tell."""
+_ALONG = 0.7
+"""Change of u by which a combination is tried: a factor of 2."""
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A number that was fitted.
+
+    Attributes:
+        name, unit: what it is.
+        value: the best one.
+        low, high: the 95 % interval. For one that the data cannot tell they are all that it may be: 0 and
+            infinity where it is positive, and nothing bounds it.
+        known: whether the data tell it.
+        before: what it was in the scene.
+    """
+
+    name: str
+    unit: str
+    value: float
+    low: float
+    high: float
+    known: bool
+    before: float
+
+    @property
+    def text(self) -> str:
+        """As people read it, as in "812 ± 9 kg/s²"."""
+        unit = f" {self.unit}" if self.unit else ""
+        if not self.known:
+            if math.isinf(self.high) and (self.low == 0.0 or math.isinf(self.low)):
+                return f"{self.value:.3g}{unit} or any other"
+            return _range(self.low, self.high, self.unit, self.low == 0.0)
+        return f"{plus_minus(self.value, self.low, self.high)}{unit}"
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """A column, and what the fitted scene does instead.
+
+    Attributes:
+        file, column, quantity: of what; the quantity is as it was matched, as in "-mass1.y".
+        unit: of the column.
+        time: (k,) s, as in the file.
+        measured, fitted: (k,) NaN where there was nothing measured.
+        effective: number of independent residuals that the k hold.
+    """
+
+    file: str
+    column: str
+    quantity: str
+    unit: str
+    time: Floats
+    measured: Floats
+    fitted: Floats
+    effective: float
+
+    @property
+    def residuals(self) -> Floats:
+        """(k,) measured minus fitted; angles within half a turn."""
+        left = self.measured - self.fitted
+        return within_half_a_turn(left) if self.unit == "°" else left
+
+    @property
+    def noise(self) -> float:
+        """Root mean square of the residuals."""
+        return float(np.sqrt(np.nanmean(self.residuals**2)))
+
+
+class Told:
+    """What the data tell of the unknowns.
+
+    Args:
+        parameters: the unknowns.
+        u: the best.
+        spread: (known directions, unknowns) one standard deviation of each.
+        unknown: (directions, unknowns) of which they tell nothing.
+        wide: standard deviations of an interval.
+        give_way: for other u, of which some are held, the best of the others, and by how much the sum of
+            squares is larger then.
+    """
+
+    def __init__(
+        self,
+        parameters: Sequence[Parameter],
+        u: Floats,
+        spread: Floats,
+        unknown: Floats,
+        wide: float,
+        give_way: Callable[[Floats, Sequence[int]], tuple[Floats, float]],
+    ) -> None:
+        self._parameters, self._u, self._spread, self._wide = parameters, u, spread, wide
+        self._give_way = give_way
+        self._open = unknown.T @ unknown  # the projection onto what is unknown
+        involved = np.flatnonzero((np.abs(unknown) > _INVOLVED).any(axis=0)).tolist()
+        self._reached: list[Floats] = [u]
+        self._ends = {i: self._between(i) for i in involved if self._is_alone(i)}
+        together = self._together([i for i in involved if i not in self._ends])
+        self._groups = [each for each in map(self._group, together) if each.known]
+
+    @property
+    def known(self) -> list[bool]:
+        """Whether the data tell each unknown."""
+        unknown = {*self._ends, *(i for group in self._groups for i in group.which)}
+        return [i not in unknown for i in range(self._u.size)]
+
+    def values(self) -> list[Estimate]:
+        """Of each unknown."""
+        bounds = dict(self._ends)
+        for group in self._groups:
+            bounds |= self._bounds(group)
+        # Where an unknown is open, what is known goes with it.
+        reached = np.array(self._reached)
+        low, high = reached.min(axis=0), reached.max(axis=0)
+        by = self._wide * np.sqrt((self._spread**2).sum(axis=0))
+        found = []
+        for i, (p, known) in enumerate(zip(self._parameters, self.known, strict=True)):
+            ends = bounds.get(i) or (p.free(low[i] - by[i]), p.free(high[i] + by[i]))
+            found.append(Estimate(p.name, p.unit, p.value(float(self._u[i])), *ends, known, p.start))
+        return found
+
+    def sentences(self) -> list[str]:
+        """What the data cannot tell, and what they tell of it."""
+        return [self._alone(i) for i in self._ends] + [self._apart(each) for each in self._groups]
+
+    def _risen(self, at: Floats, held: Sequence[int]) -> float:
+        """By how much the sum of squares is larger at other u; notes where the data still allow it."""
+        at, rise = self._give_way(at, held)
+        if rise < self._wide**2:
+            self._reached.append(at)
+        return rise
+
+    # --------------------------------------------------------------------- a number by itself
+    def _is_alone(self, i: int) -> bool:
+        """Whether an unknown is not known, and hardly any other with it."""
+        return bool(self._open[i, i] > _ALONE) and not any(
+            self._goes_with(i, j) and not p.logarithmic for j, p in enumerate(self._parameters) if j != i
+        )
+
+    def _goes_with(self, i: int, j: int) -> bool:
+        """Whether one is open by as much as another is.
+
+        What is positive is by factors. For others the unit is any one: they go with it if they are much less
+        known than they would be.
+        """
+        for one, other in ((i, j), (j, i)):
+            if not self._parameters[one].logarithmic:
+                alone = float(np.sqrt((self._spread[:, one] ** 2).sum()))
+                if abs(self._open[one, other]) > _MUCH * alone * math.sqrt(self._open[other, other]):
+                    return True
+        return bool(abs(self._open[i, j]) > _INVOLVED**2)
+
+    def _between(self, i: int) -> tuple[float, float]:
+        """The values of an unknown beyond which the data would tell."""
+        p = self._parameters[i]
+        low, high = (self._far(i, sign) for sign in (-1.0, 1.0))
+        return (
+            p.value(low) if math.isfinite(low) else 0.0 if p.logarithmic else low,
+            p.value(high) if math.isfinite(high) else high,
+        )
+
+    def _far(self, i: int, sign: float) -> float:
+        """The u of an unknown from which on the data tell, in a direction."""
+        enough, p = self._wide**2, self._parameters[i]
+        start = float(self._u[i])
+        end = p.high if sign > 0.0 else max(p.low, 1e-300) if p.logarithmic else p.low
+        most = min(abs(p.u(end) - start), _FARTHEST)
+
+        def is_told(by: float) -> bool:
+            return self._risen(self._u + sign * by * (np.arange(self._u.size) == i), [i]) >= enough
+
+        near, far = 0.0, min(0.5, most)
+        while not is_told(far):
+            if far >= most:
+                return sign * math.inf
+            near, far = far, min(2.0 * far, most)
+        for _ in range(5):
+            middle = 0.5 * (near + far)
+            near, far = (near, middle) if is_told(middle) else (middle, far)
+        return start + sign * far
+
+    def _alone(self, i: int) -> str:
+        p, (low, high) = self._parameters[i], self._ends[i]
+        if math.isinf(high) and (low == 0.0 if p.logarithmic else math.isinf(low)):
+            return f"The data do not tell {p.name}: whatever it is, the fit is as good."
+        return f"The data hardly tell {p.name}: it is {_range(low, high, p.unit, p.logarithmic)}."
+
+    # --------------------------------------------------------------------- numbers that go together
+    def _together(self, which: list[int]) -> list[list[int]]:
+        """Sets of unknowns that are known only with each other."""
+        left, found = list(which), []
+        while left:
+            group = [left.pop(0)]
+            for i in group:
+                near = [j for j in left if self._goes_with(i, j)]
+                group += near
+                left = [j for j in left if j not in near]
+            found.append(sorted(group))
+        return found
+
+    def _group(self, which: list[int]) -> _Group:
+        """What is known of unknowns that go together; nothing if each of them is known by itself."""
+        size, vectors = np.linalg.eigh(self._open[np.ix_(which, which)])
+        reduced, pivots = _reduced(
+            vectors.T[size > 0.5], [c for c, i in enumerate(which) if self._is_base(i)]
+        )
+        if not pivots:
+            return _Group(which, [], False)
+        solved, choices = [i for c, i in enumerate(which) if c not in pivots], []
+        for c, i in enumerate(which):
+            if i in solved:
+                weights = np.zeros(self._u.size)
+                weights[which] = -reduced[:, c] @ (np.arange(len(which)) == np.array(pivots)[:, None])
+                if all(self._parameters[j].logarithmic for j in which):
+                    weights[np.abs(weights) < _INVOLVED] = 0.0
+                weights[i] = 1.0
+                choices.append(candidates(weights, self._parameters, self._u))
+        ways = [(which[pivot], sign * _ALONG) for pivot in pivots for sign in (1.0, -1.0)]
+
+        def worst(kept: list[Combination]) -> float:
+            """The largest rise of the sum of squares along some combinations."""
+            return max(self._risen(at, which) for at in self._along(kept, solved, ways))
+
+        kept = [each[0] for each in choices]
+        least = worst(kept)
+        for c, each in enumerate(choices):
+            for other in each[1:]:
+                if least >= self._wide**2:
+                    tried = [*kept[:c], other, *kept[c + 1 :]]
+                    found = worst(tried)
+                    kept, least = (tried, found) if found < least else (kept, least)
+        return _Group(which, kept, least >= self._wide**2)
+
+    def _is_base(self, i: int) -> bool:
+        """Whether others are told in terms of an unknown, as in stiffness / mass."""
+        return self._parameters[i].unit == "kg" or self._parameters[i].name == "length_scale"
+
+    def _along(
+        self, kept: list[Combination], solved: list[int], ways: list[tuple[int, float]]
+    ) -> Iterator[Floats]:
+        """Unknowns with which some combinations are as they are.
+
+        Args:
+            kept: the combinations.
+            solved: the unknown that each gives.
+            ways: others that are changed, and by how much.
+        """
+        for i, by in ways:
+            # A sum leaves less room on one side.
+            for part in (1.0, 0.5, 0.25, 0.0):
+                at = self._u + part * by * (np.arange(self._u.size) == i)
+                new = [each.kept(at, self._u, c) for each, c in zip(kept, solved, strict=True)]
+                given = [each for each in new if each is not None]
+                if len(given) == len(new):
+                    at[solved] = given
+                    yield at
+                    break
+
+    def _bounds(self, group: _Group) -> dict[int, tuple[float, float]]:
+        found = {
+            i: (0.0, math.inf) if self._parameters[i].logarithmic else (-math.inf, math.inf)
+            for i in group.which
+        }
+        if not group.is_near:
+            for each in group.known:
+                _, *ends = each.interval(self._u, self._spread, self._wide)
+                found |= each.bounds(*ends)
+        return found
+
+    def _apart(self, group: _Group) -> str:
+        names = _listed([self._parameters[i].name for i in group.which])
+        known = []
+        for each in group.known:
+            value = plus_minus(*each.interval(self._u, self._spread, self._wide))
+            known.append(f"{each.text} = {value} {each.unit}".rstrip())
+        near = ", and that near these values only" if group.is_near else ""
+        verb = "are" if len(known) > 1 else "is"
+        return f"The data cannot tell {names} apart: of them only {_listed(known)} {verb} known{near}."
+
+
+@dataclass(frozen=True)
+class _Group:
+    """Unknowns that are known only with each other.
+
+    Attributes:
+        which: indices.
+        known: what the data tell of them.
+        is_near: whether that is so only near the best values.
+    """
+
+    which: list[int]
+    known: list[Combination]
+    is_near: bool
+
+
+def _range(low: float, high: float, unit: str, positive: bool) -> str:
+    """As in "at most 3 kg"."""
+    if math.isinf(high):
+        text = f"at least {low:.3g}"
+    elif low == 0.0 if positive else math.isinf(low):
+        text = f"at most {high:.3g}"
+    else:
+        text = f"between {low:.3g} and {high:.3g}"
+    return f"{text} {unit}".rstrip()
+
+
+def _reduced(rows: Floats, wanted: Collection[int]) -> tuple[Floats, list[int]]:
+    """The reduced echelon form of some rows, and its pivots: those wanted, or as far to the right as they can
+    be."""
+    rows, pivots = rows.copy(), []
+    for row in range(rows.shape[0]):
+        size = np.abs(rows[row:]).max(axis=0)
+        pivot = max(
+            (c for c in range(rows.shape[1]) if c not in pivots and size[c] > 0.3 * size.max()),
+            key=lambda c: (c in wanted, c),
+        )
+        best = row + int(np.argmax(np.abs(rows[row:, pivot])))
+        rows[[row, best]] = rows[[best, row]]
+        rows[row] /= rows[row, pivot]
+        for other in range(rows.shape[0]):
+            if other != row:
+                rows[other] -= rows[other, pivot] * rows[row]
+        pivots.append(pivot)
+    return rows, pivots
+
+
+def at_ends(
+    parameters: Sequence[Parameter], u: Floats, low: Floats, high: Floats, known: Sequence[bool]
+) -> list[str]:
+    """Which numbers of a scene that are known have run to an end of their range, low..high."""
+    return [
+        f"{p.name} has run to {p.value(value):.3g} {p.unit}".rstrip()
+        + ", the end of the range in which it is sought."
+        for p, value, least, most, is_known in zip(parameters, u, low, high, known, strict=True)
+        if p.write is not None and is_known and (value <= least + 1e-6 or value >= most - 1e-6)
+    ]
+
+
+def hanging_together(series: Sequence[Series]) -> list[str]:
+    """Of which columns more than noise is left."""
+    found = []
+    for each in series:
+        count = int((~np.isnan(each.measured)).sum())
+        if each.effective < 0.5 * count:
+            found.append(
+                f"What is left of {each.column} ({each.file}) is no mere noise: its {count} numbers count as "
+                f"{max(1, round(each.effective))}, and the intervals are as much wider. The scene may lack "
+                "something."
+            )
+    return found
+
+
+def _listed(names: Sequence[str]) -> str:
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def plus_minus(value: float, low: float, high: float) -> str:
+    """A number with its interval, as in "812 ± 9", to two digits of the latter; with both ends where they are
+    not alike."""
+    by = 0.5 * (high - low)
+    if not (math.isfinite(by) and by > 0.0):
+        return f"{value:.4g}"
+    if abs(high - value - by) > 0.1 * by:
+        return f"{value:.3g} ({low:.3g} to {high:.3g})"
+    digits = 1 - math.floor(math.log10(by))
+    if abs(value) < 1e6 and digits <= 6:
+        return f"{value:.{max(digits, 0)}f} ± {by:.{max(digits, 0)}f}"
+    return f"{value:.6g} ± {by:.2g}"

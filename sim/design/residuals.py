@@ -1,0 +1,398 @@
+"""What is left of a measurement, after a run of a scene, as a function of the unknowns of a fit."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, SceneError, SettingError
+from ..methods.registry import METHODS
+from ..motion.quantities import Quantity
+from ..motion.simulation import Simulation
+from ..scene.types import Scene
+from ..scene.validate import validate
+from .matching import Match, matched
+from .measurements import Measurement
+from .parameters import Parameter, parameter, size_of, start_of, with_start
+from .units import within_half_a_turn
+
+Floats = NDArray[np.float64]
+
+MAX_VARIED = 6
+"""Largest number of names in `vary`."""
+MAX_UNKNOWNS = 40
+"""Largest number of unknowns; start and origin are several each."""
+MAX_STEPS = 200_000
+"""Largest number of steps of a run."""
+OF_MEASUREMENT = {
+    "start": "where the measured masses are at the first row, and how fast",
+    "origin": "where the scene's zero is in what was measured",
+    "length_scale": "how many of the scene's lengths are one of those that were measured",
+}
+"""What `vary` may name besides the scene's own numbers."""
+
+_FINE = 1e-8
+"""Tolerance of runs, as a part of the body's size: differences of runs are to be smooth."""
+_FEWEST = 8
+"""Smallest number of rows that are fitted before the others."""
+_FAILED = 1e3
+"""Residual, in units of noise, of a run that ends early."""
+
+
+class _Table:
+    """A measurement, and what of it is compared with a run."""
+
+    def __init__(self, measurement: Measurement, matches: tuple[Match, ...], from_first: bool) -> None:
+        self.measurement, self.matches = measurement, matches
+        self.time = measurement.time - (measurement.time[0] if from_first else 0.0)
+        if self.time[0] < 0.0:
+            raise InputError(
+                f"{measurement.name}: the time begins at {self.time[0]:g} s, before the scene's start "
+                "at 0 s; vary start, and the first row is it"
+            )
+        self.measured = np.array([each.column.values for each in matches])  # (columns, rows)
+        self.is_angle = np.array([each.quantity.kind.unit == "°" for each in matches])
+        self.quantities = [each.quantity for each in matches]
+
+    def rows(self, part: float) -> int:
+        """How many rows that part of them is, though not too few."""
+        return min(self.time.size, max(_FEWEST, math.ceil(part * self.time.size)))
+
+
+@dataclass(frozen=True)
+class _Unknown:
+    """An unknown: a parameter, and of what it is if not of the scene.
+
+    Attributes:
+        parameter: how it is sought.
+        table: of which measurement; -1 for all.
+        axis: of an origin; or of the start of a mass, then with the next two.
+        mass, of: index, and 0 for its place, 1 for its velocity.
+    """
+
+    parameter: Parameter
+    table: int = -1
+    axis: int = -1
+    mass: int = -1
+    of: int = -1
+
+
+class Problem:
+    """Residuals as a function of the unknowns.
+
+    Args:
+        scene: a valid scene.
+        tables: what was measured.
+        vary, match, scale: as of `fit`.
+
+    Raises:
+        InputError: a column or a name is not right, or there are too few numbers.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        tables: list[Measurement],
+        vary: list[str],
+        match: Mapping[str, str] | None,
+        scale: float | None,
+    ) -> None:
+        _refuse_names(vary)
+        self.scene, self.size, self.vary = scene, size_of(scene), vary
+        from_first = "start" in vary
+        self.tables = [_Table(each, matched(each, scene, match), from_first) for each in tables]
+        self.duration = max(float(np.ptp(table.time)) for table in self.tables) or 1.0
+        self._refuse_length(scale, "length_scale" in vary)
+        self.runner = _Runner(scene, self.size)
+        self.scale = scale or 1.0
+        self.unknowns = self._unknowns(scale)
+        if len(self.unknowns) > MAX_UNKNOWNS:
+            raise InputError(
+                f"vary: {len(self.unknowns)} numbers are too many, {MAX_UNKNOWNS} is the most; start and "
+                "origin are several each"
+            )
+        count = sum(int((~np.isnan(table.measured)).sum()) for table in self.tables)
+        if count <= len(self.unknowns):
+            name, sought = self.tables[0].measurement.name, len(self.unknowns)
+            raise InputError(f"{name}: {count} numbers are too few to tell {sought} unknown ones")
+        self.parameters = [each.parameter for each in self.unknowns]
+
+    def _refuse_length(self, scale: float | None, varied: bool) -> None:
+        if scale is not None and not (math.isfinite(scale) and scale > 0.0):
+            raise InputError(f"scale: {scale:g} is not a positive number")
+        for table in self.tables:
+            for each in table.matches:
+                if each.scale is None and scale is None and not varied:
+                    length, where = self.scene.view.unit, f"{table.measurement.name}, column"
+                    raise InputError(
+                        f"{where} {each.column.name!r}: it is in {each.column.unit}, but the scene "
+                        f"in {length}; say how many {length} one {each.unit.length} is (scale), or vary "
+                        "length_scale"
+                    )
+
+    def _unknowns(self, scale: float | None) -> list[_Unknown]:
+        own = [name for name in self.vary if name not in OF_MEASUREMENT]
+        found = [_Unknown(parameter(name, self.scene, self.duration)) for name in own]
+        several = len(self.tables) > 1
+        if "length_scale" in self.vary:
+            lengths = [m for table in self.tables for m in table.matches if m.scale is None or m.unit.power]
+            if not lengths:
+                raise InputError("vary: length_scale: no length was measured")
+            unit = f"{self.scene.view.unit}/{lengths[0].unit.length}"
+            start = scale or self._guessed_scale()
+            found.append(_Unknown(Parameter("length_scale", unit, start, start / 1e3, start * 1e3, True)))
+        for t, table in enumerate(self.tables):
+            suffix = f" of {table.measurement.name}" if several else ""
+            if "origin" in self.vary:
+                found += self._origins(t, table, suffix)
+            if "start" in self.vary:
+                found += self._starts(t, table, suffix)
+        return found
+
+    def _guessed_scale(self) -> float:
+        """From how far masses move in the scene and in what was measured."""
+        ratios = []
+        for table in self.tables:
+            run = self.runner.run(self.scene, table.time, table.quantities)
+            for c, each in enumerate(table.matches):
+                if each.unit.power == 1 and run is not None:
+                    there, here = np.nanstd(table.measured[c]) * each.unit.factor, float(np.std(run[c]))
+                    if there > 0.0 and here > 0.0:
+                        ratios.append(here / there)
+        return float(np.median(ratios)) if ratios else 1.0
+
+    def _origins(self, t: int, table: _Table, suffix: str) -> list[_Unknown]:
+        found = []
+        for axis, letter in enumerate("xy"):
+            places = [m for m in table.matches if m.quantity.name.endswith(f".{letter}")]
+            if places:
+                typical = (
+                    max(float(np.nanmax(np.abs(m.column.values))) * m.unit.factor for m in places) or 1.0
+                )
+                name = f"origin_{letter}{suffix}"
+                made = Parameter(
+                    name, places[0].unit.length, 0.0, -1e6 * typical, 1e6 * typical, False, typical
+                )
+                found.append(_Unknown(made, t, axis))
+        if not found:
+            raise InputError(f"vary: origin: {table.measurement.name} has no places of masses")
+        return found
+
+    def _starts(self, t: int, table: _Table, suffix: str) -> list[_Unknown]:
+        held = {anchor.mass for anchor in self.scene.anchors}
+        before = start_of(self.scene)
+        found = []
+        for each in table.matches:
+            of, what = each.quantity.kind.of, each.quantity.kind.what
+            if of != "mass" or what not in ("x", "y") or each.quantity.index in held:
+                continue
+            mass, axis = each.quantity.index, "xy".index(what)
+            if any((u.mass, u.axis) == (mass, axis) for u in found):
+                continue
+            for is_velocity, name in enumerate((what, f"v{what}")):
+                scale = self.size * (math.tau / self.duration if is_velocity else 1.0)
+                start = before[is_velocity][mass][axis]
+                unit = self.scene.view.unit + ("/s" if is_velocity else "")
+                made = Parameter(
+                    f"mass{mass}.{name}{suffix}",
+                    unit,
+                    start,
+                    start - 1e3 * scale,
+                    start + 1e3 * scale,
+                    False,
+                    scale,
+                    spread=False,
+                )
+                found.append(_Unknown(made, t, axis, mass, is_velocity))
+        if not found:
+            raise InputError(f"vary: start: {table.measurement.name} has no places of free masses")
+        return found
+
+    # --------------------------------------------------------------------- what the unknowns say
+    def scene_at(self, u: Floats, t: int = 0) -> Scene:
+        """The scene of some unknowns as measurement t begins.
+
+        Raises:
+            SceneError, SettingError: there is no such scene.
+        """
+        scene = self.scene
+        for each, value in zip(self.unknowns, u, strict=True):
+            if each.parameter.write is not None:
+                scene = each.parameter.write(scene, each.parameter.value(value))
+        starts = {
+            (each.mass, each.of, each.axis): each.parameter.value(value)
+            for each, value in zip(self.unknowns, u, strict=True)
+            if each.mass >= 0 and each.table == t
+        }
+        return validate(with_start(scene, starts)) if starts else scene
+
+    def length_scale(self, u: Floats) -> float:
+        """How many of the scene's lengths are one measured."""
+        for each, value in zip(self.unknowns, u, strict=True):
+            if each.parameter.name == "length_scale":
+                return each.parameter.value(value)
+        return self.scale
+
+    def fitted(self, u: Floats, part: float = 1.0) -> list[Floats | None]:
+        """(columns, rows) of each measurement what a run of the scene has; None where it ends early."""
+        return [self._fitted(u, t, table.rows(part)) for t, table in enumerate(self.tables)]
+
+    def _fitted(self, u: Floats, t: int, rows: int) -> Floats | None:
+        table, length = self.tables[t], self.length_scale(u)
+        try:
+            run = self.runner.run(self.scene_at(u, t), table.time[:rows], table.quantities)
+        except (SceneError, SettingError):
+            return None
+        if run is None:
+            return None
+        origin = [0.0, 0.0]
+        for each, value in zip(self.unknowns, u, strict=True):
+            if each.table == t and each.mass < 0:
+                origin[each.axis] = each.parameter.value(value)
+        for c, each in enumerate(table.matches):
+            size = self._size_of(each, length)
+            run[c] = (each.offset + each.sign * run[c]) / size
+            if each.quantity.kind.of == "mass" and each.quantity.kind.what in ("x", "y"):
+                run[c] += origin["xy".index(each.quantity.kind.what)] / each.unit.factor
+        return run
+
+    def _size_of(self, match: Match, length: float) -> float:
+        """What one of a column's unit is in the scene's."""
+        known = match.scale if match.scale is not None else length
+        varied = "length_scale" in self.vary and match.unit.power
+        return match.unit.factor * (length if varied else known) ** match.unit.power
+
+    def residuals(self, u: Floats, noise: Sequence[Floats], part: float = 1.0) -> Floats:
+        """Measured minus fitted over the noise of each column, one after the other without gaps."""
+        left = []
+        for t, (table, run) in enumerate(zip(self.tables, self.fitted(u, part), strict=True)):
+            measured = table.measured[:, : table.rows(part)]
+            if run is None:
+                each = np.full_like(measured, _FAILED)
+            else:
+                each = measured - run
+                each[table.is_angle] = self._wrapped(each[table.is_angle], table)
+                each = np.clip(each / noise[t][:, None], -1e6, 1e6)
+            left.append(each[~np.isnan(measured)])
+        return np.concatenate(left)
+
+    @staticmethod
+    def _wrapped(degrees: Floats, table: _Table) -> Floats:
+        """Residuals of angles, each in its own unit, within half a turn."""
+        factors = np.array(
+            [m.unit.factor for m, yes in zip(table.matches, table.is_angle, strict=True) if yes]
+        )
+        return within_half_a_turn(degrees * factors[:, None]) / factors[:, None]
+
+    # --------------------------------------------------------------------- where to begin
+    def first(self) -> Floats:
+        """The unknowns as the scene, and the first rows, say them."""
+        u = np.array([p.u(p.start) for p in self.parameters])
+        for t, table in enumerate(self.tables):
+            self._first_origin(u, t, table)
+            self._first_start(u, t, table)
+        return u
+
+    def _first_origin(self, u: Floats, t: int, table: _Table) -> None:
+        axes = {each.axis: i for i, each in enumerate(self.unknowns) if each.table == t and each.mass < 0}
+        run = self._fitted(u, t, table.time.size) if axes else None
+        if run is None:
+            return
+        for letter, axis in (("x", 0), ("y", 1)):
+            left = [
+                float(np.nanmean(table.measured[c] - run[c])) * m.unit.factor
+                for c, m in enumerate(table.matches)
+                if m.quantity.kind.of == "mass" and m.quantity.kind.what == letter
+            ]
+            if left and axis in axes:
+                u[axes[axis]] = self.parameters[axes[axis]].u(float(np.mean(left)))
+
+    def _first_start(self, u: Floats, t: int, table: _Table) -> None:
+        """Place and velocity of a curve of second order through the first rows."""
+        length = self.length_scale(u)
+        for i, each in enumerate(self.unknowns):
+            if each.table != t or each.mass < 0:
+                continue
+            name = f"mass{each.mass}.{'xy'[each.axis]}"
+            match = next(m for m in table.matches if m.quantity.name == name)
+            origin = [
+                v.parameter.value(u[k])
+                for k, v in enumerate(self.unknowns)
+                if v.table == t and v.mass < 0 and v.axis == each.axis
+            ]
+            values = match.column.values - sum(origin) / match.unit.factor
+            there = np.flatnonzero(~np.isnan(values))[:6]
+            order = min(2, there.size - 1)
+            curve = np.polynomial.Polynomial.fit(table.time[there], values[there], order)
+            found = (curve.deriv() if each.of else curve)(0.0)
+            size = self._size_of(match, length)
+            u[i] = each.parameter.u(match.sign * (float(found) * size - (0.0 if each.of else match.offset)))
+
+
+def _refuse_names(vary: list[str]) -> None:
+    if not 1 <= len(vary) <= MAX_VARIED:
+        raise InputError(f"vary: name from 1 to {MAX_VARIED} numbers that are sought, not {len(vary)}")
+    for name in vary:
+        if vary.count(name) > 1:
+            raise InputError(f"vary: {name} is named twice")
+
+
+class _Runner:
+    """Runs scenes finely enough that differences of runs are smooth.
+
+    Args:
+        scene: whose method all have.
+        size: of the body.
+    """
+
+    def __init__(self, scene: Scene, size: float) -> None:
+        self._size = size
+        self._adaptive = METHODS[scene.integrator.method].adaptive
+
+    def run(self, scene: Scene, time: Floats, quantities: list[Quantity]) -> Floats | None:
+        """(quantities, k) at (k,) times; None where the body runs away before the last."""
+        integrator = scene.integrator
+        step = integrator.dt
+        if self._adaptive:
+            tolerance = max(1e-12, min(integrator.tolerance, _FINE * self._size))
+            step = _common_step(time) or min(step, float(np.diff(time).min(initial=step)))
+            integrator = msgspec.structs.replace(integrator, tolerance=tolerance, dt=step)
+        steps = math.ceil(time[-1] / step - 1e-9)
+        if steps > MAX_STEPS:
+            raise InputError(
+                f"fit: {time[-1]:g} s in steps of {step:g} s are {steps} steps, more than {MAX_STEPS}"
+            )
+        from scipy.interpolate import CubicSpline
+
+        simulation = Simulation(msgspec.structs.replace(scene, integrator=integrator))
+        found = np.empty((len(quantities), steps + 1))
+        for k in range(steps + 1):
+            if k and simulation.step() < 1:
+                return None
+            found[:, k] = [each.read(simulation) for each in quantities]
+        at = time / step
+        nearest = np.rint(at)
+        if np.abs(at - nearest).max() < 1e-6:
+            return found[:, nearest.astype(int)]
+        for row, each in zip(found, quantities, strict=True):
+            if each.kind.unit == "°":
+                row[:] = np.unwrap(row, period=360.0)
+        if steps < 3:
+            return np.array([np.interp(at, np.arange(steps + 1.0), row) for row in found])
+        return CubicSpline(np.arange(steps + 1.0), found, axis=1)(at)
+
+
+def _common_step(time: Floats) -> float | None:
+    """The distance of evenly spaced times, where 0 is one of them; at most 1 s."""
+    apart = np.diff(time)
+    if not apart.size:
+        return None
+    step = float(np.ptp(time)) / apart.size
+    step /= math.ceil(step)
+    at = time / step
+    return step if step >= 1e-6 and np.abs(at - np.rint(at)).max() < 1e-6 else None

@@ -1,0 +1,313 @@
+"""What a medium and the ground do to springs: more across a spring than along it.
+
+At an end of a spring, let t be its direction and n = (-t.y, t.x), and u the velocity of the end relative to
+what resists. The force on the end is
+
+    -p (s(u . n) n + l(u . t) t).
+
+In a viscous medium, p is half of the spring's length, s(u) = across u and l(u) = along u: resistive force
+theory (Gray & Hancock, "The propulsion of sea-urchin spermatozoa", 1955), which is linear in the velocity, as
+the drag of slow flow is. Wind moves the medium. On the ground, seen from above, p is the weight that rests on
+the end, s(u) = sideways tanh(u / slip) and l(u) = forward or backward tanh(u / slip), by the sign of u: dry
+friction, as of a snake (Hu et al., "The mechanics of slithering locomotion", 2009). All springs of a mass
+bear an equal share of its weight.
+
+The derivative by the spring's vector L follows from dt = (dL - t (t . dL)) / |L| and dn = (-dt.y, dt.x); that
+by the velocity is -p (s' n nᵀ + l' t tᵀ).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ..kernels.core.blocks import add_block
+from ..kernels.core.tables import Body, State
+from ..kernels.core.vectors import from_to, length_of
+from ..kernels.engine.jit import FAST, kernel
+from ..kernels.engine.table import Indices, Rows, Table
+from ..scene.types import Scene
+from .air import AirTwin, wind_at, wind_gradient_at
+from .term import Floats, Term, Vectors, read_only, summed
+
+
+# ------------------------------------------------------------------------- rows, and how a scene gives them
+class Resistance(Table):
+    """Read-only. A row for each spring in a medium, if there is one, then one for each on the ground."""
+
+    rows: Rows  # (R, 7), a `ResistanceRow` each
+
+
+class ResistanceRow(NamedTuple):
+    """What resists a spring."""
+
+    part: float  # of its length that counts for each end: 1/2 in a medium, 0 on the ground
+    on_a: float  # kg px/s², the weight that rests on its a end; 0 in a medium
+    on_b: float  # on its b end
+    across: float  # kg/(px s) in a medium; on the ground, a coefficient of friction
+    forward: float  # along it, from a to b
+    backward: float
+    slip: float  # px/s, see above; 0 in a medium
+
+
+def new_resistance(scene: Scene, ends: Indices, mass: Floats) -> Resistance:
+    """The table of a valid scene.
+
+    Args:
+        scene: the scene.
+        ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
+        mass: (slots,) kg.
+    """
+    rows, medium, ground = np.zeros((0, len(ResistanceRow._fields))), scene.medium, scene.ground
+    none = np.zeros(len(ends))
+    if medium:
+        row = ResistanceRow(0.5, 0.0, 0.0, medium.across, medium.along, medium.along, 0.0)
+        rows = np.tile(row, (len(ends), 1))
+    if ground:
+        on_a, on_b = _shares(ends, none == 0.0, ground.gravity * mass).T
+        row = ResistanceRow(
+            0.0, 0.0, 0.0, ground.sideways, ground.forward, ground.backward, ground.slip_speed
+        )
+        below = np.tile(row, (len(ends), 1))
+        below[:, 1], below[:, 2] = on_a, on_b
+        rows = np.concatenate((rows, below))
+    return read_only(Resistance(rows=rows))
+
+
+def _shares(ends: Indices, whole: np.ndarray, weight: Floats) -> Floats:
+    """(S, 2) the part of the weight of each mass that each spring's ends bear; none is on a broken spring."""
+    count = np.bincount(ends[whole].ravel(), minlength=weight.size)
+    return np.where(whole[:, None], (weight / np.maximum(count, 1))[ends], 0.0)
+
+
+def of_whole_springs(resistance: Resistance, ends: Indices, broken: Floats) -> Resistance:
+    """The table without what resists broken springs; others bear the weight that was on them.
+
+    Args:
+        resistance: the table.
+        ends: (S, 2) the slots of the masses at the ends of each spring.
+        broken: (S,) 1 for each broken spring.
+    """
+    rows, whole = resistance.rows.copy(), broken == 0.0
+    for first in range(0, len(rows), max(len(ends), 1)):
+        of_law = rows[first : first + len(ends)]
+        weight = np.asarray(np.bincount(ends.ravel(), of_law[:, 1:3].ravel()), float)
+        of_law[:, 1:3] = _shares(ends, whole, weight)
+        of_law[~whole, 0] = 0.0
+    return read_only(resistance.replaced(rows=rows))
+
+
+def most_resisted(resistance: Resistance, ends: Indices, length: Floats) -> Floats:
+    """(slots,) upper bounds of the derivative of the force on each mass by its velocity, kg/s.
+
+    Args:
+        resistance: the table.
+        ends: (S, 2) the slots of the masses at the ends of each spring.
+        length: (S or more,) px, of each spring.
+    """
+    total = np.zeros(int(ends.max()) + 1)
+    for first in range(0, len(resistance.rows), len(ends)):
+        part, on_a, on_b, *coefficients, slip = resistance.rows[first : first + len(ends)].T
+        slope = np.max(coefficients, 0) / np.where(slip > 0.0, slip, 1.0)
+        for at, weight in zip(ends.T, (on_a, on_b), strict=True):
+            np.add.at(total, at, slope * (part * length[: len(ends)] + weight))
+    return total
+
+
+@kernel(forceinline=True)
+def _row(body, k):
+    """The k-th row."""
+    row = body.environment.resistance.rows[k]
+    return ResistanceRow(row[0], row[1], row[2], row[3], row[4], row[5], row[6])
+
+
+# ------------------------------------------------------------------------- force
+@kernel(forceinline=True, fastmath=FAST)
+def _law(coefficient, slip, u):
+    """What resists the speed u per pressure, and its derivative."""
+    if slip == 0.0:
+        return coefficient * u, coefficient
+    held = math.tanh(u / slip)
+    return coefficient * held, coefficient * (1.0 - held * held) / slip
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _direction(body, q, s):
+    """The direction of a spring, t.x and t.y, and its length, px."""
+    x, y = from_to(q, body.spring_a[s], body.spring_b[s])
+    length = length_of(x, y, body.softening)
+    return x / length, y / length, length
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _past(body, state, row, q, v, m):
+    """The velocity of mass m relative to what resists it, px/s."""
+    slots = q.size // 2
+    if row.slip == 0.0 and body.environment.air.moves:
+        u, w = wind_at(body.environment.air, state.clock[0], q[m], q[slots + m])
+        return v[m] - u, v[slots + m] - w
+    return v[m], v[slots + m]
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _resisted(row, tx, ty, ux, uy):
+    """Of an end: what resists it across and along the spring per pressure, and the derivatives of both."""
+    along = tx * ux + ty * uy
+    beside, by_beside = _law(row.across, row.slip, tx * uy - ty * ux)
+    ahead, by_ahead = _law(row.forward if along > 0.0 else row.backward, row.slip, along)
+    return beside, ahead, by_beside, by_ahead
+
+
+@kernel(fastmath=FAST)
+def _add_forces(body, state, scratch, q, v):
+    rows = body.environment.resistance.rows
+    for k in range(rows.shape[0]):
+        row, s = _row(body, k), k % body.springs
+        tx, ty, length = _direction(body, q, s)
+        for end in range(2):
+            m, p = _end(body, row, s, length, end)
+            if state.inverse_mass[m] > 0.0:
+                ux, uy = _past(body, state, row, q, v, m)
+                across, along, _, _ = _resisted(row, tx, ty, ux, uy)
+                scratch.fx[m] -= p * (along * tx - across * ty)
+                scratch.fy[m] -= p * (along * ty + across * tx)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _end(body, row, s, length, end):
+    """The slot of an end of spring s, and p there; `end` is 0 for a, 1 for b."""
+    if end == 0:
+        return body.spring_a[s], row.part * length + row.on_a
+    return body.spring_b[s], row.part * length + row.on_b
+
+
+# ------------------------------------------------------------------------- the balance
+@kernel(fastmath=FAST)
+def _add_power(body, state, balance, q, v, part):
+    """On free masses; a medium that moves can do work on a body."""
+    rows, slots = body.environment.resistance.rows, q.size // 2
+    for k in range(rows.shape[0]):
+        row, s, power = _row(body, k), k % body.springs, 0.0
+        tx, ty, length = _direction(body, q, s)
+        for end in range(2):
+            m, p = _end(body, row, s, length, end)
+            if state.inverse_mass[m] > 0.0:
+                ux, uy = _past(body, state, row, q, v, m)
+                across, along, _, _ = _resisted(row, tx, ty, ux, uy)
+                vx, vy = v[m], v[slots + m]
+                power -= p * (along * (tx * vx + ty * vy) + across * (tx * vy - ty * vx))
+        if row.slip == 0.0:
+            balance.work.air += part * power
+        else:
+            balance.work.walls += part * power
+
+
+# ------------------------------------------------------------------------- derivatives
+@kernel(forceinline=True, fastmath=FAST)
+def _by_velocity(p, tx, ty, by_beside, by_ahead):
+    """The derivative of the force on an end by its velocity, kg/s."""
+    xx, yy = by_beside * ty * ty + by_ahead * tx * tx, by_beside * tx * tx + by_ahead * ty * ty
+    mixed = (by_beside - by_ahead) * tx * ty
+    return -p * xx, p * mixed, p * mixed, -p * yy
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _by_vector(row, p, length, tx, ty, ux, uy, dx, dy):
+    """How the force on an end changes with the vector of its spring, by (dx, dy) px to first order."""
+    beside, ahead, by_beside, by_ahead = _resisted(row, tx, ty, ux, uy)
+    longer = tx * dx + ty * dy
+    turn_x, turn_y = (dx - tx * longer) / length, (dy - ty * longer) / length
+    beside_more, ahead_more = by_beside * (turn_x * uy - turn_y * ux), by_ahead * (turn_x * ux + turn_y * uy)
+    more_x = ahead_more * tx + ahead * turn_x - beside_more * ty - beside * turn_y
+    more_y = ahead_more * ty + ahead * turn_y + beside_more * tx + beside * turn_x
+    return (
+        -row.part * longer * (ahead * tx - beside * ty) - p * more_x,
+        -row.part * longer * (ahead * ty + beside * tx) - p * more_y,
+    )
+
+
+@kernel(fastmath=FAST)
+def _add_derivatives(body, state, matrix, q, v, g, definite):
+    rows, air = body.environment.resistance.rows, body.environment.air
+    target, slots = matrix.spring_target, q.size // 2
+    for k in range(rows.shape[0]):
+        row, s = _row(body, k), k % body.springs
+        tx, ty, length = _direction(body, q, s)
+        for end in range(2):
+            m, p = _end(body, row, s, length, end)
+            own, other = (4 * s + 3, 4 * s + 2) if end == 0 else (4 * s, 4 * s + 1)
+            ux, uy = _past(body, state, row, q, v, m)
+            _, _, by_beside, by_ahead = _resisted(row, tx, ty, ux, uy)
+            xx, xy, yx, yy = _by_velocity(p, tx, ty, by_beside, by_ahead)
+            add_block(matrix.blocks, target[own], g, (xx, xy, yx, yy))
+            if not definite:
+                one = _by_vector(row, p, length, tx, ty, ux, uy, 1.0, 0.0)
+                two = _by_vector(row, p, length, tx, ty, ux, uy, 0.0, 1.0)
+                sign = -1.0 if end == 0 else 1.0
+                add_block(matrix.blocks, target[own], sign, (one[0], two[0], one[1], two[1]))
+                add_block(matrix.blocks, target[other], -sign, (one[0], two[0], one[1], two[1]))
+                if row.slip == 0.0 and air.waves.shape[0] > 0:
+                    a, b, c, d = wind_gradient_at(air, state.clock[0], q[m], q[slots + m])
+                    of_gusts = xx * a + xy * c, xx * b + xy * d, yx * a + yy * c, yx * b + yy * d
+                    add_block(matrix.blocks, target[own], -1.0, of_gusts)
+
+
+@kernel(fastmath=FAST)
+def _add_damping(body, state, q, v, z, factor, out):
+    rows, slots = body.environment.resistance.rows, z.size // 2
+    for k in range(rows.shape[0]):
+        row, s = _row(body, k), k % body.springs
+        tx, ty, length = _direction(body, q, s)
+        for end in range(2):
+            m, p = _end(body, row, s, length, end)
+            ux, uy = _past(body, state, row, q, v, m)
+            _, _, by_beside, by_ahead = _resisted(row, tx, ty, ux, uy)
+            xx, xy, yx, yy = _by_velocity(p, tx, ty, by_beside, by_ahead)
+            size = factor * state.inverse_mass[m]
+            out[m] += size * (xx * z[m] + xy * z[slots + m])
+            out[slots + m] += size * (yx * z[m] + yy * z[slots + m])
+
+
+# ------------------------------------------------------------------------- in NumPy
+class ResistanceTwin:
+    """Resistance in NumPy; see `Twin`."""
+
+    def __init__(self, body: Body, state: State) -> None:
+        self._rows, self._air = body.environment.resistance.rows, AirTwin(body, state)
+        self._ends = np.stack((body.spring_a, body.spring_b))
+        self._moves = body.environment.air.moves
+
+    def forces(self, x: Vectors, v: Vectors) -> Vectors:
+        """See `Twin`; also on masses that are held."""
+        total = np.zeros_like(x)
+        if not len(self._rows):
+            return total
+        laws = self._rows.reshape(-1, self._ends.shape[1], len(ResistanceRow._fields))
+        spring = x[self._ends[1]] - x[self._ends[0]]
+        length = np.maximum(abs(spring), 1e-300)
+        for part, on_a, on_b, across, forward, backward, slip in np.moveaxis(laws, 2, 1):
+            in_medium = not slip[0]
+            past = v - self._air.wind(x) if in_medium and self._moves else v
+            for at, weight in zip(self._ends, (on_a, on_b), strict=True):
+                u = past[at] * (spring / length).conj()  # along the spring, and across it
+                along, beside = (u.real, u.imag) if in_medium else np.tanh((u.real / slip, u.imag / slip))
+                resisted = np.where(u.real > 0.0, forward, backward) * along + 1j * across * beside
+                force = -(part * length + weight) * resisted * spring / length
+                total += summed(at, force, x.size)
+        return total
+
+    def energy(self, x: Vectors) -> float:
+        """See `Twin`."""
+        return 0.0
+
+
+RESISTANCE = Term(
+    "resistance",
+    ResistanceTwin,
+    _add_forces,
+    add_power=_add_power,
+    add_derivatives=_add_derivatives,
+    add_damping=_add_damping,
+)

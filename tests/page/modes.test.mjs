@@ -1,0 +1,101 @@
+// The sound of modes, and their shapes on the screen.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { HIGH, HIGHEST, LOW, LOWEST, melodyOf, octavesOf, rendered, tonesOf } from "../../app/page/modes/tones.js";
+import { percent, posed, readLevels, readShapes } from "../../app/page/modes/shapes.js";
+
+const RATE = 48000;
+/** Hz and damping ratios of a bridge. */
+const FREQUENCIES = [2.32, 3.43, 5.03, 6.71, 9.61];
+const DAMPINGS = [0.0031, 0.0004, 0.0092, 0.002, 0.012];
+
+/** How much of a frequency is in some samples, weighted by a window. */
+function part(samples, hertz, from, to) {
+  let [re, im] = [0, 0];
+  for (let i = from; i < to; i++) {
+    const window = 0.5 - 0.5 * Math.cos((2 * Math.PI * (i - from)) / (to - from));
+    const angle = (2 * Math.PI * hertz * i) / RATE;
+    re += window * samples[i] * Math.cos(angle);
+    im += window * samples[i] * Math.sin(angle);
+  }
+  return (4 * Math.hypot(re, im)) / (to - from);
+}
+
+/** The frequency near another at which there is most, Hz: by halving a range around it. */
+function peak(samples, near, from, to) {
+  let [low, high] = [near * 0.985, near * 1.015];
+  const golden = (Math.sqrt(5) - 1) / 2;
+  while (high - low > near * 1e-6) {
+    const [a, b] = [high - golden * (high - low), low + golden * (high - low)];
+    if (part(samples, a, from, to) > part(samples, b, from, to)) high = b;
+    else low = a;
+  }
+  return (low + high) / 2;
+}
+
+test("rendered, intervals are those of the modes within 2 cents, and tones die away as they do within 3 %", () => {
+  const tones = tonesOf(FREQUENCIES, DAMPINGS, [1, 0.8, 0.6, 0.9, 0.5]);
+  const samples = rendered(tones, 3, RATE);
+  const found = tones.map(({ pitch }) => peak(samples, pitch, 0, 1.5 * RATE));
+  for (let i = 0; i < found.length; i++) {
+    for (let j = 0; j < i; j++) {
+      const damped = (k) => FREQUENCIES[k] * Math.sqrt(1 - DAMPINGS[k] ** 2);
+      const cents = 1200 * Math.log2(found[i] / found[j] / (damped(i) / damped(j)));
+      assert.ok(Math.abs(cents) < 2, `${i} over ${j}: ${cents} cents`);
+    }
+    const [early, late] = [[0, 1], [2, 3]].map(([from, to]) => part(samples, found[i], from * RATE, to * RATE));
+    const rate = Math.log(early / late) / 2;
+    const wanted = 2 * Math.PI * FREQUENCIES[i] * DAMPINGS[i];
+    assert.ok(Math.abs(rate / wanted - 1) < 0.03, `${i}: ${rate} instead of ${wanted} 1/s`);
+  }
+});
+
+test("all are moved by the same whole number of octaves, so that the slowest can be heard", () => {
+  for (const slowest of [0.35, 2.32, 109.9, 110, 3000]) {
+    const octaves = octavesOf([slowest]);
+    assert.equal(octaves, Math.round(octaves));
+    const pitch = slowest * 2 ** octaves;
+    assert.ok(pitch >= LOWEST * (1 - 1e-9) && pitch < 2 * LOWEST * (1 + 1e-9), `${slowest} becomes ${pitch}`);
+  }
+  assert.equal(octavesOf([]), 0);
+});
+
+test("what is too high, does not swing or is not there makes no sound", () => {
+  const tones = tonesOf([1, 2, 60, 3], [0, 1.2, 0, 0], [1, 1, 1, Number.NaN]);
+  assert.ok(tones[0].gain > 0);
+  assert.deepEqual(tones.slice(1).map(({ gain }) => gain), [0, 0, 0]);
+  assert.ok(60 * 2 ** octavesOf([1]) > HIGHEST);
+  assert.ok(Math.max(...rendered(tonesOf(FREQUENCIES, DAMPINGS, [9, 9, 9, 9, 9]), 0.5, 8000)) < 2);
+});
+
+test("with the clock at half speed tones last twice as long", () => {
+  const [one, two] = [1, 0.5].map((speed) => tonesOf(FREQUENCIES, DAMPINGS, FREQUENCIES, speed));
+  assert.equal(two[2].decay, one[2].decay / 2);
+  assert.equal(two[2].pitch, one[2].pitch);
+});
+
+test("a plot as pitch: equal steps are equal intervals, and gaps are rests", () => {
+  const hertz = melodyOf([0, 1, 2, Number.NaN, 4]);
+  assert.equal(hertz[0], LOW);
+  assert.equal(hertz[4], HIGH);
+  assert.ok(Math.abs(hertz[1] / hertz[0] - hertz[2] / hertz[1]) < 1e-9);
+  assert.equal(hertz[3], 0);
+  assert.deepEqual(melodyOf([5, 5]), [Math.sqrt(LOW * HIGH), Math.sqrt(LOW * HIGH)]);
+});
+
+test("shapes and levels are read as they are written, and a shape lies as its part does", () => {
+  const joined = (...parts) => new Float32Array(parts.flatMap((one) => [one.length, ...one]));
+  const shapes = readShapes(joined([7, 100], [0, 0, 10, 0], [0, 0], [0, 0, 0, 1], [0, 0.5], [1], [1, 0, 0, 0], [], [0]));
+  assert.equal(shapes.number, 7);
+  assert.equal(shapes.modes.length, 2);
+  assert.deepEqual([...shapes.modes[0].nodes], [0, 0.5]);
+  assert.deepEqual([...posed(shapes, 0, 3)], [0, 0, 10, 3]);
+  // A quarter turn and a shift.
+  assert.deepEqual([...posed(shapes, 0, 3, new Float32Array([0, 1, 5, 6]))], [5, 6, 2, 16]);
+  assert.equal(readShapes(new Float32Array()), null);
+  const levels = readLevels(joined([7, 1.5, -0.25, 0.5], [0.5, 0.25], [0.75, 0.125, -0.125], [1, 0, 0, 0]));
+  assert.equal(levels.other, -0.25);
+  assert.deepEqual([...levels.shares], [0.75, 0.125, -0.125]);
+  assert.equal(percent(0.0004), "less than 0.1 %");
+  assert.equal(percent(-0.1234), "12.3 %");
+});
