@@ -229,7 +229,8 @@ class Modes:
         arm = (self.rest - self.rest.mean(0)) @ (1.0, 1.0j)
         reach = float(np.sqrt((np.abs(arm) ** 2).mean()))
         ways = [np.ones_like(arm), 1j * np.ones_like(arm), *([1j * arm / reach] if reach > 0.0 else [])]
-        moved = sum(float((felt.conj() * way[held]).real.sum()) * way for way in ways)
+        work = [float((felt.conj() * way[held]).real.sum()) for way in ways]
+        moved = np.array(work) @ np.array(ways)
         farthest = float(np.abs(moved).max())
         stiffness = float(self.masses[mode] * self.frequencies[mode] ** 2)
         if not farthest > 1e-9 * stiffness:

@@ -50,11 +50,11 @@ nothing is changed greatly for nearly nothing."""
 _CLOSE, _EXACT = 0.05, 2e-4
 """Residuals from which on the weight is zero, and at which the search ends."""
 _GAIN, _FINE = 2e-3, 5e-3
-"""Part of the squares that a trial takes away, and change of the unknowns in one that is worse, below which the
-search ends."""
+"""Part of the squares that a trial takes away, and change of the unknowns in one that is worse, below which
+the search ends."""
 _STIFFER, _CAUTIOUS = 4.0, 1e-5
-"""Factor of Levenberg's damping after a trial that is worse, and its smallest value, with which nothing changes
-that has no effect."""
+"""Factor of Levenberg's damping after a trial that is worse, and its smallest value, with which nothing
+changes that has no effect."""
 _MOST = 1e3
 """Largest factor, and one over the smallest: what takes more is another body."""
 _STEEPEST = math.log(30.0)
@@ -535,8 +535,8 @@ def _residual(name: str, wish: float, reached: float) -> float:
         # More than is wished is as good.
         return min(0.0, math.log(max(reached, 1e-300) / (_MARGIN * wish)))
     ratio = reached / wish
-    if ratio > _SHALLOW:
-        return math.log(ratio)
+    if ratio > _SHALLOW or name != "sag":
+        return math.log(max(ratio, 1e-300))
     return math.log(_SHALLOW) + (ratio - _SHALLOW) / _SHALLOW
 
 

@@ -3,17 +3,18 @@
 At an end of a spring, let t be its direction and n = (-t.y, t.x), and u the velocity of the end relative to
 what resists. The force on the end is
 
-    -p (s(u . n) n + l(u . t) t).
+    -p (s (u . n) n + l (u . t) t) / w.
 
-In a viscous medium, p is half of the spring's length, s(u) = across u and l(u) = along u: resistive force
-theory (Gray & Hancock, "The propulsion of sea-urchin spermatozoa", 1955), which is linear in the velocity, as
-the drag of slow flow is. Wind moves the medium. On the ground, seen from above, p is the weight that rests on
-the end, s(u) = sideways tanh(u / slip) and l(u) = forward or backward tanh(u / slip), by the sign of u: dry
-friction, as of a snake (Hu et al., "The mechanics of slithering locomotion", 2009). All springs of a mass
-bear an equal share of its weight.
+In a viscous medium, p is half of the spring's length, s is the drag across, l that along, and w is 1:
+resistive force theory (Gray & Hancock, "The propulsion of sea-urchin spermatozoa", 1955), which is linear in
+the velocity, as the drag of slow flow is. Wind moves the medium. On the ground, seen from above, p is the
+weight that rests on the end, s and l are the coefficients of friction sideways and forwards or backwards, and
+w = sqrt(|u|² + slip²): dry friction, as of a snake (Hu et al., "The mechanics of slithering locomotion",
+2009), which has the size of friction however slow the sliding is, but for a slip. All springs of a mass bear
+an equal share of its weight.
 
-The derivative by the spring's vector L follows from dt = (dL - t (t . dL)) / |L| and dn = (-dt.y, dt.x); that
-by the velocity is -p (s' n nᵀ + l' t tᵀ).
+The derivative by the spring's vector L follows from dt = (dL - t (t . dL)) / |L| and dn = (-dt.y, dt.x);
+those by the components of u along t and n are called `Slopes`.
 """
 
 from __future__ import annotations
@@ -125,15 +126,6 @@ def _row(body, k):
 
 # ------------------------------------------------------------------------- force
 @kernel(forceinline=True, fastmath=FAST)
-def _law(coefficient, slip, u):
-    """What resists the speed u per pressure, and its derivative."""
-    if slip == 0.0:
-        return coefficient * u, coefficient
-    held = math.tanh(u / slip)
-    return coefficient * held, coefficient * (1.0 - held * held) / slip
-
-
-@kernel(forceinline=True, fastmath=FAST)
 def _direction(body, q, s):
     """The direction of a spring, t.x and t.y, and its length, px."""
     x, y = from_to(q, body.spring_a[s], body.spring_b[s])
@@ -151,13 +143,40 @@ def _past(body, state, row, q, v, m):
     return v[m], v[slots + m]
 
 
+class Slopes(NamedTuple):
+    """The derivatives of what resists an end, per pressure."""
+
+    across_by_across: float  # by the velocity across the spring
+    across_by_along: float  # by that along it
+    along_by_across: float
+    along_by_along: float
+
+
 @kernel(forceinline=True, fastmath=FAST)
 def _resisted(row, tx, ty, ux, uy):
-    """Of an end: what resists it across and along the spring per pressure, and the derivatives of both."""
-    along = tx * ux + ty * uy
-    beside, by_beside = _law(row.across, row.slip, tx * uy - ty * ux)
-    ahead, by_ahead = _law(row.forward if along > 0.0 else row.backward, row.slip, along)
-    return beside, ahead, by_beside, by_ahead
+    """What resists an end across and along its spring, per pressure."""
+    along, beside = tx * ux + ty * uy, tx * uy - ty * ux
+    per = 1.0 if row.slip == 0.0 else 1.0 / math.sqrt(ux * ux + uy * uy + row.slip * row.slip)
+    return row.across * beside * per, (row.forward if along > 0.0 else row.backward) * along * per
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _slopes(row, tx, ty, ux, uy, definite):
+    """The derivatives of `_resisted`. With `definite`, without those by the other velocity, which could make
+    the matrix of a step indefinite."""
+    along, beside = tx * ux + ty * uy, tx * uy - ty * ux
+    ahead = row.forward if along > 0.0 else row.backward
+    if row.slip == 0.0:
+        return Slopes(row.across, 0.0, 0.0, ahead)
+    per = 1.0 / math.sqrt(ux * ux + uy * uy + row.slip * row.slip)
+    cubed = per * per * per
+    mixed = 0.0 if definite else along * beside * cubed
+    return Slopes(
+        row.across * (per - beside * beside * cubed),
+        -row.across * mixed,
+        -ahead * mixed,
+        ahead * (per - along * along * cubed),
+    )
 
 
 @kernel(fastmath=FAST)
@@ -170,7 +189,7 @@ def _add_forces(body, state, scratch, q, v):
             m, p = _end(body, row, s, length, end)
             if state.inverse_mass[m] > 0.0:
                 ux, uy = _past(body, state, row, q, v, m)
-                across, along, _, _ = _resisted(row, tx, ty, ux, uy)
+                across, along = _resisted(row, tx, ty, ux, uy)
                 scratch.fx[m] -= p * (along * tx - across * ty)
                 scratch.fy[m] -= p * (along * ty + across * tx)
 
@@ -195,7 +214,7 @@ def _add_power(body, state, balance, q, v, part):
             m, p = _end(body, row, s, length, end)
             if state.inverse_mass[m] > 0.0:
                 ux, uy = _past(body, state, row, q, v, m)
-                across, along, _, _ = _resisted(row, tx, ty, ux, uy)
+                across, along = _resisted(row, tx, ty, ux, uy)
                 vx, vy = v[m], v[slots + m]
                 power -= p * (along * (tx * vx + ty * vy) + across * (tx * vy - ty * vx))
         if row.slip == 0.0:
@@ -206,20 +225,31 @@ def _add_power(body, state, balance, q, v, part):
 
 # ------------------------------------------------------------------------- derivatives
 @kernel(forceinline=True, fastmath=FAST)
-def _by_velocity(p, tx, ty, by_beside, by_ahead):
+def _by_velocity(p, tx, ty, slopes):
     """The derivative of the force on an end by its velocity, kg/s."""
-    xx, yy = by_beside * ty * ty + by_ahead * tx * tx, by_beside * tx * tx + by_ahead * ty * ty
-    mixed = (by_beside - by_ahead) * tx * ty
-    return -p * xx, p * mixed, p * mixed, -p * yy
+    # Of what resists across and along the spring, the derivatives by both components of the velocity.
+    across_x = slopes.across_by_along * tx - slopes.across_by_across * ty
+    across_y = slopes.across_by_along * ty + slopes.across_by_across * tx
+    along_x = slopes.along_by_along * tx - slopes.along_by_across * ty
+    along_y = slopes.along_by_along * ty + slopes.along_by_across * tx
+    return (
+        -p * (along_x * tx - across_x * ty),
+        -p * (along_y * tx - across_y * ty),
+        -p * (along_x * ty + across_x * tx),
+        -p * (along_y * ty + across_y * tx),
+    )
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def _by_vector(row, p, length, tx, ty, ux, uy, dx, dy):
     """How the force on an end changes with the vector of its spring, by (dx, dy) px to first order."""
-    beside, ahead, by_beside, by_ahead = _resisted(row, tx, ty, ux, uy)
+    beside, ahead = _resisted(row, tx, ty, ux, uy)
+    slopes = _slopes(row, tx, ty, ux, uy, False)
     longer = tx * dx + ty * dy
     turn_x, turn_y = (dx - tx * longer) / length, (dy - ty * longer) / length
-    beside_more, ahead_more = by_beside * (turn_x * uy - turn_y * ux), by_ahead * (turn_x * ux + turn_y * uy)
+    across, along = turn_x * uy - turn_y * ux, turn_x * ux + turn_y * uy
+    beside_more = slopes.across_by_across * across + slopes.across_by_along * along
+    ahead_more = slopes.along_by_across * across + slopes.along_by_along * along
     more_x = ahead_more * tx + ahead * turn_x - beside_more * ty - beside * turn_y
     more_y = ahead_more * ty + ahead * turn_y + beside_more * tx + beside * turn_x
     return (
@@ -239,8 +269,7 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
             m, p = _end(body, row, s, length, end)
             own, other = (4 * s + 3, 4 * s + 2) if end == 0 else (4 * s, 4 * s + 1)
             ux, uy = _past(body, state, row, q, v, m)
-            _, _, by_beside, by_ahead = _resisted(row, tx, ty, ux, uy)
-            xx, xy, yx, yy = _by_velocity(p, tx, ty, by_beside, by_ahead)
+            xx, xy, yx, yy = _by_velocity(p, tx, ty, _slopes(row, tx, ty, ux, uy, definite))
             add_block(matrix.blocks, target[own], g, (xx, xy, yx, yy))
             if not definite:
                 one = _by_vector(row, p, length, tx, ty, ux, uy, 1.0, 0.0)
@@ -263,8 +292,7 @@ def _add_damping(body, state, q, v, z, factor, out):
         for end in range(2):
             m, p = _end(body, row, s, length, end)
             ux, uy = _past(body, state, row, q, v, m)
-            _, _, by_beside, by_ahead = _resisted(row, tx, ty, ux, uy)
-            xx, xy, yx, yy = _by_velocity(p, tx, ty, by_beside, by_ahead)
+            xx, xy, yx, yy = _by_velocity(p, tx, ty, _slopes(row, tx, ty, ux, uy, False))
             size = factor * state.inverse_mass[m]
             out[m] += size * (xx * z[m] + xy * z[slots + m])
             out[slots + m] += size * (yx * z[m] + yy * z[slots + m])
@@ -292,8 +320,9 @@ class ResistanceTwin:
             past = v - self._air.wind(x) if in_medium and self._moves else v
             for at, weight in zip(self._ends, (on_a, on_b), strict=True):
                 u = past[at] * (spring / length).conj()  # along the spring, and across it
-                along, beside = (u.real, u.imag) if in_medium else np.tanh((u.real / slip, u.imag / slip))
-                resisted = np.where(u.real > 0.0, forward, backward) * along + 1j * across * beside
+                resisted = np.where(u.real > 0.0, forward, backward) * u.real + 1j * across * u.imag
+                if not in_medium:
+                    resisted /= np.hypot(abs(u), slip)
                 force = -(part * length + weight) * resisted * spring / length
                 total += summed(at, force, x.size)
         return total

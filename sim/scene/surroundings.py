@@ -56,9 +56,10 @@ class Medium(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 class Ground(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """The ground on which all springs lie, of a scene that is seen from above, with friction as of scales.
 
-    All springs of a mass bear an equal share of its weight. An end of a spring that slides at the speed v is
-    slowed by friction N tanh(v / slip_speed), across the spring and along it, where N is the weight on that
-    end. Forwards is from the spring's mass a to its mass b. A mass without springs slides freely.
+    All springs of a mass bear an equal share of its weight. With the weight N on an end of a spring that
+    slides at the velocity v, the force on it is -N (sideways v_n n + forward v_t t) / w, across the spring
+    and along it, with w = sqrt(|v|² + slip_speed²), and with `backward` where it slides backwards. Forwards
+    is from the spring's mass a to its mass b. A mass without springs slides freely.
 
     Attributes:
         gravity: 0..1e6 px/s², at which all masses are pressed onto the ground.

@@ -16,6 +16,8 @@ from app.page.edit.selection_panel import SelectionPanel, described, numbers_of
 from app.session import commands
 from app.session.notices import Notice
 from sim.edit.edit import Selection
+from sim.edit.muscles import give_muscles
+from sim.scene.parts import SpringMuscle
 from tests.app.pages import SessionPage
 from tests.app.panels import Handle, page_of
 
@@ -292,3 +294,20 @@ def test_a_mass_that_is_alone_has_nothing_that_could_rest() -> None:
 def test_what_is_selected_in_words() -> None:
     parts = Selection(frozenset({1}), frozenset({1, 2}), frozenset({0, 4, 7}))
     assert described(parts) == "1 mass, 2 springs, 3 joints"
+
+
+def test_numbers_of_muscles_get_their_boxes_with_the_first_muscle() -> None:
+    page = Page(rope())
+    page.select(springs=(0, 1), joints=(0,))
+    assert not any("uscle" in label for label in page.made)
+    page.frames(1, commands.Change(lambda moment, selected: give_muscles(moment.scene, selected)))
+    page.frames(10)
+    assert page.shown()["Muscle amplitude"] == 0.2 and page.shown()["Joint muscle amplitude"] == 20.0
+    page.enter("Muscle phase", 45.0)
+    page.enter("Muscle waves per beat", 1.5)
+    assert "1.5 is not a whole number" in page.session.notices[-1].text
+    page.enter("Muscle waves per beat", 2.0)
+    wanted = SpringMuscle(phase=45.0, per_beat=2)
+    assert [spring.muscle for spring in page.scene.linear_springs[:2]] == [wanted] * 2
+    page.select(masses=(1,))
+    assert not any("uscle" in label for label in page.shown())

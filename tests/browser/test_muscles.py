@@ -7,6 +7,7 @@ from playwright.sync_api import Locator
 
 from app.session import commands
 from sim.edit.edit import Selection
+from sim.edit.muscles import crest
 from sim.scene.parts import SpringMuscle
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, Point
@@ -30,6 +31,11 @@ def spring(desk: Desk, index: int) -> SpringMuscle:
     return muscle
 
 
+def said(muscle: SpringMuscle) -> str:
+    """What the mark of a muscle says."""
+    return f"+{round(100.0 * muscle.amplitude)} % at {crest(muscle):.2f} of the beat"
+
+
 def place(mark: Locator) -> Point:
     box = mark.bounding_box()
     assert box is not None
@@ -50,7 +56,8 @@ def test_muscles_by_hand(open_page: OpenPage) -> None:
     select(desk, {2, 5}, {3})
     page.keyboard.press("u")
     desk.until(lambda: page.locator(".softrod-muscle-on").count() == 3, "three marks are there and selected")
-    assert len(desk.instances("/body/muscles")) == 2 and len(desk.instances("/body/halos")) == 1
+    desk.until(lambda: len(desk.instances("/body/muscles")) == 2, "two springs have bellies")
+    desk.until(lambda: len(desk.instances("/body/halos")) == 1, "and one joint a halo")
     page.get_by_role("button", name="Spread").click()
     desk.until(lambda: spring(desk, 5).phase == 270.0, "the second spring comes half a beat later")
     two = mark(desk, "spring 5")
@@ -68,8 +75,10 @@ def test_muscles_by_hand(open_page: OpenPage) -> None:
     page.mouse.down()
     desk.lead((x, y), (x - 90.0, y - 20.0))
     desk.let_go()
-    desk.until(lambda: spring(desk, 5).amplitude > 0.25, "it goes farther")
-    desk.until(lambda: 300.0 < spring(desk, 5).phase < 350.0, "and comes earlier")
+    desk.until(
+        lambda: two.get_attribute("aria-valuetext") == said(spring(desk, 5)), "all of the drag is done"
+    )
+    assert spring(desk, 5).amplitude > 0.25 and 300.0 < spring(desk, 5).phase < 350.0
     assert spring(desk, 5).phase % 5.0 == pytest.approx(0.0, abs=1e-6)
     assert spring(desk, 2) == SpringMuscle(phase=90.0)
     assert len(desk.session.versions) == steps + 1

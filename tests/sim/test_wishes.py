@@ -199,6 +199,26 @@ def test_what_is_not_wished_changes_as_little_as_it_may() -> None:
     assert sim.set_wishes(REPLACE(scene, integrator=EULER), dt=0.5 * step).factors == same.factors
 
 
+@pytest.mark.parametrize("frequency", [1e-3, 1e5])
+def test_absurd_wishes_leave_the_body_within_bounds_and_say_so(frequency: float) -> None:
+    design = sim.set_wishes(recipe("rod"), frequency=frequency)
+    assert design.against == ("frequency",)
+    assert design.conflict.endswith("; stiffness changes by a factor of at most 1000")
+    changed = [abs(math.log10(factor)) for factor in (design.factors.springs, design.factors.joints)]
+    assert max(changed) == pytest.approx(3.0, abs=0.01)
+
+
+def test_wishes_that_take_the_steepest_taper_are_found() -> None:
+    """The search goes along the bound of the taper, and does not stop where it meets it."""
+    scene = recipe("cloth")
+    told = sim.tuning(scene)
+    assert told.elastic is not None
+    assert told.sag is not None
+    design = sim.set_wishes(scene, frequency=1.1 * told.elastic.frequency, sag=1.05 * told.sag)
+    assert not design.conflict
+    assert design.factors.taper > 0.0
+
+
 def test_a_time_step_is_borne_in_a_run() -> None:
     scene = REPLACE(recipe("girder"), integrator=sim.Integrator(method="symplectic_euler", dt=2e-3))
     step = 2.0 * sim.tuning(scene).stable_steps["symplectic_euler"]

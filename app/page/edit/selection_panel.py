@@ -76,6 +76,9 @@ def numbers_of(scene: Scene, selection: Selection) -> list[Shown]:
 
 
 _YIELD_FORCE = number("linear_springs", "yield_force")
+_ALL = (*STARTS, *NUMBERS)
+_OF_MUSCLES = tuple(of for of in NUMBERS if of.field.startswith("muscle."))
+"""Those that get a box only when a muscle is selected for the first time."""
 
 
 def parts_of(selection: Selection, kind: Kind) -> Collection[int]:
@@ -142,6 +145,10 @@ class SelectionPanel:
         if another or scene is not self._scene:
             self._scene = scene
             shown = {each.of: each for each in numbers_of(scene, selection)}
+            known = {row.of for row in self._rows}
+            if known.isdisjoint(_OF_MUSCLES) and not shown.keys().isdisjoint(_OF_MUSCLES):
+                with folder:
+                    self._rows += map(self._row, _OF_MUSCLES)
             for row in self._rows:
                 row.take(shown.get(row.of), another)
             self._proportions.visible = any(each.note == "mixed" for each in shown.values())
@@ -156,7 +163,7 @@ class SelectionPanel:
         gui, post = self._client.gui, self._session.post
         folder = gui.add_folder("", order=FIRST)
         with folder:
-            self._rows = [_Row(self._client, of, self._set, self._page.notify) for of in (*STARTS, *NUMBERS)]
+            self._rows = [self._row(of) for of in _ALL if of not in _OF_MUSCLES]
             self._proportions = gui.add_checkbox(
                 "Keep proportions",
                 initial_value=False,
@@ -182,6 +189,9 @@ class SelectionPanel:
 
         return folder
 
+    def _row(self, of: Number) -> _Row:
+        return _Row(self._client, of, self._set, self._page.notify, FIRST + _ALL.index(of))
+
     def _set(self, of: Number, value: float) -> None:
         """A number was entered; what is entered in a row, for the same parts, is one step of undo."""
         change = changed(of, value, bool(self._proportions.value))
@@ -198,13 +208,14 @@ class _Row:
         of: Number,
         post: Callable[[Number, float], None],
         tell: Callable[[Notice], None],
+        order: float,
     ) -> None:
         self.of = of
         self._limits = Limits(of, tell)
         self._shown: Shown | None = None
         self._touched = -math.inf
         self._box = client.gui.add_number(
-            of.label, initial_value=0.0, step=0.1, hint=self._limits.range, visible=False
+            of.label, initial_value=0.0, step=0.1, hint=self._limits.range, visible=False, order=order
         )
         self._box.precision = DECIMALS
 

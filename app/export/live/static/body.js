@@ -417,8 +417,9 @@ export class Body {
         const weight = (ground.gravity * mass[ends[end]]) / bearers[ends[end]];
         const along = x * v[i] + y * v[i + 1];
         const across = x * v[i + 1] - y * v[i];
-        ahead += weight * (along > 0 ? ground.forward : ground.backward) * Math.tanh(along / ground.slipSpeed);
-        beside += weight * ground.sideways * Math.tanh(across / ground.slipSpeed);
+        const held = weight / Math.hypot(along, across, ground.slipSpeed);
+        ahead += held * (along > 0 ? ground.forward : ground.backward) * along;
+        beside += held * ground.sideways * across;
       }
       a[i] -= ahead * x - beside * y;
       a[i + 1] -= ahead * y + beside * x;

@@ -129,6 +129,8 @@ function run(about, plans) {
     if (drawn.wind.length) {
       drawn.wind = Float32Array.from([...body.wind, ...body.waves.flatMap((wave) => wave.slice(0, 5))]);
     }
+    // A slider may have set another tempo.
+    if (body.muscles) drawn.muscles.set([body.muscles.frequency, body.muscles.phase]);
     const predicted = course?.predicted();
     const frame = {
       generation: 0, time: body.time, lengthScale: body.scale, angleShift: body.shift,
