@@ -55,7 +55,7 @@ def test_springs_and_ghost_are_drawn_from_mass_to_mass(name: str) -> None:
         assert ends(nodes[node]) == pytest.approx(world[b], abs=1e-5)
 
 
-@pytest.mark.parametrize("name", [name for name in PRESETS if not sim.load_scene(name).beat])
+@pytest.mark.parametrize("name", PRESETS)
 def test_wedges_reach_from_rest_angle_to_present_angle(name: str) -> None:
     """The last slice's far edge lies along spring b as it leaves the shared mass."""
     scene = sim.load_scene(name)
