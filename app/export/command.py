@@ -41,6 +41,9 @@ _ENDINGS = {
 _OF_BODY = frozenset(("live", "json", "csv", "python", "c", "javascript"))
 """What needs no motion."""
 
+_RACES = frozenset(("png", "gif", "html"))
+"""What can show two bodies."""
+
 _KEYFRAMES = frozenset(("motion", "animation"))
 """What has frames at a rate of its own."""
 
@@ -80,6 +83,8 @@ class Export:
     """Simulated seconds, 0..60: of a log the last ones."""
     after: float = 0.0
     """Simulated seconds before these."""
+    race: str = ""
+    """Another scene, whose body moves beside this one on the same terrain, in --png, --gif and --html."""
     fps: int = FPS
     """Frames a second of --motion and --animation, 1..240."""
     size: str = ""
@@ -107,7 +112,7 @@ class Export:
         size = self._checked(outputs)
         rate = self.fps if _KEYFRAMES & set(outputs) else None
         moments = self._moments(0.0 if set(outputs) <= _OF_BODY else self.seconds, rate)
-        makers = self._makers(moments, size)
+        makers = self._makers(moments, self._shots(moments), size)
         for kind, path in outputs.items():
             data = makers[kind]()
             write_file(path, data)
@@ -133,6 +138,8 @@ class Export:
                 raise InputError(f"--{kind} {path}: the file must end in {' or '.join(endings)}")
             if not path.parent.is_dir():
                 raise InputError(f"--{kind} {path}: the folder {path.parent} does not exist")
+        if self.race and (self.inputs is not None or not set(outputs) <= _RACES):
+            raise InputError("--race: it is shown by --png, --gif and --html, of a scene and not of a log")
         least = SHORTEST if {"gif", "html", *_KEYFRAMES} & set(outputs) else 0.0
         if not least <= self.seconds <= LONGEST:
             raise InputError(f"--seconds: {self.seconds:g} is not in the range {least:g}..{LONGEST:g} s")
@@ -165,8 +172,21 @@ class Export:
             console.print(f"softrod: {self.inputs}: {differs}", highlight=False)
         return moments
 
+    def _shots(self, moments: list[sim.Moment]) -> list[Shot]:
+        """What pictures, films and replays show."""
+        if not self.race:
+            return list(map(Shot.of, moments))
+        from .making import simulated
+        from .race import on_terrain, race, result
+
+        rival = on_terrain(sim.load_scene(self.race), moments[-1].scene)
+        others = simulated(rival, self.seconds, self.after, Console(stderr=True))
+        for each in (moments, others):
+            print(result(each))
+        return race(moments, others)
+
     def _makers(
-        self, moments: list[sim.Moment], size: tuple[int, int] | None
+        self, moments: list[sim.Moment], shots: list[Shot], size: tuple[int, int] | None
     ) -> dict[str, Callable[[], bytes]]:
         from . import film, picture, replay
         from .body.body import Body
@@ -175,12 +195,12 @@ class Export:
         from .live.live import live_html
         from .live.program import javascript_program
 
-        last = Shot.of(moments[-1])
+        last = shots[-1]
         # The start of a film; of a log there is only its end.
         begin = moments[0 if self.inputs is None else -1]
 
         def clip() -> Clip:
-            return Clip(map(Shot.of, moments), self.seconds)
+            return Clip(shots, self.seconds)
 
         def noted(made: tuple[bytes, list[str]], path: Path | None) -> bytes:
             data, notes = made

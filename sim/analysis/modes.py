@@ -228,7 +228,9 @@ class Modes:
         felt = change[self._here][held] / (2.0 * np.abs(step).max())
         arm = (self.rest - self.rest.mean(0)) @ (1.0, 1.0j)
         reach = float(np.sqrt((np.abs(arm) ** 2).mean()))
-        ways = [np.ones_like(arm), 1j * np.ones_like(arm), *([1j * arm / reach] if reach > 0.0 else [])]
+        ways = [np.ones_like(arm), 1j * np.ones_like(arm)]
+        if reach > 0.0:
+            ways.append(1j * arm / reach)
         work = [float((felt.conj() * way[held]).real.sum()) for way in ways]
         moved = np.array(work) @ np.array(ways)
         farthest = float(np.abs(moved).max())

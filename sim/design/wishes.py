@@ -55,7 +55,7 @@ the search ends."""
 _STIFFER, _CAUTIOUS = 4.0, 1e-5
 """Factor of Levenberg's damping after a trial that is worse, and its smallest value, with which nothing
 changes that has no effect."""
-_MOST = 1e3
+_MOST = 1e5
 """Largest factor, and one over the smallest: what takes more is another body."""
 _STEEPEST = math.log(30.0)
 """Largest logarithm of the ratio of stiffness at the root to that at the tip by a taper."""
@@ -186,8 +186,8 @@ def set_wishes(
     Returns:
         The design. Where the wishes cannot be had together it is the nearest, in the sense of the smallest
         sum of squares of the logarithms of what is reached over what is wished, and it says which wishes
-        stand against each other. No stiffness changes by a factor of more than 1000, or, with a taper, of
-        5500 at its ends.
+        stand against each other. No stiffness changes by a factor of more than 100 000, or, with a taper, of
+        550 000 at its ends.
 
     Raises:
         SceneError: the scene is not valid.
@@ -208,7 +208,7 @@ def set_wishes(
         conflict = _sentence(wishes, against, reached, scene.view.unit)
         changed = (abs(math.log(factor)) for factor in (best.factors.springs, best.factors.joints))
         if max(changed) > 0.99 * math.log(_MOST):
-            conflict += f"; stiffness changes by a factor of at most {_MOST:g}"
+            conflict += f"; stiffness changes by a factor of at most {_MOST:.0f}"
     return Design(made, best.factors, reached, against, conflict)
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
-from scipy.optimize import brentq
+from scipy.optimize import root_scalar
 
 import sim
 from sim import Integrator, LinearSpring, Mass, Scene, Simulation
@@ -261,7 +261,7 @@ def test_a_stick_on_the_ground_slides_to_a_stop(turn: float, coefficient: float)
 
     sliding = run(stick(turn, (150.0, 0.0), ground=Ground(slip_speed=slip)), duration, tolerance=1e-8)
     low = height(150.0) - coefficient * 1000.0 * duration
-    expected = brentq(lambda v: height(v) - low, 1e-9, 150.0, xtol=1e-12)
+    expected = root_scalar(lambda v: height(v) - low, bracket=(1e-9, 150.0), xtol=1e-12).root
     assert sliding.velocities == pytest.approx(np.tile((expected, 0.0), (2, 1)), rel=1e-6, abs=1e-6)
 
 

@@ -199,13 +199,12 @@ def test_what_is_not_wished_changes_as_little_as_it_may() -> None:
     assert sim.set_wishes(REPLACE(scene, integrator=EULER), dt=0.5 * step).factors == same.factors
 
 
-@pytest.mark.parametrize("frequency", [1e-3, 1e5])
-def test_absurd_wishes_leave_the_body_within_bounds_and_say_so(frequency: float) -> None:
-    design = sim.set_wishes(recipe("rod"), frequency=frequency)
+def test_an_absurd_wish_leaves_the_body_within_bounds_and_says_so() -> None:
+    design = sim.set_wishes(recipe("rod"), frequency=1e6)
     assert design.against == ("frequency",)
-    assert design.conflict.endswith("; stiffness changes by a factor of at most 1000")
+    assert design.conflict.endswith("; stiffness changes by a factor of at most 100000")
     changed = [abs(math.log10(factor)) for factor in (design.factors.springs, design.factors.joints)]
-    assert max(changed) == pytest.approx(3.0, abs=0.01)
+    assert max(changed) == pytest.approx(5.0, abs=0.01)
 
 
 def test_wishes_that_take_the_steepest_taper_are_found() -> None:

@@ -19,6 +19,7 @@ from studies.improve.improve import Improved, Wanted
 from studies.improve.ranges import Range
 from studies.improve.search import Search
 from studies.improve.trials import trial
+from tests.amount import NIGHT
 from tests.studies.improving import SWINGS, improved, rows_by_number, wanted_of
 
 
@@ -96,6 +97,17 @@ def test_a_search_of_several_settings_leaves_a_local_optimum() -> None:
         best = min(best, float(scores.min()))
         assert np.abs(places).max() <= 5.0
     assert best < 1e-3
+
+
+@pytest.mark.skipif(not NIGHT, reason="200 runs of 10 s, by night")
+def test_200_runs_more_than_double_the_way_of_the_walker(tmp_path: Path) -> None:
+    walker = sim.load_scene("walker")
+    ranges = "stride=0.05..0.4", "legs=40..150", "wall_friction=0.2..2"
+    _, _, _, found = improved(tmp_path, wanted_of(walker, ranges, "max mass0.x", 10.0, 200))
+    first, best = found.trials[0].result, best_of(found)[1]
+    assert first is not None
+    start = walker.masses[0].position[0]
+    assert best - start > 2.0 * (first - start)
 
 
 def test_whole_numbers_are_computed_once(tmp_path: Path) -> None:

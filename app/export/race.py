@@ -1,0 +1,129 @@
+"""Two bodies on one terrain, each by itself, in one film or replay."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from dataclasses import replace
+from itertools import chain
+
+import msgspec
+import numpy as np
+
+import sim
+from sim.scene.types import Damage, shown_name
+
+from ..drawing.plan import Picture
+from .clip import Shot
+
+TERRAIN = ("gravity", "air_friction", "wind", "medium", "ground", "walls", "contact")
+"""The fields of a scene that are around a body."""
+
+
+def on_terrain(scene: sim.Scene, terrain: sim.Scene) -> sim.Scene:
+    """A scene with all that is around the body of another one.
+
+    Raises:
+        SceneError: the body does not go with it.
+    """
+    around = {field: getattr(terrain, field) for field in TERRAIN}
+    return sim.validate(msgspec.structs.replace(scene, **around))
+
+
+def race(moments: list[sim.Moment], others: list[sim.Moment]) -> list[Shot]:
+    """The moments of a body with those of another one beside it: as one scene that is only drawn.
+
+    Args:
+        moments: of the one, ascending in time.
+        others: of the other, which last as long; each by its own method and time step.
+    """
+    one, other = moments[-1].scene, others[-1].scene
+    drawn, times = _together(one, other), [moment.time for moment in others]
+
+    def rival_at(time: float) -> Picture:
+        after = bisect_right(times, time)
+        if not 0 < after < len(others):
+            return Picture.of(others[min(after, len(others) - 1)])
+        before, later = Picture.of(others[after - 1]), others[after].positions
+        share = (time - times[after - 1]) / (times[after] - times[after - 1])
+        return replace(before, positions=before.positions + share * (later - before.positions))
+
+    return [
+        Shot(drawn, _side_by_side(one, other, Picture.of(moment), rival_at(moment.time)))
+        for moment in moments
+    ]
+
+
+def result(moments: list[sim.Moment]) -> str:
+    """How far a body has come, along x, as its centre of mass moves."""
+    scene = moments[-1].scene
+    mass = np.array([mass.mass for mass in scene.masses])
+    first, last = (float(mass @ moment.positions[:, 0] / mass.sum()) for moment in (moments[0], moments[-1]))
+    seconds = moments[-1].time - moments[0].time
+    return f"{shown_name(scene)}: {last - first:.0f} {scene.view.unit} in {seconds:g} s"
+
+
+def _together(one: sim.Scene, other: sim.Scene) -> sim.Scene:
+    """Both bodies in the surroundings and the view of the first, with rest lengths as they are in each."""
+    changed = msgspec.structs.replace
+    n, s = len(one.masses), len(one.linear_springs)
+    # There is one beat to a scene: muscles that keep to another one are drawn at rest.
+    in_time = one.beat == other.beat
+    beat = one.beat or other.beat
+    rests = {} if in_time or not one.beat else {"muscle": msgspec.UNSET}
+    scale, scales = one.rest_length_scale, other.rest_length_scale
+    springs = chain(
+        (changed(spring, rest_length=spring.rest_length * scale) for spring in one.linear_springs),
+        (
+            changed(spring, a=spring.a + n, b=spring.b + n, rest_length=spring.rest_length * scales, **rests)
+            for spring in other.linear_springs
+        ),
+    )
+    joints = (changed(j, a=j.a + s, b=j.b + s, **rests) for j in other.angular_springs)
+    fillings = (changed(f, masses=tuple(m + n for m in f.masses)) for f in other.fillings)
+    return changed(
+        one,
+        name=f"{one.name[:28]} - {other.name[:28]}",
+        title=f"{shown_name(one)[:28]} - {shown_name(other)[:28]}",
+        bodies=(),
+        links=(),
+        masses=(*one.masses, *other.masses),
+        linear_springs=tuple(springs),
+        angular_springs=(*one.angular_springs, *joints),
+        anchors=(*one.anchors, *(changed(a, mass=a.mass + n, driven=False) for a in other.anchors)),
+        fillings=(*one.fillings, *fillings),
+        beat=beat,
+        template=None,
+        rest_length_scale=1.0,
+        pose=None,
+        lesson=None,
+    )
+
+
+def _side_by_side(one: sim.Scene, other: sim.Scene, mine: Picture, theirs: Picture) -> Picture:
+    """What is drawn of both at the same time."""
+    return Picture(
+        np.concatenate((mine.positions, theirs.positions)),
+        mine.time,
+        damage=_damages(one, other, mine.damage, theirs.damage),
+    )
+
+
+def _damages(one: sim.Scene, other: sim.Scene, mine: Damage | None, theirs: Damage | None) -> Damage | None:
+    """What has yielded and broken of both."""
+    if mine is None and theirs is None:
+        return None
+    mine, theirs = mine or Damage(), theirs or Damage()
+
+    def both(field: str, parts: str) -> tuple[float, ...]:
+        found = [
+            getattr(damage, field) or (0.0,) * len(getattr(scene, parts))
+            for damage, scene in ((mine, one), (theirs, other))
+        ]
+        return (*found[0], *found[1])
+
+    return Damage(
+        broken=(*mine.broken, *(s + len(one.linear_springs) for s in theirs.broken)),
+        set_lengths=both("set_lengths", "linear_springs"),
+        hardened=both("hardened", "linear_springs"),
+        set_angles=both("set_angles", "angular_springs"),
+    )
