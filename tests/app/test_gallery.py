@@ -15,6 +15,7 @@ from PIL import Image
 import sim
 from app.classroom import live
 from app.classroom.live import Classes
+from app.drawing.plan import Picture
 from app.page.assets import page_files
 from app.page.classroom.roles import desk_address
 from app.page.scenes import gallery, owner, shelf, thumbnails
@@ -74,7 +75,7 @@ def test_a_picture_is_of_where_the_masses_are() -> None:
     scene = sim.load_scene("rod")
     still, moved = thumbnails.picture(scene, False), sim.Simulation(scene)
     moved.advance(0.5)
-    assert thumbnails.picture(scene, False, moved.positions) != still
+    assert thumbnails.picture(scene, False, Picture.of(moved)) != still
     with Image.open(io.BytesIO(still)) as image:
         assert image.format == "WEBP"
 

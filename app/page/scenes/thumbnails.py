@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import hashlib
 import io
-from dataclasses import replace
 from pathlib import Path
 
 import msgspec
@@ -33,17 +32,15 @@ AFTER = 0.6
 DIGESTS = FOLDER / "made-from.json"
 
 
-def picture(scene: sim.Scene, dark: bool, positions: Floats | None = None) -> bytes:
+def picture(scene: sim.Scene, dark: bool, shown: Picture | None = None) -> bytes:
     """A picture of a scene, WebP.
 
     Args:
         scene: what is shown.
         dark: whether on dark paper.
-        positions: (n, 2) px of the masses; where the scene starts unless given.
+        shown: the moment that is shown; the scene's start unless given.
     """
-    shown = Picture.at_start(scene)
-    if positions is not None:
-        shown = replace(shown, positions=positions)
+    shown = shown or Picture.at_start(scene)
     view = msgspec.structs.replace(scene.view, frame=_frame(scene, shown.positions))
     painter = Painter(msgspec.structs.replace(scene, view=view), SIZE, dark, grid=False)
     stream = io.BytesIO()
@@ -87,7 +84,7 @@ def write() -> None:
         simulation = sim.Simulation(scene)
         simulation.advance(AFTER)
         for dark, file in zip((False, True), files, strict=True):
-            write_atomically(file, picture(scene, dark, simulation.positions))
+            write_atomically(file, picture(scene, dark, Picture.of(simulation)))
         print(f"{name}: made anew")
     names = {file_name(name, dark) for name in wanted for dark in (False, True)}
     for file in FOLDER.glob("*.webp"):
