@@ -40,7 +40,8 @@ def label_of(desk: Desk, key: str) -> str:
 
 def sliders(desk: Desk) -> list[str]:
     """The labels of the sliders and lists in the tab that is shown."""
-    return [text for text in desk.page.locator("label:visible").all_inner_texts() if text]
+    labels = desk.page.locator("label:visible:not(.softrod-muscles *)")
+    return [text for text in labels.all_inner_texts() if text]
 
 
 def plots(desk: Desk) -> list[str]:
