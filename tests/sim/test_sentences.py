@@ -91,7 +91,7 @@ def test_numbers_and_texts_of_numpy_are_good_and_can_be_saved() -> None:
         ({"name": "a", "bodies": [7]}, "bodies[0]: an object is expected, not a whole number"),
         ({"name": "a", "bodies": [{"recipe": "raft"}]},
          "bodies[0].recipe: 'raft' is not one of rope, rod, box, polygon, hair_tuft, flag_pole, tree, "
-         "air_balloon, water_balloon, cloth, girder, jelly, bridge"),
+         "air_balloon, water_balloon, cloth, girder, jelly, bridge, worm, swimmer, walker, heart, hand"),
         (minimal(fillings=[{"kind": "foam", "masses": [0]}]),
          "fillings[0].kind: 'foam' is not one of gas, liquid"),
         (minimal(fillings=[{"kind": "gas", "masses": [0], "pressure": -1}]),
