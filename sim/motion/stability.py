@@ -117,9 +117,9 @@ class StabilityMeter:
     """Estimates the stability limit of a moving body under a method.
 
     The estimate concerns small motions about the present state; where there are muscles, at the worst moment
-    of their beat. It approaches the true limit from above
-    and is within a per cent of it. It is infinite where nothing pulls, and for methods that have no limit:
-    those that choose their steps, and generalized-alpha.
+    of their beat. It approaches the true limit from above and is within a per cent of it. It is infinite
+    where nothing pulls, and for methods that have no limit: those that choose their steps, and
+    generalized-alpha.
 
     Args:
         system: the tables; those of `clamp_stiffness` for the stable spring.
