@@ -17,8 +17,21 @@ from sim.forces.limits import leaking
 from sim.scene.surroundings import STILL_AIR
 
 from ..drawing.looks import (
-    CREST, DENSE, GRAIN, GRAINS, HATCH, HEAD, PARTS, POINT, RIPPLE, RIPPLES, SIDE, STREAK, STREAKS, STROKE,
-)  # fmt: skip
+    CREST,
+    DENSE,
+    GRAIN,
+    GRAINS,
+    HATCH,
+    HEAD,
+    PARTS,
+    POINT,
+    RIPPLE,
+    RIPPLES,
+    SIDE,
+    STREAK,
+    STREAKS,
+    STROKE,
+)
 from ..drawing.sketch import Floats, Sketch
 from .window import Window
 
@@ -178,7 +191,7 @@ def streaks(sketch: Sketch, time: float, window: Window) -> list[Floats]:
     air = sketch.environment.air
     mapping, scale = sketch.mapping, sketch.mapping.scale * window.step
     wind = np.array((air.wind_x, air.wind_y))
-    drift = wind * time
+    drift = air.wind_x * time, air.wind_y * time
     place = _scattered(sketch, window, STREAKS, drift).places
     lasting = STREAK * window.unit / (math.hypot(*wind) * scale * PARTS)
     points = [place + drift]
@@ -223,7 +236,9 @@ class _Scattered(NamedTuple):
     pixels: Floats  # (k, 2) after that
 
 
-def _scattered(sketch: Sketch, window: Window, apart: float, drift: Floats = np.zeros(2)) -> _Scattered:
+def _scattered(
+    sketch: Sketch, window: Window, apart: float, drift: tuple[float, float] = (0.0, 0.0)
+) -> _Scattered:
     """Places that are so many pixels apart, about, of a lattice that has drifted by so many px."""
     mapping = sketch.mapping
     cell = 2.0 ** round(math.log2(apart * window.unit / (mapping.scale * window.step)))
