@@ -20,6 +20,7 @@ from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Pose, Scene
 from ..scene.validate import validate
+from .loops import LoopsMatrix, has_many_loops
 
 _MOST_STEPS = 3000
 """Largest number of steps."""
@@ -146,6 +147,12 @@ class Resting:
         """What its linear systems are factorised in."""
         return new_matrix(self.tables, self.system.held)
 
+    @cached_property
+    def _loops(self) -> LoopsMatrix | None:
+        """What is factorised instead where there are many small loops."""
+        many = has_many_loops(self.tables)
+        return LoopsMatrix(self.tables, self.state, self.matrix) if many else None
+
     def _stiffness_at_masses(self) -> Floats:
         """(n,) sum of the stiffnesses of all springs and joints that act on each mass, kg/s²; never zero."""
         body = self.tables
@@ -225,6 +232,8 @@ class Resting:
         has negative ones (Haynsworth 1968). The blocks that join a mass to a spring that it touches are not
         among the pivots, and are ignored here.
         """
+        if self._loops is not None:
+            return self._loops.factorise(q, self.still, shift, definite)
         matrix = self.matrix
         if not factorise_matrix(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite):
             return False
@@ -238,6 +247,8 @@ class Resting:
 
     def solve(self, b: Floats) -> Floats:
         """The solution with the last factors."""
+        if self._loops is not None:
+            return self._loops.solve(b)
         x = b.copy()
         solve_matrix(self.tables, self.matrix, x)
         return x

@@ -400,3 +400,28 @@ def test_constant_forces_move_a_free_part_unless_they_are_in_balance() -> None:
     (x0, _), (x1, _) = equilibrium(both).positions
     rest = free.linear_springs[0].rest_length
     assert x1 - x0 == pytest.approx(rest + 0.5, abs=1e-9)
+
+
+# ------------------------------------------------------------------------- many small loops
+@pytest.mark.parametrize("definite", [False, True])
+def test_loops_that_are_filled_into_the_matrix_give_the_same_solutions(definite: bool) -> None:
+    scene = sim.jelly(columns=5, rows=4, walls=(sim.Wall(point=(0.0, 340.0), normal=(0.1, -1.0)),))
+    scene = msgspec.structs.replace(scene, bodies=(), anchors=(Anchor(mass=2),))
+    body, other = Resting(scene, balanced=True), Resting(scene, balanced=True)
+    assert body._loops is not None
+    other.__dict__["_loops"] = None  # its fillings are borders of the matrix
+    q = body.nudge(body.start, 0.1)
+    found = set()
+    for shift in (1.0, 1e-2, 1e-4, -0.3, -3.0):
+        stable = body.factorise(q, shift, definite)
+        assert stable == other.factorise(q, shift, definite)
+        found.add(stable)
+        b = body.accelerations(q)
+        assert body.solve(b) == pytest.approx(other.solve(b), rel=1e-6, abs=1e-9)
+    assert found == {True, False}
+
+
+def test_other_bodies_keep_their_own_matrix() -> None:
+    """A balloon has one long loop; what has contact has blocks that are in no pattern."""
+    for scene in (sim.air_balloon(), sim.jelly(contact=sim.Contact(distance=5.0)), sim.rope(9)):
+        assert Resting(scene, balanced=True)._loops is None
