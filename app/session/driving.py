@@ -182,7 +182,7 @@ class Driving:
             recorder: of the body.
             watch: what is known of its modes; None while nobody looks at them.
             steps: time steps.
-            attempts: steps that a method which chooses its own may try.
+            attempts: steps that a method which chooses its own may try for all of them together.
 
         Returns:
             The time steps that were done.
@@ -194,12 +194,12 @@ class Driving:
             return recorder.step(steps, attempts=attempts)
         if watch is not None and not self.drive.grabbed:
             self.drive = self.drive.in_step(watch, simulation)
-        done, each = 0, self.drive.steps(simulation.dt)
-        while done < steps:
+        done, each, last = 0, self.drive.steps(simulation.dt), simulation.tries + attempts
+        while done < steps and (left := last - simulation.tries) > 0:
             n = min(each, steps - done)
             for act in self.drive.lead(simulation, n):
                 self._do(act)
-            did = recorder.step(n, attempts=attempts)
+            did = recorder.step(n, attempts=left)
             done += did
             if did < n:
                 break

@@ -142,6 +142,23 @@ def test_a_mode_is_driven_while_it_is_said_and_its_support_comes_back() -> None:
     agrees(page)
 
 
+def test_a_driven_frame_tries_no_more_steps_than_any_other() -> None:
+    page, _ = opened("lesson-bridge-modes")
+    page.frames(20, commands.DriveMode(1))
+    session = page.session
+    simulation, drive = session.simulation, session.driving.drive
+    assert drive is not None
+    steps = 6 * drive.steps(simulation.dt)  # six straight lines in which the support is led
+    simulation.stats()
+    assert session.driving.step(session.recorder, session.modes, steps, 1_000_000) == steps
+    needed = simulation.stats()
+    most = (needed.steps + needed.rejected) // 2
+    done = session.driving.step(session.recorder, session.modes, steps, most)
+    tried = simulation.stats()
+    assert tried.steps + tried.rejected == most
+    assert steps // 6 < done < steps
+
+
 def test_a_body_that_nothing_holds_is_driven_where_it_swings_most() -> None:
     fetch(FOR_FALLBACK)
     scene = REPLACE(sim.load_scene("girder"), anchors=(), gravity=(0.0, 0.0), bodies=())
