@@ -26,12 +26,13 @@ from sim.motion.stability import StabilityEstimate
 
 from . import keepsakes, log
 from .companions import Companions
+from .driving import Driving
 from .foreseen import Foreseen
 from .ghost import Ghost
 from .hand import FRAME, PointerHands
 from .history import History, OldFuture
 from .log import Log
-from .modes import Drive, ModesWatch
+from .modes import ModesWatch
 from .notices import About, Notice, no_shape, runaway
 from .pacing import HEAVY_UNIT, Pacer, is_large
 from .record import Recorder
@@ -162,7 +163,7 @@ class Session:
         preparing: what is being compiled, for the page to say; empty when nothing is.
         foreseen: where the body will rest, while a slider moves.
         modes: the body's slow vibrations, while somebody looks at them; else None.
-        drive: what drives one of them, or None.
+        driving: what drives one of them.
     """
 
     def __init__(
@@ -199,8 +200,7 @@ class Session:
         self.preparing = ""
         self.foreseen = Foreseen()
         self.modes: ModesWatch | None = None
-        self.drive: Drive | None = None
-        self._drive_at = -math.inf
+        self.driving = Driving(lambda: self.simulation, self.do)
 
     # --------------------------------------------------------------------- what the page looks at
     def now(self) -> float:
@@ -362,8 +362,8 @@ class Session:
         now = self._clock()
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
             self.hold_keys(frozenset(), self._keys_at)
-        if self.drive is not None and now - self._drive_at > KEYS_FORGOTTEN_AFTER:
-            self.fade_drive()
+        if now - self.driving.said_at > KEYS_FORGOTTEN_AFTER:
+            self.driving.fade()
         running = self.playing and (self.replay is not None or self.simulation.divergence is None)
         if running and self.replay is not None:
             self._play_log(self.replay, now, budget)
@@ -372,7 +372,7 @@ class Session:
         running = running and self.playing  # it may have ended just now
         self.stability_watch.tick(self.simulation, self.revision, running, now, budget)
         if self.modes is not None:
-            self.modes.tick(self.simulation, self.drive is not None or bool(self.hands.masses))
+            self.modes.tick(self.simulation, self.driving.drive is not None or bool(self.hands.masses))
 
     def keepsake(self) -> bytes:
         """What is needed to go on later where this page is now, see `resume`."""
@@ -440,40 +440,8 @@ class Session:
 
     def let_go(self) -> None:
         """Have all hands let go."""
-        self.end_drive()
+        self.driving.end()
         self.hands.let_all_go(self.following)
-
-    def drive_on(self, mode: int, at: float) -> None:
-        """Drive a mode by hand, as was said at a wall time, s, until `end_drive` or until it is said no more.
-
-        Raises:
-            InputError: that mode cannot be driven.
-        """
-        self._drive_at = at
-        if self.drive is not None and self.drive.mode == mode and self.drive.let_go == math.inf:
-            return
-        self.end_drive()
-        if self.modes is None:
-            return
-        self.play(True)
-        drive = Drive.of(self.modes, mode, self.simulation)
-        for mass in drive.masses if drive.grabbed else ():
-            self.do(log.Grab(mass=mass))
-        self.drive = drive
-
-    def fade_drive(self) -> None:
-        """Drive no mode any more: supports come to rest where they were, and a hand lets go."""
-        drive = self.drive
-        if drive is None or drive.grabbed:
-            self.end_drive()
-        elif drive.let_go == math.inf:
-            self.drive = replace(drive, let_go=self.simulation.time)
-
-    def end_drive(self) -> None:
-        """Drive no mode any more, from this moment on."""
-        drive, self.drive = self.drive, None
-        for act in drive.end() if drive is not None else ():
-            self.do(act)
 
     def put(self, make: Callable[[sim.Moment], sim.Moment], label: str, key: str) -> None:
         """Go on with other places and speeds of the same body.
@@ -509,7 +477,7 @@ class Session:
             self.versions.add_leap(label, before, after, key)
             # Another body, whose time begins anew: what is past belongs to the other one.
             self.hands.drop()
-            self.drive = None
+            self.driving.drop()
             self._begin_history()
             self._choose_joint()
             self.selection = Selection()
@@ -539,7 +507,7 @@ class Session:
             edit: what made it of the one before; None where it is another body's.
         """
         self.hands.drop()
-        self.drive = None
+        self.driving.drop()
         self.lesson_begun = True  # it goes on where it was
         self.recorder.restore(moment)
         self.selection = Selection() if edit is None else still_selected(edit, self.selection)
@@ -558,7 +526,7 @@ class Session:
         self.opened = simulation.capture().scene
         self.lesson_begun = True
         self.hands.drop()
-        self.drive = None
+        self.driving.drop()
         self.simulation, self.recorder = simulation, Recorder(simulation)
         if self.follows_energy:
             self.recorder.do(log.FollowEnergy(on=True))
@@ -693,31 +661,13 @@ class Session:
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
         began = time.perf_counter()
+        attempts = self.pacer.attempts(budget)
         waits = self.rival is not None and self.rival.is_late
-        done = 0 if waits else self._stepped(steps, self.pacer.attempts(budget))
+        done = 0 if waits else self.driving.step(self.recorder, self.modes, steps, attempts)
         self.companions.keep_pace(self.simulation, done, budget)
         seconds = self._count(now, done, steps - done, began)
         self.companions.follow(self.simulation, done, led, budget - seconds)
         self._after_steps()
-
-    def _stepped(self, steps: int, attempts: int | None) -> int:
-        """Do some steps, and lead what drives a mode meanwhile; returns how many were done."""
-        if self.drive is not None and self.drive.has_faded(self.simulation.time):
-            self.end_drive()
-        if self.drive is None:
-            return self.recorder.step(steps, attempts=attempts)
-        if self.modes is not None and not self.drive.grabbed:
-            self.drive = self.drive.in_step(self.modes, self.simulation)
-        done, each = 0, self.drive.steps(self.simulation.dt)
-        while done < steps:
-            n = min(each, steps - done)
-            for act in self.drive.lead(self.simulation, n):
-                self.do(act)
-            did = self.recorder.step(n, attempts=attempts)
-            done += did
-            if did < n:
-                break
-        return done
 
     def _count(self, now: float, done: int, missed: int, began: float) -> float:
         """Enter steps that were done since `began` into the pacer; returns the seconds they took."""

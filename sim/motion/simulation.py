@@ -188,6 +188,11 @@ class Simulation:
         return isinstance(solver, Solver) and solver.complete
 
     @property
+    def tries(self) -> int:
+        """Steps that the method has tried since the last call of `stats`."""
+        return self._stepper.solver.tries
+
+    @property
     def rate_limited(self) -> bool:
         """Whether its masses are too many, and its springs too stiff, to follow any hand, see `follow`."""
         return self._hands.rate_limited
