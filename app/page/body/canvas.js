@@ -43,6 +43,8 @@ let asked = false;
 /** Whether the picture that is shown stays. */
 let held = false;
 
+const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
 /** What is shown now. */
 export const shown = () => state;
 
@@ -92,9 +94,8 @@ function paint() {
 /** @param {Plan} plan @param {Frame} frame @param {import("../../drawing/static/plan.js").Damage} damage */
 function show(plan, frame, damage) {
   const world = draw.toWorld(plan, frame.positions);
-  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  if (owners.has(`${BODY}halos`)) put("halos", draw.muscles(plan, frame, world, true, damage, still));
-  if (owners.has(`${BODY}muscles`)) put("muscles", draw.muscles(plan, frame, world, false, damage, still));
+  if (owners.has(`${BODY}halos`)) put("halos", draw.muscles(plan, frame, world, true, damage, isStill()));
+  if (owners.has(`${BODY}muscles`)) put("muscles", draw.muscles(plan, frame, world, false, damage, isStill()));
   put("springs", draw.springs(plan, frame, world, damage));
   if (owners.has(`${BODY}yielded`)) put("yielded", draw.yielded(plan, world, damage));
   put("wedges", draw.wedges(plan, frame, world, damage));
