@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from app.session import commands
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, until
 
@@ -53,6 +54,7 @@ def reached(desk: Desk, mode: int) -> float:
 
 def test_a_body_is_put_into_a_mode_and_heard(open_page: OpenPage) -> None:
     desk = open_page("bridge")
+    desk.tell(commands.Play(False))  # or a mode dies away before a slow machine looks at it
     page: Any = desk.page
     assert page.locator(".softrod-modes").is_hidden()
     page.keyboard.press("v")
