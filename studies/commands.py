@@ -62,7 +62,7 @@ class Bench:
     quick: bool = False
     """For peers: a few scenes, fewer repeats."""
     out: Path | None = None
-    """For peers: folder for a table of all that was measured."""
+    """For peers: folder for the report: peers.md, peers.csv.gz and figures."""
 
     def run(self) -> int:
         """Measure and print."""

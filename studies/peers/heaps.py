@@ -10,6 +10,9 @@ from .scenes import HEAPS
 RING = 12
 """Masses of a ring."""
 
+FAR = 1e5
+"""px; a heap with a mass that far away has run away."""
+
 
 class Pile:
     """What is seen of a heap while it falls.
@@ -37,7 +40,7 @@ class Pile:
         Raises:
             ArithmeticError: a mass is nowhere.
         """
-        if not np.isfinite(positions).all():
+        if not np.abs(positions).max() < FAR:
             raise ArithmeticError("ran away")
         self._before, self._now = self._now, positions.copy()
         self.deepest = max(self.deepest, self._distance - self._nearest())

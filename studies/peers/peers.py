@@ -10,14 +10,17 @@ from rich.console import Console
 
 import sim
 
-from ..reporting.output import Watch, make_folder, write_table
+from ..reporting.output import Watch, make_folder, write_figures, write_page, write_table
 from . import report
-from .engines import own
+from .engines import arrays, box2d, c_loop, chipmunk, jax_loops, muj, own, solvers
 from .references import reference
 from .runs import Point, measure
-from .scenes import NAMES, PATHS
+from .scenes import HEAPS, NAMES
 
-ENGINES: dict[str, Any] = {engine.NAME: engine for engine in (own,)}
+_ALL = (
+    own, c_loop, arrays, solvers.SciPy, solvers.Cvode, jax_loops.Jax, jax_loops.Diffrax, box2d, chipmunk, muj,
+)  # fmt: skip
+ENGINES: dict[str, Any] = {engine.NAME: engine for engine in _ALL}
 """The modules of `engines` by name."""
 
 QUICK = "rope-12", "net-100-soft", "heap-120"
@@ -40,14 +43,16 @@ def known(what: str, names: str, all_of_them: Sequence[str]) -> list[str]:
 def bench_peers(
     scenes: str, engines: str, quick: bool, repeats: int, out: Path | None, console: Console
 ) -> int:
-    """Measure, print, and write a table.
+    """Measure, print, and write a report.
+
+    Ctrl-C ends it early; what is done by then is written.
 
     Args:
         scenes: names with commas between them; empty for all.
         engines: likewise.
         quick: whether only `QUICK` scenes are measured, with fewer repeats.
         repeats: how often what is short is timed.
-        out: folder for the table, or None.
+        out: folder for the report, or None: peers.md, peers.csv.gz and figures.
         console: where it is printed.
 
     Returns:
@@ -60,23 +65,36 @@ def bench_peers(
     engine_names = known("engines", engines, tuple(ENGINES))
     if out is not None:
         make_folder(out)
-    for name in engine_names:
-        if lacking := ENGINES[name].missing():
-            console.print(f"{name} is missing: {lacking}")
+    lacking = [
+        f"{name} is missing: {ENGINES[name].missing()} (`uv sync --extra peers`)."
+        for name in engine_names
+        if ENGINES[name].missing()
+    ]
+    for sentence in lacking:
+        console.print(sentence)
     here = [ENGINES[name] for name in engine_names if not ENGINES[name].missing()]
     points: list[Point] = []
+    done = 0
     with Watch(console, len(scene_names)) as watch:
         for name in scene_names:
-            found: list[Point] = []
             ladders = [ladder for engine in here for ladder in engine.ladders(name)]
-            right = reference(name) if name in PATHS else None
+            right = None if name in HEAPS else reference(name)
+            before, found = list(points), []
             for so_far, what in measure(name, ladders, right, min(repeats, 2) if quick else repeats):
                 found = so_far
+                points = before + so_far
                 watch.say(f"{name}: {what}")
-            points += found
+            points, done = before + found, done + 1
             watch.advance()
             watch.print(report.scene_table(name, found))
+    note = f"Interrupted after {done} of {len(scene_names)} scenes." if watch.interrupted else ""
+    if note:
+        console.print(note)
     if out is not None:
+        from .figures import figures
+
         write_table(out / "peers.csv.gz", report.points_csv(points))
+        drawn = write_figures(out, figures(points))
+        write_page(out / "peers.md", report.markdown(points, drawn, lacking, note))
         console.print(f"written to {out}")
     return 130 if watch.interrupted else 0

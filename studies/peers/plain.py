@@ -116,6 +116,7 @@ class Equations:
         self.start = np.array([(*mass.position, *mass.velocity) for mass in scene.masses]).ravel()
         self._weights = np.where(self.held, 0.0, 1.0 / self.masses)
         self._nowhere = np.empty(0)
+        self.lead_at(0.0)  # machine code
 
     def lead_at(self, t: float) -> Floats:
         """x, y, vx, vy of the led mass at a time; empty where none is led."""

@@ -22,7 +22,7 @@ from sim import Scene
 from sim.store.files import write_file
 
 from .plain import Equations, Floats
-from .scenes import PATHS, SECONDS
+from .scenes import COUNT, EVERY, MANY, PATHS, SECONDS, ropes
 
 STORED = Path(__file__).with_name("references.npz")
 
@@ -59,14 +59,20 @@ def fingerprint(scene: Scene) -> NDArray[np.uint8]:
     return np.frombuffer(digest.digest()[:8], np.uint8)
 
 
+def some_ropes() -> list[Scene]:
+    """Those of the many ropes that have a reference."""
+    return ropes(COUNT)[::EVERY]
+
+
 def reference(name: str) -> Floats:
-    """(n, 2) positions in the end of a scene of `PATHS`, px.
+    """(n, 2) positions in the end of a scene of `PATHS`, or of `some_ropes` one after the other, px.
 
     Raises:
         sim.InputError: the scene is another one than that of the file.
     """
     stored = _stored()
-    if not np.array_equal(stored[f"{name} fingerprint"], fingerprint(PATHS[name].make())):
+    scenes = some_ropes() if name == MANY else [PATHS[name].make()]
+    if not np.array_equal(stored[f"{name} fingerprint"], np.stack([fingerprint(s) for s in scenes])):
         raise sim.InputError(f"{name}: its reference is of another scene; python -m studies.peers.references")
     return stored[name]
 
@@ -80,14 +86,18 @@ def _stored() -> dict[str, NDArray[Any]]:
 def main() -> None:
     """See the module's text."""
     arrays: dict[str, NDArray[Any]] = {}
-    for name, path_scene in PATHS.items():
-        scene, began = path_scene.make(), time.perf_counter()
-        arrays[name], arrays[f"{name} fingerprint"] = compute(scene), fingerprint(scene)
+    for name in (*PATHS, MANY):
+        scenes = some_ropes() if name == MANY else [PATHS[name].make()]
+        began = time.perf_counter()
+        arrays[name] = np.concatenate([compute(scene) for scene in scenes])
+        arrays[f"{name} fingerprint"] = np.stack([fingerprint(scene) for scene in scenes])
         spent = time.perf_counter() - began
-        exact = sim.Integrator(method="rodas5p", dt=SECONDS, tolerance=AGREE)
-        simulation = sim.Simulation(msgspec.structs.replace(scene, integrator=exact))
-        simulation.step()
-        off = np.hypot(*(simulation.positions - arrays[name]).T).max()
+        exact, ends = sim.Integrator(method="rodas5p", dt=SECONDS, tolerance=AGREE), []
+        for scene in scenes:
+            simulation = sim.Simulation(msgspec.structs.replace(scene, integrator=exact))
+            simulation.step()
+            ends.append(simulation.positions)
+        off = np.hypot(*(np.concatenate(ends) - arrays[name]).T).max()
         print(f"{name}: {spent:.1f} s; softrod's rodas5p at {AGREE:g} px is {off:.2g} px away", flush=True)
     packed = io.BytesIO()
     np.savez_compressed(packed, allow_pickle=False, **arrays)

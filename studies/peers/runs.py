@@ -18,16 +18,16 @@ from .scenes import HEAP_SECONDS, HEAPS, SECONDS
 FRAME = 1.0 / 60.0
 """A heap is looked at so often, s, as a game does."""
 
-LONGEST = 2.0
+LONGEST = 0.5
 """Seconds of computing for a simulated one beyond which an engine's finer settings are not tried."""
 
 FINE = 3e-4
 """Error, px, beyond which finer settings are not tried."""
 
-PATIENCE = 10.0
+PATIENCE = 5.0
 """Seconds of computing after which a run is given up, where it can be."""
 
-SHORT = 0.5
+SHORT = 0.2
 """Seconds of computing; what takes longer is timed once only."""
 
 
@@ -134,7 +134,7 @@ def measure(
                 go(point, runner, right)
             except (Failed, ArithmeticError, RuntimeError, ValueError) as error:
                 point.failure = " ".join(str(error).split()) or type(error).__name__
-                if runner is None:
+                if runner is None or point.seconds > LONGEST:
                     break
                 continue
             if point.seconds <= SHORT:

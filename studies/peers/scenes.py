@@ -112,8 +112,11 @@ HEAPS = {f"heap-{12 * rings}": lambda rings=rings: heap(rings) for rings in (10,
 HEAP_SECONDS = 5.0
 """Simulated time of heaps, s."""
 
-MANY = "ropes-1000"
-"""The name of 1000 ropes of 12 masses at once."""
+MANY, COUNT = "ropes-1000", 1000
+"""The name of many ropes of 12 masses at once, and how many."""
+
+EVERY = 20
+"""Every so many of them has a reference."""
 
 NAMES = (*PATHS, *HEAPS, MANY)
 """All scenes."""

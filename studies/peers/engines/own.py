@@ -14,7 +14,7 @@ from sim.motion.stability import largest_step
 
 from ..plain import Floats
 from ..runs import FRAME, Failed, Ladder
-from ..scenes import HEAPS, PATHS, SECONDS
+from ..scenes import HEAPS, MANY, PATHS, SECONDS
 
 NAME = "softrod"
 
@@ -47,6 +47,10 @@ def ladders(name: str) -> list[Ladder]:
             _fixed(scene, method, HEAP_STEPS, FRAME) for method in ("velocity_verlet", "symplectic_euler")
         ]
         return [_adaptive(scene, "auto", TOLERANCES[:4], FRAME), *steps]
+    if name == MANY:
+        from . import many
+
+        return many.ladders_of_softrod()
     if name not in PATHS:
         return []
     scene = PATHS[name].make()
@@ -54,6 +58,8 @@ def ladders(name: str) -> list[Ladder]:
         _adaptive(scene, method, TOLERANCES, SECONDS) for method, info in METHODS.items() if info.adaptive
     ]
     for method, info in METHODS.items():
+        if method == "stable_spring":
+            continue  # it makes springs softer than they are
         if not info.adaptive and info.limit is not None:
             least = SECONDS / largest_step(scene, method)
             made.append(_fixed(scene, method, [least * part for part in BEYOND], SECONDS))
