@@ -46,9 +46,8 @@ class Companion(ABC):
     def _count(self, seconds: float) -> None:
         """Note what a frame's steps took."""
         self.cost += 0.1 * (seconds - self.cost)
-        stats = [body.stats() for body in self.bodies]
-        if tried := sum(one.steps + one.rejected for one in stats):
-            self.unit_cost = smoothed(self.unit_cost, seconds / tried)
+        if work := sum(body.stats().work for body in self.bodies):
+            self.unit_cost = smoothed(self.unit_cost, seconds / work)
 
     @abstractmethod
     def begin(self, simulation: sim.Simulation) -> None:

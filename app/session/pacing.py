@@ -6,7 +6,6 @@ as lag: the clock falls behind, and the next frame is not asked for more than it
 
 from __future__ import annotations
 
-import math
 from collections import deque
 from dataclasses import dataclass
 
@@ -24,13 +23,18 @@ LARGE = 2000
 """Masses and springs from which on a scene counts as heavy before anything is known of its steps."""
 
 _FEWEST_ATTEMPTS = 8
-"""Steps that a method may try in any frame: a body too heavy for the budget still moves."""
+"""Steps that a method may try in any frame, as far as `_LATE` allows: a body too heavy for the budget still
+moves."""
+_LATE = 0.05
+"""Seconds by which these may exceed the budget. One step may always be tried."""
 
 _MOST_ATTEMPTS = 1_000_000
 """Steps that it may try at most: what a log may say."""
 
-_FIRST_ATTEMPTS = 1000
-"""Steps that it may try before anything is known of what they cost."""
+_PIECE = 0.7
+"""What is left of a frame's budget that is planned at once: what steps cost may change at any moment."""
+_REST = 0.1
+"""What may be left of a frame's budget."""
 
 _WINDOW = 1.0
 """Seconds over which the rates are averaged."""
@@ -89,36 +93,42 @@ class Pacer:
         self.behind = 0.0
         self._frames.clear()
 
-    def grant(self, now: float, dt: float, budget: float) -> int:
-        """Steps that this frame may do.
+    def grant(self, now: float, dt: float) -> int:
+        """Steps that this frame should do.
 
         Args:
             now: wall time, s.
             dt: time step, s.
-            budget: seconds of computing that the frame may take; infinite for a method that is held to it
-                by its attempts.
         """
         elapsed = 0.0 if self._last is None else max(0.0, now - self._last)
         self._last = now
-        lost = max(0.0, elapsed - LONGEST_FRAME) * self.speed
+        self._lost = max(0.0, elapsed - LONGEST_FRAME) * self.speed
+        self.behind += self._lost
         self._owed += min(elapsed, LONGEST_FRAME) * self.speed
-        wanted = int(self._owed / dt + 1e-9)
-        # One step always, so that a body too heavy for the budget still moves, and its cost is measured.
-        affordable = max(1, min(wanted, 64))
-        if budget == math.inf:
-            affordable = wanted
-        elif self._step_cost:
-            affordable = max(1, int(budget / self._step_cost))
-        steps = min(wanted, affordable)
+        steps = int(self._owed / dt + 1e-9)
         self._owed -= steps * dt
-        if wanted > steps:
-            # A fraction of a step stays owed; the whole ones are lost.
-            rest = math.fmod(self._owed, dt)
-            lost += self._owed - rest
-            self._owed = rest
-        self.behind += lost
-        self._lost = lost
         return steps
+
+    def piece(self, steps: int, left: float, adaptive: bool) -> tuple[int, int]:
+        """What of a frame should be done next, by what steps have cost until now.
+
+        Args:
+            steps: time steps of the frame that are left.
+            left: seconds of its budget that are left.
+            adaptive: whether the method chooses its own steps, so that it may stop within a time step.
+
+        Returns:
+            Time steps, and the steps that the method may try for them. There are always some, so that a body
+            too heavy for the budget still moves.
+        """
+        planned = _PIECE * left
+        if not adaptive:
+            steps = min(steps, max(1, int(planned / self._step_cost)) if self._step_cost else 1)
+        return steps, self.attempts(planned)
+
+    def is_over(self, left: float, budget: float) -> bool:
+        """Whether a frame with so many seconds left of its budget does no more."""
+        return left < max(_REST * budget, self.unit_cost)
 
     def attempts(self, budget: float) -> int:
         """How many steps a method that chooses them itself may try in a budget of seconds."""
@@ -127,6 +137,19 @@ class Pacer:
     def affordable(self, budget: float) -> int:
         """Steps of the clock that a budget of seconds is enough for, by their cost so far; 20000 at first."""
         return int(budget / self._step_cost) if self._step_cost else 20_000
+
+    def learn(self, steps: int, seconds: float, work: int) -> None:
+        """Note what a piece of a frame cost.
+
+        Args:
+            steps: time steps done.
+            seconds: what they took.
+            work: what the method tried for them, see `SolverStats`.
+        """
+        if steps:
+            self._step_cost = _believed(self._step_cost, seconds / steps)
+        if work:
+            self._attempt_cost = _believed(self._attempt_cost, seconds / work)
 
     def record(
         self, now: float, dt: float, steps: int, seconds: float, stats: SolverStats, missed: int
@@ -141,11 +164,6 @@ class Pacer:
             stats: what the method did for them.
             missed: time steps that were granted and not reached.
         """
-        if steps:
-            self._step_cost = smoothed(self._step_cost, seconds / steps)
-        tried = stats.steps + stats.rejected
-        if tried:
-            self._attempt_cost = smoothed(self._attempt_cost, seconds / tried)
         self.behind += missed * dt
         lost = self._lost + missed * dt
         self._frames.append((now, steps * dt, stats.steps, stats.rejected, seconds, lost))
@@ -173,9 +191,17 @@ def is_large(scene: Scene) -> bool:
 
 def attempts_within(budget: float, cost: float) -> int:
     """Steps that may be tried in a budget of seconds, of which each takes `cost` seconds; 0 is not known."""
-    return int(min(max(budget / cost, _FEWEST_ATTEMPTS), _MOST_ATTEMPTS)) if cost else _FIRST_ATTEMPTS
+    if not cost:
+        return _FEWEST_ATTEMPTS
+    fewest = max(1, min(_FEWEST_ATTEMPTS, int(_LATE / cost)))
+    return int(min(max(budget / cost, fewest), _MOST_ATTEMPTS))
 
 
 def smoothed(before: float, now: float) -> float:
     """A running average of costs, of which the first counts as it is."""
     return now if not before else 0.8 * before + 0.2 * now
+
+
+def _believed(before: float, now: float) -> float:
+    """A running average of costs that believes at once what is dearer."""
+    return max(now, smoothed(before, now))

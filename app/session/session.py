@@ -13,6 +13,7 @@ from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import ClassVar, Generic, Literal, TypeVar
 
 import msgspec
@@ -407,7 +408,7 @@ class Session:
         self.branch()
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
-        done = self.recorder.step(steps, self.pacer.attempts(MOST_SECONDS))
+        done = self._go(self.recorder.step, steps, MOST_SECONDS)
         self.companions.follow(self.simulation, done, led, MOST_SECONDS)
         self._after_steps()
 
@@ -634,16 +635,39 @@ class Session:
 
     def _step(self, now: float, budget: float) -> None:
         """Go on by a frame."""
-        # A method with steps of its own is held to the budget by what it may try.
-        own = METHODS[self.simulation.method].adaptive
-        steps = self.pacer.grant(now, self.simulation.dt, math.inf if own else budget)
+        steps = self.pacer.grant(now, self.simulation.dt)
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
         began = time.perf_counter()
-        done = self.driving.step(self.recorder, self.modes, steps, self.pacer.attempts(budget))
+        done = self._go(partial(self.driving.step, self.recorder, self.modes), steps, budget)
         seconds = self._count(now, done, steps - done, began)
         self.companions.follow(self.simulation, done, led, budget - seconds)
         self._after_steps()
+
+    def _go(self, step: Callable[[int, int], int], steps: int, budget: float) -> int:
+        """Do some steps, as far as a budget of seconds allows.
+
+        Args:
+            step: does some time steps, for which a method may try some of its own; returns how many it did.
+            steps: time steps.
+            budget: seconds of computing.
+
+        Returns:
+            The time steps that were done.
+        """
+        simulation, pacer = self.simulation, self.pacer
+        adaptive = METHODS[simulation.method].adaptive
+        done, began = 0, time.perf_counter()
+        left = budget
+        while done < steps:
+            tried, before = simulation.work, time.perf_counter()
+            did = step(*pacer.piece(steps - done, left, adaptive))
+            now = time.perf_counter()
+            pacer.learn(did, now - before, simulation.work - tried)
+            done, left = done + did, budget - (now - began)
+            if simulation.divergence is not None or pacer.is_over(left, budget):
+                break
+        return done
 
     def _count(self, now: float, done: int, missed: int, began: float) -> float:
         """Enter steps that were done since `began` into the pacer; returns the seconds they took."""
@@ -682,7 +706,7 @@ class Session:
         if not simulation.complete:
             simulation.take_compiled()  # by other methods, it would not be the same
             return
-        steps = self.pacer.grant(now, simulation.dt, math.inf)
+        steps = self.pacer.grant(now, simulation.dt)
         scene, began = simulation.capture().scene, time.perf_counter()
         try:
             most, attempts = self.pacer.affordable(MOST_SECONDS), self.pacer.attempts(MOST_SECONDS)
@@ -690,6 +714,7 @@ class Session:
         except InputError as error:
             self._end_replay(f"It cannot go on: {error}.")
             return
+        self.pacer.learn(done, time.perf_counter() - began, simulation.work)
         self._count(now, done, 0, began)
         self._remember()
         self._changed_from(scene)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import pytest
 
 from app.session.pacing import Pacer
@@ -16,10 +14,10 @@ FRAME = 0.05
 def ran(pacer: Pacer, frames: int, missed: int = 0) -> float:
     """Let frames pass, each of five time steps, so many of which are not reached; the time."""
     now = 0.0
-    pacer.grant(now, DT, math.inf)
+    pacer.grant(now, DT)
     for _ in range(frames):
         now += FRAME
-        steps = pacer.grant(now, DT, math.inf)
+        steps = pacer.grant(now, DT)
         assert steps == 5
         pacer.record(now, DT, steps - missed, 1e-3, SolverStats(steps=steps - missed), missed)
     return now
