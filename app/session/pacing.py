@@ -6,7 +6,9 @@ as lag: the clock falls behind, and the next frame is not asked for more than it
 
 from __future__ import annotations
 
+import time
 from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from sim import Scene
@@ -79,6 +81,8 @@ class Pacer:
         self._step_cost = 0.0
         self._lost = 0.0
         self._attempt_cost = 0.0
+        self._learnt = 0  # pieces
+        self._kind: tuple[object, ...] = ()
         self._frames: deque[tuple[float, float, int, int, float, float]] = deque()
 
     @property
@@ -109,26 +113,52 @@ class Pacer:
         self._owed -= steps * dt
         return steps
 
-    def piece(self, steps: int, left: float, adaptive: bool) -> tuple[int, int]:
-        """What of a frame should be done next, by what steps have cost until now.
+    def look_at(self, scene: Scene) -> None:
+        """Forget what steps cost, if those of this scene may cost something else."""
+        counts = map(len, (scene.masses, scene.linear_springs, scene.angular_springs, scene.fillings))
+        kind = scene.integrator.method, scene.contact is not None, *counts
+        if kind != self._kind:
+            self._kind, self._learnt = kind, 0
+            self._step_cost = self._attempt_cost = 0.0
+
+    def spend(
+        self,
+        budget: float,
+        steps: int,
+        go: Callable[[int, int], tuple[int, int]],
+        adaptive: bool,
+        clock: Callable[[], float] = time.perf_counter,
+    ) -> int:
+        """Do the steps of a frame as far as its budget allows.
+
+        They are done in pieces, by what steps cost until then. There is always one, so that a body too heavy
+        for the budget still moves.
 
         Args:
-            steps: time steps of the frame that are left.
-            left: seconds of its budget that are left.
+            budget: seconds of computing.
+            steps: time steps.
+            go: does some time steps, for which the method may try some of its own. Returns how many it did,
+                and what it tried, see `SolverStats.work`; nothing of either at the end of the motion.
             adaptive: whether the method chooses its own steps, so that it may stop within a time step.
+            clock: seconds.
 
         Returns:
-            Time steps, and the steps that the method may try for them. There are always some, so that a body
-            too heavy for the budget still moves.
+            The time steps that were done.
         """
-        planned = _PIECE * left
-        if not adaptive:
-            steps = min(steps, max(1, int(planned / self._step_cost)) if self._step_cost else 1)
-        return steps, self.attempts(planned)
-
-    def is_over(self, left: float, budget: float) -> bool:
-        """Whether a frame with so many seconds left of its budget does no more."""
-        return left < max(_REST * budget, self.unit_cost)
+        done, began = 0, clock()
+        before = began
+        left = budget
+        while done < steps:
+            planned, n = _PIECE * left, steps - done
+            if not adaptive:
+                n = min(n, max(1, int(planned / self._step_cost)) if self._step_cost else 1)
+            did, work = go(n, self.attempts(planned))
+            now = clock()
+            self.learn(did, now - before, work)
+            done, before, left = done + did, now, budget - (now - began)
+            if not (did or work) or left < max(_REST * budget, self.unit_cost):
+                break
+        return done
 
     def attempts(self, budget: float) -> int:
         """How many steps a method that chooses them itself may try in a budget of seconds."""
@@ -146,10 +176,13 @@ class Pacer:
             seconds: what they took.
             work: what the method tried for them, see `SolverStats`.
         """
+        # The first piece makes tables, too: what it cost counts only until there is a second one.
+        believed = _believed if self._learnt > 1 else lambda _, now: now
+        self._learnt += 1
         if steps:
-            self._step_cost = _believed(self._step_cost, seconds / steps)
+            self._step_cost = believed(self._step_cost, seconds / steps)
         if work:
-            self._attempt_cost = _believed(self._attempt_cost, seconds / work)
+            self._attempt_cost = believed(self._attempt_cost, seconds / work)
 
     def record(
         self, now: float, dt: float, steps: int, seconds: float, stats: SolverStats, missed: int
@@ -192,7 +225,7 @@ def is_large(scene: Scene) -> bool:
 def attempts_within(budget: float, cost: float) -> int:
     """Steps that may be tried in a budget of seconds, of which each takes `cost` seconds; 0 is not known."""
     if not cost:
-        return _FEWEST_ATTEMPTS
+        return 1
     fewest = max(1, min(_FEWEST_ATTEMPTS, int(_LATE / cost)))
     return int(min(max(budget / cost, fewest), _MOST_ATTEMPTS))
 

@@ -645,29 +645,16 @@ class Session:
         self._after_steps()
 
     def _go(self, step: Callable[[int, int], int], steps: int, budget: float) -> int:
-        """Do some steps, as far as a budget of seconds allows.
+        """Do some steps, as far as a budget of seconds allows; `step` is that of a recorder, or like it."""
+        simulation = self.simulation
+        self.pacer.look_at(simulation.scene)
 
-        Args:
-            step: does some time steps, for which a method may try some of its own; returns how many it did.
-            steps: time steps.
-            budget: seconds of computing.
+        def go(n: int, attempts: int) -> tuple[int, int]:
+            before = simulation.work
+            done = step(n, attempts)
+            return done, 0 if simulation.divergence is not None else simulation.work - before
 
-        Returns:
-            The time steps that were done.
-        """
-        simulation, pacer = self.simulation, self.pacer
-        adaptive = METHODS[simulation.method].adaptive
-        done, began = 0, time.perf_counter()
-        left = budget
-        while done < steps:
-            tried, before = simulation.work, time.perf_counter()
-            did = step(*pacer.piece(steps - done, left, adaptive))
-            now = time.perf_counter()
-            pacer.learn(did, now - before, simulation.work - tried)
-            done, left = done + did, budget - (now - began)
-            if simulation.divergence is not None or pacer.is_over(left, budget):
-                break
-        return done
+        return self.pacer.spend(budget, steps, go, METHODS[simulation.method].adaptive)
 
     def _count(self, now: float, done: int, missed: int, began: float) -> float:
         """Enter steps that were done since `began` into the pacer; returns the seconds they took."""
