@@ -38,6 +38,7 @@ from .notices import About, Notice, no_shape, runaway
 from .pacing import HEAVY_UNIT, Pacer, is_large
 from .record import Recorder
 from .replay import Player
+from .rival import Rival
 from .shadow import Foresight
 from .stability import StabilityWatch
 from .versions import Versions
@@ -233,6 +234,11 @@ class Session:
         return self.companions.foresight
 
     @property
+    def rival(self) -> Rival | None:
+        """The other body, if there is a race."""
+        return self.companions.rival
+
+    @property
     def stability(self) -> StabilityEstimate:
         """The last look at the stability limit."""
         return self.stability_watch.estimate
@@ -408,7 +414,11 @@ class Session:
         self.branch()
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
-        done = self._go(self.recorder.step, steps, MOST_SECONDS)
+        waits = self.rival is not None and self.rival.is_late
+        step = partial(self.driving.step, self.recorder, self.modes)
+        own = budget if self.rival is None else 0.5 * budget
+        done = 0 if waits else self._go(step, steps, own)
+        self.companions.keep_pace(self.simulation, done, budget - (time.perf_counter() - began))
         self.companions.follow(self.simulation, done, led, MOST_SECONDS)
         self._after_steps()
 
@@ -419,6 +429,8 @@ class Session:
             InputError: it cannot be done.
         """
         self.recorder.do(act)
+        if self.rival is not None:
+            self.rival.fair = False
         for body in self.companions.bodies:
             # Those that are as fast as any hand are led to where the body came to.
             if body.rate_limited or not isinstance(act, log.Follow):
@@ -542,6 +554,18 @@ class Session:
         self.companions.begin(self.simulation, self.history)
         self.pacer.restart()
 
+    def race(self, scene: sim.Scene) -> None:
+        """Have a rival, and both at the start.
+
+        Raises:
+            SceneError: it does not go with the terrain.
+        """
+        rival = Rival(self.simulation, scene, self.can_wait)
+        self.play(False)
+        self.history.forget("rival")
+        self.companions.rival = rival
+        self.reset()
+
     def resume(self, keepsake: bytes, versions: Versions | None) -> None:
         """Go on where a keepsake was made.
 
@@ -639,7 +663,14 @@ class Session:
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
         began = time.perf_counter()
+<<<<<<< HEAD
         done = self._go(partial(self.driving.step, self.recorder, self.modes), steps, budget)
+=======
+        attempts = self.pacer.attempts(budget)
+        waits = self.rival is not None and self.rival.is_late
+        done = 0 if waits else self.driving.step(self.recorder, self.modes, steps, attempts)
+        self.companions.keep_pace(self.simulation, done, budget)
+>>>>>>> main
         seconds = self._count(now, done, steps - done, began)
         self.companions.follow(self.simulation, done, led, budget - seconds)
         self._after_steps()
