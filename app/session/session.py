@@ -414,11 +414,8 @@ class Session:
         self.branch()
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
-        waits = self.rival is not None and self.rival.is_late
-        step = partial(self.driving.step, self.recorder, self.modes)
-        own = budget if self.rival is None else 0.5 * budget
-        done = 0 if waits else self._go(step, steps, own)
-        self.companions.keep_pace(self.simulation, done, budget - (time.perf_counter() - began))
+        done = self._go(self.recorder.step, steps, MOST_SECONDS)
+        self.companions.keep_pace(self.simulation, done, MOST_SECONDS)
         self.companions.follow(self.simulation, done, led, MOST_SECONDS)
         self._after_steps()
 
@@ -663,14 +660,11 @@ class Session:
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
         began = time.perf_counter()
-<<<<<<< HEAD
-        done = self._go(partial(self.driving.step, self.recorder, self.modes), steps, budget)
-=======
-        attempts = self.pacer.attempts(budget)
         waits = self.rival is not None and self.rival.is_late
-        done = 0 if waits else self.driving.step(self.recorder, self.modes, steps, attempts)
-        self.companions.keep_pace(self.simulation, done, budget)
->>>>>>> main
+        step = partial(self.driving.step, self.recorder, self.modes)
+        own = budget if self.rival is None else 0.5 * budget
+        done = 0 if waits else self._go(step, steps, own)
+        self.companions.keep_pace(self.simulation, done, budget - (time.perf_counter() - began))
         seconds = self._count(now, done, steps - done, began)
         self.companions.follow(self.simulation, done, led, budget - seconds)
         self._after_steps()
