@@ -11,7 +11,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from sim import Scene
+import sim
 from sim.motion.solver import SolverStats
 
 LONGEST_FRAME = 0.1
@@ -27,6 +27,9 @@ LARGE = 2000
 _FEWEST_ATTEMPTS = 8
 """Steps that a method may try in any frame, as far as `_LATE` allows: a body too heavy for the budget still
 moves."""
+_FIRST_ATTEMPTS = 1000
+"""Steps that it may try before anything is known of what they cost."""
+
 _LATE = 0.05
 """Seconds by which these may exceed the budget. One step may always be tried."""
 
@@ -63,6 +66,118 @@ class Rates:
     losing: float = 0.0
 
 
+class Costs:
+    """What the steps of a body cost, and so how many of them a budget of computing time is enough for."""
+
+    def __init__(self) -> None:
+        self._step = self._attempt = 0.0
+        self._learnt = 0  # pieces
+        self._kind: tuple[object, ...] = ()
+
+    @property
+    def unit(self) -> float:
+        """Seconds of what cannot be divided: one step, or one attempt at one; 0 is not known."""
+        return self._attempt or self._step
+
+    def attempts(self, budget: float) -> int:
+        """How many steps a method that chooses them itself may try in a budget of seconds."""
+        if not self._attempt:
+            return _FIRST_ATTEMPTS
+        fewest = max(1, min(_FEWEST_ATTEMPTS, int(_LATE / self._attempt)))
+        return int(min(max(budget / self._attempt, fewest), _MOST_ATTEMPTS))
+
+    def affordable(self, budget: float) -> int:
+        """Steps of the clock that a budget of seconds is enough for, by their cost so far; 20000 at first."""
+        return int(budget / self._step) if self._step else 20_000
+
+    def move(
+        self,
+        simulation: sim.Simulation,
+        steps: int,
+        budget: float,
+        step: Callable[[int, int], int] | None = None,
+    ) -> int:
+        """Move a body by some time steps, as far as a budget of seconds allows; see `spend`.
+
+        Args:
+            simulation: the body.
+            steps: time steps.
+            budget: seconds of computing.
+            step: what moves it; None for `Simulation.step`.
+
+        Returns:
+            The time steps that were done.
+        """
+        moved = step or simulation.step
+
+        def go(n: int, attempts: int) -> tuple[int, int]:
+            before = simulation.work
+            done = moved(n, attempts)
+            return done, 0 if simulation.divergence is not None else simulation.work - before
+
+        self.look_at(simulation.scene)
+        return self.spend(budget, steps, go)
+
+    def look_at(self, scene: sim.Scene) -> None:
+        """Forget what steps cost, if those of this scene may cost something else."""
+        counts = map(len, (scene.masses, scene.linear_springs, scene.angular_springs, scene.fillings))
+        kind = scene.integrator.method, scene.contact is not None, *counts
+        if kind != self._kind:
+            self._kind, self._learnt = kind, 0
+            self._step = self._attempt = 0.0
+
+    def spend(
+        self,
+        budget: float,
+        steps: int,
+        go: Callable[[int, int], tuple[int, int]],
+        clock: Callable[[], float] = time.perf_counter,
+    ) -> int:
+        """Do the steps of a frame as far as its budget allows.
+
+        They are done in pieces, by what steps cost until then. There is always one, so that a body too heavy
+        for the budget still moves. Each piece may go to the end of the frame, where hands lead masses to, but
+        for the number of steps that it may try.
+
+        Args:
+            budget: seconds of computing.
+            steps: time steps.
+            go: does some time steps, as far as it gets by so many steps of the method. Returns how many it
+                did, and what it tried, see `SolverStats.work`; nothing of either at the end of the motion.
+            clock: seconds.
+
+        Returns:
+            The time steps that were done.
+        """
+        done, began = 0, clock()
+        before = began
+        left = budget
+        while done < steps:
+            did, work = go(steps - done, self.attempts(_PIECE * left) if self._learnt else 1)
+            now = clock()
+            self.learn(did, now - before, work)
+            done, before, left = done + did, now, budget - (now - began)
+            if not (did or work) or left < max(_REST * budget, self.unit):
+                break
+        return done
+
+    def learn(self, steps: int, seconds: float, work: int) -> None:
+        """Note what a piece of a frame cost.
+
+        Args:
+            steps: time steps done.
+            seconds: what they took.
+            work: what the method tried for them, see `SolverStats`.
+        """
+        # The first piece makes tables, too: what it cost counts only until there is a second one.
+        believed = _believed if self._learnt > 1 else lambda _, now: now
+        self._learnt += 1
+        if steps:
+            self._step = believed(self._step, seconds / steps)
+        if work:
+            self._attempt = believed(self._attempt, seconds / work)
+
+
 class Pacer:
     """Grants steps against the wall clock and a budget of computing time.
 
@@ -78,17 +193,8 @@ class Pacer:
         self.behind = 0.0
         self._last: float | None = None
         self._owed = 0.0
-        self._step_cost = 0.0
         self._lost = 0.0
-        self._attempt_cost = 0.0
-        self._learnt = 0  # pieces
-        self._kind: tuple[object, ...] = ()
         self._frames: deque[tuple[float, float, int, int, float, float]] = deque()
-
-    @property
-    def unit_cost(self) -> float:
-        """Seconds of what cannot be divided: one step, or one attempt at one."""
-        return self._attempt_cost or self._step_cost
 
     def restart(self) -> None:
         """Owe nothing and forget the rates, as after a pause."""
@@ -112,77 +218,6 @@ class Pacer:
         steps = int(self._owed / dt + 1e-9)
         self._owed -= steps * dt
         return steps
-
-    def look_at(self, scene: Scene) -> None:
-        """Forget what steps cost, if those of this scene may cost something else."""
-        counts = map(len, (scene.masses, scene.linear_springs, scene.angular_springs, scene.fillings))
-        kind = scene.integrator.method, scene.contact is not None, *counts
-        if kind != self._kind:
-            self._kind, self._learnt = kind, 0
-            self._step_cost = self._attempt_cost = 0.0
-
-    def spend(
-        self,
-        budget: float,
-        steps: int,
-        go: Callable[[int, int], tuple[int, int]],
-        adaptive: bool,
-        clock: Callable[[], float] = time.perf_counter,
-    ) -> int:
-        """Do the steps of a frame as far as its budget allows.
-
-        They are done in pieces, by what steps cost until then. There is always one, so that a body too heavy
-        for the budget still moves.
-
-        Args:
-            budget: seconds of computing.
-            steps: time steps.
-            go: does some time steps, for which the method may try some of its own. Returns how many it did,
-                and what it tried, see `SolverStats.work`; nothing of either at the end of the motion.
-            adaptive: whether the method chooses its own steps, so that it may stop within a time step.
-            clock: seconds.
-
-        Returns:
-            The time steps that were done.
-        """
-        done, began = 0, clock()
-        before = began
-        left = budget
-        while done < steps:
-            planned, n = _PIECE * left, steps - done
-            if not adaptive:
-                n = min(n, max(1, int(planned / self._step_cost)) if self._step_cost else 1)
-            did, work = go(n, self.attempts(planned))
-            now = clock()
-            self.learn(did, now - before, work)
-            done, before, left = done + did, now, budget - (now - began)
-            if not (did or work) or left < max(_REST * budget, self.unit_cost):
-                break
-        return done
-
-    def attempts(self, budget: float) -> int:
-        """How many steps a method that chooses them itself may try in a budget of seconds."""
-        return attempts_within(budget, self._attempt_cost)
-
-    def affordable(self, budget: float) -> int:
-        """Steps of the clock that a budget of seconds is enough for, by their cost so far; 20000 at first."""
-        return int(budget / self._step_cost) if self._step_cost else 20_000
-
-    def learn(self, steps: int, seconds: float, work: int) -> None:
-        """Note what a piece of a frame cost.
-
-        Args:
-            steps: time steps done.
-            seconds: what they took.
-            work: what the method tried for them, see `SolverStats`.
-        """
-        # The first piece makes tables, too: what it cost counts only until there is a second one.
-        believed = _believed if self._learnt > 1 else lambda _, now: now
-        self._learnt += 1
-        if steps:
-            self._step_cost = believed(self._step_cost, seconds / steps)
-        if work:
-            self._attempt_cost = believed(self._attempt_cost, seconds / work)
 
     def record(
         self, now: float, dt: float, steps: int, seconds: float, stats: SolverStats, missed: int
@@ -217,17 +252,9 @@ class Pacer:
         )
 
 
-def is_large(scene: Scene) -> bool:
+def is_large(scene: sim.Scene) -> bool:
     """Whether a scene is heavy by its size alone."""
     return len(scene.masses) + len(scene.linear_springs) + len(scene.angular_springs) > LARGE
-
-
-def attempts_within(budget: float, cost: float) -> int:
-    """Steps that may be tried in a budget of seconds, of which each takes `cost` seconds; 0 is not known."""
-    if not cost:
-        return 1
-    fewest = max(1, min(_FEWEST_ATTEMPTS, int(_LATE / cost)))
-    return int(min(max(budget / cost, fewest), _MOST_ATTEMPTS))
 
 
 def smoothed(before: float, now: float) -> float:

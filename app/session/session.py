@@ -22,7 +22,6 @@ import sim
 from sim.body.system import same_topology
 from sim.edit.edit import Edit, Selection, still_selected
 from sim.errors import InputError, SceneError, SettingError
-from sim.methods.registry import METHODS
 from sim.motion.stability import StabilityEstimate
 
 from . import keepsakes, log
@@ -35,7 +34,7 @@ from .history import History, OldFuture
 from .log import Log
 from .modes import ModesWatch
 from .notices import About, Notice, no_shape, runaway
-from .pacing import HEAVY_UNIT, Pacer, is_large
+from .pacing import HEAVY_UNIT, Costs, Pacer, is_large
 from .record import Recorder
 from .replay import Player
 from .rival import Rival
@@ -182,7 +181,7 @@ class Session:
         self._begin_history()
         self.replay: Player | None = None
         self._viewer: sim.Simulation | None = None  # shows what is past in a replay
-        self.pacer = Pacer()
+        self.pacer, self.costs = Pacer(), Costs()
         self.playing = True
         self.follow = False
         self.joint = 0
@@ -246,7 +245,7 @@ class Session:
     @property
     def heavy(self) -> bool:
         """Whether the next frame may take longer than others can wait for."""
-        costs = [self.pacer.unit_cost, *(one.unit_cost for one in self.companions)]
+        costs = [self.costs.unit, *(one.costs.unit for one in self.companions)]
         return (
             max(costs) > HEAVY_UNIT
             or is_large(self.simulation.scene)
@@ -414,7 +413,7 @@ class Session:
         self.branch()
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
-        done = self._go(self.recorder.step, steps, MOST_SECONDS)
+        done = self.costs.move(self.simulation, steps, MOST_SECONDS, self.recorder.step)
         self.companions.keep_pace(self.simulation, done, MOST_SECONDS)
         self.companions.follow(self.simulation, done, led, MOST_SECONDS)
         self._after_steps()
@@ -538,7 +537,8 @@ class Session:
         self.follow = False
         self.joint = 0
         self.selection = Selection()
-        self.pacer = Pacer(self.pacer.speed)  # what the last body cost says nothing
+        # What the last body cost says nothing.
+        self.pacer, self.costs = Pacer(self.pacer.speed), Costs()
         self.stability_watch.forget()
         self.note(Changed.BODY)
 
@@ -663,23 +663,11 @@ class Session:
         waits = self.rival is not None and self.rival.is_late
         step = partial(self.driving.step, self.recorder, self.modes)
         own = budget if self.rival is None else 0.5 * budget
-        done = 0 if waits else self._go(step, steps, own)
+        done = 0 if waits else self.costs.move(self.simulation, steps, own, step)
         self.companions.keep_pace(self.simulation, done, budget - (time.perf_counter() - began))
         seconds = self._count(now, done, steps - done, began)
         self.companions.follow(self.simulation, done, led, budget - seconds)
         self._after_steps()
-
-    def _go(self, step: Callable[[int, int], int], steps: int, budget: float) -> int:
-        """Do some steps, as far as a budget of seconds allows; `step` is that of a recorder, or like it."""
-        simulation = self.simulation
-        self.pacer.look_at(simulation.scene)
-
-        def go(n: int, attempts: int) -> tuple[int, int]:
-            before = simulation.work
-            done = step(n, attempts)
-            return done, 0 if simulation.divergence is not None else simulation.work - before
-
-        return self.pacer.spend(budget, steps, go, METHODS[simulation.method].adaptive)
 
     def _count(self, now: float, done: int, missed: int, began: float) -> float:
         """Enter steps that were done since `began` into the pacer; returns the seconds they took."""
@@ -721,12 +709,12 @@ class Session:
         steps = self.pacer.grant(now, simulation.dt)
         scene, began = simulation.capture().scene, time.perf_counter()
         try:
-            most, attempts = self.pacer.affordable(MOST_SECONDS), self.pacer.attempts(MOST_SECONDS)
+            most, attempts = self.costs.affordable(MOST_SECONDS), self.costs.attempts(MOST_SECONDS)
             done = player.advance(steps * simulation.dt, budget, most, attempts)
         except InputError as error:
             self._end_replay(f"It cannot go on: {error}.")
             return
-        self.pacer.learn(done, time.perf_counter() - began, simulation.work)
+        self.costs.learn(done, time.perf_counter() - began, simulation.work)
         self._count(now, done, 0, began)
         self._remember()
         self._changed_from(scene)

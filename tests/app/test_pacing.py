@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import sim
-from app.session.pacing import Pacer
+from app.session.pacing import Costs, Pacer
 from sim.motion.solver import SolverStats
 
 DT = 0.01
@@ -62,7 +62,7 @@ class Machine:
         self.now, self.tried, self.calls = 0.0, 0, 0
 
     def go(self, n: int, attempts: int) -> tuple[int, int]:
-        """See `Pacer.spend`."""
+        """See `Costs.spend`."""
         self.calls += 1
         first = self.tried
         end = min(self.each * (self.tried // self.each + n), self.tried + attempts)
@@ -71,53 +71,50 @@ class Machine:
             self.tried += 1
         return self.tried // self.each - first // self.each, self.tried - first
 
-    def frame(self, pacer: Pacer, steps: int, adaptive: bool = True) -> tuple[int, float]:
+    def frame(self, costs: Costs, steps: int) -> tuple[int, float]:
         """(time steps done, seconds taken)."""
         began = self.now
-        return pacer.spend(BUDGET, steps, self.go, adaptive, lambda: self.now), self.now - began
+        return costs.spend(BUDGET, steps, self.go, lambda: self.now), self.now - began
 
 
 BUDGET = 0.01
 
 
-@pytest.mark.parametrize("adaptive", [True, False])
-def test_what_is_cheap_is_done_at_once(adaptive: bool) -> None:
-    pacer, machine = Pacer(), Machine(1e-5)
-    assert machine.frame(pacer, 6, adaptive)[0] == 6
+def test_what_is_cheap_is_done_at_once() -> None:
+    costs, machine = Costs(), Machine(1e-5)
+    assert machine.frame(costs, 6)[0] == 6
     machine.calls = 0
-    assert machine.frame(pacer, 6, adaptive)[0] == 6
+    assert machine.frame(costs, 6)[0] == 6
     assert machine.calls == 1
 
 
 @pytest.mark.parametrize("each", [1, 10, 10_000])
 def test_a_frame_takes_little_more_than_its_budget_whatever_steps_cost(each: int) -> None:
-    pacer, machine = Pacer(), Machine(1e-5, each=each)
+    costs, machine = Costs(), Machine(1e-5, each=each)
     for _ in range(20):
-        machine.frame(pacer, 100)
+        machine.frame(costs, 100)
     # Each step costs fifty times as much from now on.
     machine.costs = (5e-4,)
-    took = [machine.frame(pacer, 20_000)[1] for _ in range(5)]
+    took = [machine.frame(costs, 20_000)[1] for _ in range(5)]
     assert took[0] < BUDGET + 0.36  # planned by what they cost before
     assert max(took[1:]) < 1.1 * BUDGET
     assert min(took) > 0.8 * BUDGET
 
 
 def test_nobody_knows_yet_what_the_first_steps_cost() -> None:
-    pacer, machine = Pacer(), Machine(0.02, each=1000)
-    _, took = machine.frame(pacer, 6)
+    costs, machine = Costs(), Machine(0.02, each=1000)
+    _, took = machine.frame(costs, 6)
     assert took == pytest.approx(0.02)
     # The first one makes tables, which is no reason to go slowly from then on.
-    pacer, machine = Pacer(), Machine(2e-3, 1e-5, each=100)
-    machine.frame(pacer, 6)
-    assert machine.frame(pacer, 6)[0] == 6
+    costs, machine = Costs(), Machine(2e-3, 1e-5, each=100)
+    machine.frame(costs, 6)
+    assert machine.frame(costs, 6)[0] == 6
     # A step of another body costs more than its budget: it moves, one step at a time.
-    pacer, machine = Pacer(), Machine(0.3)
-    machine.frame(pacer, 6)
+    costs, machine = Costs(), Machine(0.3)
+    machine.frame(costs, 6)
     for _ in range(3):
-        done, took = machine.frame(pacer, 6)
+        done, took = machine.frame(costs, 6)
         assert (done, took) == (1, pytest.approx(0.3))
-    pacer, machine = Pacer(), Machine(0.3)
-    assert machine.frame(pacer, 6, adaptive=False)[0] == 1
 
 
 def test_a_motion_that_has_ended_is_asked_no_more() -> None:
@@ -128,19 +125,19 @@ def test_a_motion_that_has_ended_is_asked_no_more() -> None:
         calls += 1
         return 0, 0
 
-    assert Pacer().spend(BUDGET, 5, go, adaptive=True) == 0
+    assert Costs().spend(BUDGET, 5, go) == 0
     assert calls == 1
 
 
 def test_what_another_body_costs_is_not_known_by_that_of_the_last_one() -> None:
-    pacer = Pacer()
-    pacer.look_at(sim.rope(12))
+    costs = Costs()
+    costs.look_at(sim.rope(12))
     cheap = Machine(1e-6)
-    cheap.frame(pacer, 100)
-    cheap.frame(pacer, 100)
+    cheap.frame(costs, 100)
+    cheap.frame(costs, 100)
     for scene in (sim.rope(13), sim.rope(13, integrator=sim.Integrator(method="rodas4"))):
-        pacer.look_at(scene)
-        _, took = Machine(0.02, each=1000).frame(pacer, 6)
+        costs.look_at(scene)
+        _, took = Machine(0.02, each=1000).frame(costs, 6)
         assert took == pytest.approx(0.02)
-    pacer.look_at(sim.rope(13, integrator=sim.Integrator(method="rodas4"), gravity=(0.0, 1.0)))
-    assert pacer.unit_cost == pytest.approx(0.02)
+    costs.look_at(sim.rope(13, integrator=sim.Integrator(method="rodas4"), gravity=(0.0, 1.0)))
+    assert costs.unit == pytest.approx(0.02)
