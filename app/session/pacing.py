@@ -24,14 +24,8 @@ HEAVY_UNIT = 0.004
 LARGE = 2000
 """Masses and springs from which on a scene counts as heavy before anything is known of its steps."""
 
-_FEWEST_ATTEMPTS = 8
-"""Steps that a method may try in any frame, as far as `_LATE` allows: a body too heavy for the budget still
-moves."""
 _FIRST_ATTEMPTS = 1000
 """Steps that it may try before anything is known of what they cost."""
-
-_LATE = 0.05
-"""Seconds by which these may exceed the budget. One step may always be tried."""
 
 _MOST_ATTEMPTS = 1_000_000
 """Steps that it may try at most: what a log may say."""
@@ -83,8 +77,7 @@ class Costs:
         """How many steps a method that chooses them itself may try in a budget of seconds."""
         if not self._attempt:
             return _FIRST_ATTEMPTS
-        fewest = max(1, min(_FEWEST_ATTEMPTS, int(_LATE / self._attempt)))
-        return int(min(max(budget / self._attempt, fewest), _MOST_ATTEMPTS))
+        return int(min(max(budget / self._attempt, 1.0), _MOST_ATTEMPTS))
 
     def affordable(self, budget: float) -> int:
         """Steps of the clock that a budget of seconds is enough for, by their cost so far; 20000 at first."""

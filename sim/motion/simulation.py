@@ -331,8 +331,8 @@ class Simulation:
 
         They are fewer when the body runs away, see `divergence`, and where `attempts` do not suffice: a
         method that chooses its own steps may try that many, of which one of a dear method counts as several
-        under `auto`, see `work`. Then `time` has come as far as they led, and masses that are led go on in the
-        next call.
+        under `auto`, see `work`. Then `time` has come as far as they led, and what is led goes on in the next
+        call.
         """
         if n < 0:
             raise InputError(f"step: {n} is not a number of steps")
