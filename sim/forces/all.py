@@ -12,6 +12,7 @@ from .air import AIR
 from .chain import chain_accelerations, is_chain_like
 from .contact import CONTACT
 from .fillings import FILLINGS
+from .nets import is_net, net_forces
 from .resistance import RESISTANCE
 from .springs import accelerations_by, spring_forces
 from .term import in_turn, least_of, never, nothing, written
@@ -69,6 +70,9 @@ def accelerations(body, state, scratch, q, v, a):
     if is_chain_like(body):
         chain_accelerations(body, state, scratch, q, v, a)
     else:
-        spring_forces(body, state, scratch, x, y, vx, vy)
+        if is_net(body):
+            net_forces(body, state, scratch, q, v)
+        else:
+            spring_forces(body, state, scratch, x, y, vx, vy)
         add_forces(body, state, scratch, q, v)
         accelerations_by(body, state, scratch, vx, vy, a)

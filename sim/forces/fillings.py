@@ -111,13 +111,21 @@ def _area_by_mass(fillings, k, i, q):
 @kernel(fastmath=FAST)
 def _area_of(fillings, k, q):
     """The area of a loop, px²."""
-    slots, start = q.size // 2, fillings.loop[fillings.start[k]]
-    x0, y0, twice = q[start], q[slots + start], 0.0  # differences lose no digits far from the origin
-    for i in range(fillings.start[k], fillings.start[k + 1]):
-        m = fillings.loop[i]
-        _, n = _neighbours(fillings, k, i)
-        twice += (q[m] - x0) * (q[slots + n] - y0) - (q[n] - x0) * (q[slots + m] - y0)
+    first, behind = np.uint64(fillings.start[k]), np.uint64(fillings.start[k + 1])
+    x0, y0 = _at(q, fillings.loop[first])  # differences lose no digits far from the origin
+    before_x, before_y, twice = 0.0, 0.0, 0.0
+    for i in range(first + np.uint64(1), behind):
+        x, y = _at(q, fillings.loop[i])
+        twice += before_x * (y - y0) - (x - x0) * before_y
+        before_x, before_y = x - x0, y - y0
     return 0.5 * twice
+
+
+@kernel(inline="always")
+def _at(q, m):
+    """The position of mass m."""
+    # With unsigned indices numba omits its test for negative ones.
+    return q[np.uint64(m)], q[np.uint64(q.size // 2) + np.uint64(m)]
 
 
 @kernel(fastmath=FAST)
@@ -155,11 +163,17 @@ def _add_forces(body, state, scratch, q, v):
     fillings = body.environment.fillings
     for k in range(fillings.rows.shape[0]):
         pressure, _ = _pressure_at(_filling_at(fillings, k), _area_of(fillings, k, q))
-        for i in range(fillings.start[k], fillings.start[k + 1]):
-            m = fillings.loop[i]
-            dx, dy = _area_by_mass(fillings, k, i, q)
-            scratch.fx[m] += pressure * dx
-            scratch.fy[m] += pressure * dy
+        half = 0.5 * pressure
+        first, behind = np.uint64(fillings.start[k]), np.uint64(fillings.start[k + 1])
+        start, m = fillings.loop[first], fillings.loop[first]
+        (before_x, before_y), (x, y) = _at(q, fillings.loop[behind - np.uint64(1)]), _at(q, m)
+        for i in range(first + np.uint64(1), behind + np.uint64(1)):
+            after = fillings.loop[i] if i < behind else start
+            after_x, after_y = _at(q, after)
+            # As `_area_by_mass`.
+            scratch.fx[np.uint64(m)] += half * (after_y - before_y)
+            scratch.fy[np.uint64(m)] += half * (before_x - after_x)
+            before_x, before_y, x, y, m = x, y, after_x, after_y, after
 
 
 @kernel(fastmath=FAST)

@@ -18,6 +18,7 @@ if TYPE_CHECKING:  # the pages about forces need the tables here
     from ...forces.environment import Environment
     from ...forces.limits import Limits
     from ...forces.muscles import Muscles
+    from ...forces.nets import Net
 
 
 class Body(Table):
@@ -66,6 +67,7 @@ class Body(Table):
     more_spring: Indices  # of each spring in the lists: its index,
     more_spring_mass: Indices  # the slot of the mass that it acts on,
     more_spring_sign: Floats  # and the sign
+    net: Net  # runs of springs and joints; see there
     environment: Environment  # what else acts on the masses; see there
     limits: Limits  # what springs and joints bear; see there
     muscles: Muscles  # what moves rest lengths and rest angles by itself; see there
@@ -151,6 +153,10 @@ class Scratch(Table):
     ty: Floats
     fx: Floats  # (slots,) force of springs and joints on each mass, kg px/s²
     fy: Floats
+    # Of a net, see `forces.nets`; empty for another body.
+    vectors: Rows  # (3, gap + S padded + gap) vectors of the springs, px, and their lengths
+    spring_rows: Rows  # (2, room) force on the b end of each spring, kg px/s²
+    joint_rows: Rows  # (3, room) of each joint, its `torque_cos`, `torque_sin` and `torque_size`
 
 
 CONTROL_SCALE = 0
