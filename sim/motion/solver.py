@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -60,6 +61,8 @@ from .stability import quick_limit
 
 _ROWS, _ALPHA_ROWS = 20, 4
 """Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
+
+_NO_ROWS = np.zeros((1, 0))
 
 _NEAR_LIMIT = 0.6
 """Step, as a fraction of the stability limit, from which it counts as near the limit."""
@@ -131,21 +134,15 @@ class Solver:
         )
         self._forget_turns()
         # The blocks of memory in which these arrays lie, each of which is cleared at once.
-        blocks = (
-            array if array.base is None else array.base
-            for array in (room, new_q, *(array for _, array in scratch.arrays()))
-        )
-        self._memory = list({id(block): block for block in blocks}.values())
-        no_rows = np.zeros((1, 0))
+        self._memory = [block for block in (room.base, new_q.base, scratch.lx.base) if block is not None]
         self.balance = EnergyBalance(
             active=False,
             work=Work(),
-            mass=np.zeros(self.slots),
-            rows=no_rows,
-            dampers=no_rows,
-            quick=no_rows,
+            mass=system.body.environment.mass,
+            rows=_NO_ROWS,
+            dampers=_NO_ROWS,
+            quick=_NO_ROWS,
         )
-        self.balance.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
         self._problem: Problem | None = None
         self._costs: Floats | None = None  # of a step of each method, see `Problem`
@@ -211,8 +208,9 @@ class Solver:
         Returns:
             guard.GOOD, or what is wrong with the state after the next step.
         """
-        left = attempts - self._run(until, drive, attempts)
-        run = self.integrator.run
+        run, left = self.integrator.run, attempts
+        if run.what != guard.CHANGED:  # as `prepared` leaves it, if springs have yielded or broken
+            left -= self._run(until, drive, attempts)
         can_fall_back = self._info.implicit and (self._wait or is_ready(FOR_FALLBACK))
         while (what := run.what) != guard.GOOD:
             if what == guard.CHANGED:
@@ -246,6 +244,27 @@ class Solver:
         self.system = system
         refresh(system.body, self.state)
 
+    def prepared(self, drive: Drive) -> Callable[[float, int], object]:
+        """A function of a time (s) and a number of attempts that does what `run` does in the simplest case.
+
+        Afterwards `run` goes on, if `what` or the time say that it has to. It is for as long as `problem`
+        stays what it is.
+        """
+        kernel, problem = self._info.kernel, self._problem
+        if kernel is None or problem is None:
+            return lambda until, attempts: self._run(until, drive, attempts)
+        tolerance = self._tolerance()
+        return lambda until, attempts: kernel(problem, drive, until, tolerance, attempts)
+
+    @property
+    def problem(self) -> Problem | None:
+        """The table of all tables; None before the first step, and after what changes it."""
+        return self._problem
+
+    def _tolerance(self) -> float:
+        """The position error, px, that the scene's own method may make in a second."""
+        return max(self.scene.integrator.tolerance * self._info.tolerance_factor, 1e-13)
+
     def _run(self, until: float, drive: Drive, attempts: int) -> int:
         """Like `run`, without fallback steps; returns the number of steps tried."""
         info, integrator = self._info, self.scene.integrator
@@ -254,9 +273,7 @@ class Solver:
         if info.kernel is not None:
             before = self.tries
             problem = self._problem or self._bind(info.implicit)
-            info.kernel(
-                problem, drive, until, max(integrator.tolerance * info.tolerance_factor, 1e-13), attempts
-            )
+            info.kernel(problem, drive, until, self._tolerance(), attempts)
             return self.tries - before
         problem, left = self._problem or self._bind(False), attempts
         while True:
