@@ -29,8 +29,16 @@ KINETIC, LINEAR, ANGULAR, GRAVITY, OTHERS = 0, 1, 2, 3, 4
 ENERGIES = OTHERS + len(WITH_ENERGY)
 """Their number."""
 
-add_forces = in_turn(term.add_forces for term in TERMS)
-"""See `Term.add_forces`; this and those below are those of all terms together."""
+_add_each = in_turn(term.add_forces for term in TERMS)
+
+
+@kernel(internal=True, fastmath=FAST)
+def add_forces(body, state, scratch, q, v):
+    """See `Term.add_forces`; this and those below are those of all terms together."""
+    # One test for all: those of each term take a fifth of the step of a dozen masses that have none.
+    if body.environment.present:
+        _add_each(body, state, scratch, q, v)
+
 
 write_energies = written((term.energy for term in WITH_ENERGY), OTHERS)
 """Kernel (body, state, q, out): writes the energies of `WITH_ENERGY`, kg px²/s², into `out`."""

@@ -194,6 +194,11 @@ class Simulation:
         return isinstance(solver, Solver) and solver.complete
 
     @property
+    def work(self) -> int:
+        """What the method has tried since the last call of `stats`, see `SolverStats`."""
+        return self._stepper.solver.work
+
+    @property
     def rate_limited(self) -> bool:
         """Whether its masses are too many, and its springs too stiff, to follow any hand, see `follow`."""
         return self._hands.rate_limited
@@ -331,7 +336,9 @@ class Simulation:
         """Go on by n time steps, and return how many were done.
 
         They are fewer when the body runs away, see `divergence`, and where `attempts` do not suffice: a
-        method that chooses its own steps may try that many. Then `time` has come as far as they led.
+        method that chooses its own steps may try that many, of which one of a dear method counts as several
+        under `auto`, see `work`. Then `time` has come as far as they led, and what is led goes on in the next
+        call.
         """
         limit = UNLIMITED if attempts is None else attempts
         if n > 0 and not self._keys and self.divergence is None:
@@ -350,7 +357,7 @@ class Simulation:
         presses = presses_of(self._scene, self._keys)
         outcome = self._stepper.step(n, self._hands, presses, self._all_held, limit)
         self._look_at_tables()
-        self._hands.settle()
+        self._hands.settle(outcome.steps == n or outcome.what != guard.GOOD)
         if outcome.what != guard.GOOD:
             self.divergence = explain(self._scene, self._system, self._state, self.step_count, outcome)
         return outcome.steps

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from ..body.system import System
-from ..kernels.core.tables import SCALE_MAX, SCALE_MIN, Drive, Problem, State
+from ..kernels.core.tables import SCALE_MAX, SCALE_MIN, Drive, State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
 from ..scene.numbers import MAX_SPEED, RUNAWAY_SPEED
@@ -88,8 +88,7 @@ class Stepper:
         self._led: Targets = {}
         self._kept: Drive | None = None  # the drive of the last call, unless it had targets or hands
         self._presses = NO_PRESSES  # the keys in it
-        self._go: Callable[[float, int], object] | None = None  # see `go_on`
-        self._problem: Problem | None = None  # for which `_go` was made
+        self._steady: Drive | None = None  # it, where nothing but the body changed in the last call
         self.steps = 0
         self._origin = (
             0.0,
@@ -110,11 +109,11 @@ class Stepper:
     def begin(self, time: float, steps: int) -> None:
         """Go on from another state: the one in `state` at a time (s), after so many steps."""
         self._origin, self.steps, self._begins = (time, steps), steps, True
-        self._led, self._go = {}, None
+        self._led, self._steady = {}, None
 
     def begin_anew(self) -> None:
         """Let the method begin anew with the next step: the state, or what acts on it, was changed."""
-        self._origin, self._begins, self._go = (self.time, self.steps), True, None
+        self._origin, self._begins, self._steady = (self.time, self.steps), True, None
 
     def _load(self) -> None:
         """Let the method begin."""
@@ -132,17 +131,14 @@ class Stepper:
             -1 if it got there. Otherwise the attempts that are left for `step`, which has to be called, and
             goes on from where the body is now.
         """
-        solver = self.solver
-        if self._go is None or not isinstance(solver, Solver) or solver.problem is not self._problem:
+        drive, solver = self._steady, self.solver
+        if drive is None or not isinstance(solver, Solver):
             return attempts
-        run = solver.integrator.run
-        before = 0 if attempts == UNLIMITED else solver.tries
-        until = self._after(steps)
-        self._go(until, attempts)
-        if run.what == guard.GOOD and run.time == until:
+        last = solver.work + attempts
+        if solver.go_on(self._after(steps), drive, attempts):
             self.steps += steps
             return -1
-        return attempts if attempts == UNLIMITED else max(0, attempts - (solver.tries - before))
+        return max(0, last - solver.work)
 
     def step(
         self, steps: int, hands: Hands, presses: Presses, all_held: bool, attempts: int = UNLIMITED
@@ -161,7 +157,7 @@ class Stepper:
             self._kept = None
             self._led = targets
         if hands.limited:
-            self._kept = self._go = None
+            self._kept = self._steady = None
             what = self._lead_limited(until, hands, presses, attempts)
         else:
             drive = self._kept
@@ -169,13 +165,13 @@ class Stepper:
                 drive = self._drive(until, targets, presses)
                 if not targets:
                     self._kept, self._presses = drive, presses
-            self._go = None
+            self._steady = None
             if all_held and drive.moving and self._adaptive and solver.tracks_energy:
                 what = self._halt(until, drive, min(_HALTS * steps, attempts), attempts)
             else:
                 what = solver.run(until, drive, attempts)
-                if isinstance(solver, Solver) and drive is self._kept and presses is NO_PRESSES:
-                    self._go, self._problem = solver.prepared(drive), solver.problem
+                if drive is self._kept and presses is NO_PRESSES and not all_held:
+                    self._steady = drive
         time = solver.time
         if targets and time == until:
             self._put(targets)
@@ -193,21 +189,21 @@ class Stepper:
     def _halt(self, until: float, drive: Drive, halts: int, attempts: int) -> int:
         """Advance in parts: without free masses, no error would make steps short enough for the balance."""
         solver, start = self.solver, self.solver.time
-        last = solver.tries + attempts
+        last = solver.work + attempts
         for i in range(1, halts):
-            solver.run(start + (until - start) * i / halts, drive, last - solver.tries)
-        return solver.run(until, drive, last - solver.tries)
+            solver.run(start + (until - start) * i / halts, drive, last - solver.work)
+        return solver.run(until, drive, last - solver.work)
 
     def _lead_limited(self, until: float, hands: Hands, presses: Presses, attempts: int) -> int:
         """Advance in parts that are short enough for rate-limited hands."""
         solver, start = self.solver, self.solver.time
-        last, what = solver.tries + attempts, guard.GOOD
+        last, what = solver.work + attempts, guard.GOOD
         parts = max(1, math.ceil((until - start) / LONGEST_PART - 1e-6))
         for i in range(1, parts + 1):
             began, end = solver.time, until - (until - start) * (parts - i) / parts
             motions = {index: hand.next_motion(end - began) for index, hand in hands.limited.items()}
             drive = self._drive(until, hands.targets, presses, motions)
-            what = solver.run(end, drive, last - solver.tries)
+            what = solver.run(end, drive, last - solver.work)
             for index, hand in hands.limited.items():
                 hand.go_on(motions[index], solver.time - began)
             if what != guard.GOOD or solver.time < end:
