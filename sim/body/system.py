@@ -361,7 +361,7 @@ class _Wiring(NamedTuple):
 
 
 _KEPT = 4
-"""Number of wirings that are kept. That of a cloth of 10 000 masses takes 7 MB."""
+"""Number of wirings that are kept. That of a cloth of 10 000 masses takes 5 MB."""
 
 
 @lru_cache(maxsize=_KEPT)
