@@ -63,6 +63,10 @@ class Limits(Table):
     bending: Floats  # (J,) T, kg px²/s²; or infinite
 
 
+NO_LIMITS = read_only(Limits.empty())
+"""Those of a body in which nothing yields or breaks."""
+
+
 def new_limits(scene: Scene, spring_order: Indices, joint_order: Indices) -> Limits:
     """The table of a valid scene in which something yields or breaks.
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import copy
 import math
 from collections.abc import Mapping
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -153,8 +154,6 @@ class Hands:
         adaptive: whether its method chooses its steps.
 
     Attributes:
-        rate_limited: whether the body has so many masses, on springs so stiff, that hands move at a limited
-            speed. Never with a fixed step, where every motion takes the same computing time.
         grabbed: masses of the scene that are held by a hand.
         targets: positions, px, to which masses are led in straight lines until the next call comes to its
             end, by slot.
@@ -162,11 +161,18 @@ class Hands:
     """
 
     def __init__(self, system: System, state: State, adaptive: bool) -> None:
-        self._system, self._state = system, state
-        self.rate_limited = adaptive and bool(system.body.masses > _TOO_MANY * quick_limit(system))
+        self._system, self._state, self._adaptive = system, state, adaptive
         self.grabbed: set[int] = set()
         self.targets: dict[int, tuple[float, float]] = {}
         self.limited: dict[int, Hand] = {}
+
+    @cached_property
+    def rate_limited(self) -> bool:
+        """Whether the body has so many masses, on springs so stiff, that hands move at a limited speed.
+
+        Never with a fixed step, where every motion takes the same computing time.
+        """
+        return self._adaptive and bool(self._system.body.masses > _TOO_MANY * quick_limit(self._system))
 
     @property
     def behind(self) -> dict[int, float]:

@@ -62,6 +62,8 @@ from .stability import quick_limit
 _ROWS, _ALPHA_ROWS = 20, 4
 """Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
 
+_NO_ROWS = np.zeros((1, 0))
+
 _NEAR_LIMIT = 0.6
 """Step, as a fraction of the stability limit, from which it counts as near the limit."""
 
@@ -140,21 +142,15 @@ class Solver:
         )
         self._forget_turns()
         # The blocks of memory in which these arrays lie, each of which is cleared at once.
-        blocks = (
-            array if array.base is None else array.base
-            for array in (room, new_q, *(array for _, array in scratch.arrays()))
-        )
-        self._memory = list({id(block): block for block in blocks}.values())
-        no_rows = np.zeros((1, 0))
+        self._memory = [block for block in (room.base, new_q.base, scratch.lx.base) if block is not None]
         self.balance = EnergyBalance(
             active=False,
             work=Work(),
-            mass=np.zeros(self.slots),
-            rows=no_rows,
-            dampers=no_rows,
-            quick=no_rows,
+            mass=system.body.environment.mass,
+            rows=_NO_ROWS,
+            dampers=_NO_ROWS,
+            quick=_NO_ROWS,
         )
-        self.balance.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
         self._problem: Problem | None = None
         self._costs: Floats | None = None  # of a step of each method, see `Problem`
@@ -225,9 +221,9 @@ class Solver:
         Returns:
             guard.GOOD, or what is wrong with the state after the next step.
         """
-        last = self.work + attempts
-        self._run(until, drive, attempts)
-        run = self.integrator.run
+        run, last = self.integrator.run, self.work + attempts
+        if run.what != guard.CHANGED:  # as `go_on` leaves it, if springs have yielded or broken
+            self._run(until, drive, attempts)
         can_fall_back = self._info.implicit and (self._wait or is_ready(FOR_FALLBACK))
         while (what := run.what) != guard.GOOD:
             if what == guard.CHANGED:
@@ -260,6 +256,16 @@ class Solver:
             self.balance.work.broken += after - before
         self.system = system
         refresh(system.body, self.state)
+
+    def go_on(self, until: float, drive: Drive, attempts: int) -> bool:
+        """As `run`, where nothing comes in between.
+
+        Returns:
+            Whether it got there. If not, `run` has to be called with what is left of the attempts.
+        """
+        self._run(until, drive, attempts)
+        run = self.integrator.run
+        return run.what == guard.GOOD and run.time == until
 
     def _run(self, until: float, drive: Drive, attempts: int) -> None:
         """Like `run`, without fallback steps."""
