@@ -197,10 +197,13 @@ class Matrix(Table):
     slot: Indices  # (n,) scratch: block of the current row in each column
     spring_target: Indices  # (4 S,) blocks that a spring adds to, at rows and columns bb, ba, ab, aa
     joint_target: Indices  # (16 J,) blocks that a joint adds to, likewise for each pair of its springs
-    loop_target: Indices  # (2 M,) for each mass of a loop, blocks of its row with the masses before and after
-    # For the products of gradients of L fillings, see `linear.implicit`.
-    borders: Rows  # (2 L, 2 slots)
-    corrections: Rows  # (L + 1, L)
+    # Of each loop in turn, blocks of the row of each of its masses: in a small loop with all masses of it, in
+    # its order; in another one with the masses before and after.
+    loop_target: Indices
+    # For the products of gradients of the B fillings that are not small, see `linear.implicit`.
+    bordered: Indices  # (B,) their numbers
+    borders: Rows  # (2 B, 2 slots)
+    corrections: Rows  # (B + 1, B)
     # For contact, see `linear.krylov`; empty where there is none.
     of_mass: Indices  # (slots,) block of each mass on the diagonal
     touching: Floats  # (3,), see the TOUCHING_ constants there
