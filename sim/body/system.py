@@ -415,8 +415,9 @@ def _wiring(n: int, along: bool, *tables: bytes) -> _Wiring:
         joint_a, joint_b = np.arange(of_chain), (np.arange(of_chain) + 1) % count
         hinged = count
     else:
-        by_runs = order_in_runs(joint_a, joint_b)
-        joint_order = np.argsort(by_runs)
+        by_runs = order_in_runs(joint_a, joint_b, np.zeros(joint_a.size, np.int64))
+        joint_order = np.empty(by_runs.size, np.int64)
+        joint_order[by_runs] = np.arange(by_runs.size)
         joint_a, joint_b = joint_a[by_runs], joint_b[by_runs]
     joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(
         joint_b, joint_a, count, first=1, nothing=0

@@ -66,9 +66,11 @@ NO_NET = Net.empty().replaced(springs=Runs.empty(), joints=Runs.empty())
 """The table of a body that is none."""
 
 
-def order_in_runs(a: Indices, b: Indices, *groups: np.ndarray) -> Indices:
-    """The order of pairs (a, b) in which runs are long, in one group after another."""
-    return np.lexsort((a, b - a, *groups))
+def order_in_runs(a: Indices, b: Indices, groups: np.ndarray) -> Indices:
+    """The order of pairs (a, b) in which runs are long, in one group (0 or 1) after another."""
+    # One key for a stable sort, which takes a tenth of the time of sorting by three: most scenes list runs.
+    most = int(max(a.max(initial=0), b.max(initial=0))) + 1
+    return np.argsort((groups * (2 * most) + (b - a + most)) * most + a, kind="stable")
 
 
 def new_net(ends: tuple[Indices, Indices], masses: int, held: tuple[Indices, Indices], hinged: int) -> Net:
