@@ -238,7 +238,7 @@ class ShowModes(Command):
     def apply(self, session: Session, at: float) -> None:
         on = session.modes is None if self.on is None else self.on
         if not on:
-            session.end_drive()
+            session.driving.end()
         session.modes = (session.modes or ModesWatch()) if on else None
 
 
@@ -269,10 +269,12 @@ class DriveMode(Command):
     acts = True
 
     def apply(self, session: Session, at: float) -> None:
+        driving, watch = session.driving, session.modes
         if self.mode < 0:
-            session.fade_drive()
-        else:
-            session.drive_on(self.mode, at)
+            driving.fade()
+        elif not driving.goes_on(self.mode, at) and watch is not None:
+            session.play(True)
+            driving.begin(watch, self.mode)
 
     def takes_over(self, session: Session) -> bool:
         return self.mode >= 0
@@ -419,6 +421,36 @@ class Resume(Command):
 
     def apply(self, session: Session, at: float) -> None:
         session.resume(self.keepsake, self.versions)
+
+
+@dataclass(frozen=True)
+class Race(Command):
+    """The body is to race against that of another scene: both are put at their starts, and stand."""
+
+    scene: Scene
+    acts = True
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.race(self.scene)
+
+    @property
+    def is_heavy(self) -> bool:
+        return is_large(self.scene)
+
+    def playing_after(self, playing: bool) -> bool:
+        return False
+
+
+@dataclass(frozen=True)
+class LeaveRace(Command):
+    """There is to be no race any more; the body goes on."""
+
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.history.forget("rival")
+        session.companions.rival = None
 
 
 # ------------------------------------------------------------------------- time

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 import threading
-from dataclasses import dataclass, replace
 from typing import Any
 
 import msgspec
@@ -17,8 +15,6 @@ from sim.body.system import same_topology
 from sim.compiling.compiler import FOR_FALLBACK, is_ready
 from sim.errors import InputError
 
-from . import log
-
 COUNT = 10
 """Modes that are looked at, at most."""
 LARGE = 0.1
@@ -27,16 +23,6 @@ MOVED = 1e-3
 """By how much of its size an anchor may have moved before the body's modes are found anew."""
 STANDS = 10
 """Looks for which it has to have been let go."""
-PIECES = 20
-"""Calls of `step` in which a mass that drives a mode is led through a period."""
-SWELLING = 6.0
-"""Periods in which a mode that nothing damps comes to a full bar when it is driven."""
-RAMP = 2.0
-"""Periods in which it begins, and fades: what begins or ends at once shakes other modes, too."""
-SEEN = 0.03
-"""Part of a full bar from which on a mode has a phase to keep in step with."""
-FURTHEST = 0.01
-"""How far supports are moved at most to drive a mode, in sizes of the body."""
 
 
 class ModesWatch:
@@ -151,98 +137,3 @@ class _Same:
 
 def _size(simulation: sim.Simulation) -> float:
     return float(np.hypot(*np.ptp(simulation.positions, axis=0)))
-
-
-@dataclass(frozen=True)
-class Drive:
-    """Masses that are led to and fro by hand at the frequency of a mode.
-
-    Attributes:
-        mode: which.
-        masses: that are led.
-        grabbed: whether it is a free one, in a hand meanwhile.
-        about: where they were, px.
-        swings: their amplitudes, px.
-        frequency: angular, rad/s.
-        since: simulated time, s, from which on it is driven.
-        began: simulated time, s, at which they went through the middle.
-        part: of these amplitudes.
-        let_go: simulated time, s, from which on it fades.
-    """
-
-    mode: int
-    masses: tuple[int, ...]
-    grabbed: bool
-    about: NDArray[np.float64]
-    swings: NDArray[np.float64]
-    frequency: float
-    since: float
-    began: float
-    part: float
-    let_go: float = math.inf
-
-    @staticmethod
-    def of(watch: ModesWatch, mode: int, simulation: sim.Simulation) -> Drive:
-        """How a mode is driven: by all supports together, or else by the mass that it moves most.
-
-        Raises:
-            InputError: there is no such mode, or it is too fast for the time step.
-        """
-        modes = watch.found
-        if modes is None or not 0 <= mode < modes.frequencies.size:
-            raise InputError(f"there is no mode {mode + 1} to drive")
-        w = float(modes.frequencies[mode])
-        if (period := 2.0 * math.pi / w) < 4.0 * simulation.dt:
-            raise InputError(f"mode {mode + 1} has a period of {period:.3g} s, less than four time steps")
-        full, mass = float(watch.full[mode]), float(modes.masses[mode])
-        now = simulation.time
-        if (supports := modes.supports(mode)) is None:
-            most = int(np.argmax(np.hypot(*modes.shapes[mode].T)))
-            about, swings = simulation.positions[[most]], full * modes.shapes[mode][[most]]
-            return Drive(mode, (most,), True, about, swings, w, now, now, 1.0)
-        masses, ways, felt = supports
-        # A force f B sin(wt) on a mode of mass M has it grow by f B / (2 M w) in a second.
-        size = min(full * 2.0 * mass * w / (felt * SWELLING * period), FURTHEST * modes.size)
-        led = tuple(int(each) for each in masses)
-        return Drive(mode, led, False, simulation.positions[masses], size * ways, w, now, now, 0.0)
-
-    def in_step(self, watch: ModesWatch, simulation: sim.Simulation) -> Drive:
-        """As it goes on: in step with the mode, whose period changes as it grows, more and more at first, and
-        less as it comes to a full bar."""
-        now = watch.excitation(simulation)
-        if now is None:
-            return self
-        q, rate = float(now.amplitudes[self.mode]), float(now.rates[self.mode]) / self.frequency
-        full, time = float(watch.full[self.mode]), simulation.time
-        level, ramp = math.hypot(q, rate) / full, RAMP * 2.0 * math.pi / self.frequency
-        part = (1.0 - min(level, 1.0)) * min((time - self.since) / ramp, 1.0)
-        part *= max(1.0 - max(time - self.let_go, 0.0) / ramp, 0.0)
-        if level < SEEN:
-            return replace(self, part=part)
-        # It does most work where it goes with the velocity.
-        ahead = math.atan2(q, rate) + 0.5 * math.pi
-        return replace(self, part=part, began=time - ahead / self.frequency)
-
-    def has_faded(self, time: float) -> bool:
-        """Whether it is over at a simulated time, s."""
-        return time - self.let_go >= RAMP * 2.0 * math.pi / self.frequency
-
-    def steps(self, dt: float) -> int:
-        """Time steps in which they are led in straight lines."""
-        return max(1, int(2.0 * math.pi / self.frequency / PIECES / dt))
-
-    def lead(self, simulation: sim.Simulation, steps: int) -> list[log.Act]:
-        """What leads them through the next time steps."""
-        part = self.part * math.sin(self.frequency * (simulation.time + steps * simulation.dt - self.began))
-        return self._to(self.about + part * self.swings)
-
-    def end(self) -> list[log.Act]:
-        """What puts them back, or lets go."""
-        if self.grabbed:
-            return [log.Release(mass=mass) for mass in self.masses]
-        return self._to(self.about)
-
-    def _to(self, places: NDArray[np.float64]) -> list[log.Act]:
-        # Their motion is slow and smooth, so that it needs no limit as that of a hand does.
-        pairs = zip(self.masses, places.tolist(), strict=True)
-        return [log.Lead(mass=mass, to=(x, y)) for mass, (x, y) in pairs]

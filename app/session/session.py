@@ -13,6 +13,7 @@ from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import ClassVar, Generic, Literal, TypeVar
 
 import msgspec
@@ -21,21 +22,22 @@ import sim
 from sim.body.system import same_topology
 from sim.edit.edit import Edit, Selection, still_selected
 from sim.errors import InputError, SceneError, SettingError
-from sim.methods.registry import METHODS
 from sim.motion.stability import StabilityEstimate
 
 from . import keepsakes, log
 from .companions import Companions
+from .driving import Driving
 from .foreseen import Foreseen
 from .ghost import Ghost
 from .hand import FRAME, PointerHands
 from .history import History, OldFuture
 from .log import Log
-from .modes import Drive, ModesWatch
+from .modes import ModesWatch
 from .notices import About, Notice, no_shape, runaway
-from .pacing import HEAVY_UNIT, Pacer, is_large
+from .pacing import HEAVY_UNIT, Costs, Pacer, is_large
 from .record import Recorder
 from .replay import Player
+from .rival import Rival
 from .shadow import Foresight
 from .stability import StabilityWatch
 from .versions import Versions
@@ -161,7 +163,7 @@ class Session:
         preparing: what is being compiled, for the page to say; empty when nothing is.
         foreseen: where the body will rest, while a slider moves.
         modes: the body's slow vibrations, while somebody looks at them; else None.
-        drive: what drives one of them, or None.
+        driving: what drives one of them.
     """
 
     def __init__(
@@ -179,7 +181,7 @@ class Session:
         self._begin_history()
         self.replay: Player | None = None
         self._viewer: sim.Simulation | None = None  # shows what is past in a replay
-        self.pacer = Pacer()
+        self.pacer, self.costs = Pacer(), Costs()
         self.playing = True
         self.follow = False
         self.joint = 0
@@ -198,8 +200,7 @@ class Session:
         self.preparing = ""
         self.foreseen = Foreseen()
         self.modes: ModesWatch | None = None
-        self.drive: Drive | None = None
-        self._drive_at = -math.inf
+        self.driving = Driving(lambda: self.simulation, self.do)
 
     # --------------------------------------------------------------------- what the page looks at
     def now(self) -> float:
@@ -232,6 +233,11 @@ class Session:
         return self.companions.foresight
 
     @property
+    def rival(self) -> Rival | None:
+        """The other body, if there is a race."""
+        return self.companions.rival
+
+    @property
     def stability(self) -> StabilityEstimate:
         """The last look at the stability limit."""
         return self.stability_watch.estimate
@@ -239,7 +245,7 @@ class Session:
     @property
     def heavy(self) -> bool:
         """Whether the next frame may take longer than others can wait for."""
-        costs = [self.pacer.unit_cost, *(one.unit_cost for one in self.companions)]
+        costs = [self.costs.unit, *(one.costs.unit for one in self.companions)]
         return (
             max(costs) > HEAVY_UNIT
             or is_large(self.simulation.scene)
@@ -356,8 +362,8 @@ class Session:
         now = self._clock()
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
             self.hold_keys(frozenset(), self._keys_at)
-        if self.drive is not None and now - self._drive_at > KEYS_FORGOTTEN_AFTER:
-            self.fade_drive()
+        if now - self.driving.said_at > KEYS_FORGOTTEN_AFTER:
+            self.driving.fade()
         running = self.playing and (self.replay is not None or self.simulation.divergence is None)
         if running and self.replay is not None:
             self._play_log(self.replay, now, budget)
@@ -366,7 +372,7 @@ class Session:
         running = running and self.playing  # it may have ended just now
         self.stability_watch.tick(self.simulation, self.revision, running, now, budget)
         if self.modes is not None:
-            self.modes.tick(self.simulation, self.drive is not None or bool(self.hands.masses))
+            self.modes.tick(self.simulation, self.driving.drive is not None or bool(self.hands.masses))
 
     def keepsake(self) -> bytes:
         """What is needed to go on later where this page is now, see `resume`."""
@@ -407,7 +413,8 @@ class Session:
         self.branch()
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
-        done = self.recorder.step(steps, self.pacer.attempts(MOST_SECONDS))
+        done = self.costs.move(self.simulation, steps, MOST_SECONDS, self.recorder.step)
+        self.companions.keep_pace(self.simulation, done, MOST_SECONDS)
         self.companions.follow(self.simulation, done, led, MOST_SECONDS)
         self._after_steps()
 
@@ -418,6 +425,8 @@ class Session:
             InputError: it cannot be done.
         """
         self.recorder.do(act)
+        if self.rival is not None:
+            self.rival.fair = False
         for body in self.companions.bodies:
             # Those that are as fast as any hand are led to where the body came to.
             if body.rate_limited or not isinstance(act, log.Follow):
@@ -431,40 +440,8 @@ class Session:
 
     def let_go(self) -> None:
         """Have all hands let go."""
-        self.end_drive()
+        self.driving.end()
         self.hands.let_all_go(self.following)
-
-    def drive_on(self, mode: int, at: float) -> None:
-        """Drive a mode by hand, as was said at a wall time, s, until `end_drive` or until it is said no more.
-
-        Raises:
-            InputError: that mode cannot be driven.
-        """
-        self._drive_at = at
-        if self.drive is not None and self.drive.mode == mode and self.drive.let_go == math.inf:
-            return
-        self.end_drive()
-        if self.modes is None:
-            return
-        self.play(True)
-        drive = Drive.of(self.modes, mode, self.simulation)
-        for mass in drive.masses if drive.grabbed else ():
-            self.do(log.Grab(mass=mass))
-        self.drive = drive
-
-    def fade_drive(self) -> None:
-        """Drive no mode any more: supports come to rest where they were, and a hand lets go."""
-        drive = self.drive
-        if drive is None or drive.grabbed:
-            self.end_drive()
-        elif drive.let_go == math.inf:
-            self.drive = replace(drive, let_go=self.simulation.time)
-
-    def end_drive(self) -> None:
-        """Drive no mode any more, from this moment on."""
-        drive, self.drive = self.drive, None
-        for act in drive.end() if drive is not None else ():
-            self.do(act)
 
     def put(self, make: Callable[[sim.Moment], sim.Moment], label: str, key: str) -> None:
         """Go on with other places and speeds of the same body.
@@ -500,7 +477,7 @@ class Session:
             self.versions.add_leap(label, before, after, key)
             # Another body, whose time begins anew: what is past belongs to the other one.
             self.hands.drop()
-            self.drive = None
+            self.driving.drop()
             self._begin_history()
             self._choose_joint()
             self.selection = Selection()
@@ -530,7 +507,7 @@ class Session:
             edit: what made it of the one before; None where it is another body's.
         """
         self.hands.drop()
-        self.drive = None
+        self.driving.drop()
         self.lesson_begun = True  # it goes on where it was
         self.recorder.restore(moment)
         self.selection = Selection() if edit is None else still_selected(edit, self.selection)
@@ -549,7 +526,7 @@ class Session:
         self.opened = simulation.capture().scene
         self.lesson_begun = True
         self.hands.drop()
-        self.drive = None
+        self.driving.drop()
         self.simulation, self.recorder = simulation, Recorder(simulation)
         if self.follows_energy:
             self.recorder.do(log.FollowEnergy(on=True))
@@ -560,7 +537,8 @@ class Session:
         self.follow = False
         self.joint = 0
         self.selection = Selection()
-        self.pacer = Pacer(self.pacer.speed)  # what the last body cost says nothing
+        # What the last body cost says nothing.
+        self.pacer, self.costs = Pacer(self.pacer.speed), Costs()
         self.stability_watch.forget()
         self.note(Changed.BODY)
 
@@ -572,6 +550,18 @@ class Session:
         self._begin_history()
         self.companions.begin(self.simulation, self.history)
         self.pacer.restart()
+
+    def race(self, scene: sim.Scene) -> None:
+        """Have a rival, and both at the start.
+
+        Raises:
+            SceneError: it does not go with the terrain.
+        """
+        rival = Rival(self.simulation, scene, self.can_wait)
+        self.play(False)
+        self.history.forget("rival")
+        self.companions.rival = rival
+        self.reset()
 
     def resume(self, keepsake: bytes, versions: Versions | None) -> None:
         """Go on where a keepsake was made.
@@ -666,35 +656,18 @@ class Session:
 
     def _step(self, now: float, budget: float) -> None:
         """Go on by a frame."""
-        # A method with steps of its own is held to the budget by what it may try.
-        own = METHODS[self.simulation.method].adaptive
-        steps = self.pacer.grant(now, self.simulation.dt, math.inf if own else budget)
+        steps = self.pacer.grant(now, self.simulation.dt)
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
         began = time.perf_counter()
-        done = self._stepped(steps, self.pacer.attempts(budget))
+        waits = self.rival is not None and self.rival.is_late
+        step = partial(self.driving.step, self.recorder, self.modes)
+        own = budget if self.rival is None else 0.5 * budget
+        done = 0 if waits else self.costs.move(self.simulation, steps, own, step)
+        self.companions.keep_pace(self.simulation, done, budget - (time.perf_counter() - began))
         seconds = self._count(now, done, steps - done, began)
         self.companions.follow(self.simulation, done, led, budget - seconds)
         self._after_steps()
-
-    def _stepped(self, steps: int, attempts: int | None) -> int:
-        """Do some steps, and lead what drives a mode meanwhile; returns how many were done."""
-        if self.drive is not None and self.drive.has_faded(self.simulation.time):
-            self.end_drive()
-        if self.drive is None:
-            return self.recorder.step(steps, attempts=attempts)
-        if self.modes is not None and not self.drive.grabbed:
-            self.drive = self.drive.in_step(self.modes, self.simulation)
-        done, each = 0, self.drive.steps(self.simulation.dt)
-        while done < steps:
-            n = min(each, steps - done)
-            for act in self.drive.lead(self.simulation, n):
-                self.do(act)
-            did = self.recorder.step(n, attempts=attempts)
-            done += did
-            if did < n:
-                break
-        return done
 
     def _count(self, now: float, done: int, missed: int, began: float) -> float:
         """Enter steps that were done since `began` into the pacer; returns the seconds they took."""
@@ -733,14 +706,15 @@ class Session:
         if not simulation.complete:
             simulation.take_compiled()  # by other methods, it would not be the same
             return
-        steps = self.pacer.grant(now, simulation.dt, math.inf)
+        steps = self.pacer.grant(now, simulation.dt)
         scene, began = simulation.capture().scene, time.perf_counter()
         try:
-            most, attempts = self.pacer.affordable(MOST_SECONDS), self.pacer.attempts(MOST_SECONDS)
+            most, attempts = self.costs.affordable(MOST_SECONDS), self.costs.attempts(MOST_SECONDS)
             done = player.advance(steps * simulation.dt, budget, most, attempts)
         except InputError as error:
             self._end_replay(f"It cannot go on: {error}.")
             return
+        self.costs.learn(done, time.perf_counter() - began, simulation.work)
         self._count(now, done, 0, began)
         self._remember()
         self._changed_from(scene)

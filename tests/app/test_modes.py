@@ -72,7 +72,7 @@ def test_nothing_is_done_while_nobody_looks() -> None:
     assert not letters.sent
     assert not any(thread.name == "softrod-modes" for thread in threading.enumerate())
     page.frames(1, commands.PutMode(0, 0.5), commands.DriveMode(0))
-    assert page.session.drive is None
+    assert page.session.driving.drive is None
     assert not page.session.notices
 
 
@@ -126,7 +126,7 @@ def test_a_mode_is_driven_while_it_is_said_and_its_support_comes_back() -> None:
     session, start = page.session, page.session.simulation.positions
     for _ in range(90):
         page.frames(1, commands.DriveMode(1))
-    drive = session.drive
+    drive = session.driving.drive
     assert drive is not None
     assert not drive.grabbed
     assert amplitude(page, 1) > 0.2
@@ -135,11 +135,26 @@ def test_a_mode_is_driven_while_it_is_said_and_its_support_comes_back() -> None:
     assert now.energies[1] > 0.5 * now.energies.sum()
     # Nothing is heard of it any more: it fades.
     page.frames(int(KEYS_FORGOTTEN_AFTER * 60.0) + 60)
-    assert session.drive is None
+    assert session.driving.drive is None
     held = [anchor.mass for anchor in session.scene.anchors]
     assert np.abs(session.simulation.positions[held] - start[held]).max() < 1e-9
     assert watch.number == 1  # the support's way is no other body
     agrees(page)
+
+
+def test_a_driven_frame_tries_no_more_steps_than_any_other() -> None:
+    page, _ = opened("lesson-bridge-modes")
+    page.frames(20, commands.DriveMode(1))
+    session = page.session
+    simulation, drive = session.simulation, session.driving.drive
+    assert drive is not None
+    steps = 6 * drive.steps(simulation.dt)  # six straight lines in which the support is led
+    simulation.stats()
+    assert session.driving.step(session.recorder, session.modes, steps, 1_000_000) == steps
+    most = simulation.stats().work // 2
+    done = session.driving.step(session.recorder, session.modes, steps, most)
+    assert simulation.stats().work == pytest.approx(most, rel=0.1)
+    assert steps // 6 < done < steps
 
 
 def test_a_body_that_nothing_holds_is_driven_where_it_swings_most() -> None:
@@ -149,10 +164,10 @@ def test_a_body_that_nothing_holds_is_driven_where_it_swings_most() -> None:
     page.frames(1, commands.ShowModes(True))
     found(page)
     page.frames(30, commands.DriveMode(0))
-    assert page.session.drive is not None
+    assert page.session.driving.drive is not None
     assert page.session.simulation.grabbed
     page.frames(1, commands.DriveMode(-1))
-    assert page.session.drive is None
+    assert page.session.driving.drive is None
     assert not page.session.simulation.grabbed
 
 

@@ -133,10 +133,11 @@ function bounds(width, height, withBody) {
   const all = { left: -width / 2, right: width / 2, low: -height / 2, high: height / 2 };
   if (plan) showWalls(all, plan);
   if (!withBody || !plan || !frame) return all;
-  const world = toWorld(plan, frame.positions);
+  const { rival } = frame;
+  const world = [...toWorld(plan, frame.positions), ...(rival ? toWorld(plan, rival.positions) : [])];
   const whole = { ...all };
   for (let i = 0; i < world.length; i += 2) {
-    const radius = plan.radius[i / 2];
+    const radius = plan.radius[i / 2] ?? 0;
     whole.left = Math.min(whole.left, world[i] - radius);
     whole.right = Math.max(whole.right, world[i] + radius);
     whole.low = Math.min(whole.low, world[i + 1] - radius);
@@ -186,6 +187,23 @@ export function fit(withBody = false) {
   return true;
 }
 
+/**
+ * Moves the view by a way of the page's world.
+ *
+ * @param {number} dx @param {number} dy
+ */
+export function shift(dx, dy) {
+  const { camera, cameraControl: controls, nodeRefFromName } = viser() ?? {};
+  const root = nodeRefFromName?.[""];
+  if (!camera || !controls || !root) return;
+  const [from, to] = [0, 1].map((part) => camera.position.clone().set(part * dx, part * dy, 0).applyMatrix4(root.matrixWorld));
+  const fitted = untouched();
+  const end = controls.getTarget(camera.position.clone(), true);
+  controls.moveTo(end.x + to.x - from.x, end.y + to.y - from.y, end.z + to.z - from.z, false);
+  controls.update(0);
+  if (fitted) seen = [camera.position.x, camera.position.y, camera.position.z];
+}
+
 /** Keeps the camera flat, and fits every new scene and every new size of the window. */
 export function keepFlat() {
   /** @type {unknown} */
@@ -209,7 +227,7 @@ export function keepFlat() {
     const sheet = covered(canvas, box);
     placeTransport(box, sheet);
     const { above, below } = besideTools(box);
-    const strips = [...document.querySelectorAll(".softrod-muscles, .softrod-modes")].map(
+    const strips = [...document.querySelectorAll(".softrod-strip")].map(
       (strip) => /** @type {HTMLElement} */ (strip).offsetHeight,
     );
     const cover = [sheet, above, below, ...strips].join(" ");

@@ -46,7 +46,7 @@ class ModesView:
                 self._mail.tell(to_page.Modes())
             return
         self._on = True
-        modes, drive = watch.found, session.drive
+        modes, drive = watch.found, session.driving.drive
         if modes is None:
             self._shapes, self._sent = -1, None
             self._mail.tell(to_page.Modes(on=True, number=watch.number, trouble=watch.trouble))

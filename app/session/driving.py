@@ -1,0 +1,206 @@
+"""Drives a mode of a session's body by hand, as long as somebody says so again and again."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+import sim
+from sim.errors import InputError
+
+from . import log
+from .modes import ModesWatch
+from .record import Recorder
+
+PIECES = 20
+"""Calls of `step` in which a mass that drives a mode is led through a period."""
+SWELLING = 6.0
+"""Periods in which a mode that nothing damps comes to a full bar when it is driven."""
+RAMP = 2.0
+"""Periods in which it begins, and fades: what begins or ends at once shakes other modes, too."""
+SEEN = 0.03
+"""Part of a full bar from which on a mode has a phase to keep in step with."""
+FURTHEST = 0.01
+"""How far supports are moved at most to drive a mode, in sizes of the body."""
+
+
+@dataclass(frozen=True)
+class Drive:
+    """Masses that are led to and fro by hand at the frequency of a mode.
+
+    Attributes:
+        mode: which.
+        masses: that are led.
+        grabbed: whether it is a free one, in a hand meanwhile.
+        about: where they were, px.
+        swings: their amplitudes, px.
+        frequency: angular, rad/s.
+        since: simulated time, s, from which on it is driven.
+        began: simulated time, s, at which they went through the middle.
+        part: of these amplitudes.
+        let_go: simulated time, s, from which on it fades.
+    """
+
+    mode: int
+    masses: tuple[int, ...]
+    grabbed: bool
+    about: NDArray[np.float64]
+    swings: NDArray[np.float64]
+    frequency: float
+    since: float
+    began: float
+    part: float
+    let_go: float = math.inf
+
+    @staticmethod
+    def of(watch: ModesWatch, mode: int, simulation: sim.Simulation) -> Drive:
+        """How a mode is driven: by all supports together, or else by the mass that it moves most.
+
+        Raises:
+            InputError: there is no such mode, or it is too fast for the time step.
+        """
+        modes = watch.found
+        if modes is None or not 0 <= mode < modes.frequencies.size:
+            raise InputError(f"there is no mode {mode + 1} to drive")
+        w = float(modes.frequencies[mode])
+        if (period := 2.0 * math.pi / w) < 4.0 * simulation.dt:
+            raise InputError(f"mode {mode + 1} has a period of {period:.3g} s, less than four time steps")
+        full, mass = float(watch.full[mode]), float(modes.masses[mode])
+        now = simulation.time
+        if (supports := modes.supports(mode)) is None:
+            most = int(np.argmax(np.hypot(*modes.shapes[mode].T)))
+            about, swings = simulation.positions[[most]], full * modes.shapes[mode][[most]]
+            return Drive(mode, (most,), True, about, swings, w, now, now, 1.0)
+        masses, ways, felt = supports
+        # A force f B sin(wt) on a mode of mass M has it grow by f B / (2 M w) in a second.
+        size = min(full * 2.0 * mass * w / (felt * SWELLING * period), FURTHEST * modes.size)
+        led = tuple(int(each) for each in masses)
+        return Drive(mode, led, False, simulation.positions[masses], size * ways, w, now, now, 0.0)
+
+    def in_step(self, watch: ModesWatch, simulation: sim.Simulation) -> Drive:
+        """As it goes on: in step with the mode, whose period changes as it grows, more and more at first, and
+        less as it comes to a full bar."""
+        now = watch.excitation(simulation)
+        if now is None:
+            return self
+        q, rate = float(now.amplitudes[self.mode]), float(now.rates[self.mode]) / self.frequency
+        full, time = float(watch.full[self.mode]), simulation.time
+        level, ramp = math.hypot(q, rate) / full, RAMP * 2.0 * math.pi / self.frequency
+        part = (1.0 - min(level, 1.0)) * min((time - self.since) / ramp, 1.0)
+        part *= max(1.0 - max(time - self.let_go, 0.0) / ramp, 0.0)
+        if level < SEEN:
+            return replace(self, part=part)
+        # It does most work where it goes with the velocity.
+        ahead = math.atan2(q, rate) + 0.5 * math.pi
+        return replace(self, part=part, began=time - ahead / self.frequency)
+
+    def has_faded(self, time: float) -> bool:
+        """Whether it is over at a simulated time, s."""
+        return time - self.let_go >= RAMP * 2.0 * math.pi / self.frequency
+
+    def steps(self, dt: float) -> int:
+        """Time steps in which they are led in straight lines."""
+        return max(1, int(2.0 * math.pi / self.frequency / PIECES / dt))
+
+    def lead(self, simulation: sim.Simulation, steps: int) -> list[log.Act]:
+        """What leads them through the next time steps."""
+        part = self.part * math.sin(self.frequency * (simulation.time + steps * simulation.dt - self.began))
+        return self._to(self.about + part * self.swings)
+
+    def end(self) -> list[log.Act]:
+        """What puts them back, or lets go."""
+        if self.grabbed:
+            return [log.Release(mass=mass) for mass in self.masses]
+        return self._to(self.about)
+
+    def _to(self, places: NDArray[np.float64]) -> list[log.Act]:
+        # Their motion is slow and smooth, so that it needs no limit as that of a hand does.
+        pairs = zip(self.masses, places.tolist(), strict=True)
+        return [log.Lead(mass=mass, to=(x, y)) for mass, (x, y) in pairs]
+
+
+class Driving:
+    """What drives a mode of a page's body.
+
+    Args:
+        body: the body as it is now.
+        do: does something to it, and to those that are to do the same.
+
+    Attributes:
+        drive: how masses are led; None while no mode is driven.
+        said_at: wall time, s, at which a mode was last said to be driven.
+    """
+
+    def __init__(self, body: Callable[[], sim.Simulation], do: Callable[[log.Act], None]) -> None:
+        self._body, self._do = body, do
+        self.drive: Drive | None = None
+        self.said_at = -math.inf
+
+    def goes_on(self, mode: int, at: float) -> bool:
+        """Whether a mode is driven already that is said at a wall time, s, to be driven."""
+        self.said_at = at
+        return self.drive is not None and self.drive.mode == mode and self.drive.let_go == math.inf
+
+    def begin(self, watch: ModesWatch, mode: int) -> None:
+        """Drive a mode, and no other any more.
+
+        Raises:
+            InputError: it cannot be driven, see `Drive.of`.
+        """
+        self.end()
+        drive = Drive.of(watch, mode, self._body())
+        for mass in drive.masses if drive.grabbed else ():
+            self._do(log.Grab(mass=mass))
+        self.drive = drive
+
+    def fade(self) -> None:
+        """Drive no mode any more: supports come to rest where they were, and a hand lets go."""
+        drive = self.drive
+        if drive is None or drive.grabbed:
+            self.end()
+        elif drive.let_go == math.inf:
+            self.drive = replace(drive, let_go=self._body().time)
+
+    def end(self) -> None:
+        """Drive no mode any more, from this moment on."""
+        drive, self.drive = self.drive, None
+        for act in drive.end() if drive is not None else ():
+            self._do(act)
+
+    def drop(self) -> None:
+        """Drive no mode any more; the body that was driven is no longer there."""
+        self.drive = None
+
+    def step(self, recorder: Recorder, watch: ModesWatch | None, steps: int, attempts: int) -> int:
+        """Do some steps, and lead what drives a mode meanwhile.
+
+        Args:
+            recorder: of the body.
+            watch: what is known of its modes; None while nobody looks at them.
+            steps: time steps.
+            attempts: steps that a method which chooses its own may try for all of them together.
+
+        Returns:
+            The time steps that were done.
+        """
+        simulation = recorder.simulation
+        if self.drive is not None and self.drive.has_faded(simulation.time):
+            self.end()
+        if self.drive is None:
+            return recorder.step(steps, attempts=attempts)
+        if watch is not None and not self.drive.grabbed:
+            self.drive = self.drive.in_step(watch, simulation)
+        done, each, last = 0, self.drive.steps(simulation.dt), simulation.work + attempts
+        while done < steps and (left := last - simulation.work) > 0:
+            n = min(each, steps - done)
+            for act in self.drive.lead(simulation, n):
+                self._do(act)
+            did = recorder.step(n, attempts=left)
+            done += did
+            if did < n:
+                break
+        return done
