@@ -133,5 +133,5 @@ def _legend(figure: Figure, parts: Any) -> None:
     order = [name for name in LOOKS if name in handles]
     figure.legend(
         [handles[name] for name in order], order, loc="outside lower center",
-        ncols=min(6, len(order)), frameon=False, fontsize=8.5,
+        ncols=min(int(figure.get_figwidth() / 1.5), len(order)), frameon=False, fontsize=8.5,
     )  # fmt: skip

@@ -126,14 +126,16 @@ def test_many_ropes_move_alike_however_they_are_computed() -> None:
     lanes = many.Lanes(ropes(many.LANES))
     ends: dict[str, Floats] = {}
     for what, run in {
-        "one by one": many.OneByOne(lanes, 7680.0),
-        "eights": many.Eights(lanes, 7680.0),
+        "one by one": many.OneByOne(lanes, 1920.0),
+        "eights": many.Eights(lanes, 1920.0, True),
+        "eights, Euler": many.Eights(lanes, 7680.0, False),
         "array": many.AllInOne(lanes, 960.0),
     }.items():
         run.restart()
         run.advance()
         ends[what] = run.end
     assert np.abs(ends["eights"] - ends["one by one"]).max() < 1e-6
+    assert 1e-3 < np.abs(ends["eights, Euler"] - ends["one by one"]).max() < 0.2
     assert np.abs(ends["array"] - ends["one by one"]).max() < 0.2
     simulation = sim.Simulation(ropes(many.LANES)[5])
     simulation.advance(SECONDS)

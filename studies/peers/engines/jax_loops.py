@@ -26,7 +26,8 @@ TOLERANCES = tuple(10.0 ** (half / 2) for half in range(2, -9, -1))
 MOST = 400
 """Unknowns up to which diffrax's implicit solver is asked: it takes the Jacobian as a dense matrix."""
 
-MAX_STEPS = 400_000
+MAX_STEPS = 50_000
+"""What needs more is given up; XLA's loops cannot be stopped."""
 
 
 class Jax:
@@ -152,6 +153,8 @@ class _Loop(_Run):
 
     def __init__(self, equations: Equations, method: str, steps: int) -> None:
         super().__init__(equations)
+        if steps > MAX_STEPS:
+            raise Failed(f"more than {MAX_STEPS} steps")
         key = id(equations), method
         if key not in self._compiled:
             self._compiled[key] = _loop(equations, method)

@@ -69,8 +69,15 @@ def ladders_of_c() -> list[Ladder]:
     """One by one by the loop for any body, and eight at a time."""
     lanes = Lanes(ropes(COUNT))
     return [
-        Ladder("C loop", "Euler, one by one", RATES, _steps, lambda rate: OneByOne(lanes, rate)),
-        Ladder("C loop", "Euler, eight in a vector", RATES, _steps, lambda rate: Eights(lanes, rate)),
+        Ladder("C loop", "Verlet, one by one", VERLET_RATES, _steps, lambda rate: OneByOne(lanes, rate)),
+        Ladder("C loop", "Euler, eight in a vector", RATES, _steps, lambda rate: Eights(lanes, rate, False)),
+        Ladder(
+            "C loop",
+            "Verlet, eight in a vector",
+            VERLET_RATES,
+            _steps,
+            lambda rate: Eights(lanes, rate, True),
+        ),
     ]
 
 
@@ -162,7 +169,7 @@ class _Lanes:
 class OneByOne(_Lanes):
     def __init__(self, lanes: Lanes, rate: float) -> None:
         super().__init__(lanes, rate)
-        self._runs = [c_loop.Run(one, "Euler", self._steps) for one in lanes.equations]
+        self._runs = [c_loop.Run(one, "Verlet", self._steps) for one in lanes.equations]
 
     def restart(self) -> None:
         for run in self._runs:
@@ -175,9 +182,9 @@ class OneByOne(_Lanes):
 
 
 class Eights(_Lanes):
-    def __init__(self, lanes: Lanes, rate: float) -> None:
+    def __init__(self, lanes: Lanes, rate: float, verlet: bool) -> None:
         super().__init__(lanes, rate)
-        self._ropes = c_loop.library().ropes
+        self._ropes, self._verlet = c_loop.library().ropes, verlet
 
     def advance(self) -> None:
         lanes = self._lanes
@@ -191,7 +198,8 @@ class Eights(_Lanes):
         numbers = lanes.stiffness, lanes.damping, lanes.rest, lanes.weight
         self._ropes(
             ctypes.c_long(groups), ctypes.c_long(masses), ctypes.c_long(self._steps),
-            ctypes.c_double(SECONDS / self._steps), ctypes.c_double(lanes.gravity),
+            ctypes.c_double(SECONDS / self._steps), ctypes.c_long(self._verlet),
+            ctypes.c_double(lanes.gravity),
             *map(c_loop.pointer, numbers), *map(c_loop.pointer, parts),
         )  # fmt: skip
         self.end = np.stack([p.transpose(0, 2, 1).reshape(ropes, masses) for p in parts[:2]], -1)

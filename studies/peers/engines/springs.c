@@ -78,52 +78,62 @@ void run(long n, long m, const long *ends, const double *numbers, const double *
 }
 
 /* Ropes of n masses, `groups` times eight of them: x[group][mass][lane] and so on, mass 0 held. Stiffness,
-   damping, rest length and 1 / mass are those of a lane. Symplectic Euler. */
+   damping, rest length and 1 / mass are those of a lane. verlet: 0 for Euler, 1 for Verlet. */
 enum { LANES = 8, MOST = 64 };
+typedef double Row[LANES];
 
-void ropes(long groups, long n, long steps, double h, double gravity, const double *stiffness,
+static inline void accelerations(long n, const double *k, const double *c, const double *r, const double *m,
+                                 double gravity, Row *qx, Row *qy, Row *vx, Row *vy, Row *ax, Row *ay)
+{
+    Row bx = {0}, by = {0}; /* tension of the spring above */
+    for (long i = 1; i < n; i++)
+        for (int l = 0; l < LANES; l++) {
+            double lx = qx[i][l] - qx[i - 1][l], ly = qy[i][l] - qy[i - 1][l];
+            double inverse = 1.0 / sqrt(lx * lx + ly * ly);
+            double rate = (lx * (vx[i][l] - vx[i - 1][l]) + ly * (vy[i][l] - vy[i - 1][l])) * inverse;
+            double tension = k[l] * (1.0 - r[l] * inverse) + c[l] * rate * inverse;
+            double fx = tension * lx, fy = tension * ly;
+            ax[i - 1][l] = m[l] * (fx - bx[l]), ay[i - 1][l] = m[l] * (fy - by[l]) + gravity;
+            bx[l] = fx, by[l] = fy;
+        }
+    for (int l = 0; l < LANES; l++)
+        ax[n - 1][l] = -m[l] * bx[l], ay[n - 1][l] = gravity - m[l] * by[l];
+}
+
+void ropes(long groups, long n, long steps, double h, long verlet, double gravity, const double *stiffness,
            const double *damping, const double *rest, const double *weight, double *x, double *y, double *u,
            double *w)
 {
     for (long g = 0; g < groups; g++) {
-        double qx[MOST][LANES], qy[MOST][LANES], vx[MOST][LANES], vy[MOST][LANES];
+        Row qx[MOST], qy[MOST], vx[MOST], vy[MOST], ax[MOST], ay[MOST], ex[MOST], ey[MOST], nx[MOST], ny[MOST];
         const double *k = stiffness + LANES * g, *c = damping + LANES * g, *r = rest + LANES * g;
         const double *m = weight + LANES * g;
         long first = LANES * n * g, bytes = LANES * n * sizeof(double);
         memcpy(qx, x + first, bytes), memcpy(qy, y + first, bytes);
         memcpy(vx, u + first, bytes), memcpy(vy, w + first, bytes);
+        memcpy(ex, vx, bytes), memcpy(ey, vy, bytes);
+        accelerations(n, k, c, r, m, gravity, qx, qy, vx, vy, ax, ay);
         for (long step = 0; step < steps; step++) {
-            double bx[LANES] = {0}, by[LANES] = {0};
-            for (long i = 1; i < n; i++) {
-                /* The spring above mass i pulls at it and at mass i - 1, which then moves: all it needs is known,
-                   and the spring below mass i has not seen mass i move yet. */
-                double fx[LANES], fy[LANES];
-                for (int l = 0; l < LANES; l++) {
-                    double lx = qx[i][l] - qx[i - 1][l], ly = qy[i][l] - qy[i - 1][l];
-                    double inverse = 1.0 / sqrt(lx * lx + ly * ly);
-                    double rate = (lx * (vx[i][l] - vx[i - 1][l]) + ly * (vy[i][l] - vy[i - 1][l])) * inverse;
-                    double force = k[l] * (1.0 - r[l] * inverse) + c[l] * rate * inverse;
-                    fx[l] = force * lx, fy[l] = force * ly;
-                }
-                if (i > 1)
+            if (!verlet) {
+                for (long i = 1; i < n; i++)
                     for (int l = 0; l < LANES; l++) {
-                        vx[i - 1][l] += h * m[l] * (fx[l] - bx[l]);
-                        vy[i - 1][l] += h * (m[l] * (fy[l] - by[l]) + gravity);
+                        vx[i][l] += h * ax[i][l], vy[i][l] += h * ay[i][l];
+                        qx[i][l] += h * vx[i][l], qy[i][l] += h * vy[i][l];
                     }
+                accelerations(n, k, c, r, m, gravity, qx, qy, vx, vy, ax, ay);
+                continue;
+            }
+            for (long i = 1; i < n; i++)
                 for (int l = 0; l < LANES; l++) {
-                    bx[l] = fx[l], by[l] = fy[l];
+                    qx[i][l] += h * (vx[i][l] + 0.5 * h * ax[i][l]), ex[i][l] = vx[i][l] + h * ax[i][l];
+                    qy[i][l] += h * (vy[i][l] + 0.5 * h * ay[i][l]), ey[i][l] = vy[i][l] + h * ay[i][l];
                 }
-                if (i > 1)
-                    for (int l = 0; l < LANES; l++) {
-                        /* moved only now: the spring above has been computed from where it was */
-                        qx[i - 1][l] += h * vx[i - 1][l], qy[i - 1][l] += h * vy[i - 1][l];
-                    }
-            }
-            for (int l = 0; l < LANES; l++) {
-                vx[n - 1][l] -= h * m[l] * bx[l];
-                vy[n - 1][l] += h * (gravity - m[l] * by[l]);
-                qx[n - 1][l] += h * vx[n - 1][l], qy[n - 1][l] += h * vy[n - 1][l];
-            }
+            accelerations(n, k, c, r, m, gravity, qx, qy, ex, ey, nx, ny);
+            for (long i = 1; i < n; i++)
+                for (int l = 0; l < LANES; l++) {
+                    vx[i][l] += 0.5 * h * (ax[i][l] + nx[i][l]), ax[i][l] = nx[i][l];
+                    vy[i][l] += 0.5 * h * (ay[i][l] + ny[i][l]), ay[i][l] = ny[i][l];
+                }
         }
         memcpy(x + first, qx, bytes), memcpy(y + first, qy, bytes);
         memcpy(u + first, vx, bytes), memcpy(w + first, vy, bytes);
