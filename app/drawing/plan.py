@@ -142,9 +142,14 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         moved = sketch.loads, (*sketch.beat, *sketch.muscles.ravel()), muscle_colors(sketch)
     elif len(sketch.loads):
         moved = (sketch.loads,)
+    resists: tuple[ArrayLike, ...] = ()
+    if sketch.medium or sketch.ground:
+        resists = ((sketch.medium, sketch.ground),)
+        # What a body does not have may be left out at the end only.
+        moved = (*moved, [], [], [])[:3]
     if moved and not surroundings:
-        surroundings = [], [], [], []  # what a body does not have may be left out at the end only
-    return joined(*sections, *surroundings, *moved)
+        surroundings = [], [], [], []
+    return joined(*sections, *surroundings, *moved, *resists)
 
 
 def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:

@@ -12,6 +12,7 @@ from ..forces.environment import new_environment
 from ..forces.joints import LAWS, NO_JOINTS
 from ..forces.limits import Limits, new_limits, without_broken
 from ..forces.muscles import new_muscles, waves
+from ..forces.nets import NO_NET, new_net, order_in_runs
 from ..forces.term import read_only
 from ..kernels.core.roots import LEAST
 from ..kernels.core.tables import (
@@ -36,6 +37,9 @@ _SOFT_AT_MOST = 1e-4
 
 _ENDLESS = 1e30
 """Softening of padding springs, px²: makes them longer than any spring, and fits into single precision."""
+
+_VECTORS = [name for name, field in Scratch.fields.items() if field.dimensions == 1]
+"""The fields of `Scratch` that are vectors."""
 
 
 @dataclass(frozen=True)
@@ -226,7 +230,7 @@ def new_state(system: System) -> State:
     """A state with room for the system's masses; `Simulation` fills it."""
     body = system.body
     slots = slots_of(body)
-    joints = max(body.joints, body.stiffness.size) + 1
+    joints = body.torque_size.size
     damageable = body.limits.present
     sizes = {
         "q": (2 * slots, 1),
@@ -287,8 +291,14 @@ def new_scratch(system: System) -> Scratch:
     room = max(system.body.stiffness.size, system.body.joints) + 3
     first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # where loops over springs and masses start
     # An offset behind that of the arrays of a short chain's `State`.
-    arrays = slab([(room, first.get(field, 0)) for field in Scratch.fields], page_offset=2560)
-    return Scratch(**dict(zip(Scratch.fields, arrays, strict=True)))
+    arrays = slab([(room, first.get(field, 0)) for field in _VECTORS], page_offset=2560)
+    net = system.body.net
+    return Scratch(
+        **dict(zip(_VECTORS, arrays, strict=True)),
+        spring_rows=np.zeros((2, net.springs.room)),
+        joint_rows=np.zeros((3, net.joints.room)),
+        vectors=np.zeros((3, 2 * net.gap + room if net.present else 0)),
+    )
 
 
 def _order_along(scene: Scene) -> tuple[Indices, Indices] | None:
@@ -319,11 +329,11 @@ def _order_along(scene: Scene) -> tuple[Indices, Indices] | None:
 
 
 def _hinged_first(scene: Scene) -> Indices:
-    """Indices of the springs, with those that angular springs hold first."""
-    hinged = np.zeros(len(scene.linear_springs), np.bool_)
+    """Indices of the springs in runs, those that angular springs hold first."""
+    alone = np.ones(len(scene.linear_springs), np.bool_)
     for end in ends(scene.angular_springs):
-        hinged[end] = True
-    return np.concatenate((np.flatnonzero(hinged), np.flatnonzero(~hinged)))
+        alone[end] = False
+    return order_in_runs(*ends(scene.linear_springs), alone)
 
 
 def _body(
@@ -333,8 +343,10 @@ def _body(
     count, method = len(springs), METHODS[scene.integrator.method]
     ring = in_order and count == n
     # At least as many springs as masses, since the chain's loops over masses read as many, and one more.
-    room = padded(max(count, n)) + 1
-    torques = max(room, len(joints)) + 1
+    # For others, the loops over a run read a few more.
+    more = 0 if in_order else 7
+    room = padded(max(count, n)) + 1 + more
+    torques = max(room, len(joints) + more) + 1
     stiffness, damping, rest, torque_size, softenings = slab(
         [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
     )
@@ -350,7 +362,6 @@ def _body(
     joint_a, joint_b = (spring_index[end] for end in ends(joints))
     strength = _joint_stiffness(scene)
     rest_angle, resistance = column(joints, "rest_angle"), column(joints, "damping")
-    joint_order = np.arange(joint_a.size)
     held = np.zeros(count, np.bool_)
     held[joint_a] = held[joint_b] = True
     hinged = int(held.sum())
@@ -362,6 +373,11 @@ def _body(
         strength, rest_angle, resistance = by_index.copy()
         joint_a, joint_b = np.arange(of_chain), (np.arange(of_chain) + 1) % count
         hinged = count
+    else:
+        by_runs = order_in_runs(joint_a, joint_b)
+        joint_order = np.argsort(by_runs)
+        joint_a, joint_b = joint_a[by_runs], joint_b[by_runs]
+        strength, rest_angle, resistance = strength[by_runs], rest_angle[by_runs], resistance[by_runs]
     joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(
         joint_b, joint_a, count, first=1, nothing=0
     )
@@ -373,6 +389,9 @@ def _body(
     torque_size[1 : joint_a.size + 1], torque_damping[1 : joint_a.size + 1] = strength, resistance
     if ring and joint_a.size:
         torque_size[0] = strength[-1]
+    net = NO_NET
+    if not in_order:
+        net = new_net((spring_a - 1, spring_b - 1), n, (joint_a, joint_b), hinged)
     body = Body(
         masses=n,
         springs=count,
@@ -406,6 +425,7 @@ def _body(
         more_spring=more_spring,
         more_spring_mass=more_spring_mass,
         more_spring_sign=more_spring_sign,
+        net=net,
         limits=new_limits(scene, spring_order, joint_order) if damageable else Limits.empty(),
         muscles=new_muscles(scene, spring_order, joint_order),
         environment=new_environment(

@@ -201,6 +201,8 @@ def _settle_joint(problem, q, j):
         return False
     state.set_angle[j] = wrap(state.set_angle[j] + math.degrees(moved))
     rest = state.torque_rest[j + 1] + moved
+    if abs(rest) > math.pi:  # a deflection is wrapped once only
+        rest -= math.copysign(2.0 * math.pi, rest)
     state.torque_rest[j + 1] = rest
     state.torque_cos[j + 1], state.torque_sin[j + 1] = size * math.cos(rest), size * math.sin(rest)
     after = size * joint_energy(body.law, ax, ay, bx, by, rest, soft)

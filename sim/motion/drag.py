@@ -156,7 +156,8 @@ class Hands:
         rate_limited: whether the body has so many masses, on springs so stiff, that hands move at a limited
             speed. Never with a fixed step, where every motion takes the same computing time.
         grabbed: masses of the scene that are held by a hand.
-        targets: positions, px, to which masses are led in straight lines in the next call, by slot.
+        targets: positions, px, to which masses are led in straight lines until the next call comes to its
+            end, by slot.
         limited: the rate-limited hands, by slot.
     """
 
@@ -236,9 +237,9 @@ class Hands:
             state.gy[masses] += state.inverse_mass[masses] * system.loads[1]
         return bool(held.all())
 
-    def settle(self) -> None:
-        """After a call, forget the targets and the hands that have arrived."""
-        if self.targets:
+    def settle(self, ended: bool) -> None:
+        """After a call, forget the hands that have arrived, and the targets if the call came to its end."""
+        if self.targets and ended:
             self.targets = {}
         if self.limited:
             self.limited = {index: hand for index, hand in self.limited.items() if not hand.is_there}

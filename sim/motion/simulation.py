@@ -188,9 +188,9 @@ class Simulation:
         return isinstance(solver, Solver) and solver.complete
 
     @property
-    def tries(self) -> int:
-        """Steps that the method has tried since the last call of `stats`."""
-        return self._stepper.solver.tries
+    def work(self) -> int:
+        """What the method has tried since the last call of `stats`, see `SolverStats`."""
+        return self._stepper.solver.work
 
     @property
     def rate_limited(self) -> bool:
@@ -330,7 +330,9 @@ class Simulation:
         """Go on by n time steps, and return how many were done.
 
         They are fewer when the body runs away, see `divergence`, and where `attempts` do not suffice: a
-        method that chooses its own steps may try that many. Then `time` has come as far as they led.
+        method that chooses its own steps may try that many, of which one of a dear method counts as several
+        under `auto`, see `work`. Then `time` has come as far as they led, and what is led goes on in the next
+        call.
         """
         if n < 0:
             raise InputError(f"step: {n} is not a number of steps")
@@ -342,7 +344,7 @@ class Simulation:
         limit = UNLIMITED if attempts is None else attempts
         outcome = self._stepper.step(n, self._hands, presses, self._all_held, limit)
         self._look_at_tables()
-        self._hands.settle()
+        self._hands.settle(outcome.steps == n or outcome.what != guard.GOOD)
         if outcome.what != guard.GOOD:
             self.divergence = explain(self._scene, self._system, self._state, self.step_count, outcome)
         return outcome.steps

@@ -167,21 +167,21 @@ class Stepper:
     def _halt(self, until: float, drive: Drive, halts: int, attempts: int) -> int:
         """Advance in parts: without free masses, no error would make steps short enough for the balance."""
         solver, start = self.solver, self.solver.time
-        last = solver.tries + attempts
+        last = solver.work + attempts
         for i in range(1, halts):
-            solver.run(start + (until - start) * i / halts, drive, last - solver.tries)
-        return solver.run(until, drive, last - solver.tries)
+            solver.run(start + (until - start) * i / halts, drive, last - solver.work)
+        return solver.run(until, drive, last - solver.work)
 
     def _lead_limited(self, until: float, hands: Hands, presses: Presses, attempts: int) -> int:
         """Advance in parts that are short enough for rate-limited hands."""
         solver, start = self.solver, self.solver.time
-        last, what = solver.tries + attempts, guard.GOOD
+        last, what = solver.work + attempts, guard.GOOD
         parts = max(1, math.ceil((until - start) / LONGEST_PART - 1e-6))
         for i in range(1, parts + 1):
             began, end = solver.time, until - (until - start) * (parts - i) / parts
             motions = {index: hand.next_motion(end - began) for index, hand in hands.limited.items()}
             drive = self._drive(until, hands.targets, presses, motions)
-            what = solver.run(end, drive, last - solver.tries)
+            what = solver.run(end, drive, last - solver.work)
             for index, hand in hands.limited.items():
                 hand.go_on(motions[index], solver.time - began)
             if what != guard.GOOD or solver.time < end:

@@ -7,6 +7,7 @@ import re
 import shutil
 from collections.abc import Callable, Generator, Iterator
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -16,7 +17,7 @@ import sim
 from app.page.tab import Submit, Tab
 from app.server.serve import serving
 from tests.browser.between_frames import FRAME_LOCK
-from tests.browser.driver import ARTIFACTS, LIMIT, Desk, Served
+from tests.browser.driver import ARTIFACTS, LIMIT, Desk, Served, rough_context
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 FLAGS = (
@@ -39,32 +40,6 @@ DESKTOP = (880, 580)
 
 Serve = Callable[[str], Served]
 OpenPage = Callable[..., Desk]
-
-_ROUGH = """
-  const real = HTMLCanvasElement.prototype.getContext;
-  HTMLCanvasElement.prototype.getContext = function (kind, options) {
-    return real.call(this, kind, { ...options, antialias: false });
-  };
-  const ask = requestAnimationFrame.bind(window);
-  const calls = new Map();
-  let last = 0, drawn = 0, asked = false;
-  const draw = (time) => {
-    asked = false;
-    drawn = performance.now();
-    const now = [...calls.values()];
-    calls.clear();
-    for (const call of now) call(time);
-  };
-  window.requestAnimationFrame = (call) => {
-    calls.set(++last, call);
-    if (!asked) setTimeout(() => ask(draw), drawn + 45 - performance.now());
-    asked = true;
-    return last;
-  };
-  window.cancelAnimationFrame = (number) => void calls.delete(number);
-"""
-"""What is most of a test's work in software is left out: edges are not smoothed, and frames come some 20
-times a second, as on a slow phone."""
 
 
 def browser_path(playwright: Playwright) -> str:
@@ -163,15 +138,14 @@ def open_page(
             desk.served = served
             desk.page.set_viewport_size({"width": size[0], "height": size[1]})
         else:
-            context = browser.new_context(
+            new = browser.new_context if smooth else partial(rough_context, browser)
+            context = new(
                 viewport={"width": size[0], "height": size[1]},
                 has_touch=phone,
                 device_scale_factor=2 if phone else 1,
                 accept_downloads=True,
             )
             context.set_default_timeout(LIMIT * 1e3)
-            if not smooth:
-                context.add_init_script(_ROUGH)
             desk = Desk(served, context)
         desks.append(desk)
         if is_usual:

@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 import imageio.v3 as iio  # viser brings it along
 import numpy as np
 from numpy.typing import NDArray
-from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Locator, Page
 
 from app.page.tab import Tab
 from app.server.ticker import Ticker
@@ -23,7 +23,7 @@ from app.session.commands import Command
 from app.session.session import Session
 from app.wire.to_page import PageState
 from tests.browser.between_frames import FRAME_LOCK, BetweenFrames
-from tests.browser.scripts import CAMERA, FORGET, FRAMES, HARDWARE, INSTANCES, PROJECT
+from tests.browser.scripts import CAMERA, FORGET, FRAMES, HARDWARE, INSTANCES, PROJECT, ROUGH
 
 T = TypeVar("T")
 Point = tuple[float, float]
@@ -85,6 +85,13 @@ def until(page: Page, condition: Callable[[], T], what: str, limit: float = LIMI
             raise AssertionError(f"in {limit:g} s it did not come to this: {what}")
         page.wait_for_timeout(wait)
         wait = min(2.0 * wait, 50.0)
+
+
+def rough_context(browser: Browser, **options: Any) -> BrowserContext:
+    """A browser profile of its own, made with Playwright's options, that draws no more than tests need."""
+    context = browser.new_context(**options)
+    context.add_init_script(ROUGH)
+    return context
 
 
 class Desk:

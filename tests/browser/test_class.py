@@ -23,7 +23,8 @@ from app.export.live.live import live_html
 from app.page.classroom.roles import desk_address, seat_address, wall_address
 from app.server.serve import serving
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
-from tests.browser.driver import ARTIFACTS, LIMIT, until
+from tests.amount import NIGHT
+from tests.browser.driver import ARTIFACTS, LIMIT, rough_context, until
 from tests.browser.wires import Wire
 
 expect.set_options(timeout=LIMIT * 1e3)
@@ -72,8 +73,11 @@ class School:
         return f"http://127.0.0.1:{self.port}/"
 
     def open(self, address: str, size: tuple[int, int], touch: bool = False) -> Page:
-        context = self.browser.new_context(
-            viewport={"width": size[0], "height": size[1]}, has_touch=touch, reduced_motion="reduce"
+        context = rough_context(
+            self.browser,
+            viewport={"width": size[0], "height": size[1]},
+            has_touch=touch,
+            reduced_motion="reduce",
         )
         page = context.new_page()
         page.set_default_timeout(LIMIT * 1e3)
@@ -88,10 +92,11 @@ class School:
         until(desk, lambda: (self.klass.room.phase, self.klass.room.round) == (phase, round), f"to {phase}")
 
     def shoot(self, name: str) -> None:
-        """Keep pictures of all pages, and look whether the class's texts stand out."""
-        ARTIFACTS.mkdir(exist_ok=True)
-        for i, page in enumerate(self.pages):
-            page.screenshot(path=ARTIFACTS / f"class-{name}-{i}.png")
+        """Look whether the class's texts stand out, and by night keep pictures of all pages."""
+        if NIGHT:
+            ARTIFACTS.mkdir(exist_ok=True)
+            for i, page in enumerate(self.pages):
+                page.screenshot(path=ARTIFACTS / f"class-{name}-{i}.png")
         for page in self.pages[:3]:  # the teacher's, the wall, a pupil's: the others are like that
             shown = set(page.locator(".softrod-class").all_inner_texts())
             judged = [one for one in page.evaluate(CONTRAST) if any(one["text"] in text for text in shown)]

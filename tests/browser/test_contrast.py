@@ -12,6 +12,7 @@ import sim
 from app.session import commands
 from sim.edit.edit import Selection
 from sim.store import files
+from tests.amount import part_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -49,7 +50,7 @@ def put_on(desk: Desk, look: str) -> None:
         desk.until(lambda: desk.tab._page.looks.dark, "it is dark")
 
 
-@pytest.mark.parametrize("look", ["light", "dark"])
+@pytest.mark.parametrize("look", part_of(("light", "dark"), 2))
 def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
     desk = open_page(size=(1280, 760))
     put_on(desk, look)
@@ -86,7 +87,7 @@ def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
     assert not pale, pale
 
 
-@pytest.mark.parametrize("look", ["light", "dark"])
+@pytest.mark.parametrize("look", part_of(("dark", "light"), 2))
 def test_every_text_of_the_tools_stands_out(open_page: OpenPage, look: str, tmp_path: Path) -> None:
     """The strip, with a tool in hand and something to undo; the bar, with a picture's controls; the folder
     of what is selected; the rest angle beside its knob; the question that is asked once; the tuning."""

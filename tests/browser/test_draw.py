@@ -14,6 +14,7 @@ from app.drawing.plan import Picture
 from app.drawing.sketch import Sketch
 from app.page.body.view import Canvas
 from app.session import commands
+from tests.amount import NIGHT
 from tests.browser.conftest import OpenPage
 from tests.browser.looks import PRESETS, assert_shown
 
@@ -80,7 +81,7 @@ def test_every_kind_of_body_opens_and_is_drawn(open_page: OpenPage) -> None:
 
 @pytest.mark.parametrize("phone", [False, True], ids=["desktop", "phone"])
 def test_screenshots_show_the_whole_body(open_page: OpenPage, phone: bool) -> None:
-    desk = open_page(size=(390, 844) if phone else (1280, 760), phone=phone, smooth=True)
+    desk = open_page(size=(390, 844) if phone else (1280, 760), phone=phone, smooth=NIGHT)
     desk.tell(commands.Play(False))
     for dark in (False,) if phone else (False, True):
         if dark:

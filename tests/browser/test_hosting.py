@@ -18,7 +18,7 @@ from app.page.classroom.roles import desk_address, seat_address, wall_address
 from app.server.serve import serving
 from sim.store.link import pack_scene
 from tests.browser.conftest import DESKTOP
-from tests.browser.driver import LIMIT, Desk, Served, until
+from tests.browser.driver import LIMIT, Desk, Served, rough_context, until
 from tests.browser.wires import certified, self_signed, wire
 from tests.proxies import FOLDERS, Proxy
 
@@ -39,8 +39,8 @@ def begin(rest: ExitStack, browser: Browser, tls: ssl.SSLContext, folder: str, k
     compiler.start()
     compiler.wait()
     listener.to = server.get_port()
-    context = browser.new_context(
-        viewport={"width": DESKTOP[0], "height": DESKTOP[1]}, ignore_https_errors=True
+    context = rough_context(
+        browser, viewport={"width": DESKTOP[0], "height": DESKTOP[1]}, ignore_https_errors=True
     )
     rest.callback(context.close)
     return Desk(Served(url, ticker), context)
@@ -87,7 +87,7 @@ def test_the_page_works_at_the_end_of_a_tunnel(rest: ExitStack, browser: Browser
     compiler.start()
     compiler.wait()
     tunnel = rest.enter_context(wire(server.get_port()))
-    context = browser.new_context(viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
+    context = rough_context(browser, viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
     rest.callback(context.close)
     desk = Desk(Served(f"http://localhost:{tunnel.port}", ticker), context)
     desk.open()
@@ -110,8 +110,8 @@ def test_a_class_behind_nginx_needs_nothing_from_outside_and_tells_no_secret(
         )
         ports.append(server.get_port())
     rest.enter_context(proxy.leading(*ports))
-    context = browser.new_context(
-        viewport={"width": DESKTOP[0], "height": DESKTOP[1]}, ignore_https_errors=True
+    context = rough_context(
+        browser, viewport={"width": DESKTOP[0], "height": DESKTOP[1]}, ignore_https_errors=True
     )
     rest.callback(context.close)
     outside: list[str] = []

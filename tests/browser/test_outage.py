@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, BrowserContext, Route, expect
 from app.session import commands
 from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.conftest import DESKTOP, OpenPage, Serve
-from tests.browser.driver import Desk, Served, until
+from tests.browser.driver import Desk, Served, rough_context, until
 from tests.browser.wires import Wire, wire
 
 NOT_CONNECTED = "Not connected: your body waits."
@@ -46,7 +46,7 @@ def hurry(context: BrowserContext) -> None:
 def led(serve: Serve, browser: Browser) -> Iterator[tuple[Desk, Wire]]:
     """A page whose server is at the other end of a wire."""
     served = serve("tutorial-3.3")
-    context = browser.new_context(viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
+    context = rough_context(browser, viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
     hurry(context)
     with wire(int(served.url.rpartition(":")[2])) as between:
         desk = Desk(Served(f"http://127.0.0.1:{between.port}", served.ticker), context)
@@ -148,7 +148,7 @@ def test_a_server_that_stands_still_is_noticed_and_taken_up_again(browser: Brows
         try:
             assert server.stdout is not None
             url = next(word for word in server.stdout.readline().split() if word.startswith("http://"))
-            context = browser.new_context(viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
+            context = rough_context(browser, viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
             hurry(context)
             page = context.new_page()
             page.goto(url)

@@ -11,7 +11,7 @@ import sim
 from app.server.serve import serving
 from app.session import commands
 from tests.browser.conftest import DESKTOP, OpenPage
-from tests.browser.driver import Desk, Served
+from tests.browser.driver import Desk, Served, rough_context
 
 _SLIDE = """(slider, value) => {
   slider.value = value;
@@ -109,7 +109,7 @@ def test_a_server_that_is_started_anew_has_the_page_back(browser: Browser) -> No
         with serving(scene, "127.0.0.1", 0) as (server, ticker, _):
             port = server.get_port()
             served = Served(f"http://127.0.0.1:{port}", ticker)
-            context = browser.new_context(viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
+            context = rough_context(browser, viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
             rest.callback(context.close)
             desk = Desk(served, context)
             desk.open()

@@ -34,6 +34,8 @@
  * @property {Float32Array} loads of each constant force which mass it acts on, and its arrow, in the world
  * @property {Float32Array} muscles frequency, Hz, and phase of the beat, and of each muscle what swing.js says; or nothing
  * @property {Float32Array} muscleColors a table, from a muscle at its longest to one at its shortest
+ * @property {boolean} medium whether the body is in a medium
+ * @property {boolean} ground whether it lies on the ground, seen from above
  */
 
 /**
@@ -43,13 +45,15 @@
 export function readPlan(data) {
   const take = sections(data);
   const [generation, scale, x, y, flip, many, bars, slices, driven] = take();
-  return {
+  const plan = {
     generation, scale, x, y, flip, many: many === 1, bars: bars === 1, slices, driven,
     radius: take(), springs: take(), restLength: take(), thickness: take(), fullStrain: take(), joints: take(),
     restAngle: take(), pinned: take(), massColors: take(), strainColors: take(), turnColors: take(),
     inkColors: take(), walls: take(), fillings: take(), wind: take(), contact: take()[0] ?? 0,
     loads: take(), muscles: take(), muscleColors: take(),
   };
+  const [medium, ground] = take();
+  return { ...plan, medium: medium === 1, ground: ground === 1 };
 }
 
 /**

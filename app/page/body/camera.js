@@ -227,7 +227,7 @@ export function keepFlat() {
     const sheet = covered(canvas, box);
     placeTransport(box, sheet);
     const { above, below } = besideTools(box);
-    const strips = [...document.querySelectorAll(".softrod-muscles, .softrod-modes, .softrod-race")].map(
+    const strips = [...document.querySelectorAll(".softrod-strip")].map(
       (strip) => /** @type {HTMLElement} */ (strip).offsetHeight,
     );
     const cover = [sheet, above, below, ...strips].join(" ");

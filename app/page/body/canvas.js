@@ -46,6 +46,8 @@ let asked = false;
 /** Whether the picture that is shown stays. */
 let held = false;
 
+const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
 /** What is shown now. */
 export const shown = () => state;
 
@@ -109,12 +111,11 @@ function paint() {
  */
 function show(at, plan, frame, damage = UNHARMED) {
   const world = draw.toWorld(plan, frame.positions);
-  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   const has = (/** @type {string} */ name) => owners.has(at + name);
   /** @param {string} name @param {Instances} instances */
   const put = (name, instances) => fill(at + name, instances);
-  if (has("halos")) put("halos", draw.muscles(plan, frame, world, true, damage, still));
-  if (has("muscles")) put("muscles", draw.muscles(plan, frame, world, false, damage, still));
+  if (has("halos")) put("halos", draw.muscles(plan, frame, world, true, damage, isStill()));
+  if (has("muscles")) put("muscles", draw.muscles(plan, frame, world, false, damage, isStill()));
   put("springs", draw.springs(plan, frame, world, damage));
   if (has("yielded")) put("yielded", draw.yielded(plan, world, damage));
   put("wedges", draw.wedges(plan, frame, world, damage));

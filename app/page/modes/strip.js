@@ -38,12 +38,12 @@ const hertz = (f) => few(f, f < 100 ? 2 : 3);
 
 /** Puts up the strip, which is hidden while nobody looks at modes. */
 export function addModes() {
-  const strip = make("div", "softrod-modes");
+  const strip = make("div", "softrod-strip softrod-modes");
   strip.setAttribute("role", "group");
   strip.ariaLabel = "Modes";
   strip.hidden = true;
-  const head = make("div", "softrod-modes-head");
-  const says = make("span", "softrod-modes-says", HOW);
+  const head = make("div", "softrod-strip-head softrod-modes-head");
+  const says = make("span", "softrod-strip-says softrod-modes-says", HOW);
   const close = makeButton("×", () => perform("modes"), "softrod-modes-close");
   close.ariaLabel = "Close the modes";
   close.title = withKey("Close", "modes");

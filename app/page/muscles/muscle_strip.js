@@ -60,12 +60,12 @@ function select({ joint, part }, toggle) {
 }
 
 function makeStrip() {
-  const strip = make("div", "softrod-muscles");
+  const strip = make("div", "softrod-strip softrod-muscles");
   strip.setAttribute("role", "group");
   strip.ariaLabel = "Muscles";
-  const head = make("div", "softrod-muscles-head");
+  const head = make("div", "softrod-strip-head softrod-muscles-head");
   const fold = makeButton("Muscles", () => setOpen(wave.hasAttribute("hidden")), "softrod-muscles-fold");
-  const says = make("span", "softrod-muscles-says", HOW);
+  const says = make("span", "softrod-strip-says softrod-muscles-says", HOW);
   const controls = tuning();
   head.append(fold, says, ...controls.elements);
   const wave = makeSvg("svg", "softrod-muscles-wave");

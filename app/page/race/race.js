@@ -57,7 +57,7 @@ export const openRace = () => (race.on ? start() : openRivals());
 let start = () => {};
 
 function makeStrip() {
-  const strip = make("div", "softrod-race");
+  const strip = make("div", "softrod-strip softrod-race");
   strip.setAttribute("role", "group");
   strip.ariaLabel = "Race";
   const head = make("div", "softrod-race-head");
