@@ -100,6 +100,14 @@ class Clock:
         return self.now
 
 
+class Unhurried(Session):
+    """A session whose frames take all the computing that they need, so that no machine is too slow."""
+
+    def tick(self, budget: float) -> None:
+        """See `Session.tick`."""
+        super().tick(math.inf)
+
+
 class Film:
     """The page in motion.
 
@@ -166,7 +174,7 @@ def record(browser: Browser) -> list[Image.Image]:
     scene = sim.load_scene(SCENE)
     scene = msgspec.structs.replace(scene, view=msgspec.structs.replace(scene.view, frame=REGION))
     with (
-        mock.patch.object(tab, "Session", partial(Session, clock=clock)),
+        mock.patch.object(tab, "Session", partial(Unhurried, clock=clock)),
         serving(scene, "127.0.0.1", 0) as (server, ticker, compiler),
     ):
         compiler.start()

@@ -44,6 +44,9 @@ TILE = (250, 190)
 LABEL, GAP = 22, 6
 """Height of a name, and room around a tile, px."""
 
+FAINT = 100
+"""Difference of a colour from the paper's, summed over its three parts, that no grid and no filling has."""
+
 PAGE = (900, 640)
 """Size of the page, CSS px."""
 
@@ -60,16 +63,25 @@ def tile(desk: Desk, scene: sim.Scene) -> Image.Image:
     """The scene's frame as the page shows it."""
     desk.tell(commands.Play(False), commands.Open(scene))
     desk.until(lambda: desk.session.generation == desk.tab._generation, "the scene is up")
-    desk.until(lambda: len(desk.instances("/body/masses")) == 3 * len(scene.masses), "it is drawn")
-    desk.wait_drawn()
-    desk.rest(4)
     xmin, ymin, xmax, ymax = scene.view.frame
     corners = desk.at([(xmin, ymin), (xmax, ymax)])
     (left, top), (right, bottom) = corners.min(0), corners.max(0)
-    shot = desk.page.screenshot(
-        style=_BARE, clip={"x": left, "y": top, "width": right - left, "height": bottom - top}
-    )
-    image = Image.open(io.BytesIO(shot)).convert("RGB")
+    places = (desk.at(scene.pose.positions if scene.pose else ()) - (left, top)).astype(int)
+
+    def drawn() -> Image.Image | None:
+        """The page, once the masses that are in view are in it: viser draws when it has the time."""
+        desk.page.evaluate("window.__viserMutable.requestRender()")
+        desk.rest(4)
+        clip = {"x": left, "y": top, "width": right - left, "height": bottom - top}
+        shot = desk.page.screenshot(style=_BARE, clip=clip)  # type: ignore[arg-type]
+        image = Image.open(io.BytesIO(shot)).convert("RGB")
+        pixels = np.asarray(image, int)
+        seen = [(x, y) for x, y in places if 0 <= x < image.width and 0 <= y < image.height]
+        colors = np.array([np.abs(pixels[y, x] - pixels[0, 0]).sum() for x, y in seen])
+        return image if (colors > FAINT).mean() > 0.5 else None
+
+    image = desk.until(drawn, "the body is drawn")
+    assert image
     image.thumbnail(TILE, Image.Resampling.LANCZOS)
     return image
 

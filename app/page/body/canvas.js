@@ -51,6 +51,12 @@ const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 /** What is shown now. */
 export const shown = () => state;
 
+/** The other body of a race in a picture, and what it is made of; null without one. @param {Frame} frame */
+export function rivalIn({ rival }) {
+  const { rivalPlan: plan } = state;
+  return rival && plan?.radius.length === rival.positions.length / 2 ? { plan, frame: rival } : null;
+}
+
 /** @type {((frame: Frame) => void)[]} */
 const takers = [];
 
@@ -88,8 +94,8 @@ function paint() {
     state.since = performance.now();
     const damage = state.damage.generation === plan.generation ? state.damage : UNHARMED;
     show(BODY, plan, frame, damage);
-    const { rivalPlan } = state;
-    if (frame.rival && rivalPlan?.radius.length === frame.rival.positions.length / 2) show(RIVAL, rivalPlan, frame.rival, damage.rival);
+    const rival = rivalIn(frame);
+    if (rival) show(RIVAL, rival.plan, rival.frame, damage.rival);
     state.drawn += 1;
     page?.requestRender();
     for (const listener of listeners) listener(frame, plan);

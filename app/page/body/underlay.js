@@ -4,9 +4,10 @@
  */
 import { moving, standing, streaks } from "../../drawing/static/environment.js";
 import { LAYERS } from "../../drawing/static/looks.js";
-import { onPicture, shown } from "./canvas.js";
+import { onPicture, rivalIn, shown } from "./canvas.js";
 import { onTold, told } from "../../wire/channel.js";
 import { makeSvg, set, sight } from "./overlay.js";
+import { onScreen } from "./screen.js";
 import { timeNow } from "../time/transport.js";
 import { viser } from "../viser/viser.js";
 
@@ -82,7 +83,16 @@ export function addUnderlay() {
     if (view !== stood) show(standing(seen, Math.max(told().width ?? 0, told().height ?? 0) / seen.plan.scale));
     stood = view;
     for (const other of others) other(seen, svg);
-    show(moving(seen, shown().damage.broken));
+    const { damage } = shown();
+    const outlines = moving(seen, damage.broken);
+    const rival = rivalIn(seen.frame);
+    if (rival) {
+      const places = onScreen(rival.plan, rival.frame.positions, seen.on);
+      const theirs = moving({ plan: rival.plan, places }, damage.rival?.broken ?? new Set());
+      outlines.gas += theirs.gas;
+      outlines.liquid += theirs.liquid;
+    }
+    show(outlines);
     set(paths.skin, { "stroke-width": (seen.plan.contact * seen.plan.scale * seen.on.step).toFixed(2) });
     if (seen.plan.wind.length) blow(seen, still.matches ? 0 : timeNow());
     else set(wind, { d: "" });
