@@ -88,6 +88,7 @@ class Palette:
     liquid: Rgb
     muscle: Rgb
     force: Rgb
+    rival: Rgb
 
     def css(self, name: str) -> str:
         """One of the colours as CSS has it."""

@@ -36,9 +36,10 @@ COLORS = {
     "force": ("c2185b", "ff7eb6"),
     "velocity": ("00796b", "3ce0c4"),
     "torque": ("7c4a03", "ffe066"),
+    "rival": ("0ca678", "38d9a9"),
 }
 """Each on white and on dark paper, sRGB. `line` is of every fifth line of the grid, and of edges; `brand`
-also of the driven mass, a ghost and gas."""
+also of the driven mass, a ghost and gas; `rival` of the other body of a race."""
 
 TUTORIAL_COLORS = {
     "mass": ("ff2020", "ff2020"),
@@ -69,6 +70,10 @@ class Layer:
 LAYERS = {
     "grid": Layer("grid", width=1.0),
     "major": Layer("line", width=1.0),
+    "medium": Layer("liquid", 0.1),
+    "ripple": Layer("liquid", 0.45, width=1.3, round=True),
+    "ground": Layer("text", 0.07),
+    "grain": Layer("text", 0.4, width=1.6, round=True),
     "wall": Layer("text", 0.1),
     "hatch": Layer("text", 0.55, width=1.2),
     "surface": Layer("text", width=2.0),
@@ -94,6 +99,12 @@ HATCH, STROKE = 13.0, 8.0
 STREAKS, STREAK, PARTS, POINT = 150.0, 44.0, 8, 4.0
 """Pixels between two streaks of the wind, about; the length of one in the mean wind, its straight parts, and
 pixels of its point."""
+
+RIPPLES, RIPPLE, CREST = 90.0, 20.0, 2.4
+"""Pixels between two ripples of a medium, about; the length of one, and the height of its crests."""
+
+GRAINS, GRAIN = 36.0, 3.0
+"""Pixels between two grains of the ground, about, and the length of the longest."""
 
 # ------------------------------------------------------------------------- the body
 FILL, SHINE, RING, PIN, WEDGE = 0.8, 0.22, 1.75, 2.0, 2.6

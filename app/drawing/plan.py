@@ -45,6 +45,7 @@ class Picture:
         ghost: (n, 2) px, where the masses of a second body are, or None.
         damage: what has yielded and broken, or None.
         ghost_broken: indices of the springs of the second body that are broken.
+        rival: the other body of a race, which has a plan of its own, or None.
     """
 
     positions: Floats
@@ -54,6 +55,7 @@ class Picture:
     ghost: Floats | None = None
     damage: Damage | None = None
     ghost_broken: tuple[int, ...] = ()
+    rival: Picture | None = None
 
     @staticmethod
     def of(
@@ -140,9 +142,14 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         moved = sketch.loads, (*sketch.beat, *sketch.muscles.ravel()), muscle_colors(sketch)
     elif len(sketch.loads):
         moved = (sketch.loads,)
+    resists: tuple[ArrayLike, ...] = ()
+    if sketch.medium or sketch.ground:
+        resists = ((sketch.medium, sketch.ground),)
+        # What a body does not have may be left out at the end only.
+        moved = (*moved, [], [], [])[:3]
     if moved and not surroundings:
-        surroundings = [], [], [], []  # what a body does not have may be left out at the end only
-    return joined(*sections, *surroundings, *moved)
+        surroundings = [], [], [], []
+    return joined(*sections, *surroundings, *moved, *resists)
 
 
 def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:
@@ -152,8 +159,16 @@ def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:
         generation: of the plan.
         picture: what is drawn.
     """
-    head = generation, picture.time, picture.rest_length_scale, picture.rest_angle_shift
-    return joined(head, picture.positions, *(() if picture.ghost is None else (picture.ghost,)))
+
+    def moment(body: Picture) -> tuple[float, float, float]:
+        return body.time, body.rest_length_scale, body.rest_angle_shift
+
+    beside: tuple[ArrayLike, ...] = ()
+    if picture.ghost is not None:
+        beside = (picture.ghost,)
+    if (rival := picture.rival) is not None:
+        beside = *(beside or ([],)), moment(rival), rival.positions
+    return joined((generation, *moment(picture)), picture.positions, *beside)
 
 
 def encode_damage(generation: int, picture: Picture) -> NDArray[np.float32]:
@@ -163,8 +178,12 @@ def encode_damage(generation: int, picture: Picture) -> NDArray[np.float32]:
         generation: of the plan.
         picture: what is drawn.
     """
-    damage = picture.damage or Damage()
-    return joined([generation], damage.broken, damage.set_lengths, damage.set_angles, picture.ghost_broken)
+    damage, sections = picture.damage or Damage(), list[ArrayLike]()
+    if picture.rival is not None and (other := picture.rival.damage) is not None:
+        sections = [other.broken, other.set_lengths, other.set_angles]
+    return joined(
+        [generation], damage.broken, damage.set_lengths, damage.set_angles, picture.ghost_broken, *sections
+    )
 
 
 def joined(*sections: ArrayLike) -> NDArray[np.float32]:

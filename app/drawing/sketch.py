@@ -101,6 +101,7 @@ class Sketch:
         radius: (n,) of each mass in the world.
         environment: the table of what surrounds the body, its masses by their index; None where nothing does.
         contact: px, the distance at which contact begins; 0 where there is none.
+        medium, ground: whether the body is in a medium, and whether it lies on the ground.
         muscles: (k, 6) whether a muscle is a joint's, the index of its spring or joint, amplitude (of a
             joint's degrees), phase (degrees), whether its wave is a pulse, and waves in a beat.
         beat: frequency (Hz) and phase (degrees) of what they keep to.
@@ -137,6 +138,7 @@ class Sketch:
             drawn = msgspec.structs.replace(scene, contact=None)
             self.environment = new_environment(drawn, np.arange(n), self.springs, n)
         self.contact = scene.contact.distance if scene.contact else 0.0
+        self.medium, self.ground = bool(scene.medium), bool(scene.ground)
         self.loads = _load_arrows(scene, mapping)
         self.muscles = _muscles(scene)
         self.beat = (scene.beat.frequency, scene.beat.phase) if scene.beat else (0.0, 0.0)

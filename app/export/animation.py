@@ -1,8 +1,9 @@
 """A motion as an animated model: a GLB file, for game engines, Blender and viewers on the web.
 
 Each mass and each spring is a node, `mass 3` and `spring 7`. Masses have keyframes of their places; springs,
-of unit length along x, follow from their first mass to the second one. What does not move has no keyframes.
-Units and axes are those of `app.export.model`; wedges, fillings and wind are left out.
+of unit length along x, follow from their first mass to the second one; muscles lie on what they move, and
+swell. What does not move has no keyframes. Colours stay, as core glTF has keyframes for nodes only. Units and
+axes are those of `app.export.model`; wedges and what surrounds a body but walls are left out.
 """
 
 from __future__ import annotations
@@ -24,10 +25,10 @@ from . import instances
 from .clip import Clip, Shot
 from .glb_file import GlbFile
 from .keyframes import check_size
-from .model import METRES_PER_PX, MOST_PARTS, PLATE, Solid, ball, plate, spring_solid, walls
+from .model import METRES_PER_PX, MOST_PARTS, MUSCLES, PLATE, Solid, ball, plate, spring_solid, walls
 
-_OF_MASS, _OF_SPRING = 3, 7
-"""Numbers of each frame: a place; a turn and a size, for a spring is where its first mass is."""
+_OF_MASS, _OF_SPRING, _OF_MUSCLE = 3, 7, 3
+"""Numbers of each frame: a place; a turn and a size, for a spring is where its first mass is; a size."""
 
 
 def animated_glb(clip: Clip, rate: int) -> bytes:
@@ -44,7 +45,8 @@ def animated_glb(clip: Clip, rate: int) -> bytes:
     count, springs = len(scene.masses), len(scene.linear_springs)
     if count + springs > MOST_PARTS:
         raise InputError(f"a model has {MOST_PARTS} masses and springs at most")
-    check_size(clip, rate, _OF_MASS * count + _OF_SPRING * springs)
+    muscles = len(Sketch.plain(scene).muscles)
+    check_size(clip, rate, _OF_MASS * count + _OF_SPRING * springs + _OF_MUSCLE * muscles)
     return _Animation(scene, list(clip.frames(rate)), rate).file.bytes()
 
 
@@ -68,7 +70,7 @@ class _Animation:
         self._meshes: dict[tuple[str, tuple[float, ...]], int] = {}
         to_world = self._sketch.mapping.to_world
         places = self._metres * np.array([to_world(shot.picture.positions) for shot in shots])
-        nodes = self._masses(places) + self._springs(places) + self._walls(scene)
+        nodes = self._masses(places) + self._springs(places) + self._muscles(places) + self._walls(scene)
         root = self.file.add("nodes", name="body", children=nodes)
         tree = self.file.tree
         tree["scene"] = self.file.add("scenes", nodes=[root])
@@ -108,12 +110,38 @@ class _Animation:
         for frame, shot in enumerate(self._shots):
             sizes[frame, list(broken_of(shot.picture.damage))] = 0.0
         mesh = self._mesh("spring", self._solid(spring_solid(sketch)), sketch.palette.rest)
+        self._turns = [self._sampler(turns[:, s]) for s in range(len(sketch.springs))]
+        self._first_turns = turns[0]
         for s, a in enumerate(sketch.springs[:, 0].tolist()):
             node = self._node(f"spring {s}", mesh, places[0, a], sizes[0, s], turns[0, s])
             self._channel(node, "translation", self._places[a])
-            self._channel(node, "rotation", self._sampler(turns[:, s]))
+            self._channel(node, "rotation", self._turns[s])
             self._channel(node, "scale", self._sampler(sizes[:, s]))
             nodes.append(node)
+        return nodes
+
+    def _muscles(self, places: Floats) -> list[int]:
+        """Plates on what muscles move, as thick as these are short; returns their nodes."""
+        sketch, nodes = self._sketch, []
+        for kind, flat, of_joints in MUSCLES:
+            part = sketch.muscles[sketch.muscles[:, 0] == of_joints, 1].astype(int)
+            if not len(part):
+                continue
+            sizes = np.zeros((len(self._shots), len(part), 3))
+            for frame, shot in enumerate(self._shots):
+                drawn = instances.every_muscle(sketch, shot.picture, of_joints)
+                whole = instances.whole_muscles(sketch, shot.picture, of_joints)
+                size = np.stack((drawn.lengths, drawn.widths, PLATE * drawn.widths), -1)
+                sizes[frame] = self._metres * whole[:, None] * size
+            mesh = self._mesh("muscle", self._solid(plate(meshes()[flat])), sketch.palette.muscle)
+            for k, i in enumerate(part.tolist()):
+                mass = int(sketch.joint_mass[i] if of_joints else sketch.springs[i, 0])
+                turn = None if of_joints else self._first_turns[i]
+                node = self._node(f"muscle of {kind} {i}", mesh, places[0, mass], sizes[0, k], turn)
+                self._channel(node, "translation", self._places[mass])
+                self._channel(node, "rotation", None if of_joints else self._turns[i])
+                self._channel(node, "scale", self._sampler(sizes[:, k]))
+                nodes.append(node)
         return nodes
 
     def _walls(self, scene: sim.Scene) -> list[int]:

@@ -16,7 +16,22 @@ from sim.forces.fillings import FillingRow
 from sim.forces.limits import leaking
 from sim.scene.surroundings import STILL_AIR
 
-from ..drawing.looks import DENSE, HATCH, HEAD, PARTS, POINT, SIDE, STREAK, STREAKS, STROKE
+from ..drawing.looks import (
+    CREST,
+    DENSE,
+    GRAIN,
+    GRAINS,
+    HATCH,
+    HEAD,
+    PARTS,
+    POINT,
+    RIPPLE,
+    RIPPLES,
+    SIDE,
+    STREAK,
+    STREAKS,
+    STROKE,
+)
 from ..drawing.sketch import Floats, Sketch
 from .window import Window
 
@@ -171,20 +186,13 @@ def streaks(sketch: Sketch, time: float, window: Window) -> list[Floats]:
         time: simulated seconds.
         window: of the picture.
     """
-    air = sketch.environment.air if sketch.environment is not None else None
-    if air is None or math.hypot(air.wind_x, air.wind_y) < STILL_AIR:
+    if sketch.environment is None or not _blows(sketch):
         return []
+    air = sketch.environment.air
     mapping, scale = sketch.mapping, sketch.mapping.scale * window.step
     wind = np.array((air.wind_x, air.wind_y))
-    cell = 2.0 ** round(math.log2(STREAKS * window.unit / scale))
-    drift = wind * time
-    corners = np.array(((0.0, 0.0), window.size))
-    world = (corners - (window.x, window.y)) / (window.step, -window.step)
-    ends = np.array([mapping.to_scene(x, y) for x, y in world])
-    first = np.floor((ends.min(0) - drift) / cell).astype(int)
-    last = np.ceil((ends.max(0) - drift) / cell).astype(int)
-    i, j = (part.ravel() for part in np.meshgrid(*(np.arange(first[k], last[k] + 1) for k in (0, 1))))
-    place = np.column_stack(((i + _chance(i, j, 0)) * cell, (j + _chance(i, j, 1)) * cell))
+    drift = air.wind_x * time, air.wind_y * time
+    place = _scattered(sketch, window, STREAKS, drift).places
     lasting = STREAK * window.unit / (math.hypot(*wind) * scale * PARTS)
     points = [place + drift]
     for _ in range(PARTS):
@@ -193,6 +201,55 @@ def streaks(sketch: Sketch, time: float, window: Window) -> list[Floats]:
     flat = mapping.to_world(np.concatenate(points))[:, :2]
     lines = window.pixels(flat).reshape(PARTS + 1, -1, 2).swapaxes(0, 1)
     return [*lines, *_points(lines[:, 0], lines[:, 1], POINT * window.unit)]
+
+
+def ripples(sketch: Sketch, window: Window) -> Floats:
+    """(k, p, 2) lines of a medium that stands still; where wind moves it, its streaks show that instead."""
+    if not sketch.medium or _blows(sketch):
+        return np.zeros((0, 2, 2))
+    part = np.linspace(0.0, 1.0, 2 * PARTS + 1)
+    ripple = np.column_stack(((part - 0.5) * RIPPLE, -CREST * np.sin(4.0 * math.pi * part)))
+    return _scattered(sketch, window, RIPPLES).pixels[:, None] + window.unit * ripple
+
+
+def grains(sketch: Sketch, window: Window) -> Floats:
+    """(k, 2, 2) lines of the ground."""
+    if not sketch.ground:
+        return np.zeros((0, 2, 2))
+    i, j, _, pixels = _scattered(sketch, window, GRAINS)
+    turn, long = math.pi * _chance(i, j, 2), GRAIN * window.unit * (0.2 + 0.8 * _chance(i, j, 3))
+    return np.stack((pixels, pixels + np.column_stack((long * np.cos(turn), long * np.sin(turn)))), axis=1)
+
+
+def _blows(sketch: Sketch) -> bool:
+    """Whether there is wind to be drawn."""
+    air = sketch.environment.air if sketch.environment is not None else None
+    return air is not None and math.hypot(air.wind_x, air.wind_y) >= STILL_AIR
+
+
+class _Scattered(NamedTuple):
+    """Places over all of a picture, one in each cell of a lattice."""
+
+    i: np.ndarray  # of the cells
+    j: np.ndarray
+    places: Floats  # (k, 2) px, before the lattice has drifted
+    pixels: Floats  # (k, 2) after that
+
+
+def _scattered(
+    sketch: Sketch, window: Window, apart: float, drift: tuple[float, float] = (0.0, 0.0)
+) -> _Scattered:
+    """Places that are so many pixels apart, about, of a lattice that has drifted by so many px."""
+    mapping = sketch.mapping
+    cell = 2.0 ** round(math.log2(apart * window.unit / (mapping.scale * window.step)))
+    corners = np.array(((0.0, 0.0), window.size))
+    world = (corners - (window.x, window.y)) / (window.step, -window.step)
+    ends = np.array([mapping.to_scene(x, y) for x, y in world])
+    first = np.floor((ends.min(0) - drift) / cell).astype(int)
+    last = np.ceil((ends.max(0) - drift) / cell).astype(int)
+    i, j = np.mgrid[first[0] : last[0] + 1, first[1] : last[1] + 1].reshape(2, -1)
+    places = np.column_stack(((i + _chance(i, j, 0)) * cell, (j + _chance(i, j, 1)) * cell))
+    return _Scattered(i, j, places, window.pixels(mapping.to_world(places + drift)[:, :2]))
 
 
 def _air(waves: Floats, wind: Floats, places: Floats) -> Floats:

@@ -176,8 +176,9 @@ class Export:
         """What pictures, films and replays show."""
         if not self.race:
             return list(map(Shot.of, moments))
+        from ..session.rival import on_terrain
         from .making import simulated
-        from .race import on_terrain, race, result
+        from .race import race, result
 
         rival = on_terrain(sim.load_scene(self.race), moments[-1].scene)
         others = simulated(rival, self.seconds, self.after, Console(stderr=True))

@@ -81,21 +81,35 @@ def every_spring(sketch: Sketch, picture: Picture) -> Instances:
 
 
 def muscles(sketch: Sketch, picture: Picture, of_joints: bool) -> Instances:
-    """Bellies along springs, or halos around the masses of joints."""
-    rows = sketch.muscles[sketch.muscles[:, 0] == of_joints]
-    part, breath = rows[:, 1].astype(np.int64), np.sign(rows[:, 2]) * _waves(sketch, rows, picture.time)
-    gone = np.array(broken_of(picture.damage), np.int64)
+    """Bellies along springs, or halos around the masses of joints; none where what they move is broken."""
+    return every_muscle(sketch, picture, of_joints).some(whole_muscles(sketch, picture, of_joints))
+
+
+def whole_muscles(sketch: Sketch, picture: Picture, of_joints: bool) -> NDArray[np.bool_]:
+    """(k,) whether what each muscle moves is not broken."""
+    part, gone = _part_of_muscles(sketch, of_joints), np.array(broken_of(picture.damage), np.int64)
+    if of_joints:
+        return ~(np.isin(sketch.joint_a[part], gone) | np.isin(sketch.joint_b[part], gone))
+    return ~np.isin(part, gone)
+
+
+def every_muscle(sketch: Sketch, picture: Picture, of_joints: bool) -> Instances:
+    """As `muscles`, with those of what is broken."""
+    rows, part = sketch.muscles[sketch.muscles[:, 0] == of_joints], _part_of_muscles(sketch, of_joints)
+    breath = (1.0 if of_joints else -1.0) * np.sign(rows[:, 2]) * _waves(sketch, rows, picture.time)
     if of_joints:
         tip = sketch.joint_mass[part]
-        whole = ~(np.isin(sketch.joint_a[part], gone) | np.isin(sketch.joint_b[part], gone))
         places, angles = to_world(sketch, picture.positions)[tip], np.zeros(len(part))
         lengths = widths = HALO * (1.0 + BREATH * breath) * sketch.radius[tip]
     else:
-        breath, whole = -breath, ~np.isin(part, gone)
         places, angles, lengths = (each[part] for each in _between(sketch, picture.positions))
         widths = BELLY * (1.0 + BREATH * breath) * sketch.thickness[part] * (1.0 if sketch.bars else 2.0)
-    colors = _colored(muscle_colors(sketch), breath)
-    return Instances(places, angles, lengths, widths, colors).some(whole)
+    return Instances(places, angles, lengths, widths, _colored(muscle_colors(sketch), breath))
+
+
+def _part_of_muscles(sketch: Sketch, of_joints: bool) -> NDArray[np.int64]:
+    """(k,) the springs or the joints that muscles move."""
+    return sketch.muscles[sketch.muscles[:, 0] == of_joints, 1].astype(np.int64)
 
 
 def _swings(sketch: Sketch, picture: Picture) -> tuple[Floats, Floats]:

@@ -1,8 +1,8 @@
 """A pose as a model in three dimensions: a GLB file, for programs such as Blender and for viewers on the web.
 
-Masses are balls, springs coils or bars, wedges, supports and walls plates. What fills a loop and what blows
-is left out. glTF measures in metres: a px is a millimetre, the middle of the scene's frame is the origin, and
-y is up.
+Masses are balls, springs coils or bars, wedges, supports, muscles and walls plates. What else surrounds a
+body is left out. glTF measures in metres: a px is a millimetre, the middle of the scene's frame is the
+origin, and y is up.
 """
 
 from __future__ import annotations
@@ -35,7 +35,10 @@ _WIRE, _SIDES, _SAMPLES = 0.15, 6, 12
 """Radius of a coil's wire in those of the coil, sides of the wire, and its places in a turn."""
 
 PLATE = 0.3
-"""Thickness of wedges and supports, in radii of their mass; each is drawn where the mass is."""
+"""Thickness of wedges, supports and muscles, in radii of their mass or in their width."""
+
+MUSCLES = ("spring", "belly", False), ("joint", "disc", True)
+"""Of each kind of muscle what it moves, the flat mesh of its plate, and whether it is a joint's."""
 
 Solid = tuple[Floats, NDArray[np.int64]]
 """Vertices (k, 3) and triangles (m, 3)."""
@@ -96,6 +99,10 @@ def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trim
         springs = instances.springs(sketch, picture)
         solid = spring_solid(sketch)
         found["springs"] = _copies(solid, springs, springs.widths)
+    for name, flat, of_joints in MUSCLES:
+        muscles = instances.muscles(sketch, picture, of_joints)
+        if len(muscles.angles):
+            found[f"muscles of {name}s"] = _copies(plate(meshes()[flat]), muscles, PLATE * muscles.widths)
     if len(rest):
         wedges = instances.wedges(sketch, picture, rest)
         # The wedge of a joint at its rest angle is nothing.

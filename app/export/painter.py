@@ -117,15 +117,20 @@ class Painter:
             pen.lines(lines, color, wide, layer.opacity, crisp=name in _CRISP, round_ends=layer.round)
 
     def _blank(self, size: tuple[int, int], grid: bool) -> _Pen:
-        """Paper, grid and walls, which stay."""
+        """Paper, grid, a medium, the ground and walls, which stay."""
         sketch, window = self.sketch, self.window
         pen = _Pen(window)
         width, height = size
-        pen.fill([np.array(((0, 0), (width, 0), (width, height), (0, height)), float)], self._own.paper)
+        all_of_it = [np.array(((0, 0), (width, 0), (width, height), (0, height)), float)]
+        pen.fill(all_of_it, self._own.paper)
         if grid:
             thin, thick = around.grid(sketch, self.scene.view.frame, window)
             self._lay(pen, "grid", list(thin))
             self._lay(pen, "major", list(thick))
+        self._lay(pen, "medium", all_of_it if sketch.medium else [])
+        self._lay(pen, "ripple", list(around.ripples(sketch, window)))
+        self._lay(pen, "ground", all_of_it if sketch.ground else [])
+        self._lay(pen, "grain", list(around.grains(sketch, window)))
         walls = around.walls(sketch, window)
         self._lay(pen, "wall", [wall.corners for wall in walls if len(wall.corners)])
         strokes = [stroke for wall in walls for stroke in around.hatching(wall, sketch, window)]

@@ -13,20 +13,8 @@ import sim
 from sim.scene.types import Damage, shown_name
 
 from ..drawing.plan import Picture
+from ..session.rival import center
 from .clip import Shot
-
-TERRAIN = ("gravity", "air_friction", "wind", "medium", "ground", "walls", "contact")
-"""The fields of a scene that are around a body."""
-
-
-def on_terrain(scene: sim.Scene, terrain: sim.Scene) -> sim.Scene:
-    """A scene with all that is around the body of another one.
-
-    Raises:
-        SceneError: the body does not go with it.
-    """
-    around = {field: getattr(terrain, field) for field in TERRAIN}
-    return sim.validate(msgspec.structs.replace(scene, **around))
 
 
 def race(moments: list[sim.Moment], others: list[sim.Moment]) -> list[Shot]:
@@ -56,8 +44,7 @@ def race(moments: list[sim.Moment], others: list[sim.Moment]) -> list[Shot]:
 def result(moments: list[sim.Moment]) -> str:
     """How far a body has come, along x, as its centre of mass moves."""
     scene = moments[-1].scene
-    mass = np.array([mass.mass for mass in scene.masses])
-    first, last = (float(mass @ moment.positions[:, 0] / mass.sum()) for moment in (moments[0], moments[-1]))
+    first, last = (center(scene, moment.positions) for moment in (moments[0], moments[-1]))
     seconds = moments[-1].time - moments[0].time
     return f"{shown_name(scene)}: {last - first:.0f} {scene.view.unit} in {seconds:g} s"
 

@@ -21,6 +21,7 @@ from .files import keeping
 from .files.files_panel import open_file
 from .files.sharing import Sharing
 from .page import Page
+from .race.race import Races
 from .scenes.gallery import Gallery
 
 _log = logging.getLogger(__name__)
@@ -43,7 +44,7 @@ class Answers:
         for_others: the address by which others reach the page, from that by which it was reached itself.
 
     Attributes:
-        sharing, gallery, edits: what it asks about.
+        sharing, gallery, races, edits: what it asks about.
     """
 
     def __init__(
@@ -56,6 +57,7 @@ class Answers:
         self._page, self._resume = page, resume
         self.sharing = Sharing(page, show, for_others)
         self.gallery = Gallery(page)
+        self.races = Races(page)
         self.edits = Edits(page.session, page.mail, page.notify)
         self._parts: defaultdict[str, keeping.Parts] = defaultdict(keeping.Parts)
         self._line = InOrder()
@@ -74,6 +76,9 @@ class Answers:
         elif part.kind == "file":
             if "files" in self._page.controls:
                 self._line.submit(open_file, self._page, letters)
+        elif part.kind == "rival":
+            if "chooser" in self._page.controls:
+                self._line.submit(self.races.against, letters)
         elif part.kind == "paste":
             if "edit" in self._page.controls:
                 self._line.submit(self.edits.paste, letters)
@@ -103,7 +108,7 @@ class Answers:
 
 
 UNSENT = "It is too large for a page to send: at most 4.7 MB, which is some 11,000 masses."
-_DONE = {"resume": "resumed", "link": "opened", "file": "opened", "paste": "pasted"}
+_DONE = {"resume": "resumed", "link": "opened", "file": "opened", "paste": "pasted", "rival": "raced against"}
 
 
 def unread(text: str) -> Notice:

@@ -26,6 +26,7 @@ _STYLES = (
     "time/dock.css",
     "muscles/muscles.css",
     "modes/modes.css",
+    "race/race.css",
     "measure/tools.css",
     "edit/edit.css",
     "looks/dialogs.css",

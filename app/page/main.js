@@ -6,6 +6,7 @@ import { tellApart } from "./viser/axis_numbers.js";
 import { addClassroom } from "./classroom/classroom.js";
 import { addBodyKeys } from "./hands/body_keys.js";
 import { fitted, keepFlat } from "./body/camera.js";
+import { addChase } from "./body/chase.js";
 import { listenToClipboard } from "./edit/clipboard.js";
 import { drawBody, shown } from "./body/canvas.js";
 import { askedScene, watchConnection } from "./viser/connection.js";
@@ -38,6 +39,7 @@ import { mindNumbers } from "./viser/numbers.js";
 import { addOverlay } from "./body/overlay.js";
 import { sayWhose } from "./scenes/owner.js";
 import { listenToCommands } from "../wire/perform.js";
+import { addRace } from "./race/race.js";
 import { readPhases } from "./measure/phase.js";
 import { listenToPointer } from "./hands/pointer.js";
 import { addPaper } from "./body/paper.js";
@@ -80,6 +82,7 @@ whenViser((viser) => {
   mindWidgets();
   listenToCommands();
   keepFlat();
+  addChase(); // before what is drawn where the camera looks
   mindDialogs();
   listenToPresses();
   addOverlay(); // its hint goes with the first press, which others keep for themselves
@@ -98,6 +101,7 @@ whenViser((viser) => {
   addTransport();
   addMuscles();
   addModes();
+  addRace();
   listenToMelodies();
   addShareDialog();
   addUnderlay();

@@ -55,6 +55,7 @@ from .modes.modes import ModesView
 from .opening import asked_scene
 from .page import Page
 from .panel import Panel, set_theme
+from .race.race import RaceView
 from .scenes.shelf import Shelf
 from .viser.comma_switch import CommaSwitch
 
@@ -169,6 +170,7 @@ class Tab:
         self._first = scene = self._asked_scene(query) or scene
         self._mail = Mail(client)
         self._modes = ModesView(self._mail)
+        self._race = RaceView(self._mail)
         self._view = Canvas(client, self._mail, self._post)
         self._role = role_of(self._mail)
         self._front: Front | None = None
@@ -358,6 +360,7 @@ class Tab:
             self._measure.tick()
         self._show(session)
         self._modes.tell(session)
+        self._race.tell(session)
         self._panel.show_selection()
         if "edit" in self._page.controls:
             self._answers.edits.tell()
@@ -522,7 +525,9 @@ class Tab:
         """Tell the page of the body, as far as it is another one."""
         self._planned = session.revision
         self._mapping = Mapping.of(session.scene)
-        self._view.build(session.scene, self._page.looks.dark, own_rest_angles(session.simulation))
+        dark, rival = self._page.looks.dark, session.rival
+        self._view.build(session.scene, dark, own_rest_angles(session.simulation))
+        self._view.build_rival(rival.simulation.capture().scene if rival is not None else None, dark)
 
     def _show(self, session: Session) -> None:
         """Send the picture, the texts and the controls, as far as they changed."""

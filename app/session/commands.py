@@ -423,6 +423,36 @@ class Resume(Command):
         session.resume(self.keepsake, self.versions)
 
 
+@dataclass(frozen=True)
+class Race(Command):
+    """The body is to race against that of another scene: both are put at their starts, and stand."""
+
+    scene: Scene
+    acts = True
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.race(self.scene)
+
+    @property
+    def is_heavy(self) -> bool:
+        return is_large(self.scene)
+
+    def playing_after(self, playing: bool) -> bool:
+        return False
+
+
+@dataclass(frozen=True)
+class LeaveRace(Command):
+    """There is to be no race any more; the body goes on."""
+
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.history.forget("rival")
+        session.companions.rival = None
+
+
 # ------------------------------------------------------------------------- time
 @dataclass(frozen=True)
 class Play(Command):

@@ -15,15 +15,17 @@ class Companion(ABC):
     """One of them.
 
     Args and attributes:
-        bodies: its own, to which the same is done by hand.
+        bodies: its own.
 
     Attributes:
         span: simulated seconds of its past that it needs to go back.
+        by_hand: whether the same is done by hand to its bodies as to the session's.
         cost: seconds of computing in the last frames, on average.
         unit_cost: seconds of a step that it tries, on average.
     """
 
     span: ClassVar[float] = 0.0
+    by_hand: ClassVar[bool] = True
 
     def __init__(self, bodies: tuple[sim.Simulation, ...]) -> None:
         self.bodies = bodies

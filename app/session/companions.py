@@ -11,6 +11,7 @@ import sim
 from .companion import Companion
 from .ghost import Ghost
 from .history import History
+from .rival import Rival
 from .shadow import Foresight
 
 
@@ -21,21 +22,24 @@ class Companions:
     Attributes:
         ghost: the second body, if one is wanted.
         foresight: tells how fast errors grow, if that is wanted.
+        rival: the other body of a race, if there is one.
     """
 
     ghost: Ghost | None = None
     foresight: Foresight | None = None
+    rival: Rival | None = None
 
     def __iter__(self) -> Iterator[Companion]:
-        return (one for one in (self.ghost, self.foresight) if one is not None)
+        return (one for _, one in self._named())
 
     def _named(self) -> Iterator[tuple[str, Companion]]:
-        return ((name, one) for name in ("ghost", "foresight") if (one := getattr(self, name)) is not None)
+        names = "ghost", "foresight", "rival"
+        return ((name, one) for name in names if (one := getattr(self, name)) is not None)
 
     @property
     def bodies(self) -> list[sim.Simulation]:
-        """Those of all of them."""
-        return [body for one in self for body in one.bodies]
+        """Those to which the same is done by hand as to the session's body."""
+        return [body for one in self if one.by_hand for body in one.bodies]
 
     def capture(self) -> Mapping[str, object]:
         """What there is to come back to, by name."""
@@ -57,8 +61,19 @@ class Companions:
         for name, one in self._named():
             one.go_back(history.beside(name, index, one.span), simulation)
 
+    def keep_pace(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
+        """Have a rival go on by what the body has just done; the body's clock waits for it.
+
+        Args:
+            simulation: the body.
+            steps: time steps that it has done.
+            budget: seconds of computing that this may take.
+        """
+        if self.rival is not None:
+            self.rival.follow(simulation, steps, budget)
+
     def follow(self, simulation: sim.Simulation, steps: int, led: Sequence[int], budget: float) -> None:
-        """Go on by what the body has just done.
+        """Have the others go on by what the body has just done.
 
         Args:
             simulation: the body.
@@ -67,8 +82,8 @@ class Companions:
             budget: seconds of computing that this may take.
         """
         began = time.perf_counter()
-        for one in self:
-            if not one.is_ready(simulation):
+        for one in (self.ghost, self.foresight):
+            if one is None or not one.is_ready(simulation):
                 continue
             for body in one.bodies:
                 if not body.rate_limited:

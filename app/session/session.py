@@ -37,6 +37,7 @@ from .notices import About, Notice, no_shape, runaway
 from .pacing import HEAVY_UNIT, Pacer, is_large
 from .record import Recorder
 from .replay import Player
+from .rival import Rival
 from .shadow import Foresight
 from .stability import StabilityWatch
 from .versions import Versions
@@ -232,6 +233,11 @@ class Session:
         return self.companions.foresight
 
     @property
+    def rival(self) -> Rival | None:
+        """The other body, if there is a race."""
+        return self.companions.rival
+
+    @property
     def stability(self) -> StabilityEstimate:
         """The last look at the stability limit."""
         return self.stability_watch.estimate
@@ -408,6 +414,7 @@ class Session:
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
         done = self.recorder.step(steps, self.pacer.attempts(MOST_SECONDS))
+        self.companions.keep_pace(self.simulation, done, MOST_SECONDS)
         self.companions.follow(self.simulation, done, led, MOST_SECONDS)
         self._after_steps()
 
@@ -418,6 +425,8 @@ class Session:
             InputError: it cannot be done.
         """
         self.recorder.do(act)
+        if self.rival is not None:
+            self.rival.fair = False
         for body in self.companions.bodies:
             # Those that are as fast as any hand are led to where the body came to.
             if body.rate_limited or not isinstance(act, log.Follow):
@@ -541,6 +550,18 @@ class Session:
         self.companions.begin(self.simulation, self.history)
         self.pacer.restart()
 
+    def race(self, scene: sim.Scene) -> None:
+        """Have a rival, and both at the start.
+
+        Raises:
+            SceneError: it does not go with the terrain.
+        """
+        rival = Rival(self.simulation, scene, self.can_wait)
+        self.play(False)
+        self.history.forget("rival")
+        self.companions.rival = rival
+        self.reset()
+
     def resume(self, keepsake: bytes, versions: Versions | None) -> None:
         """Go on where a keepsake was made.
 
@@ -640,7 +661,10 @@ class Session:
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
         began = time.perf_counter()
-        done = self.driving.step(self.recorder, self.modes, steps, self.pacer.attempts(budget))
+        attempts = self.pacer.attempts(budget)
+        waits = self.rival is not None and self.rival.is_late
+        done = 0 if waits else self.driving.step(self.recorder, self.modes, steps, attempts)
+        self.companions.keep_pace(self.simulation, done, budget)
         seconds = self._count(now, done, steps - done, began)
         self.companions.follow(self.simulation, done, led, budget - seconds)
         self._after_steps()

@@ -168,6 +168,11 @@ COMMANDS: dict[str, Row] = {
     "gallery": Row("Choose another scene", "page", ("O",), "choose another scene", needs="chooser"),
     "anew": Row("Open this scene anew", _anew, needs="chooser"),
     "share": Row("Share this scene by a link", "page", needs="files"),
+    "race": Row(
+        "Race against another body", "page", ("A",), "race against another body; in a race, start it anew",
+        hint="both on this terrain, started together", needs="chooser",
+    ),
+    "leaveRace": Row("Leave the race", commands.LeaveRace(), needs="chooser"),
     "lesson": Row(
         "Make a lesson", _lesson, hint="steps with a question, a goal, sliders and plots", needs="edit"
     ),
@@ -177,6 +182,9 @@ COMMANDS: dict[str, Row] = {
     ),
     "plot": Row("Plot the joint's angle", _plot, ("G",), "plot the angle of the joint", needs="measure"),
     "fit": Row("Show the whole scene", "page", ("0",), "show the whole scene"),
+    "chase": Row(
+        "Camera goes with the body", "page", hint="with both, in a race; pan and zoom as ever", needs="view"
+    ),
     "larger": Row("Larger, for a projector", "page", ("P",), "larger, for a projector"),
     "stopwatch": Row(
         "Stopwatch", "own", ("T", "L"),

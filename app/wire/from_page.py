@@ -140,14 +140,15 @@ class DriveMode(FromPage, frozen=True):
 
 # ------------------------------------------------------------------------- long texts
 class Part(FromPage, frozen=True):
-    """A part of what is too long for one message: a keepsake ("resume"), a link, a file, or what is pasted.
+    """A part of what is too long for one message: a keepsake ("resume"), a link, a file, what is pasted, or
+    the link or name of a scene to race against ("rival").
 
     Attributes:
         number: from 1.
         of: how many parts there are.
     """
 
-    kind: Literal["resume", "link", "file", "paste"]
+    kind: Literal["resume", "link", "file", "paste", "rival"]
     number: Annotated[int, Meta(ge=1, le=99)]
     of: Annotated[int, Meta(ge=1, le=99)]
     letters: Annotated[str, Meta(max_length=48_000, pattern=r"^[\x21-\x7e]*$")]
@@ -185,7 +186,7 @@ class Unread(Ask, frozen=True):
 class Unsent(Ask, frozen=True):
     """Something was too long to be sent; its user is to be told."""
 
-    what: Literal["resume", "link", "file", "paste"]
+    what: Literal["resume", "link", "file", "paste", "rival"]
 
 
 class Who(Ask, frozen=True):

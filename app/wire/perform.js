@@ -1,6 +1,7 @@
 // @ts-check
 /** Does a command of the table, whether it is the server's or the page's own. */
 import { fit } from "../page/body/camera.js";
+import { toggleChase } from "../page/body/chase.js";
 import { has, onTold, send } from "./channel.js";
 import { COMMANDS } from "./commands.js";
 import { editing, setEditing } from "../page/edit/editing.js";
@@ -8,6 +9,7 @@ import { openGallery } from "../page/scenes/gallery.js";
 import { toggleProjector } from "../page/looks/looks.js";
 import { toggleSound } from "../page/modes/sound.js";
 import { takePicture } from "../page/files/picture.js";
+import { openRace } from "../page/race/race.js";
 import { openShareDialog } from "../page/files/share.js";
 
 /** @typedef {import("./wire.js").CommandName} CommandName */
@@ -15,8 +17,10 @@ import { openShareDialog } from "../page/files/share.js";
 /** What the page does itself. @type {Record<import("./wire.js").PageCommand, () => void>} */
 const OWN = {
   gallery: () => openGallery(),
+  race: () => openRace(),
   share: () => openShareDialog(),
   fit: () => void fit(true),
+  chase: () => toggleChase(),
   larger: () => toggleProjector(),
   mute: () => toggleSound(),
   picture: () => void takePicture(),

@@ -118,6 +118,26 @@ class Modes(State, frozen=True, kw_only=True, omit_defaults=True):
     driven: int = -1
 
 
+class Race(State, frozen=True, kw_only=True, omit_defaults=True):
+    """The race of the body against another one, if there is one.
+
+    Attributes:
+        on: whether there is.
+        names: of the body and of the other one.
+        ways: px that each has come along x since the start.
+        seconds: simulated, since then.
+        fair: whether nobody has moved or changed the body since then.
+        out: why the other one takes part no more; empty while it does.
+    """
+
+    on: bool = False
+    names: tuple[str, str] = ("", "")
+    ways: tuple[float, float] = (0.0, 0.0)
+    seconds: float = 0.0
+    fair: bool = True
+    out: str = ""
+
+
 class Hud(State, frozen=True, kw_only=True):
     """The head-up display over the canvas, HTML."""
 
@@ -215,6 +235,10 @@ class Keepsake(State, frozen=True, kw_only=True):
 # ------------------------------------------------------------------------- numbers
 class Plan(Numbers, frozen=True, kw_only=True):
     """What a body is made of, see `drawing.plan.encode_plan`."""
+
+
+class RivalPlan(Numbers, frozen=True, kw_only=True):
+    """What the other body of a race is made of, as a plan; where its masses are is in the frames."""
 
 
 class Frame(Numbers, frozen=True, kw_only=True):
@@ -670,6 +694,12 @@ class UsedInClass(Event, frozen=True, kw_only=True):
 
     address: str
     command: str
+
+
+class RaceAnswer(Event, frozen=True, kw_only=True):
+    """Whether a race begins: a sentence that says why not, or nothing."""
+
+    problem: str
 
 
 class Link(Event, frozen=True, kw_only=True):

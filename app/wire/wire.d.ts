@@ -1,7 +1,7 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "modes" | "mute" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "muscle" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "race" | "leaveRace" | "lesson" | "follow" | "plot" | "fit" | "chase" | "larger" | "stopwatch" | "modes" | "mute" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "muscle" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
 /** Commands that the page's script does. */
-export type PageCommand = "gallery" | "share" | "fit" | "larger" | "mute" | "video" | "picture" | "edit";
+export type PageCommand = "gallery" | "share" | "race" | "fit" | "chase" | "larger" | "mute" | "video" | "picture" | "edit";
 /** Do a command of the table, see `commands`. */
 export type Perform = { do: "perform"; command: CommandName };
 /** The arrow keys that are held; said again and again while any is. */
@@ -28,14 +28,14 @@ export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "w
 export type PutMode = { do: "putMode"; mode: number; part: number };
 /** A mode is to be driven as long as a bar is pressed; none (-1) from then on. */
 export type DriveMode = { do: "driveMode"; mode: number };
-/** A part of what is too long for one message: a keepsake ("resume"), a link, a file, or what is pasted. */
-export type Part = { do: "part"; kind: "file" | "link" | "paste" | "resume"; number: number; of: number; letters: string };
+/** A part of what is too long for one message: a keepsake ("resume"), a link, a file, what is pasted, or the link or name of a scene to race against ("rival"). */
+export type Part = { do: "part"; kind: "file" | "link" | "paste" | "resume" | "rival"; number: number; of: number; letters: string };
 /** A link to the scene, with the present pose or without. */
 export type Share = { do: "share"; pose: boolean; page: string; short?: boolean; controls?: "all" | "play" | "sliders" };
 /** A text was typed into a number box that is no number; its user is to be told. */
 export type Unread = { do: "unread"; text: string };
 /** Something was too long to be sent; its user is to be told. */
-export type Unsent = { do: "unsent"; what: "file" | "link" | "paste" | "resume" };
+export type Unsent = { do: "unsent"; what: "file" | "link" | "paste" | "resume" | "rival" };
 /** Whose the page is: a secret of its browser, and the owner's key if it was opened with that. */
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
 /** All scenes, and pictures of the user's own. */
@@ -179,6 +179,8 @@ export type PageState = { tell: "pageState"; page: string; scene: number; title:
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
 /** The slow vibrations of the body, where the page looks at them. */
 export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };
+/** The race of the body against another one, if there is one. */
+export type Race = { tell: "race"; on?: boolean; names?: [string, string]; ways?: [number, number]; seconds?: number; fair?: boolean; out?: string };
 /** The head-up display over the canvas, HTML. */
 export type Hud = { tell: "hud"; html: string };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
@@ -235,10 +237,14 @@ export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, st
 export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 /** How a scene is used in a class. */
 export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
+/** Whether a race begins: a sentence that says why not, or nothing. */
+export type RaceAnswer = { tell: "raceAnswer"; problem: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
 /** What a body is made of, see `drawing.plan.encode_plan`. */
 export type Plan = { tell: "plan"; numbers: Float32Array };
+/** What the other body of a race is made of, as a plan; where its masses are is in the frames. */
+export type RivalPlan = { tell: "rivalPlan"; numbers: Float32Array };
 /** Where the masses are, see `drawing.plan.encode_frame`. */
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 /** What has yielded and broken, see `drawing.plan.encode_damage`. */
@@ -253,6 +259,6 @@ export type Fan = { tell: "fan"; numbers: Float32Array; draws: number; masses: n
 export type ModeShapes = { tell: "modeShapes"; numbers: Float32Array };
 /** How much of each mode is in the motion now, see `modes.modes.encode_levels`. */
 export type ModeLevels = { tell: "modeLevels"; numbers: Float32Array };
-export type ToPage = PageState | Tools | Modes | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | Melody | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | Frame | Damage | Arrows | Measured | Fan | ModeShapes | ModeLevels;
+export type ToPage = PageState | Tools | Modes | Race | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | Melody | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | RaceAnswer | Link | Plan | RivalPlan | Frame | Damage | Arrows | Measured | Fan | ModeShapes | ModeLevels;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; modes: Modes; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; melody: Melody; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows; measured: Measured; fan: Fan; modeShapes: ModeShapes; modeLevels: ModeLevels };
+export type Told = { pageState: PageState; tools: Tools; modes: Modes; race: Race; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; melody: Melody; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; raceAnswer: RaceAnswer; link: Link; plan: Plan; rivalPlan: RivalPlan; frame: Frame; damage: Damage; arrows: Arrows; measured: Measured; fan: Fan; modeShapes: ModeShapes; modeLevels: ModeLevels };

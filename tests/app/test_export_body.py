@@ -11,7 +11,7 @@ import sys
 import zipfile
 from dataclasses import replace
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 import msgspec
 import numpy as np
@@ -107,6 +107,10 @@ MUSCULAR = changed(
         for i, j in enumerate(DAMPED.angular_springs)
     ),
 )
+FLOATING = changed(
+    DAMPED, medium=sim.Medium(across=0.4, along=0.1), wind=sim.Wind(velocity=(80.0, -30.0)), air_friction=0.0
+)
+LYING = changed(MUSCULAR, gravity=(0.0, 0.0), ground=sim.Ground(forward=0.1, backward=0.5, sideways=0.9))
 SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "rope": (sim.load_scene("tutorial-3.3"), ("rest_angle=25",)),
     "diagonal template": (sim.load_scene("tutorial-3.2"), ("template=135",)),
@@ -128,6 +132,14 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "muscles": (MUSCULAR, ()),
     "muscles, angle law": (MUSCULAR, ("force_law=angle", "tempo=3")),
     "muscles of springs alone": (changed(MUSCULAR, angular_springs=()), ()),
+    "a medium": (sim.load_scene("swimmer"), ("dt=0.0005",)),
+    "a medium that flows": (FLOATING, ()),
+    "the ground": (LYING, ()),
+    "a medium over the ground": (changed(LYING, medium=sim.Medium(across=0.3, along=0.1)), ()),
+    "a medium and the ground that do nothing": (
+        changed(LYING, ground=sim.Ground(gravity=0.0), medium=sim.Medium(across=0.0, along=0.0)),
+        (),
+    ),
     "muscles that rest": (changed(MUSCULAR, beat=msgspec.UNSET), ()),
 }
 
@@ -183,8 +195,11 @@ def test_programs_of_a_scene_with_another_method_are_those_of_the_tutorials_step
         assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
 
 
-def test_what_is_broken_and_bent_for_good_is_so_in_a_program(tmp_path: Path) -> None:
-    rope = sim.rope(masses=6, length=240.0, direction=(1.0, 0.0), integrator=EULER)
+@pytest.mark.parametrize(
+    "around", [{}, {"medium": sim.Medium(), "ground": sim.Ground()}], ids=["", "resisted"]
+)
+def test_what_is_broken_and_bent_for_good_is_so_in_a_program(around: dict[str, Any], tmp_path: Path) -> None:
+    rope = sim.rope(masses=6, length=240.0, direction=(1.0, 0.0), integrator=EULER, **around)
     springs = tuple(changed(s, strength=1e14, yield_force=1e13) for s in rope.linear_springs)
     joints = tuple(changed(j, yield_torque=1e17) for j in rope.angular_springs)
     simulation = sim.Simulation(changed(rope, linear_springs=springs, angular_springs=joints, bodies=()))
@@ -325,21 +340,8 @@ def test_what_a_program_cannot_do_is_refused_in_one_sentence(
     assert command("export", name, "--c", out, "--set", f"{setting}=0") == 0
 
 
-def test_a_program_refuses_a_medium_and_ground(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    scene = tmp_path / "scene.json"
-    ground = sim.Ground(forward=0.0, backward=0.0)
-    resisted = changed(sim.load_scene("rope"), medium=sim.Medium(), ground=ground)
-    sim.save_scene(resisted, scene)
-    out = tmp_path / "body.py"
-    assert command("export", scene, "--python", out) == 1
-    assert capsys.readouterr().err == (
-        "softrod: a program cannot do drag across springs and drag along springs and friction sideways; set "
-        "drag_across and drag_along and ground_sideways to 0 to have one without them\n"
-    )
-    words = [
-        word for key in ("drag_across", "drag_along", "ground_sideways") for word in ("--set", f"{key}=0")
-    ]
-    assert command("export", scene, "--python", out, *words) == 0
+def test_a_medium_and_the_ground_are_in_json_and_tables_as_in_the_scene() -> None:
+    resisted = changed(sim.load_scene("rope"), medium=sim.Medium(), ground=sim.Ground())
     data = json.loads(body_json(body_of(resisted)))
     assert data["medium"] == {"across": 1.0, "along": 0.5}
     assert data["ground"]["sideways"] == 0.4

@@ -107,6 +107,18 @@ def test_a_picture_has_the_colours_of_its_parts(dark: bool) -> None:
     assert np.median(floor, axis=0) == pytest.approx(wanted, abs=3)
 
 
+@pytest.mark.parametrize("dark", [False, True])
+def test_a_picture_has_the_colours_of_a_medium_and_of_the_ground(dark: bool) -> None:
+    own = palette("softrod", dark)
+    for around_it, color, opacity in (
+        ({"medium": sim.Medium()}, own.liquid, 0.1),
+        ({"ground": sim.Ground()}, own.text, 0.07),
+    ):
+        image = paint(changed(sim.rope(4), **around_it), size=(320, 180), dark=dark, grid=False)
+        wanted = own.paper + opacity * (color - own.paper)
+        assert np.median(np.asarray(image).reshape(-1, 3), axis=0) == pytest.approx(wanted, abs=2)
+
+
 @pytest.mark.parametrize(
     ("y_down", "walls"), [(True, ()), (False, (sim.Wall(point=(0.0, 9e3), normal=(0, 1)),))]
 )

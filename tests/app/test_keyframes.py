@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,12 +16,15 @@ from rich.console import Console
 
 import sim
 from app.cli import main
+from app.drawing.plan import Picture
 from app.export import keyframes
 from app.export.animation import animated_glb
 from app.export.clip import Clip, Shot
 from app.export.keyframes import motion_csv
 from app.export.making import simulated
+from app.export.model import glb
 from sim.errors import InputError
+from sim.scene.types import Damage
 
 EULER = sim.Integrator(method="symplectic_euler")
 
@@ -181,6 +185,40 @@ def test_a_spring_that_breaks_vanishes() -> None:
         assert (sizes[0] > 0.0).all()
         assert (sizes[-1] > 0.0).all() == lasts
         assert (sizes[-1] == 0.0).all() != lasts
+
+
+@pytest.mark.parametrize("kind", ["spring", "joint"])
+def test_muscles_lie_on_what_they_move_and_swell(kind: str) -> None:
+    """A muscle of a spring is thick while it is short; one of a joint large while it bends."""
+    rope = changed(
+        sim.rope(masses=4, length=150.0, integrator=EULER), bodies=(), beat=sim.Beat(frequency=2.0)
+    )
+    if kind == "spring":
+        muscle = sim.SpringMuscle(amplitude=0.2)
+        springs = (rope.linear_springs[0], changed(rope.linear_springs[1], muscle=muscle, strength=1e15))
+        scene = changed(rope, linear_springs=(*springs, *rope.linear_springs[2:]))
+    else:
+        joints = (
+            rope.angular_springs[0],
+            changed(rope.angular_springs[1], muscle=sim.JointMuscle(amplitude=30.0)),
+        )
+        scene = changed(rope, angular_springs=joints)
+    clip = clip_of(scene, 0.5, 40)
+    animated, mass = Animated(animated_glb(clip, 40)), 1 if kind == "spring" else 2
+    name = f"muscle of {kind} 1"
+    places = animated.values(f"mass {mass}", "translation")
+    assert animated.values(name, "translation") == pytest.approx(places, abs=1e-7)
+    wave = np.sin(2.0 * np.pi * 2.0 * animated.times) * (-1.0 if kind == "spring" else 1.0)
+    widths = animated.values(name, "scale")[:, 1]
+    assert widths == pytest.approx(widths.mean() * (1.0 + 0.25 * wave), rel=0.02)
+    if kind == "spring":
+        assert animated.tip(name) == pytest.approx(animated.values("mass 2", "translation"), abs=2e-7)
+        picture = replace(Picture.at_start(scene), damage=Damage(broken=(1,)))
+        gone = animated_glb(Clip([Shot(scene, replace(picture, time=t)) for t in (0.0, 0.5)]), 40)
+        assert (Animated(gone).values(name, "scale") == 0.0).all()
+    still = trimesh.load_scene(io.BytesIO(glb(scene, Picture.at_start(scene))), file_type="glb")
+    assert f"muscles of {kind}s" in still.geometry
+    assert len([name for name in still.geometry if name.startswith("muscles")]) == 1
 
 
 def test_another_program_finds_the_parts_at_their_start() -> None:

@@ -16,6 +16,8 @@ import sim
 from app.drawing.colors import sent
 from app.drawing.looks import YIELDED
 from app.drawing.plan import Picture, encode_plan, yielded_of
+from app.export import around
+from app.export.window import Window
 from app.page.body.view import Canvas
 from app.page.looks import readouts
 from app.session import commands
@@ -115,6 +117,22 @@ def test_there_is_no_wind_to_draw_where_it_does_nothing_or_is_calm() -> None:
         sim.set_value(balloon(wind=GUSTS, air_friction=0.01), "wind_speed", 0.0),
     ):
         assert drawn(scene, Picture.at_start(scene))["sizes"][2] == 0
+
+
+@pytest.mark.parametrize("kinds", [("medium",), ("ground",), ("medium", "ground"), ()])
+def test_a_medium_and_the_ground_are_told_of_and_drawn_where_a_scene_has_them(kinds: tuple[str, ...]) -> None:
+    """In pictures as in the page, mark for mark."""
+    around_it = {"medium": sim.Medium(), "ground": sim.Ground()}
+    scene = chain_under_load(**{kind: around_it[kind] for kind in kinds})
+    outlines = drawn(scene, Picture.at_start(scene))["outlines"]
+    assert [kind for kind in ("medium", "ground") if outlines[kind]] == list(kinds)
+    sketch = sketch_of(scene)
+    scale = sketch.mapping.scale
+    x, y = (np.array((0.0, 0.0)) - sketch.mapping.center) * (scale, scale * sketch.mapping.flip)
+    window = Window((600, 600), -x / scale, y / scale, 1.0 / scale)  # its pixels are px of the scene
+    assert window.unit == pytest.approx(1.0)
+    for kind, lines in (("ripple", around.ripples(sketch, window)), ("grain", around.grains(sketch, window))):
+        assert points(outlines[kind]).reshape(-1, 2) == pytest.approx(lines.reshape(-1, 2), abs=0.051), kind
 
 
 # ------------------------------------------------------------------------- damage

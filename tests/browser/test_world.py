@@ -73,6 +73,14 @@ def test_floor_and_filling_are_behind_the_body_at_any_zoom(open_page: OpenPage) 
     desk.tell(commands.Open(sim.load_scene("ring")))
     desk.until(lambda: not path(desk, "wall") + path(desk, "liquid"), "a ring has nothing around it")
     assert path(desk, "grid")
+    paper = color(desk, (500.0, 450.0))
+    desk.tell(commands.Open(sim.load_scene("swimmer")))
+    desk.until(lambda: path(desk, "medium") and path(desk, "ripple"), "a swimmer is in water")
+    desk.wait_drawn()
+    water = color(desk, (500.0, 450.0))
+    assert water[2] - water[0] > paper[2] - paper[0] + 10.0
+    desk.tell(commands.Open(sim.load_scene("ring")))
+    desk.until(lambda: not path(desk, "medium") + path(desk, "ripple"), "a ring is in none")
 
 
 def test_the_wind_drifts_with_the_clock_and_stands_for_those_who_want_it_so(open_page: OpenPage) -> None:

@@ -1,7 +1,7 @@
 // Outlines of what surrounds a body, on the screen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { airAt, gridLines, hatching, loops, streaks, uncovered, wallInView } from "../../app/drawing/static/environment.js";
+import { airAt, gridLines, hatching, loops, resisting, streaks, uncovered, wallInView } from "../../app/drawing/static/environment.js";
 import { showWalls } from "../../app/page/body/camera.js";
 
 const view = { left: 0, right: 800, top: 0, bottom: 600 };
@@ -58,6 +58,34 @@ test("streaks go on for hours and at any zoom", () => {
   for (const step of [1, 10, 100, 5000]) {
     const lines = streaks(gusts, 1e5, { ...on, step }, view);
     assert.ok(lines.length < 60_000 && numbers(lines).every(Number.isFinite), `${step}: ${lines.length}`);
+  }
+});
+
+test("a medium and the ground cover the view, and their marks stay in the scene when the view moves", () => {
+  const around = plan({ medium: true, ground: true });
+  const found = resisting(around, on, view);
+  assert.deepEqual(numbers(found.medium), [0, 0, 800, 0, 800, 600, 0, 600]);
+  assert.equal(found.ground, found.medium);
+  const moved = resisting(around, { ...on, x: 430, y: 280 }, view);
+  for (const kind of /** @type {const} */ (["ripple", "grain"])) {
+    const places = (path) => path.split("M").slice(1).map((line) => numbers(line).slice(0, 2));
+    const [before, after] = [places(found[kind]), places(moved[kind])];
+    // In the view, which both have in common.
+    const inside = before.filter(([x, y]) => x > 30 && x < 770 && y > 30 && y < 570);
+    assert.ok(inside.length > 30 && inside.length < 800, `${kind}: ${inside.length}`);
+    assert.ok(inside.every(([x, y]) => after.some(([u, v]) => Math.hypot(u - x - 30, v - y + 20) < 0.2)), kind);
+  }
+});
+
+test("what does not resist is not drawn, and where wind moves a medium its streaks show that", () => {
+  assert.deepEqual(resisting(plan({}), on, view), { medium: "", ripple: "", ground: "", grain: "" });
+  const flows = resisting(plan({ medium: true, wind: new Float32Array([50, 0]) }), on, view);
+  assert.ok(flows.medium && !flows.ripple);
+  const calm = resisting(plan({ medium: true, wind: new Float32Array([0, 0]) }), on, view);
+  assert.ok(calm.ripple);
+  for (const step of [0.1, 10, 100, 50000]) {
+    const { ripple, grain } = resisting(plan({ medium: true, ground: true }), { ...on, step }, view);
+    assert.ok((ripple + grain).length < 200_000 && numbers(ripple + grain).every(Number.isFinite), `${step}`);
   }
 });
 

@@ -1,7 +1,7 @@
 // Reads lines {plan, frame, damage} from standard input and writes, for each, what the page would draw.
 import { createInterface } from "node:readline";
 import * as draw from "../../app/drawing/static/draw.js";
-import { airAt, loops, outline, skin, wallInView } from "../../app/drawing/static/environment.js";
+import { airAt, loops, outline, resisting, skin, wallInView } from "../../app/drawing/static/environment.js";
 import { swings } from "../../app/drawing/static/swing.js";
 import { readDamage, readFrame, readPlan } from "../../app/drawing/static/plan.js";
 
@@ -31,6 +31,7 @@ for await (const line of createInterface({ input: process.stdin })) {
       deviations: [...draw.deviations(plan, frame.positions, frame.angleShift, damage, swings(plan, frame.time).turn)],
       sizes: [plan.walls.length, plan.fillings.length, plan.wind.length],
       outlines: {
+        ...resisting(plan, on, view),
         wall: plan.walls.length ? outline(wallInView(plan, 0, on, view).corners) : "",
         gas: loops(plan, places, true, damage.broken),
         liquid: loops(plan, places, false, damage.broken),

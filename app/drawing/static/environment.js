@@ -11,7 +11,9 @@
  * @typedef {{x: number, y: number}} Point pixels of the window
  */
 
-import { DENSE, HATCH, PARTS, POINT, STREAK, STREAKS, STROKE } from "./looks.js";
+import {
+  CREST, DENSE, GRAIN, GRAINS, HATCH, PARTS, POINT, RIPPLE, RIPPLES, STREAK, STREAKS, STROKE,
+} from "./looks.js";
 
 /** Numbers of a wave of gusts. */
 const WAVE = 5;
@@ -179,13 +181,13 @@ export function loops({ fillings, springs }, places, gas, broken) {
 }
 
 /**
- * What stays where it is as long as the camera does: the grid and the walls.
+ * What stays where it is as long as the camera does: the grid, a medium, the ground, and the walls.
  *
  * @param {{plan: Plan, on: Screen, box: Box}} seen
  * @param {number} size of the scene's frame, px: the larger of its sides
  */
 export function standing({ plan, on, box }, size) {
-  const found = { wall: "", hatch: "", surface: "", ...gridLines(plan, size, on, box) };
+  const found = { wall: "", hatch: "", surface: "", ...gridLines(plan, size, on, box), ...resisting(plan, on, box) };
   const walls = Array.from({ length: plan.walls.length / 4 }, (_, i) => wallInView(plan, i, on, box));
   for (const wall of walls) {
     found.wall += outline(wall.corners);
@@ -195,6 +197,42 @@ export function standing({ plan, on, box }, size) {
   }
   return found;
 }
+
+/**
+ * A medium as water on a map, all over the view, and the ground as sand. Their marks stay where they are in the scene,
+ * so that it can be seen how a body gets on; where wind moves the medium, its streaks show that instead.
+ *
+ * @param {Plan} plan
+ * @param {Screen} on
+ * @param {Box} view
+ */
+export function resisting(plan, on, view) {
+  const found = { medium: "", ripple: "", ground: "", grain: "" };
+  const { left, right, top, bottom } = view;
+  const all = outline([{ x: left, y: top }, { x: right, y: top }, { x: right, y: bottom }, { x: left, y: bottom }]);
+  if (plan.medium) found.medium = all;
+  if (plan.medium && !(meanWind(plan) > 0)) {
+    for (const { x, y } of scattered(plan, on, view, RIPPLES)) {
+      const points = Array.from({ length: 2 * PARTS + 1 }, (_, k) => {
+        const part = k / (2 * PARTS);
+        return text({ x: x + (part - 0.5) * RIPPLE, y: y - CREST * Math.sin(4 * Math.PI * part) });
+      });
+      found.ripple += `M${points.join("L")}`;
+    }
+  }
+  if (plan.ground) {
+    found.ground = all;
+    for (const { i, j, x, y } of scattered(plan, on, view, GRAINS)) {
+      const [turn, long] = [Math.PI * chance(i, j, 2), GRAIN * (0.2 + 0.8 * chance(i, j, 3))];
+      const end = { x: x + long * Math.cos(turn), y: y + long * Math.sin(turn) };
+      found.grain += `M${text({ x, y })}L${text(end)}`;
+    }
+  }
+  return found;
+}
+
+/** px/s. @param {Plan} plan */
+const meanWind = ({ wind }) => wind.length ? Math.hypot(wind[0], wind[1]) : 0;
 
 /**
  * What moves with the body.
@@ -249,6 +287,41 @@ function chance(i, j, k) {
 }
 
 /**
+ * Places over all of the view, one in each cell of a lattice.
+ *
+ * @param {Plan} plan
+ * @param {Screen} on
+ * @param {Box} view
+ * @param {number} apart pixels between two places, about
+ * @param {Point} drift px by which the lattice has drifted
+ * @returns {({i: number, j: number, at: Point} & Point)[]} the cell, its place before the drift, px, and after it, pixels
+ *   of the window
+ */
+function scattered(plan, on, view, apart, drift = { x: 0, y: 0 }) {
+  const scale = plan.scale * on.step;
+  const cell = 2 ** Math.round(Math.log2(apart / scale));
+  // The view in the scene, from low to high.
+  const [left, right] = [view.left, view.right].map((x) => plan.x + (x - on.x) / scale);
+  const ends = [view.top, view.bottom].map((y) => plan.y + ((on.y - y) / scale) * plan.flip);
+  const first = { i: Math.floor((left - drift.x) / cell), j: Math.floor((Math.min(...ends) - drift.y) / cell) };
+  const last = { i: Math.ceil((right - drift.x) / cell), j: Math.ceil((Math.max(...ends) - drift.y) / cell) };
+  const places = [];
+  for (let i = first.i; i <= last.i; i++) {
+    for (let j = first.j; j <= last.j; j++) {
+      const at = { x: (i + chance(i, j, 0)) * cell, y: (j + chance(i, j, 1)) * cell };
+      places.push({ i, j, at, ...onScreen(plan, on, at.x + drift.x, at.y + drift.y) });
+    }
+  }
+  return places;
+}
+
+/** From px to pixels of the window. @param {Plan} plan @param {Screen} on @param {number} x @param {number} y */
+function onScreen(plan, on, x, y) {
+  const scale = plan.scale * on.step;
+  return { x: on.x + (x - plan.x) * scale, y: on.y - (y - plan.y) * scale * plan.flip };
+}
+
+/**
  * Streaks of air, one in each cell of a lattice that drifts with the mean wind: each is a piece of the line along
  * which the air moves, with a point at its end.
  *
@@ -259,32 +332,20 @@ function chance(i, j, k) {
  */
 export function streaks(plan, time, on, view) {
   const { wind } = plan;
-  const scale = plan.scale * on.step;
-  const speed = Math.hypot(wind[0], wind[1]);
+  const speed = meanWind(plan);
   if (!(speed > 0)) return "";
-  /** From px to pixels. @param {number} x @param {number} y */
-  const place = (x, y) => ({ x: on.x + (x - plan.x) * scale, y: on.y - (y - plan.y) * scale * plan.flip });
-  const cell = 2 ** Math.round(Math.log2(STREAKS / scale));
   const drift = { x: wind[0] * time, y: wind[1] * time };
-  // The view in the scene, from low to high.
-  const [left, right] = [view.left, view.right].map((x) => plan.x + (x - on.x) / scale);
-  const ends = [view.top, view.bottom].map((y) => plan.y + ((on.y - y) / scale) * plan.flip);
-  const first = { i: Math.floor((left - drift.x) / cell), j: Math.floor((Math.min(...ends) - drift.y) / cell) };
-  const last = { i: Math.ceil((right - drift.x) / cell), j: Math.ceil((Math.max(...ends) - drift.y) / cell) };
-  const lasting = STREAK / (speed * scale * PARTS);
+  const lasting = STREAK / (speed * plan.scale * on.step * PARTS);
   let lines = "";
-  for (let i = first.i; i <= last.i; i++) {
-    for (let j = first.j; j <= last.j; j++) {
-      let [x, y] = [(i + chance(i, j, 0)) * cell, (j + chance(i, j, 1)) * cell];
-      const points = [place(x + drift.x, y + drift.y)];
-      for (let part = 0; part < PARTS; part++) {
-        const { u, v } = airAt(wind, x, y);
-        x -= u * lasting;
-        y -= v * lasting;
-        points.push(place(x + drift.x, y + drift.y));
-      }
-      lines += `M${points.map(text).join("L")}${point(points[0], points[1])}`;
+  for (const { x, y, at } of scattered(plan, on, view, STREAKS, drift)) {
+    const points = [{ x, y }];
+    for (let part = 0; part < PARTS; part++) {
+      const { u, v } = airAt(wind, at.x, at.y);
+      at.x -= u * lasting;
+      at.y -= v * lasting;
+      points.push(onScreen(plan, on, at.x + drift.x, at.y + drift.y));
     }
+    lines += `M${points.map(text).join("L")}${point(points[0], points[1])}`;
   }
   return lines;
 }

@@ -4,6 +4,10 @@ export const SHARPNESS = 4.0;
 export const LAYERS = {
   "grid": {"color": "grid", "opacity": 1.0, "width": 1.0, "round": false},
   "major": {"color": "line", "opacity": 1.0, "width": 1.0, "round": false},
+  "medium": {"color": "liquid", "opacity": 0.1, "width": 0.0, "round": false},
+  "ripple": {"color": "liquid", "opacity": 0.45, "width": 1.3, "round": true},
+  "ground": {"color": "text", "opacity": 0.07, "width": 0.0, "round": false},
+  "grain": {"color": "text", "opacity": 0.4, "width": 1.6, "round": true},
   "wall": {"color": "text", "opacity": 0.1, "width": 0.0, "round": false},
   "hatch": {"color": "text", "opacity": 0.55, "width": 1.2, "round": false},
   "surface": {"color": "text", "opacity": 1.0, "width": 2.0, "round": false},
@@ -22,6 +26,11 @@ export const STREAKS = 150.0;
 export const STREAK = 44.0;
 export const PARTS = 8;
 export const POINT = 4.0;
+export const RIPPLES = 90.0;
+export const RIPPLE = 20.0;
+export const CREST = 2.4;
+export const GRAINS = 36.0;
+export const GRAIN = 3.0;
 export const FILL = 0.8;
 export const SHINE = 0.22;
 export const RING = 1.75;

@@ -34,6 +34,8 @@
  * @property {Float32Array} loads of each constant force which mass it acts on, and its arrow, in the world
  * @property {Float32Array} muscles frequency, Hz, and phase of the beat, and of each muscle what swing.js says; or nothing
  * @property {Float32Array} muscleColors a table, from a muscle at its longest to one at its shortest
+ * @property {boolean} medium whether the body is in a medium
+ * @property {boolean} ground whether it lies on the ground, seen from above
  */
 
 /**
@@ -43,13 +45,15 @@
 export function readPlan(data) {
   const take = sections(data);
   const [generation, scale, x, y, flip, many, bars, slices, driven] = take();
-  return {
+  const plan = {
     generation, scale, x, y, flip, many: many === 1, bars: bars === 1, slices, driven,
     radius: take(), springs: take(), restLength: take(), thickness: take(), fullStrain: take(), joints: take(),
     restAngle: take(), pinned: take(), massColors: take(), strainColors: take(), turnColors: take(),
     inkColors: take(), walls: take(), fillings: take(), wind: take(), contact: take()[0] ?? 0,
     loads: take(), muscles: take(), muscleColors: take(),
   };
+  const [medium, ground] = take();
+  return { ...plan, medium: medium === 1, ground: ground === 1 };
 }
 
 /**
@@ -74,6 +78,7 @@ export function sections(data) {
  * @property {Float32Array} setLength px by which each rest length has moved for good; empty if none has
  * @property {Float32Array} setAngle degrees by which each rest angle has moved for good; empty if none has
  * @property {Set<number>} ghostBroken the springs of a second body that are broken
+ * @property {Damage} [rival] of the other body of a race
  */
 
 /**
@@ -83,9 +88,9 @@ export function sections(data) {
 export function readDamage(data) {
   const take = sections(data);
   const [generation] = take();
-  return {
-    generation, broken: new Set(take()), setLength: take(), setAngle: take(), ghostBroken: new Set(take()),
-  };
+  const one = () => ({ broken: new Set(take()), setLength: take(), setAngle: take(), ghostBroken: new Set() });
+  const own = { generation, ...one(), ghostBroken: new Set(take()) };
+  return { ...own, rival: { generation, ...one() } };
 }
 
 /** Nothing has yielded or broken. */
@@ -99,6 +104,7 @@ export const UNHARMED = readDamage(new Float32Array([1, -1]));
  * @property {number} angleShift degrees added to all rest angles
  * @property {Float32Array} positions px, x and y of each mass
  * @property {Float32Array | null} ghost of a second body
+ * @property {Frame | null} [rival] the other body of a race
  */
 
 /**
@@ -108,8 +114,11 @@ export const UNHARMED = readDamage(new Float32Array([1, -1]));
 export function readFrame(data) {
   const take = sections(data);
   const [generation, time, lengthScale, angleShift] = take();
-  const [positions, ghost] = [take(), take()];
-  return { generation, time, lengthScale, angleShift, positions, ghost: ghost.length ? ghost : null };
+  const [positions, ghost, moment] = [take(), take(), take()];
+  const own = { generation, time, lengthScale, angleShift, positions, ghost: ghost.length ? ghost : null };
+  if (!moment.length) return own;
+  const rival = { generation, time: moment[0], lengthScale: moment[1], angleShift: moment[2], positions: take(), ghost: null };
+  return { ...own, rival };
 }
 
 /**
@@ -130,5 +139,6 @@ export function between(one, two, part) {
     angleShift: mix(one.angleShift, two.angleShift),
     positions: mixed(one.positions, two.positions),
     ghost: one.ghost && two.ghost ? mixed(one.ghost, two.ghost) : two.ghost,
+    rival: one.rival && two.rival && one.rival.positions.length === two.rival.positions.length ? between(one.rival, two.rival, part) : two.rival,
   };
 }

@@ -19,7 +19,6 @@ from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import ForceLaw, Method, is_damageable, shown_name
-from sim.settings import SETTINGS
 
 from .body import Body
 
@@ -33,15 +32,6 @@ _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ01234567
 """What is left of a user's text in a comment: nothing that could end the comment or mean anything in it."""
 
 _DIRECTIVE = re.compile(r" *# (?P<word>ifdef (?P<asked>\w+)|else|endif)")
-
-_RESISTANCE = {
-    "drag_across": "drag across springs",
-    "drag_along": "drag along springs",
-    "ground_forward": "friction forwards",
-    "ground_backward": "friction backwards",
-    "ground_sideways": "friction sideways",
-}
-"""What a medium and the ground do that programs cannot, by its settings."""
 
 LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
 """The force laws that programs are written for."""
@@ -70,10 +60,6 @@ class Plan:
         lacks = {"turbulence": "gusts of wind"} if body.gusts else {}
         if contact is not None and contact.distance > 0.0 and len(body.ends):
             lacks["contact_distance"] = "contact of bodies"
-        for key, what in _RESISTANCE.items():
-            setting = SETTINGS[key]
-            if setting.applies(body.scene) and setting.read(body.scene):
-                lacks[key] = what
         check_law(body)
         if lacks:
             raise InputError(
@@ -89,10 +75,15 @@ class Plan:
         law = scene.force_law if len(body.joints) else ""
         damped, joints_damped = bool(body.damping.any()), bool(body.joint_damping.any())
         air = scene.air_friction > 0.0
+        medium = bool(body.ends.size and scene.medium and (scene.medium.across or scene.medium.along))
+        ground = bool(body.ends.size and scene.ground and scene.ground.gravity)
         has = {
             "GRAVITY": any(scene.gravity),
             "AIR": air,
-            "WIND": air and any(body.wind),
+            "WIND": (air or medium) and any(body.wind),
+            "MEDIUM": medium,
+            "GROUND": ground,
+            "RESISTED": medium or ground,
             "HELD": bool(body.held.any()),
             "SPRINGS": len(body.ends) > 0,
             "DAMPING": damped,
@@ -133,6 +124,7 @@ class Plan:
         return {
             **{name: list(zip(*(c.tolist() for c in table), strict=True)) for name, table in columns.items()},
             "LOADS": [(mass, *map(float, force)) for mass, force in body.loads.items()],
+            "RESISTED": self._resisted(),
             "CIRCLES": [
                 (mass, *place, circle.radius, circle.frequency, circle.ramp)
                 for mass, (circle, place) in body.circles.items()
@@ -146,6 +138,16 @@ class Plan:
                 for j, muscle in body.joint_muscles.items()
             ],
         }
+
+    def _resisted(self) -> list[tuple[float | int, ...]]:
+        """A row for each spring that a medium or the ground resists, with the weights that its ends bear."""
+        body, ground = self.body, self.body.scene.ground
+        whole = np.flatnonzero(~body.broken)
+        if not ground:
+            return [(s,) for s in whole.tolist()]
+        bearers = np.bincount(body.ends[whole].ravel(), minlength=len(body.mass))
+        weight = ground.gravity * body.mass / np.maximum(bearers, 1)
+        return list(zip(whole.tolist(), *weight[body.ends[whole]].T.tolist(), strict=True))
 
     def _muscle(
         self, part: int, muscle: SpringMuscle | JointMuscle, rest: float, unit: float
@@ -168,6 +170,11 @@ class Plan:
             "WIND_X": body.wind[0],
             "WIND_Y": body.wind[1],
         }
+        if scene.medium:
+            given |= {"ACROSS": scene.medium.across, "ALONG": scene.medium.along}
+        if scene.ground:
+            given |= {"FORWARD": scene.ground.forward, "BACKWARD": scene.ground.backward}
+            given |= {"SIDEWAYS": scene.ground.sideways, "SLIP": scene.ground.slip_speed}
         return {"STEPS": str(STEPS), **{name: repr(number) for name, number in given.items()}}
 
 

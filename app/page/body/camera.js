@@ -186,6 +186,23 @@ export function fit(withBody = false) {
   return true;
 }
 
+/**
+ * Moves the view by a way of the page's world.
+ *
+ * @param {number} dx @param {number} dy
+ */
+export function shift(dx, dy) {
+  const { camera, cameraControl: controls, nodeRefFromName } = viser() ?? {};
+  const root = nodeRefFromName?.[""];
+  if (!camera || !controls || !root) return;
+  const [from, to] = [0, 1].map((part) => camera.position.clone().set(part * dx, part * dy, 0).applyMatrix4(root.matrixWorld));
+  const fitted = untouched();
+  const end = controls.getTarget(camera.position.clone(), true);
+  controls.moveTo(end.x + to.x - from.x, end.y + to.y - from.y, end.z + to.z - from.z, false);
+  controls.update(0);
+  if (fitted) seen = [camera.position.x, camera.position.y, camera.position.z];
+}
+
 /** Keeps the camera flat, and fits every new scene and every new size of the window. */
 export function keepFlat() {
   /** @type {unknown} */

@@ -14,7 +14,8 @@ import { readDamage, readFrame, readPlan, UNHARMED } from "../../drawing/static/
 import { hear, onTold } from "../../wire/channel.js";
 import { Glide } from "./glide.js";
 
-const BODY = "/body/";
+/** Where the nodes of the body are, and those of the other one in a race. */
+const [BODY, RIVAL] = ["/body/", "/rival/"];
 
 const state = {
   /** @type {Plan | null} */
@@ -27,6 +28,8 @@ const state = {
   pictured: null,
   /** When it was shown, ms of the screen's clock. */
   since: 0,
+  /** What the other body of a race is made of. @type {Plan | null} */
+  rivalPlan: null,
   /** Pictures drawn so far. */
   drawn: 0,
 };
@@ -83,7 +86,10 @@ function paint() {
     state.frame = frame;
     state.pictured = plan;
     state.since = performance.now();
-    show(plan, frame, state.damage.generation === plan.generation ? state.damage : UNHARMED);
+    const damage = state.damage.generation === plan.generation ? state.damage : UNHARMED;
+    show(BODY, plan, frame, damage);
+    const { rivalPlan } = state;
+    if (frame.rival && rivalPlan?.radius.length === frame.rival.positions.length / 2) show(RIVAL, rivalPlan, frame.rival, damage.rival);
     state.drawn += 1;
     page?.requestRender();
     for (const listener of listeners) listener(frame, plan);
@@ -91,13 +97,21 @@ function paint() {
   if (glide.busy) ask();
 }
 
-/** @param {Plan} plan @param {Frame} frame @param {import("../../drawing/static/plan.js").Damage} damage */
-function show(plan, frame, damage) {
+/**
+ * Draws one body.
+ *
+ * @param {string} at where its nodes are
+ * @param {Plan} plan @param {Frame} frame @param {import("../../drawing/static/plan.js").Damage} [damage]
+ */
+function show(at, plan, frame, damage = UNHARMED) {
   const world = draw.toWorld(plan, frame.positions);
-  if (owners.has(`${BODY}halos`)) put("halos", draw.muscles(plan, frame, world, true, damage, isStill()));
-  if (owners.has(`${BODY}muscles`)) put("muscles", draw.muscles(plan, frame, world, false, damage, isStill()));
+  const has = (/** @type {string} */ name) => owners.has(at + name);
+  /** @param {string} name @param {Instances} instances */
+  const put = (name, instances) => fill(at + name, instances);
+  if (has("halos")) put("halos", draw.muscles(plan, frame, world, true, damage, isStill()));
+  if (has("muscles")) put("muscles", draw.muscles(plan, frame, world, false, damage, isStill()));
   put("springs", draw.springs(plan, frame, world, damage));
-  if (owners.has(`${BODY}yielded`)) put("yielded", draw.yielded(plan, world, damage));
+  if (has("yielded")) put("yielded", draw.yielded(plan, world, damage));
   put("wedges", draw.wedges(plan, frame, world, damage));
   if (plan.pinned.length) put("pins", draw.pins(plan, world));
   if (plan.driven >= 0) put("ring", draw.ring(plan, world));
@@ -105,9 +119,8 @@ function show(plan, frame, damage) {
   if (frame.ghost) put("ghost", draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage));
 }
 
-/** Fills a node with its instances; colours only when they changed. @param {string} name @param {Instances} instances */
-function put(name, instances) {
-  const node = BODY + name;
+/** Fills a node with its instances; colours only when they changed. @param {string} node @param {Instances} instances */
+function fill(node, instances) {
   if (!owners.has(node)) return;
   const { batched_colors: wanted, ...updates } = instances;
   const before = colors.get(node);
@@ -123,6 +136,12 @@ function listen() {
   onTold("plan", ({ numbers }) => {
     state.plan = readPlan(numbers);
     colors.clear();
+    ask();
+  });
+  onTold("rivalPlan", ({ numbers }) => {
+    state.rivalPlan = readPlan(numbers);
+    colors.clear();
+    glide.last = null;
     ask();
   });
   onTold("damage", ({ numbers }) => {
@@ -141,7 +160,7 @@ function listen() {
 /** Notes which nodes of the body there are. @param {Message} message */
 function note({ type, name = "", owner, props }) {
   if (type === "RemoveSceneNodeMessage") owners.delete(name);
-  if (!props || !name.startsWith(BODY)) return;
+  if (!props || !(name.startsWith(BODY) || name.startsWith(RIVAL))) return;
   owners.set(name, owner);
   colors.delete(name);
   glide.last = null; // a new node has to be filled in

@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * Behind the body: the grid, walls, how far contact reaches, what fills its loops, and the wind.
+ * Behind the body: the grid, a medium, the ground, walls, how far contact reaches, what fills its loops, and the wind.
  */
 import { moving, standing, streaks } from "../../drawing/static/environment.js";
 import { LAYERS } from "../../drawing/static/looks.js";

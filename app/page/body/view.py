@@ -7,15 +7,18 @@ masses (canvas.js). A frame in which nothing moved by a tenth of a pixel is not 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
+import msgspec
 import numpy as np
 import viser
 from numpy.typing import NDArray
 
 from sim import Scene
+from sim.scene.types import Damage as BodyDamage
 
-from ...drawing.colors import palette
+from ...drawing.colors import blend, palette
 from ...drawing.plan import Picture, broken_of, encode_damage, encode_frame, encode_plan
 from ...drawing.shapes import meshes
 from ...drawing.sketch import Z_GIZMO, Floats, Sketch
@@ -23,7 +26,7 @@ from ...session import commands
 from ...session.hand import GIZMO
 from ...session.session import Session
 from ...wire.carrier import Mail
-from ...wire.to_page import Damage, Frame, Plan
+from ...wire.to_page import Damage, Frame, Plan, RivalPlan
 
 STILL = 0.1
 """Movement (in pixels of a 600 pixel high frame) below which a picture counts as unchanged."""
@@ -33,6 +36,13 @@ MAX_GIZMOS = 12
 
 # Ambient light only and no shadows: every mesh shows its own colour, and software rendering is twice as fast.
 _FLAT: dict[str, Any] = {"material": "toon3", "lod": "off", "cast_shadow": False, "receive_shadow": False}
+
+
+_BODY, _RIVAL = "/body/", "/rival/"
+"""Where the nodes of the body are, and those of the other one in a race."""
+
+_BEHIND = -0.3
+"""Depth of the other body, behind all of the first."""
 
 
 class Canvas:
@@ -52,6 +62,8 @@ class Canvas:
         self._nodes: dict[str, Any] = {}
         self._gizmos: list[tuple[int, viser.TransformControlsHandle]] = []
         self._built: tuple[Any, ...] = ()
+        self._rival_built: tuple[Any, ...] = ()
+        self._rival_plan: NDArray[np.float32] | None = None
         self._plan: NDArray[np.float32] | None = None
         self._plan_number = self._own_number = 0
         self._drawn: Picture | None = None
@@ -78,6 +90,7 @@ class Canvas:
         self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
         kinds = self._kinds(sketch)
         shape = (scene.view, kinds, *sketch.held.tolist())
+        self._view = scene.view
         if rest_angles is None:
             rest_angles = np.array([joint.rest_angle for joint in scene.angular_springs])
         with self._client.atomic():
@@ -85,7 +98,7 @@ class Canvas:
                 self._clear()
                 self._built = shape
                 for name, mesh in kinds.items():
-                    self._add_empty(f"/body/{name}", mesh)
+                    self._add_empty(f"{_BODY}{name}", mesh)
             plan = encode_plan(0, sketch, rest_angles)
             known = self._plan is not None and np.array_equal(plan, self._plan)
             if not known or number not in (None, self._plan_number):
@@ -94,6 +107,37 @@ class Canvas:
                 self._plan_number = self._own_number if number is None else number
                 self._mail.tell(Plan(numbers=encode_plan(self._plan_number, sketch, rest_angles)))
                 self._drawn = self._damaged = None
+
+    def build_rival(self, rival: Scene | None, dark: bool) -> None:
+        """Put up the other body of a race behind the first, in its place and with its colour; or none.
+
+        Call it after `build`, whose view it has.
+        """
+        if rival is None or self.sketch is None:
+            if self._rival_built:
+                self._remove(_RIVAL)
+                self._rival_built, self._rival_plan, self._drawn = (), None, None
+            return
+        # Its surroundings are the first one's, and drawn with that; nobody drives it.
+        still = tuple(msgspec.structs.replace(anchor, driven=False) for anchor in rival.anchors)
+        alone = msgspec.structs.replace(
+            rival, view=self._view, walls=(), wind=None, contact=None, anchors=still
+        )
+        colors = palette(rival.view.colors, dark)
+        rest = blend(colors.paper, colors.rival, np.array([0.6]))[0]
+        sketch = Sketch(alone, replace(colors, mass=colors.rival, held=colors.rival, rest=rest))
+        kinds = self._kinds(sketch)
+        angles = np.array([joint.rest_angle for joint in rival.angular_springs])
+        with self._client.atomic():
+            if kinds != dict(self._rival_built):
+                self._remove(_RIVAL)
+                self._rival_built, self._drawn = tuple(kinds.items()), None
+                for name, mesh in kinds.items():
+                    self._add_empty(f"{_RIVAL}{name}", mesh, _BEHIND)
+            plan = encode_plan(0, sketch, angles)
+            if self._rival_plan is None or not np.array_equal(plan, self._rival_plan):
+                self._rival_plan, self._drawn = plan, None
+                self._mail.tell(RivalPlan(numbers=plan))
 
     @staticmethod
     def _kinds(sketch: Sketch) -> dict[str, str]:
@@ -148,22 +192,30 @@ class Canvas:
     # --------------------------------------------------------------------- inside
     def _same_damage(self, picture: Picture, exactly: bool) -> bool:
         """Whether the page knows what has yielded and broken, to what can be seen or exactly."""
-        known = self._damaged.damage if self._damaged is not None else None
-        ghost = self._damaged.ghost_broken if self._damaged is not None else ()
-        if ghost != picture.ghost_broken or broken_of(known) != broken_of(picture.damage):
+        known = self._damaged
+        if (known.ghost_broken if known is not None else ()) != picture.ghost_broken:
             return False
-        if exactly or known is None or picture.damage is None:
-            return known == picture.damage
-        return _near(known.set_lengths, picture.damage.set_lengths, STILL * self._pixel) and _near(
-            known.set_angles, picture.damage.set_angles, 0.5
+        one, other = (known.damage, known.rival) if known is not None else (None, None)
+        theirs = picture.rival.damage if picture.rival is not None else None
+        return self._near_damage(one, picture.damage, exactly) and self._near_damage(
+            other.damage if other is not None else None, theirs, exactly
+        )
+
+    def _near_damage(self, known: BodyDamage | None, now: BodyDamage | None, exactly: bool) -> bool:
+        if broken_of(known) != broken_of(now):
+            return False
+        if exactly or known is None or now is None:
+            return known == now
+        return _near(known.set_lengths, now.set_lengths, STILL * self._pixel) and _near(
+            known.set_angles, now.set_angles, 0.5
         )
 
     def _show_ghost(self, wanted: bool) -> None:
         """A second body is there only while it is compared with."""
-        if wanted and "/body/ghost" not in self._nodes:
-            self._add_empty("/body/ghost", "bar")
-        elif not wanted and "/body/ghost" in self._nodes:
-            self._nodes.pop("/body/ghost").remove()
+        if wanted and f"{_BODY}ghost" not in self._nodes:
+            self._add_empty(f"{_BODY}ghost", "bar")
+        elif not wanted and f"{_BODY}ghost" in self._nodes:
+            self._nodes.pop(f"{_BODY}ghost").remove()
 
     def _is_drawn(self, picture: Picture, exactly: bool) -> bool:
         """Whether this was drawn last, to what can be seen or exactly."""
@@ -173,6 +225,10 @@ class Canvas:
         if (drawn.ghost is None) != (picture.ghost is None) or not self._same_damage(picture, exactly):
             return False
         moved = np.abs(picture.positions - drawn.positions).max(initial=0.0)
+        if drawn.rival is not None and picture.rival is not None:
+            moved = max(moved, np.abs(picture.rival.positions - drawn.rival.positions).max(initial=0.0))
+        elif drawn.rival is not picture.rival:
+            return False
         if drawn.ghost is not None and picture.ghost is not None:
             moved = max(moved, np.abs(picture.ghost - drawn.ghost).max(initial=0.0))
         turned = abs(picture.rest_angle_shift - drawn.rest_angle_shift)
@@ -187,11 +243,14 @@ class Canvas:
         return 1.0 / (100.0 * self.sketch.mapping.scale) if self.sketch is not None else 1.0
 
     def _clear(self) -> None:
-        for node in self._nodes.values():
-            node.remove()
-        self._nodes.clear()
+        self._remove(_BODY)
         self._remove_gizmos()
         self._drawn = self._damaged = None
+
+    def _remove(self, place: str) -> None:
+        """Take the nodes of one body away."""
+        for name in [name for name in self._nodes if name.startswith(place)]:
+            self._nodes.pop(name).remove()
 
     def _remove_gizmos(self) -> None:
         for _, gizmo in self._gizmos:
@@ -199,7 +258,7 @@ class Canvas:
         self._gizmos.clear()
         self._gizmo_in_hand = None
 
-    def _add_empty(self, name: str, mesh: str) -> None:
+    def _add_empty(self, name: str, mesh: str, depth: float = 0.0) -> None:
         """A node that the page's script fills in."""
         shape = meshes()[mesh]
         self._nodes[name] = self._client.scene.add_batched_meshes_simple(
@@ -210,6 +269,7 @@ class Canvas:
             batched_positions=np.zeros((1, 3)),
             batched_scales=np.full((1, 3), 1e-6),
             batched_colors=np.zeros((1, 3), np.uint8),
+            position=(0.0, 0.0, depth),
             side="double",
             **_FLAT,
         )
@@ -274,4 +334,7 @@ def picture_of(session: Session) -> Picture:
         shape = session.refused_shape
         if len(shape) == len(simulation.scene.masses):
             other = shape + _SWAY * float(np.ptp(shape, axis=0).max(initial=0.0)) * session.refusal.motion
-    return Picture.of(simulation, other, damage)
+    picture = Picture.of(simulation, other, damage)
+    if session.rival is None:
+        return picture
+    return replace(picture, rival=Picture.of(session.rival.simulation))

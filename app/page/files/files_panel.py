@@ -53,6 +53,8 @@ class FilesPanel:
         on_press(save, lambda: self._try(self._save), blocks=True)
         gui.add_divider()
         page.button("Share by a link", viser.Icon.LINK, lambda: page.perform("share"))
+        if "chooser" in page.controls:
+            page.button("Race against …", viser.Icon.FLAG, lambda: page.perform("race"))
         if "edit" in page.controls:
             page.button("Make a lesson", viser.Icon.LIST_CHECK, lambda: page.perform("lesson"))
         for label, icon, action in (

@@ -1,5 +1,6 @@
 // @ts-check
 /** The View menu over the bar of time: how the page looks, and the help. */
+import { isChasing } from "../body/chase.js";
 import { has, onTold, told } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { make, makeButton } from "./dialog.js";
@@ -24,6 +25,7 @@ const ENTRIES = [
   { name: "meter", part: "view", on: () => told().meter ?? false },
   { name: "gizmos", part: "view", on: () => told().gizmos ?? false },
   { name: "modes", part: "modes", on: () => document.documentElement.hasAttribute("data-softrod-modes") },
+  { name: "chase", part: "view", on: isChasing },
   { name: "fit", part: "view" },
   { name: "help", part: "help" },
 ];

@@ -8,17 +8,22 @@
 import { onTold, send } from "../../wire/channel.js";
 import { copied } from "../files/share.js";
 import { make, makeButton, makeDialog } from "../looks/dialog.js";
+import { raceAgainst } from "../race/race.js";
 import { isDark } from "../viser/widgets.js";
 import { arrived, isFound } from "./finding.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
 /** The preset with which one builds a body of one's own. */
 const EMPTY = "empty";
+/** The group of presets that move by themselves. */
+const MOVING = "Muscles";
 const NONE_SAVED = "You have saved no scene yet. Save the one that you see in the Share tab, or build one: ";
 const CARD = ".softrod-card:not([hidden]) .softrod-open";
 
 /** Opens the gallery, once it is there. */
 export let openGallery = () => {};
+/** Opens it to choose whom to race against. */
+export let openRivals = () => {};
 
 /** Puts up the dialog, which opens when the server says so. */
 export function addGallery() {
@@ -28,9 +33,19 @@ export function addGallery() {
   search.placeholder = "Find a scene";
   search.ariaLabel = "Find a scene";
   head.insertBefore(search, head.lastChild);
+  const link = make("form", "softrod-dialog-line softrod-rival");
+  const pasted = make("input", "softrod-search");
+  pasted.placeholder = "Paste a link to a scene, or choose one below";
+  pasted.ariaLabel = "Link to the scene to race against";
+  link.append(pasted, make("button", "softrod-button softrod-first", "Race"));
+  link.hidden = true;
+  link.addEventListener("submit", (event) => {
+    event.preventDefault();
+    if (pasted.value.trim()) raceAgainst(pasted.value);
+  });
   const none = make("p", "softrod-none", "No scene has all of these words.");
   const cards = make("div", "");
-  body.append(none, cards);
+  body.append(link, none, cards);
   const foot = make("div", "softrod-dialog-foot");
   foot.hidden = true;
   const said = make("span", "softrod-said");
@@ -76,7 +91,14 @@ export function addGallery() {
   };
   /** @param {Entry} entry */
   const open = ({ name }) => {
+    if (!link.hidden) {
+      raceAgainst(name);
+      return;
+    }
     send({ do: "openScene", name });
+    close();
+  };
+  const close = () => {
     dialog.close();
     // The keys are the body's.
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
@@ -167,7 +189,9 @@ export function addGallery() {
 
   const build = () => {
     const had = cards.contains(document.activeElement);
-    const groups = new Map(entries.map(({ group }) => [group, /** @type {Entry[]} */ ([])]));
+    // Whoever races is shown first what moves by itself.
+    const moving = link.hidden ? [] : entries.filter(({ group }) => group === MOVING);
+    const groups = new Map([...moving, ...entries].map(({ group }) => [group, /** @type {Entry[]} */ ([])]));
     for (const entry of entries) groups.get(entry.group)?.push(entry);
     cards.replaceChildren(
       ...(entries.some(({ own }) => own) ? [] : [noneSaved()]),
@@ -189,9 +213,12 @@ export function addGallery() {
     if (had) focus(found().find((one) => one.tabIndex === 0));
   };
 
-  const show = () => {
+  const show = (races = false) => {
     if (dialog.open) return;
-    search.value = "";
+    link.hidden = !races;
+    dialog.toggleAttribute("data-race", races);
+    if (head.firstElementChild) head.firstElementChild.textContent = races ? "Race against" : "Scenes";
+    search.value = pasted.value = "";
     chosen = "";
     say();
     dialog.showModal();
@@ -227,7 +254,12 @@ export function addGallery() {
       search.focus(); // which takes the letter
     }
   });
-  openGallery = show;
+  openGallery = () => show();
+  openRivals = () => show(true);
+  onTold("raceAnswer", ({ problem }) => {
+    if (problem) say(problem);
+    else if (dialog.open) close();
+  });
   onTold("offerGallery", ({ why }) => {
     show();
     if (why) say(why);

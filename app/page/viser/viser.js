@@ -11,7 +11,8 @@
  * @typedef {{minAzimuthAngle: number, maxAzimuthAngle: number, azimuthAngle: number, minPolarAngle: number,
  *   maxPolarAngle: number, minDistance: number, maxDistance: number, dollyToCursor: boolean,
  *   mouseButtons: Record<string, number>, touches: Record<string, number>, constructor: any,
- *   setLookAt(...values: (number | boolean)[]): void, update(seconds: number): void}} Controls
+ *   setLookAt(...values: (number | boolean)[]): void, moveTo(x: number, y: number, z: number, glides: boolean): void,
+ *   getTarget(into: Vector, atEnd: boolean): Vector, update(seconds: number): void}} Controls
  * @typedef {{type: string, name?: string, owner?: string, props?: Record<string, any>,
  *   updates?: Record<string, any>, [key: string]: any}} Message
  * @typedef {{getPixelRatio(): number, setPixelRatio(ratio: number): void, render(scene: Scene, camera: unknown): void}}

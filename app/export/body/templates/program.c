@@ -16,10 +16,17 @@
 #define GIVEN_AIR 0.1
 #define GIVEN_WIND_X 10.0
 #define GIVEN_WIND_Y 0.0
+#define GIVEN_ACROSS 1.0
+#define GIVEN_ALONG 0.5
+#define GIVEN_FORWARD 0.2
+#define GIVEN_BACKWARD 0.3
+#define GIVEN_SIDEWAYS 0.4
+#define GIVEN_SLIP 10.0
 #define GIVEN_MASSES { { .mass = 1.0 } }
 #define GIVEN_SPRINGS { { 0 } }
 #define GIVEN_JOINTS { { 0 } }
 #define GIVEN_LOADS { { 0 } }
+#define GIVEN_RESISTED { { 0 } }
 #define GIVEN_FILLINGS { { 0 } }
 #define GIVEN_AROUND { 0 }
 #define GIVEN_WALLS { { 0 } }
@@ -37,6 +44,13 @@ static const double AIR = GIVEN_AIR;  // air friction, kg/px
 # endif
 # ifdef HAS_WIND
 static const double WIND_X = GIVEN_WIND_X, WIND_Y = GIVEN_WIND_Y;  // velocity of the air, px/s
+# endif
+# ifdef HAS_MEDIUM
+static const double ACROSS = GIVEN_ACROSS, ALONG = GIVEN_ALONG;  // drag of a medium on springs, kg/(px s)
+# endif
+# ifdef HAS_GROUND
+static const double FORWARD = GIVEN_FORWARD, BACKWARD = GIVEN_BACKWARD;  // friction of the ground
+static const double SIDEWAYS = GIVEN_SIDEWAYS, SLIP = GIVEN_SLIP;        // SLIP: px/s, of full friction
 # endif
 
 static struct {
@@ -100,6 +114,16 @@ static const struct {
     double x, y;  // the force, kg px/s^2
 } load[] = GIVEN_LOADS;
 enum { LOADS = sizeof load / sizeof *load };
+
+# endif
+# ifdef HAS_RESISTED
+static const struct {
+    int spring;         // which is resisted
+# ifdef HAS_GROUND
+    double on_a, on_b;  // the weights on its ends, kg px/s^2
+# endif
+} resisted[] = GIVEN_RESISTED;
+enum { RESISTED = sizeof resisted / sizeof *resisted };
 
 # endif
 # ifdef HAS_FILLINGS
@@ -221,6 +245,35 @@ static void accelerate(void) {
     for (int i = 0; i < SPRINGS; i++) {
         ax[s[i].b] += now[i].fx, ay[s[i].b] += now[i].fy;
         ax[s[i].a] -= now[i].fx, ay[s[i].a] -= now[i].fy;
+    }
+# endif
+# ifdef HAS_RESISTED
+    // Springs are resisted at both ends, otherwise across than along themselves.
+    for (int i = 0; i < RESISTED; i++) {
+        int ends[2] = { s[resisted[i].spring].a, s[resisted[i].spring].b };
+        double x = m[ends[1]].x - m[ends[0]].x, y = m[ends[1]].y - m[ends[0]].y;
+        double length = sqrt(x * x + y * y + 1e-300);
+        x /= length, y /= length;
+        for (int end = 0; end < 2; end++) {
+            int k = ends[end];
+            double along = 0.0, across = 0.0;
+# ifdef HAS_MEDIUM
+            double u = m[k].vx, w = m[k].vy;
+# ifdef HAS_WIND
+            u -= WIND_X, w -= WIND_Y;
+# endif
+            along += 0.5 * length * ALONG * (x * u + y * w);
+            across += 0.5 * length * ACROSS * (x * w - y * u);
+# endif
+# ifdef HAS_GROUND
+            double forward = x * m[k].vx + y * m[k].vy, sideways = x * m[k].vy - y * m[k].vx;
+            double speed = sqrt(forward * forward + sideways * sideways + SLIP * SLIP);
+            double rub = (end ? resisted[i].on_b : resisted[i].on_a) / speed;
+            along += rub * (forward > 0.0 ? FORWARD : BACKWARD) * forward;
+            across += rub * SIDEWAYS * sideways;
+# endif
+            ax[k] -= along * x - across * y, ay[k] -= along * y + across * x;
+        }
     }
 # endif
 # ifdef HAS_FILLINGS

@@ -7,10 +7,13 @@ import numpy as np
 # What stands for a scene's numbers while this file is read as it is. `app/export/body/program.py` fills it.
 GIVEN_STEPS, GIVEN_START, GIVEN_DT, GIVEN_AIR = 400, 0.0, 0.001, 0.1
 GIVEN_GRAVITY_X, GIVEN_GRAVITY_Y, GIVEN_WIND_X, GIVEN_WIND_Y = 0.0, 900.0, 10.0, 0.0
+GIVEN_ACROSS, GIVEN_ALONG = 1.0, 0.5
+GIVEN_FORWARD, GIVEN_BACKWARD, GIVEN_SIDEWAYS, GIVEN_SLIP = 0.2, 0.3, 0.4, 10.0
 GIVEN_MASSES = [(0.0, 0.0, 0.0, 0.0, 1.0, 0)]
 GIVEN_SPRINGS = [(0, 0, 1.0, 1.0, 0.0)]
 GIVEN_JOINTS = [(0, 0, 1.0, 1.0, 0.0, 0.0)]
 GIVEN_LOADS = [(0, 0.0, 0.0)]
+GIVEN_RESISTED = [(0, 1000.0, 1000.0)]
 GIVEN_FILLINGS = [(True, 1.0, 1.0, 1.0, [0])]
 GIVEN_WALLS = [(0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 1.0, 0.0)]
 GIVEN_CIRCLES = [(0, 0.0, 0.0, 1.0, 1.0, 1.0)]
@@ -26,6 +29,13 @@ AIR = GIVEN_AIR  # air friction, kg/px
 # endif
 # ifdef HAS_WIND
 WIND = np.array((GIVEN_WIND_X, GIVEN_WIND_Y))  # velocity of the air, px/s
+# endif
+# ifdef HAS_MEDIUM
+ACROSS, ALONG = GIVEN_ACROSS, GIVEN_ALONG  # drag of a medium on springs, kg/(px s)
+# endif
+# ifdef HAS_GROUND
+FORWARD, BACKWARD, SIDEWAYS = GIVEN_FORWARD, GIVEN_BACKWARD, GIVEN_SIDEWAYS  # friction of the ground
+SLIP = GIVEN_SLIP  # speed of full friction, px/s
 # endif
 
 # A row for each mass: x, y (px), velocity x, y (px/s), mass (kg).
@@ -61,6 +71,16 @@ JOINT_C = JOINTS[:, -1]  # damping, kg/s
 # ifdef HAS_LOADS
 # A row for each constant force: the mass that it acts on, its x and y (kg px/s^2).
 LOADS = np.array(GIVEN_LOADS)
+
+# endif
+# ifdef HAS_RESISTED
+# ifdef HAS_GROUND
+# A row for each spring that is resisted: which it is, and the weights on its ends (kg px/s^2).
+# else
+# A row for each spring that is resisted: which it is.
+# endif
+RESISTED = np.array(GIVEN_RESISTED)
+WHOLE = RESISTED[:, 0].astype(int)
 
 # endif
 # ifdef HAS_FILLINGS
@@ -146,6 +166,30 @@ def accelerations(x, v):
     # ifdef HAS_SPRINGS
     np.add.at(force, B, on_b)
     np.add.at(force, A, -on_b)
+    # endif
+    # ifdef HAS_RESISTED
+    # Springs are resisted at both ends, otherwise across than along themselves.
+    size = length[WHOLE]
+    ahead_x, ahead_y = spring[WHOLE].T / size
+    for end, at in enumerate((A[WHOLE], B[WHOLE])):
+        along, across = np.zeros((2, len(at)))
+        # ifdef HAS_MEDIUM
+        flow_x, flow_y = v[at].T
+        # ifdef HAS_WIND
+        flow_x, flow_y = flow_x - WIND[0], flow_y - WIND[1]
+        # endif
+        along += 0.5 * size * ALONG * (ahead_x * flow_x + ahead_y * flow_y)
+        across += 0.5 * size * ACROSS * (ahead_x * flow_y - ahead_y * flow_x)
+        # endif
+        # ifdef HAS_GROUND
+        slide_x, slide_y = v[at].T
+        forward, sideways = ahead_x * slide_x + ahead_y * slide_y, ahead_x * slide_y - ahead_y * slide_x
+        rub = RESISTED[:, 1 + end] / np.sqrt(slide_x**2 + slide_y**2 + SLIP**2)
+        along += rub * np.where(forward > 0.0, FORWARD, BACKWARD) * forward
+        across += rub * SIDEWAYS * sideways
+        # endif
+        back = np.stack((along * ahead_x - across * ahead_y, along * ahead_y + across * ahead_x), 1)
+        np.add.at(force, at, -back)
     # endif
     # ifdef HAS_FILLINGS
     for is_gas, strength, outside, size, loop in FILLINGS:

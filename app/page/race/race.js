@@ -1,0 +1,149 @@
+// @ts-check
+/**
+ * The strip of a race over the bar of time: how far each body has come, who is ahead, and the start after a count-down.
+ * It is made when there is a race for the first time.
+ */
+import { viser } from "../viser/viser.js";
+import { onTold, told } from "../../wire/channel.js";
+import { sendParts } from "../files/links.js";
+import { withKey } from "../hands/key_table.js";
+import { make, makeButton } from "../looks/dialog.js";
+import { roundUp } from "../body/overlay.js";
+import { openRivals } from "../scenes/gallery.js";
+import { perform } from "../../wire/perform.js";
+
+/** @typedef {import("../../wire/wire.js").Race} Race */
+
+/** Milliseconds of each number of the count-down, and of what comes after it. */
+const COUNT = 700;
+/** Milliseconds between two readings for a screen reader. */
+const READ_EVERY = 3000;
+/** px by which one is ahead at least, and that a bar has at least in full. */
+const [CLOSE, SHORTEST] = [0.5, 100];
+
+const RULE =
+  "Both start together, on this body's terrain. Changes of this body and of the terrain are allowed, and are noted here; Start again makes it fair.";
+
+/** @type {Race} */
+let race = { tell: "race" };
+
+/** A way in words. @param {number} way */
+const inPx = (way) => {
+  const size = Math.abs(way) < 10 ? Number(Math.abs(way).toPrecision(2)) : Math.round(Math.abs(way));
+  return `${way < 0 && size ? "−" : ""}${size} ${told().unit ?? ""}`;
+};
+
+/** The names of both, which are told apart where they have the same. @param {Race} race @returns {[string, string]} */
+export function namesOf({ names: [one, other] = ["", ""] }) {
+  return one === other ? [one, `${other} (the other)`] : [one, other];
+}
+
+/** Who is ahead: whoever has come farther, to whichever side. @param {Race} race */
+export function verdict(race) {
+  const { ways: [one, other] = [0, 0], out } = race;
+  const [mine, theirs] = namesOf(race);
+  if (out) return `${theirs} is out: ${out}`;
+  const ahead = Math.abs(one) - Math.abs(other);
+  if (Math.abs(ahead) < CLOSE) return "Neither is ahead";
+  return `${ahead > 0 ? mine : theirs} is ahead by ${inPx(Math.abs(ahead))}`;
+}
+
+/** Begins a race against a scene, by its link or its name. @param {string} text */
+export const raceAgainst = (text) => void sendParts("rival", encodeURIComponent(text.trim()));
+
+/** Chooses a rival; or in a race, starts it anew. */
+export const openRace = () => (race.on ? start() : openRivals());
+
+let start = () => {};
+
+function makeStrip() {
+  const strip = make("div", "softrod-strip softrod-race");
+  strip.setAttribute("role", "group");
+  strip.ariaLabel = "Race";
+  const head = make("div", "softrod-strip-head softrod-race-head");
+  const says = make("span", "softrod-strip-says softrod-race-says");
+  const begin = makeButton("Start", () => start(), "softrod-race-start");
+  begin.title = withKey("Both from the start, after a count-down", "race");
+  const leave = makeButton("Leave", () => perform("leaveRace"), "");
+  leave.title = "Leave the race; this body goes on alone";
+  head.append(says, begin, leave);
+  const live = make("div", "softrod-tell");
+  live.setAttribute("role", "status");
+  const rows = ["softrod-race-mine", "softrod-race-theirs"].map((name) => {
+    const row = make("div", `softrod-race-row ${name}`);
+    const [who, track, bar, way] = [make("b", ""), make("span", "softrod-race-track"), make("i", ""), make("output", "")];
+    way.ariaLive = "off"; // what is read out is the line above
+    track.append(bar);
+    row.append(who, track, way);
+    return { row, who, bar, way };
+  });
+  const rule = make("small", "softrod-race-rule", RULE);
+  strip.append(head, ...rows.map(({ row }) => row), rule, live);
+  document.querySelector(".softrod-transport")?.before(strip);
+  const count = make("div", "softrod-count");
+  count.ariaLive = "assertive";
+  count.hidden = true;
+  document.body.append(count);
+
+  let [counting, read] = [0, 0];
+  const stopCount = () => {
+    clearTimeout(counting);
+    counting = 0;
+    count.hidden = true;
+  };
+  /** @param {number} left */
+  const countDown = (left) => {
+    count.hidden = false;
+    count.textContent = left ? String(left) : "Go!";
+    const box = viser()?.canvas?.getBoundingClientRect();
+    if (box) Object.assign(count.style, { left: `${box.left + box.width / 2}px`, top: `${box.top + box.height / 3}px` });
+    if (!left) perform("run");
+    counting = setTimeout(() => (left ? countDown(left - 1) : stopCount()), COUNT);
+  };
+  start = () => {
+    stopCount();
+    perform("pause");
+    perform("reset");
+    begin.blur(); // the keys are the bodies'
+    countDown(3);
+  };
+  window.addEventListener("keydown", ({ key }) => key === "Escape" && stopCount(), true);
+  onTold("pageState", ({ playing }) => playing && counting && count.textContent !== "Go!" && stopCount());
+  return (/** @type {Race} */ now) => {
+    const on = now.on ?? false;
+    if (strip.hidden === on) live.textContent = on ? `A race against ${namesOf(now)[1]}. ${withKey("Start", "race")}.` : "The race is left";
+    strip.hidden = !on;
+    document.documentElement.toggleAttribute("data-softrod-race", on);
+    if (!on) stopCount();
+    const { ways = [0, 0], seconds = 0, fair = true } = now;
+    const full = roundUp(Math.max(SHORTEST, ...ways.map(Math.abs)));
+    rows.forEach(({ who, bar, way }, i) => {
+      const name = namesOf(now)[i];
+      if (who.textContent !== name) who.textContent = name;
+      bar.style.transform = `scaleX(${(Math.abs(ways[i]) / full).toFixed(4)})`;
+      way.textContent = inPx(ways[i]);
+    });
+    const begun = seconds > 0;
+    const text = begun ? `${verdict(now)}, after ${seconds.toFixed(1)} s${fair ? "" : "; changed or moved on the way"}` : "";
+    if (says.textContent !== (text || "At the start")) says.textContent = text || "At the start";
+    begin.textContent = begun ? "Start again" : "Start";
+    rule.hidden = begun && fair;
+    if (begun && on && performance.now() - read > READ_EVERY && told().playing) {
+      read = performance.now();
+      const short = verdict(now).replace(/ by .*/, "");
+      if (live.textContent !== short) live.textContent = short;
+    } else if (begun && on && !told().playing && live.textContent !== text) live.textContent = text;
+  };
+}
+
+/** Begins to look for a race. */
+export function addRace() {
+  /** @type {ReturnType<typeof makeStrip> | null} */
+  let show = null;
+  onTold("race", (now) => {
+    race = now;
+    if (!show && !now.on) return;
+    show ??= makeStrip();
+    show(now);
+  });
+}

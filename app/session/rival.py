@@ -1,0 +1,176 @@
+"""A race: another body on the terrain of the session's, by itself, both on one clock."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+import sim
+from sim.errors import SceneError
+from sim.scene.types import shown_name
+
+from .companion import Companion
+from .pacing import attempts_within
+
+TERRAIN = ("gravity", "air_friction", "wind", "medium", "ground", "walls", "contact")
+"""The fields of a scene that are around a body."""
+
+_ROUNDING = 1e-6
+"""Of a time step: what is as near to a whole one is one."""
+
+
+def on_terrain(scene: sim.Scene, terrain: sim.Scene) -> sim.Scene:
+    """A scene with all that is around the body of another one; what would begin in its walls is moved out.
+
+    Raises:
+        SceneError: the body does not go with it.
+    """
+    name, (one, other) = shown_name(scene)[:80], (scene.view, terrain.view)
+    if one.unit != other.unit:
+        raise SceneError(f"{name!r} is measured in {one.unit}; on this terrain, a race needs {other.unit}")
+    if one.y_down != other.y_down:
+        raise SceneError(f"{name!r} would stand on its head here: its y axis points the other way")
+    around = {field: getattr(terrain, field) for field in TERRAIN}
+    placed = msgspec.structs.replace(scene, **around)
+    return sim.validate(placed if scene.walls == terrain.walls else _out_of_walls(placed))
+
+
+def center(scene: sim.Scene, positions: NDArray[np.float64]) -> float:
+    """x of the centre of mass, px."""
+    mass = np.array([one.mass for one in scene.masses])
+    return float(mass @ positions[:, 0] / mass.sum()) if len(mass) else 0.0
+
+
+class RivalMoment(NamedTuple):
+    """A rival at a moment that is past; see `Rival`."""
+
+    moment: sim.Moment
+    owed: float
+    seconds: float
+    starts: tuple[float, float]
+    fair: bool
+    out: str
+
+
+class Rival(Companion):
+    """The other body of a race.
+
+    It never falls behind: a session whose rival `is_late` waits for it. Nobody's hands reach it.
+
+    Args:
+        simulation: the session's body.
+        scene: the other one's, which gets the terrain of the first.
+        wait: whether its steps may wait for the compiler.
+
+    Attributes:
+        scene: as above.
+        simulation: the other body.
+        seconds: simulated, since the start.
+        fair: whether nothing but time has moved or changed the session's body since then.
+        out: why the other body takes part no more; empty while it does.
+
+    Raises:
+        SceneError: it does not go with the terrain.
+    """
+
+    by_hand = False
+
+    def __init__(self, simulation: sim.Simulation, scene: sim.Scene, wait: bool = True) -> None:
+        self.scene = scene
+        self.simulation = sim.Simulation(on_terrain(scene, simulation.scene), wait=wait)
+        super().__init__((self.simulation,))
+        self._start(simulation)
+
+    def _start(self, simulation: sim.Simulation) -> None:
+        self._owed = self.seconds = 0.0
+        self.fair, self.out = True, ""
+        self._starts = self._centers(simulation)
+
+    def _centers(self, simulation: sim.Simulation) -> tuple[float, float]:
+        one, other = (center(body.scene, body.positions) for body in (simulation, self.simulation))
+        return one, other
+
+    def ways(self, simulation: sim.Simulation) -> tuple[float, float]:
+        """How far the session's body and the other one have come along x since the start, px."""
+        (one, other), (a, b) = self._centers(simulation), self._starts
+        return one - a, other - b
+
+    @property
+    def is_late(self) -> bool:
+        """Whether it has not come as far in time as the session's body yet."""
+        return not self.out and self._owed >= (1.0 - _ROUNDING) * self.simulation.dt
+
+    def begin(self, simulation: sim.Simulation) -> None:
+        """Start anew where the session's body is at its start; else that was changed on the way."""
+        trouble = ""
+        try:
+            self.simulation.replace(on_terrain(self.scene, simulation.scene))
+        except SceneError as error:
+            trouble = str(error)
+        if simulation.time == 0.0:
+            self.simulation.reset()
+            self._start(simulation)
+        else:
+            self.fair = False
+        self.out = trouble or self.out
+
+    def adapt(self, simulation: sim.Simulation) -> None:
+        """See `begin`: the terrain may be another one."""
+        self.begin(simulation)
+
+    def capture(self) -> RivalMoment:
+        """See `Companion`."""
+        moment = self.simulation.capture()
+        return RivalMoment(moment, self._owed, self.seconds, self._starts, self.fair, self.out)
+
+    def go_back(self, past: Sequence[tuple[float, RivalMoment]], simulation: sim.Simulation) -> None:
+        """See `Companion`."""
+        if not past:
+            self.begin(simulation)
+            return
+        moment, self._owed, self.seconds, self._starts, self.fair, self.out = past[-1][1]
+        self.simulation.restore(moment)
+
+    def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
+        """Go on by as much time as the session's body has just done, and by what it was late."""
+        own = self.simulation
+        self.seconds += steps * simulation.dt
+        self._owed += steps * simulation.dt
+        if self.out:
+            self._owed = 0.0
+            return
+        began = time.perf_counter()
+        done = own.step(math.floor(self._owed / own.dt + _ROUNDING), attempts_within(budget, self.unit_cost))
+        self._count(time.perf_counter() - began)
+        self._owed -= done * own.dt
+        if own.divergence is not None:
+            self.out = "it exploded"
+
+
+def _out_of_walls(scene: sim.Scene) -> sim.Scene:
+    """The scene with its body moved out of the walls in which it would begin, by the shortest way."""
+    pose = scene.pose
+    places = np.array(pose.positions if pose else [mass.position for mass in scene.masses]).reshape(-1, 2)
+    way = np.zeros(2)
+    for wall in scene.walls:
+        normal = np.array(wall.normal) / math.hypot(*wall.normal)
+        depth = float(((wall.point - places - way) @ normal).max(initial=0.0))
+        way += depth * normal
+    if not way.any():
+        return scene
+    moved = [(x, y) for x, y in (places + way).tolist()]
+    if pose is not None:
+        return msgspec.structs.replace(scene, pose=msgspec.structs.replace(pose, positions=tuple(moved)))
+    masses = zip(scene.masses, moved, strict=True)
+    return msgspec.structs.replace(
+        scene,
+        bodies=(),
+        links=(),
+        masses=tuple(msgspec.structs.replace(mass, position=place) for mass, place in masses),
+    )
