@@ -22,6 +22,7 @@ from .design.wishes import Design, set_wishes
 from .edit.tune import damp_vibration, make_stable
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import Energies
+from .motion.many import Run, run_many
 from .motion.moment import Moment
 from .motion.quantities import KINDS as QUANTITIES
 from .motion.quantities import Quantity, quantity
@@ -113,6 +114,7 @@ __all__ = [
     "Recording",
     "Rod",
     "Rope",
+    "Run",
     "Scene",
     "SceneError",
     "Sensitivity",
@@ -153,6 +155,7 @@ __all__ = [
     "read_measurement",
     "rod",
     "rope",
+    "run_many",
     "save_scene",
     "sensitivities",
     "set_choice",

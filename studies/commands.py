@@ -33,6 +33,7 @@ class Bench:
             Literal[
                 "kernels",
                 "growth",
+                "many",
                 "heap",
                 "frames",
                 "matrices",
@@ -42,17 +43,28 @@ class Bench:
                 "tabs",
                 "class",
                 "edit",
+                "peers",
             ]
         ],
-        arg(metavar="{kernels,growth,heap,frames,matrices,compile,start,page,tabs,class,edit}"),
+        arg(metavar="{kernels,growth,many,heap,frames,matrices,compile,start,page,tabs,class,edit,peers}"),
     ]
-    """kernels: the step by several programs; growth: the step as the body grows; heap: rings that fall into a
-    heap; frames: time and error of a rod led in a circle, and time of one torn to and fro; matrices: what
-    implicit steps of any topology factorise; compile: processor time of compiling; start: until each preset
-    moves; page: cost and latency; tabs: many pages at once; class: pupils who follow or have a body
-    each, and what cuts, reloads and a restart do to their answers; edit: of one part of a large body."""
+    """kernels: the step by several programs; growth: the step as the body grows; many: a thousand small
+    bodies, and a call for one; heap: rings that fall into a heap; frames: time and error of a rod led in a
+    circle, and time of one torn to and fro; matrices: what implicit steps of any topology factorise; compile:
+    processor time of compiling; start: until each preset moves; page: cost and latency; tabs: many pages at
+    once; class: pupils who follow or have a body each, and what cuts, reloads and a restart do to their
+    answers; edit: of one part of a large body; peers: other engines and solvers on the same scenes (uv sync
+    --extra peers installs them)."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
+    scenes: str = ""
+    """For peers: names of its scenes, separated by commas; without any, all."""
+    engines: str = ""
+    """For peers: names of engines and solvers, separated by commas; without any, all."""
+    quick: bool = False
+    """For peers: a few scenes, fewer repeats."""
+    out: Path | None = None
+    """For peers: folder for the report: peers.md, peers.csv.gz and figures."""
 
     def run(self) -> int:
         """Measure and print."""
@@ -63,15 +75,22 @@ class Bench:
         from .bench.growth import bench_growth
         from .bench.heap import bench_heap
         from .bench.kernels import bench
+        from .bench.many import bench_many
         from .bench.matrices import bench_matrices
         from .bench.serving import bench_page, bench_start
         from .bench.tabs import bench_tabs
+        from .peers.peers import bench_peers
 
         if not 1 <= self.repeats <= 1000:
             return fail("--repeats: it must be from 1 to 1000")
+        if self.what == "peers":
+            return bench_peers(self.scenes, self.engines, self.quick, self.repeats, self.out, Console())
+        if self.scenes or self.engines or self.quick or self.out is not None:
+            return fail("--scenes, --engines, --quick and --out belong to softrod bench peers")
         benches = {
             "kernels": bench,
             "growth": bench_growth,
+            "many": bench_many,
             "heap": bench_heap,
             "frames": bench_frames,
             "matrices": bench_matrices,

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 import sim
 
-from .pacing import smoothed
+from .pacing import Costs
 
 
 class Companion(ABC):
@@ -21,7 +21,7 @@ class Companion(ABC):
         span: simulated seconds of its past that it needs to go back.
         by_hand: whether the same is done by hand to its bodies as to the session's.
         cost: seconds of computing in the last frames, on average.
-        unit_cost: seconds of a step that it tries, on average.
+        costs: what its steps cost.
     """
 
     span: ClassVar[float] = 0.0
@@ -29,7 +29,7 @@ class Companion(ABC):
 
     def __init__(self, bodies: tuple[sim.Simulation, ...]) -> None:
         self.bodies = bodies
-        self.cost = self.unit_cost = 0.0
+        self.cost, self.costs = 0.0, Costs()
 
     @property
     def waits(self) -> bool:
@@ -48,9 +48,8 @@ class Companion(ABC):
     def _count(self, seconds: float) -> None:
         """Note what a frame's steps took."""
         self.cost += 0.1 * (seconds - self.cost)
-        stats = [body.stats() for body in self.bodies]
-        if tried := sum(one.steps + one.rejected for one in stats):
-            self.unit_cost = smoothed(self.unit_cost, seconds / tried)
+        for body in self.bodies:
+            body.stats()
 
     @abstractmethod
     def begin(self, simulation: sim.Simulation) -> None:

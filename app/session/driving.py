@@ -194,8 +194,8 @@ class Driving:
             return recorder.step(steps, attempts=attempts)
         if watch is not None and not self.drive.grabbed:
             self.drive = self.drive.in_step(watch, simulation)
-        done, each, last = 0, self.drive.steps(simulation.dt), simulation.tries + attempts
-        while done < steps and (left := last - simulation.tries) > 0:
+        done, each, last = 0, self.drive.steps(simulation.dt), simulation.work + attempts
+        while done < steps and (left := last - simulation.work) > 0:
             n = min(each, steps - done)
             for act in self.drive.lead(simulation, n):
                 self._do(act)

@@ -14,7 +14,6 @@ from sim.methods.registry import METHODS
 from sim.settings import CHOICES, SETTINGS, set_choice
 
 from .companion import Companion
-from .pacing import attempts_within
 
 REFERENCE = "reference"
 """Instead of a method: `auto` at a tolerance at which it stands for the exact motion."""
@@ -118,10 +117,9 @@ class Ghost(Companion):
     def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
         """Go on by as much time as the first body has just done, and measure how far apart they are."""
         own = self.simulation
-        attempts = attempts_within(budget, self.unit_cost)
         self._owed += steps * simulation.dt
         began = time.perf_counter()
-        done = own.step(int(self._owed / own.dt + 1e-6), attempts)
+        done = self.costs.move(own, int(self._owed / own.dt + 1e-6), budget)
         self._count(time.perf_counter() - began)
         self._owed -= done * own.dt
         if abs(self._owed) < 0.5 * own.dt:

@@ -6,11 +6,12 @@ as lag: the clock falls behind, and the next frame is not asked for more than it
 
 from __future__ import annotations
 
-import math
+import time
 from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass
 
-from sim import Scene
+import sim
 from sim.motion.solver import SolverStats
 
 LONGEST_FRAME = 0.1
@@ -23,14 +24,16 @@ HEAVY_UNIT = 0.004
 LARGE = 2000
 """Masses and springs from which on a scene counts as heavy before anything is known of its steps."""
 
-_FEWEST_ATTEMPTS = 8
-"""Steps that a method may try in any frame: a body too heavy for the budget still moves."""
+_FIRST_ATTEMPTS = 1000
+"""Steps that it may try before anything is known of what they cost."""
 
 _MOST_ATTEMPTS = 1_000_000
 """Steps that it may try at most: what a log may say."""
 
-_FIRST_ATTEMPTS = 1000
-"""Steps that it may try before anything is known of what they cost."""
+_PIECE = 0.7
+"""What is left of a frame's budget that is planned at once: what steps cost may change at any moment."""
+_REST = 0.1
+"""What may be left of a frame's budget."""
 
 _WINDOW = 1.0
 """Seconds over which the rates are averaged."""
@@ -57,6 +60,117 @@ class Rates:
     losing: float = 0.0
 
 
+class Costs:
+    """What the steps of a body cost, and so how many of them a budget of computing time is enough for."""
+
+    def __init__(self) -> None:
+        self._step = self._attempt = 0.0
+        self._learnt = 0  # pieces
+        self._kind: tuple[object, ...] = ()
+
+    @property
+    def unit(self) -> float:
+        """Seconds of what cannot be divided: one step, or one attempt at one; 0 is not known."""
+        return self._attempt or self._step
+
+    def attempts(self, budget: float) -> int:
+        """How many steps a method that chooses them itself may try in a budget of seconds."""
+        if not self._attempt:
+            return _FIRST_ATTEMPTS
+        return int(min(max(budget / self._attempt, 1.0), _MOST_ATTEMPTS))
+
+    def affordable(self, budget: float) -> int:
+        """Steps of the clock that a budget of seconds is enough for, by their cost so far; 20000 at first."""
+        return int(budget / self._step) if self._step else 20_000
+
+    def move(
+        self,
+        simulation: sim.Simulation,
+        steps: int,
+        budget: float,
+        step: Callable[[int, int], int] | None = None,
+    ) -> int:
+        """Move a body by some time steps, as far as a budget of seconds allows; see `spend`.
+
+        Args:
+            simulation: the body.
+            steps: time steps.
+            budget: seconds of computing.
+            step: what moves it; None for `Simulation.step`.
+
+        Returns:
+            The time steps that were done.
+        """
+        moved = step or simulation.step
+
+        def go(n: int, attempts: int) -> tuple[int, int]:
+            before = simulation.work
+            done = moved(n, attempts)
+            return done, 0 if simulation.divergence is not None else simulation.work - before
+
+        self.look_at(simulation.scene)
+        return self.spend(budget, steps, go)
+
+    def look_at(self, scene: sim.Scene) -> None:
+        """Forget what steps cost, if those of this scene may cost something else."""
+        counts = map(len, (scene.masses, scene.linear_springs, scene.angular_springs, scene.fillings))
+        kind = scene.integrator.method, scene.contact is not None, *counts
+        if kind != self._kind:
+            self._kind, self._learnt = kind, 0
+            self._step = self._attempt = 0.0
+
+    def spend(
+        self,
+        budget: float,
+        steps: int,
+        go: Callable[[int, int], tuple[int, int]],
+        clock: Callable[[], float] = time.perf_counter,
+    ) -> int:
+        """Do the steps of a frame as far as its budget allows.
+
+        They are done in pieces, by what steps cost until then. There is always one, so that a body too heavy
+        for the budget still moves. Each piece may go to the end of the frame, where hands lead masses to, but
+        for the number of steps that it may try.
+
+        Args:
+            budget: seconds of computing.
+            steps: time steps.
+            go: does some time steps, as far as it gets by so many steps of the method. Returns how many it
+                did, and what it tried, see `SolverStats.work`; nothing of either at the end of the motion.
+            clock: seconds.
+
+        Returns:
+            The time steps that were done.
+        """
+        done, began = 0, clock()
+        before = began
+        left = budget
+        while done < steps:
+            did, work = go(steps - done, self.attempts(_PIECE * left) if self._learnt else 1)
+            now = clock()
+            self.learn(did, now - before, work)
+            done, before, left = done + did, now, budget - (now - began)
+            if not (did or work) or left < max(_REST * budget, self.unit):
+                break
+        return done
+
+    def learn(self, steps: int, seconds: float, work: int) -> None:
+        """Note what a piece of a frame cost.
+
+        Args:
+            steps: time steps done.
+            seconds: what they took.
+            work: what the method tried for them, see `SolverStats`.
+        """
+        # The first piece makes tables, too: what it cost counts only until there is a second one.
+        believed = _believed if self._learnt > 1 else lambda _, now: now
+        self._learnt += 1
+        if steps:
+            self._step = believed(self._step, seconds / steps)
+        if work:
+            self._attempt = believed(self._attempt, seconds / work)
+
+
 class Pacer:
     """Grants steps against the wall clock and a budget of computing time.
 
@@ -72,15 +186,8 @@ class Pacer:
         self.behind = 0.0
         self._last: float | None = None
         self._owed = 0.0
-        self._step_cost = 0.0
         self._lost = 0.0
-        self._attempt_cost = 0.0
         self._frames: deque[tuple[float, float, int, int, float, float]] = deque()
-
-    @property
-    def unit_cost(self) -> float:
-        """Seconds of what cannot be divided: one step, or one attempt at one."""
-        return self._attempt_cost or self._step_cost
 
     def restart(self) -> None:
         """Owe nothing and forget the rates, as after a pause."""
@@ -89,44 +196,21 @@ class Pacer:
         self.behind = 0.0
         self._frames.clear()
 
-    def grant(self, now: float, dt: float, budget: float) -> int:
-        """Steps that this frame may do.
+    def grant(self, now: float, dt: float) -> int:
+        """Steps that this frame should do.
 
         Args:
             now: wall time, s.
             dt: time step, s.
-            budget: seconds of computing that the frame may take; infinite for a method that is held to it
-                by its attempts.
         """
         elapsed = 0.0 if self._last is None else max(0.0, now - self._last)
         self._last = now
-        lost = max(0.0, elapsed - LONGEST_FRAME) * self.speed
+        self._lost = max(0.0, elapsed - LONGEST_FRAME) * self.speed
+        self.behind += self._lost
         self._owed += min(elapsed, LONGEST_FRAME) * self.speed
-        wanted = int(self._owed / dt + 1e-9)
-        # One step always, so that a body too heavy for the budget still moves, and its cost is measured.
-        affordable = max(1, min(wanted, 64))
-        if budget == math.inf:
-            affordable = wanted
-        elif self._step_cost:
-            affordable = max(1, int(budget / self._step_cost))
-        steps = min(wanted, affordable)
+        steps = int(self._owed / dt + 1e-9)
         self._owed -= steps * dt
-        if wanted > steps:
-            # A fraction of a step stays owed; the whole ones are lost.
-            rest = math.fmod(self._owed, dt)
-            lost += self._owed - rest
-            self._owed = rest
-        self.behind += lost
-        self._lost = lost
         return steps
-
-    def attempts(self, budget: float) -> int:
-        """How many steps a method that chooses them itself may try in a budget of seconds."""
-        return attempts_within(budget, self._attempt_cost)
-
-    def affordable(self, budget: float) -> int:
-        """Steps of the clock that a budget of seconds is enough for, by their cost so far; 20000 at first."""
-        return int(budget / self._step_cost) if self._step_cost else 20_000
 
     def record(
         self, now: float, dt: float, steps: int, seconds: float, stats: SolverStats, missed: int
@@ -141,11 +225,6 @@ class Pacer:
             stats: what the method did for them.
             missed: time steps that were granted and not reached.
         """
-        if steps:
-            self._step_cost = smoothed(self._step_cost, seconds / steps)
-        tried = stats.steps + stats.rejected
-        if tried:
-            self._attempt_cost = smoothed(self._attempt_cost, seconds / tried)
         self.behind += missed * dt
         lost = self._lost + missed * dt
         self._frames.append((now, steps * dt, stats.steps, stats.rejected, seconds, lost))
@@ -166,16 +245,16 @@ class Pacer:
         )
 
 
-def is_large(scene: Scene) -> bool:
+def is_large(scene: sim.Scene) -> bool:
     """Whether a scene is heavy by its size alone."""
     return len(scene.masses) + len(scene.linear_springs) + len(scene.angular_springs) > LARGE
-
-
-def attempts_within(budget: float, cost: float) -> int:
-    """Steps that may be tried in a budget of seconds, of which each takes `cost` seconds; 0 is not known."""
-    return int(min(max(budget / cost, _FEWEST_ATTEMPTS), _MOST_ATTEMPTS)) if cost else _FIRST_ATTEMPTS
 
 
 def smoothed(before: float, now: float) -> float:
     """A running average of costs, of which the first counts as it is."""
     return now if not before else 0.8 * before + 0.2 * now
+
+
+def _believed(before: float, now: float) -> float:
+    """A running average of costs that believes at once what is dearer."""
+    return max(now, smoothed(before, now))

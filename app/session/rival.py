@@ -16,7 +16,6 @@ from sim.errors import SceneError
 from sim.scene.types import shown_name
 
 from .companion import Companion
-from .pacing import attempts_within
 
 TERRAIN = ("gravity", "air_friction", "wind", "medium", "ground", "walls", "contact")
 """The fields of a scene that are around a body."""
@@ -146,7 +145,7 @@ class Rival(Companion):
             self._owed = 0.0
             return
         began = time.perf_counter()
-        done = own.step(math.floor(self._owed / own.dt + _ROUNDING), attempts_within(budget, self.unit_cost))
+        done = self.costs.move(own, math.floor(self._owed / own.dt + _ROUNDING), budget)
         self._count(time.perf_counter() - began)
         self._owed -= done * own.dt
         if own.divergence is not None:

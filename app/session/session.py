@@ -13,6 +13,7 @@ from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import ClassVar, Generic, Literal, TypeVar
 
 import msgspec
@@ -21,7 +22,6 @@ import sim
 from sim.body.system import same_topology
 from sim.edit.edit import Edit, Selection, still_selected
 from sim.errors import InputError, SceneError, SettingError
-from sim.methods.registry import METHODS
 from sim.motion.stability import StabilityEstimate
 
 from . import keepsakes, log
@@ -34,7 +34,7 @@ from .history import History, OldFuture
 from .log import Log
 from .modes import ModesWatch
 from .notices import About, Notice, no_shape, runaway
-from .pacing import HEAVY_UNIT, Pacer, is_large
+from .pacing import HEAVY_UNIT, Costs, Pacer, is_large
 from .record import Recorder
 from .replay import Player
 from .rival import Rival
@@ -181,7 +181,7 @@ class Session:
         self._begin_history()
         self.replay: Player | None = None
         self._viewer: sim.Simulation | None = None  # shows what is past in a replay
-        self.pacer = Pacer()
+        self.pacer, self.costs = Pacer(), Costs()
         self.playing = True
         self.follow = False
         self.joint = 0
@@ -245,7 +245,7 @@ class Session:
     @property
     def heavy(self) -> bool:
         """Whether the next frame may take longer than others can wait for."""
-        costs = [self.pacer.unit_cost, *(one.unit_cost for one in self.companions)]
+        costs = [self.costs.unit, *(one.costs.unit for one in self.companions)]
         return (
             max(costs) > HEAVY_UNIT
             or is_large(self.simulation.scene)
@@ -413,7 +413,7 @@ class Session:
         self.branch()
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
-        done = self.recorder.step(steps, self.pacer.attempts(MOST_SECONDS))
+        done = self.costs.move(self.simulation, steps, MOST_SECONDS, self.recorder.step)
         self.companions.keep_pace(self.simulation, done, MOST_SECONDS)
         self.companions.follow(self.simulation, done, led, MOST_SECONDS)
         self._after_steps()
@@ -537,7 +537,8 @@ class Session:
         self.follow = False
         self.joint = 0
         self.selection = Selection()
-        self.pacer = Pacer(self.pacer.speed)  # what the last body cost says nothing
+        # What the last body cost says nothing.
+        self.pacer, self.costs = Pacer(self.pacer.speed), Costs()
         self.stability_watch.forget()
         self.note(Changed.BODY)
 
@@ -655,16 +656,15 @@ class Session:
 
     def _step(self, now: float, budget: float) -> None:
         """Go on by a frame."""
-        # A method with steps of its own is held to the budget by what it may try.
-        own = METHODS[self.simulation.method].adaptive
-        steps = self.pacer.grant(now, self.simulation.dt, math.inf if own else budget)
+        steps = self.pacer.grant(now, self.simulation.dt)
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
         began = time.perf_counter()
-        attempts = self.pacer.attempts(budget)
         waits = self.rival is not None and self.rival.is_late
-        done = 0 if waits else self.driving.step(self.recorder, self.modes, steps, attempts)
-        self.companions.keep_pace(self.simulation, done, budget)
+        step = partial(self.driving.step, self.recorder, self.modes)
+        own = budget if self.rival is None else 0.5 * budget
+        done = 0 if waits else self.costs.move(self.simulation, steps, own, step)
+        self.companions.keep_pace(self.simulation, done, budget - (time.perf_counter() - began))
         seconds = self._count(now, done, steps - done, began)
         self.companions.follow(self.simulation, done, led, budget - seconds)
         self._after_steps()
@@ -706,14 +706,15 @@ class Session:
         if not simulation.complete:
             simulation.take_compiled()  # by other methods, it would not be the same
             return
-        steps = self.pacer.grant(now, simulation.dt, math.inf)
+        steps = self.pacer.grant(now, simulation.dt)
         scene, began = simulation.capture().scene, time.perf_counter()
         try:
-            most, attempts = self.pacer.affordable(MOST_SECONDS), self.pacer.attempts(MOST_SECONDS)
+            most, attempts = self.costs.affordable(MOST_SECONDS), self.costs.attempts(MOST_SECONDS)
             done = player.advance(steps * simulation.dt, budget, most, attempts)
         except InputError as error:
             self._end_replay(f"It cannot go on: {error}.")
             return
+        self.costs.learn(done, time.perf_counter() - began, simulation.work)
         self._count(now, done, 0, began)
         self._remember()
         self._changed_from(scene)

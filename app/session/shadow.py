@@ -14,7 +14,7 @@ import sim
 from sim.analysis.predictability import MANY, Shadow, factor_of, growth_within, verdict
 
 from .companion import Companion
-from .pacing import attempts_within, smoothed
+from .pacing import smoothed
 
 SPAN = 1.0
 """Simulated seconds whose growth is told."""
@@ -92,7 +92,7 @@ class Foresight(Companion):
         began = time.perf_counter()
         affordable = max(1, int(budget / self._step_cost)) if self._step_cost else self._owed
         steps = min(self._owed, affordable)
-        arrived = self.shadow.step(steps, attempts_within(0.5 * budget, self.unit_cost))
+        arrived = self.shadow.step(steps, self.costs.attempts(0.5 * budget))
         self._owed -= steps
         if arrived:
             self._seen += steps * simulation.dt
@@ -103,6 +103,7 @@ class Foresight(Companion):
             self.adapt(simulation)
         took = time.perf_counter() - began
         self._step_cost = smoothed(self._step_cost, took / steps)
+        self.costs.learn(0, took, sum(body.work for body in self.bodies))
         self._count(took)
         self._scene = simulation.scene
 

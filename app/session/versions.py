@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -72,6 +73,8 @@ class Versions:
     """The changes in order, and which version is the present one.
 
     Scenes are told apart by being the same object: a moment that is gone back to has the very scene of then.
+    Only the phase of a beat may be another one: at another tempo waves of muscles go on from where they are,
+    also when that is undone.
     """
 
     def __init__(self) -> None:
@@ -174,11 +177,11 @@ class Versions:
 
     def has_undo(self, scene: Scene) -> bool:
         """Whether there is a change of a scene, the present one, to take back."""
-        return self._at > 0 and self._steps[self._at - 1].forward.scene is scene
+        return self._at > 0 and _same(self._steps[self._at - 1].forward.scene, scene)
 
     def has_redo(self, scene: Scene) -> bool:
         """Whether there is a change of a scene, the present one, to do again."""
-        return self._at < len(self._steps) and self._steps[self._at].backward.scene is scene
+        return self._at < len(self._steps) and _same(self._steps[self._at].backward.scene, scene)
 
     def undo(self, moment: Moment) -> tuple[Moment, Edit | None] | None:
         """How the present motion goes on without the last change; None if there is none to take back.
@@ -197,6 +200,7 @@ class Versions:
         back = carried(step.backward, moment)
         back = replace(
             back,
+            scene=_in_time(back.scene, moment),
             rest_length_scale=moment.rest_length_scale / step.scale,
             rest_angle_shift=moment.rest_angle_shift - step.shift,
         )
@@ -216,6 +220,7 @@ class Versions:
         there = carried(step.forward, moment)
         there = replace(
             there,
+            scene=_in_time(there.scene, moment),
             rest_length_scale=moment.rest_length_scale * step.scale,
             rest_angle_shift=moment.rest_angle_shift + step.shift,
         )
@@ -224,16 +229,18 @@ class Versions:
     def find(self, scene: Scene) -> None:
         """A moment that is past is shown, with its scene: undo and redo go on from that version."""
         for at in sorted(range(len(self._steps) + 1), key=lambda at: abs(at - self._at)):
-            if self._scene(at) is scene:
+            if (known := self._scene(at)) is not None and _same(known, scene):
                 self._at = at
                 return
 
     def return_to(self, scene: Scene) -> Scene | None:
-        """Be at the version that equals a scene, and return that version; None if no version does."""
+        """Be at the version that equals a scene, and return what that version knows it by; None if no version
+        does."""
         for at in sorted(range(len(self._steps) + 1), key=lambda at: abs(at - self._at)):
-            if (known := self._scene(at)) == scene:
+            known = self._scene(at)
+            if known is not None and (known == scene or _same(known, scene)):
                 self._at = at
-                return known
+                return known if known == scene else scene
         return None
 
     # --------------------------------------------------------------------- inside
@@ -253,7 +260,7 @@ class Versions:
         return self._steps[-1].forward.scene if self._steps else None
 
     def _add(self, step: Step) -> None:
-        if self._at and self._steps[self._at - 1].forward.scene is not step.backward.scene:
+        if self._at and not _same(self._steps[self._at - 1].forward.scene, step.backward.scene):
             self.clear()  # something changed that was not told
         for gone in self._steps[self._at :]:
             self._bytes -= gone.bytes
@@ -267,7 +274,23 @@ class Versions:
 
 def _at_time_of(step: Step, moment: Moment, now: Moment) -> Moment:
     """The moment to be at: of the same body, time goes on."""
-    return replace(moment, time=now.time, step_count=now.step_count) if step.is_state else moment
+    if not step.is_state:
+        return moment
+    return replace(moment, scene=_in_time(moment.scene, now), time=now.time, step_count=now.step_count)
+
+
+def _same(known: Scene, scene: Scene) -> bool:
+    """Whether a scene is a version that is known, but for the phase of its beat."""
+    one, other = known.beat, scene.beat
+    if known is scene or not one or not other or one.frequency != other.frequency:
+        return known is scene
+    return msgspec.structs.replace(known, beat=other) == scene
+
+
+def _in_time(scene: Scene, now: Moment) -> Scene:
+    """A scene whose beat goes on from where that of a moment is."""
+    beat = scene.beat and now.scene.beat and now.scene.beat.at_tempo(scene.beat.frequency, now.time)
+    return msgspec.structs.replace(scene, beat=beat) if beat and beat != scene.beat else scene
 
 
 def _sum(one: NDArray[np.float64] | None, two: NDArray[np.float64] | None) -> NDArray[np.float64] | None:

@@ -220,10 +220,10 @@ class Resting:
         """Factorise shift I - J at positions q; whether it is positive definite.
 
         Without pivoting between blocks, a matrix that is symmetric apart from the masses is positive definite
-        if and only if all its pivots are. (Under the tutorial's law it is slightly unsymmetric.) Fillings add
-        products of vectors to it, which make as many of its eigenvalues positive as their own small matrix
-        has negative ones (Haynsworth 1968). The blocks that join a mass to a spring that it touches are not
-        among the pivots, and are ignored here.
+        if and only if all its pivots are. (Under the tutorial's law it is slightly unsymmetric.) Fillings of
+        large loops add products of vectors to it, which make as many of its eigenvalues positive as their own
+        small matrix has negative ones (Haynsworth 1968). The blocks that join a mass to a spring that it
+        touches are not among the pivots, and are ignored here.
         """
         matrix = self.matrix
         if not factorise_matrix(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite):
@@ -232,7 +232,7 @@ class Resting:
         xx, xy, yx, yy = inverse[self.state.inverse_mass[matrix.order] > 0.0].T
         both, one = xx + yy < 0.0, xx * yy - xy * yx < 0.0
         negative = int(np.where(one, 1, 2 * both).sum())
-        if self.tables.environment.fillings.rows.size:
+        if matrix.bordered.size:
             negative -= int((np.linalg.eigvals(matrix.corrections[:-1]).real < 0.0).sum())
         return negative == 0
 

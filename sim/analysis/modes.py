@@ -31,7 +31,7 @@ from .tuning import Dampers, vibrations_at_rest
 from .vibrations import MOST_MASSES, NOTHING
 
 MOST_TOUCHING = 200
-"""Largest number of masses of a body with walls or contact, whose rest takes long to find."""
+"""Largest number of masses of a body with contact, whose rest may take long to find."""
 _TRIAL = 1e-4
 """Size of a displacement by which stiffness against a motion as a whole is found, in lengths of a spring."""
 _STANDS = 0.2
@@ -100,18 +100,17 @@ class Modes:
 
     Raises:
         SceneError: the scene is not valid.
-        InputError: it has more than 1000 masses, or 200 where they can touch something, or it moves away from
-            its pose by itself.
+        InputError: it has more than 1000 masses, or 200 where they can touch each other, or it moves away
+            from its pose by itself.
     """
 
     def __init__(self, scene: Scene, count: int) -> None:
         scene = validate(scene)
         if len(scene.masses) > MOST_MASSES:
             raise InputError(f"modes: {len(scene.masses)} masses are more than {MOST_MASSES}")
-        if len(scene.masses) > MOST_TOUCHING and (scene.walls or scene.contact is not None):
+        if len(scene.masses) > MOST_TOUCHING and scene.contact is not None:
             raise InputError(
-                f"modes: a body that can touch something may have {MOST_TOUCHING} masses, and this has "
-                f"{len(scene.masses)}"
+                f"modes: a body with contact may have {MOST_TOUCHING} masses, this has {len(scene.masses)}"
             )
         self.scene, found = vibrations_at_rest(scene, count)
         masses = len(scene.masses)

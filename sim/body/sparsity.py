@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..forces.fillings import SMALL
 from ..kernels.core.tables import Body, Indices, Matrix
 from .system import slots_of
 
@@ -33,6 +34,7 @@ class Pattern(NamedTuple):
     spring_target: Indices
     joint_target: Indices
     loop_target: Indices
+    bordered: Indices
 
 
 def new_matrix(body: Body, held: np.ndarray) -> Matrix:
@@ -40,14 +42,14 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
 
     The order is SuperLU's minimum degree, called through SciPy, on the graph of masses in which a spring
     connects its two masses, a joint all of its three or four, and a filling those that are neighbours around
-    it. The pattern is that of the factors. Those that were used last are kept, as a scene is often made anew
-    with other numbers.
+    it, or all of a small loop. The pattern is that of the factors. Those that were used last are kept, as a
+    scene is often made anew with other numbers.
     """
     fillings = body.environment.fillings
     tables = body.spring_a, body.spring_b, body.joint_a, body.joint_b, fillings.loop, fillings.start
     room = body.stiffness.size + 3
     pattern = pattern_of(body.masses, room, *(table.tobytes() for table in (*tables, np.flatnonzero(held))))
-    count, wide = len(fillings.rows), 2 * slots_of(body)
+    count, wide = pattern.bordered.size, 2 * slots_of(body)
     krylov, of_mass = 0, np.zeros(0, np.int64)
     if body.environment.contact.present:
         krylov, of_mass = _KRYLOV + 3, np.zeros(wide // 2, np.int64)
@@ -96,6 +98,7 @@ def pattern_of(n: int, room: int, *tables: bytes) -> Pattern:
         spring_target=targets(spring_pairs),
         joint_target=targets(joint_pairs),
         loop_target=targets(loop_pairs),
+        bordered=np.flatnonzero(np.diff(start) > SMALL),
     )
 
 
@@ -122,12 +125,19 @@ def _pairs(rows: Indices, columns: Indices) -> Indices:
 
 
 def _loop_pairs(loop: Indices, start: Indices) -> Indices:
-    """(M, 2, 2) the (row, column) of each mass of a loop with the masses before and after it."""
-    before, after = loop.copy(), loop.copy()
+    """(k, 2) the (row, column) of each mass of a loop with all of its masses, or with the two beside it.
+
+    All are for small loops.
+    """
+    pairs = [np.zeros((0, 2), np.int64)]
     for first, behind in itertools.pairwise(start):
-        before[first:behind] = np.roll(loop[first:behind], 1)
-        after[first:behind] = np.roll(loop[first:behind], -1)
-    return np.stack((np.stack((loop, before), 1), np.stack((loop, after), 1)), 1)
+        masses = loop[first:behind]
+        if masses.size <= SMALL:
+            columns = np.tile(masses, (masses.size, 1))
+        else:
+            columns = np.stack((np.roll(masses, 1), np.roll(masses, -1)), 1)
+        pairs.append(np.stack((np.repeat(masses, columns.shape[1]), columns.ravel()), 1))
+    return np.concatenate(pairs)
 
 
 def _factors(n: int, pairs: Indices) -> tuple[Indices, Indices, Indices]:

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import NamedTuple, TypeVar
 
 import msgspec
 import numpy as np
 
-from ..forces.environment import new_environment
+from ..forces.environment import Environment, new_environment
 from ..forces.joints import LAWS, NO_JOINTS
-from ..forces.limits import Limits, new_limits, without_broken
-from ..forces.muscles import new_muscles, waves
+from ..forces.limits import NO_LIMITS, new_limits, without_broken
+from ..forces.muscles import NO_MUSCLES, new_muscles, waves
+from ..forces.nets import NO_NET, new_net, order_in_runs
 from ..forces.term import read_only
 from ..kernels.core.roots import LEAST
 from ..kernels.core.tables import (
@@ -25,6 +29,7 @@ from ..kernels.core.tables import (
     State,
     padded,
 )
+from ..kernels.engine.table import Table, address_of
 from ..methods.registry import METHODS
 from ..scene.columns import column, ends
 from ..scene.types import Damage, Integrator, Scene, is_damageable, is_loaded, is_surrounded
@@ -37,6 +42,12 @@ _SOFT_AT_MOST = 1e-4
 _ENDLESS = 1e30
 """Softening of padding springs, px²: makes them longer than any spring, and fits into single precision."""
 
+_BEHIND_RUNS = 7
+"""Number of springs and joints behind the last one that loops over a run read."""
+
+_VECTORS = [name for name, field in Scratch.fields.items() if field.dimensions == 1]
+"""The fields of `Scratch` that are vectors."""
+
 
 @dataclass(frozen=True)
 class System:
@@ -46,6 +57,7 @@ class System:
         body: the tables; masses and springs are numbered as the kernels visit them.
         mass_order: (n,) scene index of the mass in slot 1, 2, ..., n.
         mass_index: (n,) the slot, counted from 1, of each mass of the scene.
+        vector_index: (n, 2) the indices of x and y of each mass of the scene in a flat vector, see `State`.
         spring_order: (S,) scene index of each spring of the tables.
         joint_order: (J,) index of the joint in the tables for each angular spring of the scene.
         inverse_mass: (n,) 1/kg, in slot order, also of held masses.
@@ -58,6 +70,7 @@ class System:
     body: Body
     mass_order: Indices
     mass_index: Indices
+    vector_index: Indices
     spring_order: Indices
     joint_order: Indices
     inverse_mass: Floats
@@ -80,11 +93,11 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
     """
     n = len(scene.masses)
     damageable = damaged or is_damageable(scene) or damage_of(scene) is not None
-    order = None if damageable or is_surrounded(scene) else _order_along(scene)
-    mass_order, spring_order = order or (np.arange(n), _hinged_first(scene))
-    mass_index = np.empty(n, np.int64)
-    mass_index[mass_order] = np.arange(1, n + 1)
-    body, joint_order = _body(scene, mass_index, spring_order, order is not None, damageable)
+    springs, joints = ends(scene.linear_springs), ends(scene.angular_springs)
+    along = not damageable and not is_surrounded(scene)
+    wiring = _wiring(n, along, *(end.tobytes() for end in (*springs, *joints)))
+    mass_order, mass_index = wiring.mass_order, wiring.mass_index
+    body = _body(scene, wiring, damageable)
     held = np.zeros(n, np.bool_)
     held[mass_index[[anchor.mass for anchor in scene.anchors]] - 1] = True
     if scene.pose is not None:
@@ -98,8 +111,9 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
         body=body,
         mass_order=mass_order,
         mass_index=mass_index,
-        spring_order=spring_order,
-        joint_order=joint_order,
+        vector_index=wiring.vector_index,
+        spring_order=wiring.spring_order,
+        joint_order=wiring.joint_order,
         inverse_mass=1.0 / column(scene.masses, "mass")[mass_order],
         held=held,
         start=np.ascontiguousarray(start),
@@ -189,7 +203,7 @@ def _joint_stiffness(scene: Scene) -> Floats:
     return column(scene.angular_springs, "stiffness") * factor
 
 
-def slab(sizes: list[tuple[int, int]], page_offset: int) -> list[Floats]:
+def slab(sizes: Sequence[tuple[int, int]], page_offset: int) -> list[Floats]:
     """Zeroed arrays, one after another in one block of memory.
 
     Each is given as (count, first): its length, and the index of the element to align to 64 bytes because
@@ -199,15 +213,51 @@ def slab(sizes: list[tuple[int, int]], page_offset: int) -> list[Floats]:
     slower to load, and a load waits for a store whose address differs by a multiple of 4096 bytes. Left to
     chance, run times differ by a fifth. The block starts `page_offset` bytes after such a multiple.
     """
-    strides = [-(-(first % 8 + count + 8) // 8) * 8 for count, first in sizes]
-    block = np.zeros(sum(strides) + 512)
-    start = (page_offset - block.ctypes.data) % 4096 // 8
-    arrays = []
-    for (count, first), stride in zip(sizes, strides, strict=True):
+    room, spans = _spans(tuple(sizes))
+    block, start = _block(room, page_offset)
+    return [block[start + begin : start + end] for begin, end in spans]
+
+
+def _block(room: int, page_offset: int) -> tuple[Floats, int]:
+    """Zeros, and the index from which on there is room for so many; see `slab`."""
+    block = np.zeros(room + 512)
+    return block, (page_offset - address_of(block)) % 4096 // 8
+
+
+@lru_cache(maxsize=64)
+def _spans(sizes: tuple[tuple[int, int], ...]) -> tuple[int, list[tuple[int, int]]]:
+    """The numbers that a slab has, and the first and the last of each array in it."""
+    spans, start = [], 0
+    for count, first in sizes:
         begin = start + (-first) % 8
-        arrays.append(block[begin : begin + count])
-        start += stride
-    return arrays
+        spans.append((begin, begin + count))
+        start += -(-(first % 8 + count + 8) // 8) * 8
+    return start, spans
+
+
+_Arrays = TypeVar("_Arrays", bound=Table)
+
+
+def _in_a_slab(kind: type[_Arrays], sizes: Mapping[str, tuple[int, int]], page_offset: int) -> _Arrays:
+    """A table of arrays that lie in a slab; `sizes`: of each field, see there."""
+    table, begins, spans, room = _first_of(kind, tuple(sizes.items()), page_offset)
+    block, start = _block(room, page_offset)
+    way = address_of(block) + 8 * start - begins
+    return table.moved(way, {name: block[start + a : start + b] for name, a, b in spans})
+
+
+@lru_cache(maxsize=64)
+def _first_of(
+    kind: type[_Arrays], sizes: tuple[tuple[str, tuple[int, int]], ...], page_offset: int
+) -> tuple[_Arrays, int, list[tuple[str, int, int]], int]:
+    """A table in a slab, from which others follow; where its slab begins; the name and the span of each
+    array; and the numbers that the slab has."""
+    names, of_each = zip(*sizes, strict=True)
+    room, spans = _spans(of_each)
+    arrays = slab(of_each, page_offset)
+    begins = address_of(arrays[0]) - 8 * spans[0][0]
+    named = [(name, *span) for name, span in zip(names, spans, strict=True)]
+    return kind.empty().replaced(**dict(zip(names, arrays, strict=True))), begins, named, room
 
 
 def slots_of(body: Body) -> int:
@@ -226,7 +276,7 @@ def new_state(system: System) -> State:
     """A state with room for the system's masses; `Simulation` fills it."""
     body = system.body
     slots = slots_of(body)
-    joints = max(body.joints, body.stiffness.size) + 1
+    joints = body.torque_size.size
     damageable = body.limits.present
     sizes = {
         "q": (2 * slots, 1),
@@ -242,8 +292,7 @@ def new_state(system: System) -> State:
         "hardened": (body.springs if damageable else 0, 0),
         "broken": (body.springs if damageable else 0, 0),
     }
-    arrays = slab([sizes.get(field, (slots, 1)) for field in State.fields], page_offset=0)
-    state = State(**dict(zip(State.fields, arrays, strict=True)))
+    state = _in_a_slab(State, {field: sizes.get(field, (slots, 1)) for field in State.fields}, page_offset=0)
     state.controls[0] = 1.0
     return state
 
@@ -287,81 +336,88 @@ def new_scratch(system: System) -> Scratch:
     room = max(system.body.stiffness.size, system.body.joints) + 3
     first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # where loops over springs and masses start
     # An offset behind that of the arrays of a short chain's `State`.
-    arrays = slab([(room, first.get(field, 0)) for field in Scratch.fields], page_offset=2560)
-    return Scratch(**dict(zip(Scratch.fields, arrays, strict=True)))
-
-
-def _order_along(scene: Scene) -> tuple[Indices, Indices] | None:
-    """(masses, springs) in order along a chain or a ring, or None for any other body."""
-    n, springs = len(scene.masses), scene.linear_springs
-    closed = len(springs) == n
-    if n < (3 if closed else 2) or not (closed or len(springs) == n - 1):
-        return None
-    leaving = {spring.a: s for s, spring in enumerate(springs)}
-    entered = {spring.b for spring in springs}
-    if len(leaving) != len(springs) or len(entered) != len(springs):
-        return None
-    mass = 0 if closed else (set(range(n)) - entered).pop()
-    mass_order, spring_order = [mass], []
-    while mass in leaving and len(mass_order) < n:
-        s = leaving[mass]
-        mass = springs[s].b
-        spring_order.append(s)
-        mass_order.append(mass)
-    if len(set(mass_order)) != n:
-        return None  # a ring beside something else
-    if closed:
-        spring_order.append(leaving[mass])
-    index = {s: i for i, s in enumerate(spring_order)}
-    if any(index[joint.b] != (index[joint.a] + 1) % n for joint in scene.angular_springs):
-        return None
-    return np.array(mass_order, np.int64), np.array(spring_order, np.int64)
-
-
-def _hinged_first(scene: Scene) -> Indices:
-    """Indices of the springs, with those that angular springs hold first."""
-    hinged = np.zeros(len(scene.linear_springs), np.bool_)
-    for end in ends(scene.angular_springs):
-        hinged[end] = True
-    return np.concatenate((np.flatnonzero(hinged), np.flatnonzero(~hinged)))
-
-
-def _body(
-    scene: Scene, mass_index: Indices, spring_order: Indices, in_order: bool, damageable: bool
-) -> tuple[Body, Indices]:
-    n, springs, joints = len(scene.masses), scene.linear_springs, scene.angular_springs
-    count, method = len(springs), METHODS[scene.integrator.method]
-    ring = in_order and count == n
-    # At least as many springs as masses, since the chain's loops over masses read as many, and one more.
-    room = padded(max(count, n)) + 1
-    torques = max(room, len(joints)) + 1
-    stiffness, damping, rest, torque_size, softenings = slab(
-        [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
+    scratch = _in_a_slab(
+        Scratch, {field: (room, first.get(field, 0)) for field in _VECTORS}, page_offset=2560
     )
-    stiffness[:count] = column(springs, "stiffness")[spring_order]
-    damping[:count] = column(springs, "damping")[spring_order]
-    rest[:count] = column(springs, "rest_length")[spring_order]
-    softening = _softening(scene)
-    # The loop around a ring visits its first spring twice.
-    softenings[:], softenings[: count + ring] = _ENDLESS, max(softening, LEAST)
-    spring_a, spring_b = (mass_index[end[spring_order]] for end in ends(springs))
+    net = system.body.net
+    if not net.present:
+        return scratch
+    return scratch.replaced(
+        spring_rows=np.zeros((2, net.springs.room)),
+        joint_rows=np.zeros((3, net.joints.room)),
+        vectors=np.zeros((3, 2 * net.gap + room)),
+    )
+
+
+class _Wiring(NamedTuple):
+    """What of the tables depends on nothing but what connects the masses; S springs, J joints, n masses.
+
+    Attributes:
+        in_order: whether the body is a chain or a ring.
+        ring: whether it is a ring.
+        room: of the arrays of springs.
+        slots: of a state.
+        mass_order, mass_index, vector_index, spring_order, joint_order: see `System`.
+        ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
+        body: tables with these connections, and with numbers of no meaning.
+    """
+
+    in_order: bool
+    ring: bool
+    room: int
+    slots: int
+    mass_order: Indices
+    mass_index: Indices
+    vector_index: Indices
+    spring_order: Indices
+    joint_order: Indices
+    ends: Indices
+    body: Body
+
+
+_KEPT = 4
+"""Number of wirings that are kept. That of a cloth of 10 000 masses takes 5 MB."""
+
+
+@lru_cache(maxsize=_KEPT)
+def _wiring(n: int, along: bool, *tables: bytes) -> _Wiring:
+    """The wiring of a body with n masses.
+
+    Those that were used last are kept, as a scene is often made anew with other numbers.
+
+    Args:
+        n: number of masses.
+        along: whether the body may be a chain or a ring.
+        tables: the `a` and the `b` of the scene's springs and joints.
+    """
+    of_spring, of_joint = np.frombuffer(b"".join(tables[:2]), np.int64), tables[2:]
+    spring_ends = of_spring.reshape(2, -1)
+    joints = np.frombuffer(b"".join(of_joint), np.int64).reshape(2, -1)
+    count = spring_ends.shape[1]
+    order = _order_along(n, spring_ends, joints) if along else None
+    mass_order, spring_order = order or (np.arange(n), _hinged_first(spring_ends, joints))
+    in_order, ring = order is not None, order is not None and count == n
+    mass_index = np.empty(n, np.int64)
+    mass_index[mass_order] = np.arange(1, n + 1)
+    # At least as many springs as masses, since the chain's loops over masses read as many, and one more.
+    # For others, the loops over a run read a few more.
+    room = padded(max(count, n)) + 1 + (0 if in_order else _BEHIND_RUNS)
+    spring_a, spring_b = (mass_index[end[spring_order]] for end in spring_ends)
     spring_index = np.empty(count, np.int64)
     spring_index[spring_order] = np.arange(count)
-    joint_a, joint_b = (spring_index[end] for end in ends(joints))
-    strength = _joint_stiffness(scene)
-    rest_angle, resistance = column(joints, "rest_angle"), column(joints, "damping")
-    joint_order = np.arange(joint_a.size)
+    joint_a, joint_b = (spring_index[end] for end in joints)
     held = np.zeros(count, np.bool_)
     held[joint_a] = held[joint_b] = True
     hinged = int(held.sum())
     if in_order and joint_a.size:
         joint_order = joint_a
         of_chain = n if ring else n - 2
-        by_index = np.zeros((3, of_chain))
-        by_index[:, joint_a] = strength, rest_angle, resistance
-        strength, rest_angle, resistance = by_index.copy()
         joint_a, joint_b = np.arange(of_chain), (np.arange(of_chain) + 1) % count
         hinged = count
+    else:
+        by_runs = order_in_runs(joint_a, joint_b)
+        joint_order = np.argsort(by_runs)
+        joint_a, joint_b = joint_a[by_runs], joint_b[by_runs]
     joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(
         joint_b, joint_a, count, first=1, nothing=0
     )
@@ -369,31 +425,31 @@ def _body(
     spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = _slots(
         spring_b, spring_a, n + 1, first=0, nothing=room, layers=layers
     )
-    torque_damping = np.zeros(max(joint_a.size, room) + 1)
-    torque_size[1 : joint_a.size + 1], torque_damping[1 : joint_a.size + 1] = strength, resistance
-    if ring and joint_a.size:
-        torque_size[0] = strength[-1]
+    net = NO_NET
+    if not in_order:
+        net = new_net((spring_a - 1, spring_b - 1), n, (joint_a, joint_b), hinged)
+    nothing = np.zeros(0)
     body = Body(
         masses=n,
         springs=count,
         joints=joint_a.size,
-        damped=bool(damping.any()),
-        joint_damped=bool(resistance.any()),
+        damped=False,
+        joint_damped=False,
         chain=in_order and not ring,
         ring=ring,
-        law=LAWS[scene.force_law].code if joint_a.size else NO_JOINTS,
-        softening=softening,
-        softenings=softenings,
+        law=NO_JOINTS,
+        softening=0.0,
+        softenings=nothing,
         spring_a=spring_a,
         spring_b=spring_b,
-        stiffness=stiffness,
-        damping=damping,
-        rest_length=rest,
+        stiffness=nothing,
+        damping=nothing,
+        rest_length=nothing,
         joint_a=joint_a,
         joint_b=joint_b,
-        joint_rest=np.ascontiguousarray(rest_angle),
-        torque_size=torque_size,
-        torque_damping=torque_damping,
+        joint_rest=nothing,
+        torque_size=nothing,
+        torque_damping=nothing,
         hinged=hinged,
         joint_in=joint_in,
         joint_out=joint_out,
@@ -406,17 +462,109 @@ def _body(
         more_spring=more_spring,
         more_spring_mass=more_spring_mass,
         more_spring_sign=more_spring_sign,
-        limits=new_limits(scene, spring_order, joint_order) if damageable else Limits.empty(),
-        muscles=new_muscles(scene, spring_order, joint_order),
+        net=net,
+        limits=NO_LIMITS,
+        muscles=NO_MUSCLES,
+        environment=Environment.empty(),
+    )
+    ends_of_springs = np.stack((spring_a, spring_b), 1)
+    slots = _slots_for(n, room if in_order else 0)
+    vector_index = np.stack((mass_index, mass_index + slots), 1)
+    for array in (mass_order, mass_index, vector_index, spring_order, joint_order, ends_of_springs):
+        array.setflags(write=False)
+    return _Wiring(
+        in_order, ring, room, slots, mass_order, mass_index, vector_index, spring_order, joint_order,
+        ends_of_springs, read_only(body),
+    )  # fmt: skip
+
+
+def _order_along(n: int, spring_ends: Indices, joints: Indices) -> tuple[Indices, Indices] | None:
+    """(masses, springs) in order along a chain or a ring, or None for any other body."""
+    starts, stops = spring_ends.tolist()
+    count = len(starts)
+    closed = count == n
+    if n < (3 if closed else 2) or not (closed or count == n - 1):
+        return None
+    leaving = {a: s for s, a in enumerate(starts)}
+    entered = set(stops)
+    if len(leaving) != count or len(entered) != count:
+        return None
+    mass = 0 if closed else (set(range(n)) - entered).pop()
+    mass_order, spring_order = [mass], []
+    while mass in leaving and len(mass_order) < n:
+        s = leaving[mass]
+        mass = stops[s]
+        spring_order.append(s)
+        mass_order.append(mass)
+    if len(set(mass_order)) != n:
+        return None  # a ring beside something else
+    if closed:
+        spring_order.append(leaving[mass])
+    index = np.empty(count, np.int64)
+    index[spring_order] = np.arange(count)
+    if (index[joints[1]] != (index[joints[0]] + 1) % n).any():
+        return None
+    return np.array(mass_order, np.int64), np.array(spring_order, np.int64)
+
+
+def _hinged_first(spring_ends: Indices, joints: Indices) -> Indices:
+    """Indices of the springs in runs, those that angular springs hold first."""
+    alone = np.ones(spring_ends.shape[1], np.bool_)
+    alone[joints] = False
+    return order_in_runs(*spring_ends, alone)
+
+
+def _body(scene: Scene, wiring: _Wiring, damageable: bool) -> Body:
+    springs, joints = scene.linear_springs, scene.angular_springs
+    count, method = len(springs), METHODS[scene.integrator.method]
+    ring, room, order = wiring.ring, wiring.room, wiring.spring_order
+    held = wiring.body.joints  # more than the scene's in a chain where not every two springs are held
+    torques = max(room, held + (0 if wiring.in_order else _BEHIND_RUNS)) + 1
+    stiffness, damping, rest, torque_size, softenings = slab(
+        [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
+    )
+    stiffness[:count] = column(springs, "stiffness")[order]
+    damping[:count] = column(springs, "damping")[order]
+    rest[:count] = column(springs, "rest_length")[order]
+    softening = _softening(scene)
+    # The loop around a ring visits its first spring twice.
+    softenings[:], softenings[: count + ring] = _ENDLESS, max(softening, LEAST)
+    torque_damping, rest_angle = np.zeros(torques), np.zeros(held)
+    if held:
+        at = wiring.joint_order + 1
+        torque_size[at] = _joint_stiffness(scene)
+        torque_damping[at] = column(joints, "damping")
+        rest_angle[wiring.joint_order] = column(joints, "rest_angle")
+        if ring:
+            torque_size[0] = torque_size[held]
+    numbers = {
+        "softenings": softenings,
+        "stiffness": stiffness,
+        "damping": damping,
+        "rest_length": rest,
+        "joint_rest": rest_angle,
+        "torque_size": torque_size,
+        "torque_damping": torque_damping,
+    }
+    body = wiring.body.replaced(
+        damped=bool(damping.any()),
+        joint_damped=bool(torque_damping.any()),
+        law=LAWS[scene.force_law].code if held else NO_JOINTS,
+        softening=softening,
+        limits=new_limits(scene, order, wiring.joint_order) if damageable else NO_LIMITS,
+        muscles=new_muscles(scene, order, wiring.joint_order),
         environment=new_environment(
             scene,
-            mass_index,
-            np.stack((spring_a, spring_b), 1),
-            _slots_for(n, room if in_order else 0),
+            wiring.mass_index,
+            wiring.ends,
+            wiring.slots,
             step=0.0 if method.adaptive or method.implicit else scene.integrator.dt,
         ),
+        **numbers,
     )
-    return read_only(body), joint_order
+    for array in numbers.values():
+        array.setflags(write=False)
+    return body
 
 
 def _softening(scene: Scene) -> float:

@@ -15,6 +15,7 @@ import threading
 import time
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -68,7 +69,7 @@ class EntryPoint:
         """Load its machine code from the disk, or compile it."""
         self.kernel.compile(self.signature)
 
-    @property
+    @cached_property
     def address(self) -> int:
         """The address of its machine code, if it is one of `BY_ADDRESS`."""
         return address_of(self.kernel, BY_ADDRESS[self.name])

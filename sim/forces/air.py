@@ -22,6 +22,7 @@ import numpy as np
 from ..kernels.core.sines import sine
 from ..kernels.core.tables import Body, State
 from ..kernels.engine.jit import FAST, kernel
+from ..kernels.engine.lanes import eight_at_a_time, whole_eights
 from ..kernels.engine.table import Rows, Table
 from ..scene.surroundings import Wind
 from ..scene.types import Scene, is_windy
@@ -121,20 +122,22 @@ def wind_gradient_at(air, t, x, y):
 
 # ------------------------------------------------------------------------- force
 @kernel(fastmath=FAST, noalias=True)
-def _add_wave(wave, t, x, y, u, v):
+def _add_wave(wave, t, masses, x, y, u, v):
     """Add the velocity of the air in one wave at each mass."""
+    eight_at_a_time()
     kx, ky, phase = wave.x, wave.y, wave.phase + wave.rate * t
     along_x, along_y = wave.u, wave.v
-    for i in range(x.size):
+    for i in range(whole_eights(masses)):  # padded
         s = sine(kx * x[i] + ky * y[i] + phase)
         u[i] += along_x * s
         v[i] += along_y * s
 
 
 @kernel(fastmath=FAST, noalias=True)
-def _drag(friction, inverse_mass, u, v, vx, vy, fx, fy):
+def _drag(friction, masses, inverse_mass, u, v, vx, vy, fx, fy):
     """Add the friction of air that moves with the velocities u, v at the masses."""
-    for i in range(u.size):
+    eight_at_a_time()
+    for i in range(whole_eights(masses)):
         drag = friction if inverse_mass[i] > 0.0 else 0.0
         past_x, past_y = vx[i] - u[i], vy[i] - v[i]
         fx[i] -= drag * past_x * abs(past_x)
@@ -144,15 +147,15 @@ def _drag(friction, inverse_mass, u, v, vx, vy, fx, fy):
 @kernel(fastmath=FAST)
 def _add_forces(body, state, scratch, q, v):
     """The friction of moving air on free masses."""
-    air, t, end, slots = body.environment.air, state.clock[0], body.masses + 1, q.size // 2
+    air, masses, t, slots = body.environment.air, body.masses, state.clock[0], q.size // 2
     if air.moves:
-        x, y, vx, vy = q[1:end], q[slots + 1 : slots + end], v[1:end], v[slots + 1 : slots + end]
-        u, w = scratch.tx[1:end], scratch.ty[1:end]
-        u[:], w[:] = air.wind_x, air.wind_y
+        x, y, vx, vy = q[1:slots], q[slots + 1 :], v[1:slots], v[slots + 1 :]
+        u, w = scratch.tx[1:], scratch.ty[1:]
+        for i in range(whole_eights(masses)):
+            u[i], w[i] = air.wind_x, air.wind_y
         for k in range(air.waves.shape[0]):
-            _add_wave(_wave(air, k), t, x, y, u, w)
-        free = state.inverse_mass[1:end]
-        _drag(air.friction, free, u, w, vx, vy, scratch.fx[1:end], scratch.fy[1:end])
+            _add_wave(_wave(air, k), t, masses, x, y, u, w)
+        _drag(air.friction, masses, state.inverse_mass[1:], u, w, vx, vy, scratch.fx[1:], scratch.fy[1:])
 
 
 # ------------------------------------------------------------------------- the balance

@@ -70,6 +70,9 @@ class Contacts(Table):
     row: Indices
 
 
+_NO_CONTACTS = Contacts.empty()
+
+
 def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -> Contacts:
     """The table of a valid scene.
 
@@ -86,22 +89,19 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
     """
     contact, springs, n = scene.contact, len(ends), len(scene.masses)
     if contact is None or contact.distance == 0.0 or not springs:
-        springs = n = slots = 0
-        distance = margin = 1.0
-        pairs = np.zeros((2, 0), np.int64)
-    else:
-        distance = contact.distance
-        x = np.zeros(slots, complex)
-        x[mass_index] = [complex(*mass.position) for mass in scene.masses]
-        margin = max(_MARGIN * max(distance, float(np.median(np.abs(x[ends[:, 1]] - x[ends[:, 0]])))), 1e-3)
-        pairs = _apart(x, np.sort(mass_index), ends, _APART * distance)
+        return _NO_CONTACTS
+    distance = contact.distance
+    x = np.zeros(slots, complex)
+    x[mass_index] = [complex(*mass.position) for mass in scene.masses]
+    margin = max(_MARGIN * max(distance, float(np.median(np.abs(x[ends[:, 1]] - x[ends[:, 0]])))), 1e-3)
+    pairs = _apart(x, np.sort(mass_index), ends, _APART * distance)
     return Contacts(
-        present=bool(springs),
+        present=True,
         distance=distance,
-        stiffness=contact.stiffness if contact else 0.0,
-        friction=contact.friction if contact else 0.0,
-        slip_speed=contact.slip_speed if contact else 1.0,
-        damping=damping_factor(contact.bounciness) if contact else 0.0,
+        stiffness=contact.stiffness,
+        friction=contact.friction,
+        slip_speed=contact.slip_speed,
+        damping=damping_factor(contact.bounciness),
         margin=margin,
         cell=2.0 * (distance + margin),
         apart_start=np.searchsorted(pairs[0], np.arange(springs + 1)),

@@ -26,6 +26,9 @@ from ..scene.surroundings import Gas, Liquid
 from ..scene.types import Scene
 from .term import Term, Vectors, read_only
 
+SMALL = 8
+"""Largest number of masses of a loop of which an implicit step has a block for each pair of its masses."""
+
 SMALLEST = 0.01
 """Area of a gas, as a fraction of its own area, below which its pressure grows linearly."""
 
@@ -52,8 +55,17 @@ class FillingRow(NamedTuple):
     area: float  # px², its own
 
 
+_NO_FILLINGS = read_only(
+    Fillings(
+        start=np.zeros(1, np.int64), loop=np.zeros(0, np.int64), rows=np.zeros((0, len(FillingRow._fields)))
+    )
+)
+
+
 def new_fillings(scene: Scene, mass_index: Indices) -> Fillings:
     """The table of a valid scene; `mass_index`: (n,) the slot of each of its masses."""
+    if not scene.fillings:
+        return _NO_FILLINGS
     at = np.array([complex(*mass.position) for mass in scene.masses])
     loops, rows = [], []
     for filling in scene.fillings:
@@ -108,13 +120,21 @@ def _area_by_mass(fillings, k, i, q):
 @kernel(fastmath=FAST)
 def _area_of(fillings, k, q):
     """The area of a loop, px²."""
-    slots, start = q.size // 2, fillings.loop[fillings.start[k]]
-    x0, y0, twice = q[start], q[slots + start], 0.0  # differences lose no digits far from the origin
-    for i in range(fillings.start[k], fillings.start[k + 1]):
-        m = fillings.loop[i]
-        _, n = _neighbours(fillings, k, i)
-        twice += (q[m] - x0) * (q[slots + n] - y0) - (q[n] - x0) * (q[slots + m] - y0)
+    first, behind = np.uint64(fillings.start[k]), np.uint64(fillings.start[k + 1])
+    x0, y0 = _at(q, fillings.loop[first])  # differences lose no digits far from the origin
+    before_x, before_y, twice = 0.0, 0.0, 0.0
+    for i in range(first + np.uint64(1), behind):
+        x, y = _at(q, fillings.loop[i])
+        twice += before_x * (y - y0) - (x - x0) * before_y
+        before_x, before_y = x - x0, y - y0
     return 0.5 * twice
+
+
+@kernel(inline="always")
+def _at(q, m):
+    """The position of mass m."""
+    # With unsigned indices numba omits its test for negative ones.
+    return q[np.uint64(m)], q[np.uint64(q.size // 2) + np.uint64(m)]
 
 
 @kernel(fastmath=FAST)
@@ -152,11 +172,17 @@ def _add_forces(body, state, scratch, q, v):
     fillings = body.environment.fillings
     for k in range(fillings.rows.shape[0]):
         pressure, _ = _pressure_at(_filling_at(fillings, k), _area_of(fillings, k, q))
-        for i in range(fillings.start[k], fillings.start[k + 1]):
-            m = fillings.loop[i]
-            dx, dy = _area_by_mass(fillings, k, i, q)
-            scratch.fx[m] += pressure * dx
-            scratch.fy[m] += pressure * dy
+        half = 0.5 * pressure
+        first, behind = np.uint64(fillings.start[k]), np.uint64(fillings.start[k + 1])
+        start, m = fillings.loop[first], fillings.loop[first]
+        (before_x, before_y), (x, y) = _at(q, fillings.loop[behind - np.uint64(1)]), _at(q, m)
+        for i in range(first + np.uint64(1), behind + np.uint64(1)):
+            after = fillings.loop[i] if i < behind else start
+            after_x, after_y = _at(q, after)
+            # As `_area_by_mass`.
+            scratch.fx[np.uint64(m)] += half * (after_y - before_y)
+            scratch.fy[np.uint64(m)] += half * (before_x - after_x)
+            before_x, before_y, x, y, m = x, y, after_x, after_y, after
 
 
 @kernel(fastmath=FAST)
@@ -173,19 +199,35 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
     """The part p d²A/dx² of the derivative of the forces, at the rows of each mass and its neighbours.
 
     By the mass b after it, dA/dx = (b.y - a.y, a.x - b.x) / 2 has the derivative ((0, 1), (-1, 0)) / 2, and
-    by the one before it minus that. This is indefinite. The other part is that of `write_area_product`.
+    by the one before it minus that. This is indefinite. The other part, that of `write_area_product`, couples
+    all masses of a loop; it is added here for small loops, of which the pattern has all blocks.
     """
-    if definite:
-        return
-    fillings, blocks = body.environment.fillings, matrix.blocks
+    fillings, blocks, target = body.environment.fillings, matrix.blocks, 0
     for k in range(fillings.rows.shape[0]):
-        pressure, _ = _pressure_at(_filling_at(fillings, k), _area_of(fillings, k, q))
-        for i in range(fillings.start[k], fillings.start[k + 1]):
-            before, after = 4 * matrix.loop_target[2 * i], 4 * matrix.loop_target[2 * i + 1]
-            blocks[after + 1] += 0.5 * pressure
-            blocks[after + 2] -= 0.5 * pressure
-            blocks[before + 1] -= 0.5 * pressure
-            blocks[before + 2] += 0.5 * pressure
+        first, behind = fillings.start[k], fillings.start[k + 1]
+        pressure, slope = _pressure_at(_filling_at(fillings, k), _area_of(fillings, k, q))
+        half, count = 0.0 if definite else 0.5 * pressure, behind - first
+        small = count <= SMALL
+        for i in range(count):
+            if small:
+                x, y = _area_by_mass(fillings, k, first + i, q)
+                for j in range(count):
+                    to_x, to_y = _area_by_mass(fillings, k, first + j, q)
+                    block = 4 * matrix.loop_target[target + j]
+                    blocks[block] += slope * x * to_x
+                    blocks[block + 1] += slope * x * to_y
+                    blocks[block + 2] += slope * y * to_x
+                    blocks[block + 3] += slope * y * to_y
+                before = 4 * matrix.loop_target[target + (i + count - 1) % count]
+                after = 4 * matrix.loop_target[target + (i + 1) % count]
+                target += count
+            else:
+                before, after = 4 * matrix.loop_target[target], 4 * matrix.loop_target[target + 1]
+                target += 2
+            blocks[after + 1] += half
+            blocks[after + 2] -= half
+            blocks[before + 1] -= half
+            blocks[before + 2] += half
 
 
 @kernel(fastmath=FAST)

@@ -63,6 +63,10 @@ class Limits(Table):
     bending: Floats  # (J,) T, kg px²/s²; or infinite
 
 
+NO_LIMITS = read_only(Limits.empty())
+"""Those of a body in which nothing yields or breaks."""
+
+
 def new_limits(scene: Scene, spring_order: Indices, joint_order: Indices) -> Limits:
     """The table of a valid scene in which something yields or breaks.
 
@@ -201,6 +205,8 @@ def _settle_joint(problem, q, j):
         return False
     state.set_angle[j] = wrap(state.set_angle[j] + math.degrees(moved))
     rest = state.torque_rest[j + 1] + moved
+    if abs(rest) > math.pi:  # a deflection is wrapped once only
+        rest -= math.copysign(2.0 * math.pi, rest)
     state.torque_rest[j + 1] = rest
     state.torque_cos[j + 1], state.torque_sin[j + 1] = size * math.cos(rest), size * math.sin(rest)
     after = size * joint_energy(body.law, ax, ay, bx, by, rest, soft)

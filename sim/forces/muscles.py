@@ -41,6 +41,10 @@ class Muscles(Table):
     turn: Rows  # (J, 4) likewise
 
 
+NO_MUSCLES = read_only(Muscles.empty())
+"""Those of a body without any."""
+
+
 class Row(NamedTuple):
     """A muscle; `kernels.core.waves` has the columns."""
 
@@ -60,7 +64,7 @@ def new_muscles(scene: Scene, spring_order: Indices, joint_order: Indices) -> Mu
     """
     beat, springs, joints = scene.beat, scene.linear_springs, scene.angular_springs
     if not beat:
-        return Muscles.empty()
+        return NO_MUSCLES
     stretched = [(k, muscle) for k, s in enumerate(spring_order.tolist()) if (muscle := springs[s].muscle)]
     turned = [
         (k, muscle) for k, joint in zip(joint_order.tolist(), joints, strict=True) if (muscle := joint.muscle)

@@ -53,6 +53,9 @@ class ResistanceRow(NamedTuple):
     slip: float  # px/s, see above; 0 in a medium
 
 
+_NO_RESISTANCE = read_only(Resistance(rows=np.zeros((0, len(ResistanceRow._fields)))))
+
+
 def new_resistance(scene: Scene, ends: Indices, mass: Floats) -> Resistance:
     """The table of a valid scene.
 
@@ -61,7 +64,10 @@ def new_resistance(scene: Scene, ends: Indices, mass: Floats) -> Resistance:
         ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
         mass: (slots,) kg.
     """
-    rows, medium, ground = np.zeros((0, len(ResistanceRow._fields))), scene.medium, scene.ground
+    medium, ground = scene.medium, scene.ground
+    if not (medium or ground):
+        return _NO_RESISTANCE
+    rows = _NO_RESISTANCE.rows
     none = np.zeros(len(ends))
     if medium:
         row = ResistanceRow(0.5, 0.0, 0.0, medium.across, medium.along, medium.along, 0.0)

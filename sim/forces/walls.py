@@ -45,8 +45,13 @@ class WallRow(NamedTuple):
     damping: float  # factor, s/px
 
 
+_NO_WALLS = read_only(Walls(rows=np.zeros((0, len(WallRow._fields)))))
+
+
 def new_walls(scene: Scene) -> Walls:
     """The table of a valid scene."""
+    if not scene.walls:
+        return _NO_WALLS
     rows = np.array([_row(wall) for wall in scene.walls], float).reshape(-1, len(WallRow._fields))
     return read_only(Walls(rows=rows))
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import copy
 import math
 from collections.abc import Mapping
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -153,19 +154,25 @@ class Hands:
         adaptive: whether its method chooses its steps.
 
     Attributes:
-        rate_limited: whether the body has so many masses, on springs so stiff, that hands move at a limited
-            speed. Never with a fixed step, where every motion takes the same computing time.
         grabbed: masses of the scene that are held by a hand.
-        targets: positions, px, to which masses are led in straight lines in the next call, by slot.
+        targets: positions, px, to which masses are led in straight lines until the next call comes to its
+            end, by slot.
         limited: the rate-limited hands, by slot.
     """
 
     def __init__(self, system: System, state: State, adaptive: bool) -> None:
-        self._system, self._state = system, state
-        self.rate_limited = adaptive and bool(system.body.masses > _TOO_MANY * quick_limit(system))
+        self._system, self._state, self._adaptive = system, state, adaptive
         self.grabbed: set[int] = set()
         self.targets: dict[int, tuple[float, float]] = {}
         self.limited: dict[int, Hand] = {}
+
+    @cached_property
+    def rate_limited(self) -> bool:
+        """Whether the body has so many masses, on springs so stiff, that hands move at a limited speed.
+
+        Never with a fixed step, where every motion takes the same computing time.
+        """
+        return self._adaptive and bool(self._system.body.masses > _TOO_MANY * quick_limit(self._system))
 
     @property
     def behind(self) -> dict[int, float]:
@@ -236,9 +243,9 @@ class Hands:
             state.gy[masses] += state.inverse_mass[masses] * system.loads[1]
         return bool(held.all())
 
-    def settle(self) -> None:
-        """After a call, forget the targets and the hands that have arrived."""
-        if self.targets:
+    def settle(self, ended: bool) -> None:
+        """After a call, forget the hands that have arrived, and the targets if the call came to its end."""
+        if self.targets and ended:
             self.targets = {}
         if self.limited:
             self.limited = {index: hand for index, hand in self.limited.items() if not hand.is_there}

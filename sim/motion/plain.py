@@ -34,11 +34,11 @@ class PlainSolver:
         time: simulated time, s.
         index: slot of the mass at which something is wrong.
         fastest: largest velocity component of a good state, px/s.
-        tries: steps tried since the last call of `stats`.
+        work: steps tried since the last call of `stats`.
     """
 
     def __init__(self, scene: Scene, system: System, state: State) -> None:
-        self.time, self.index, self.tries = 0.0, -1, 0
+        self.time, self.index, self.work = 0.0, -1, 0
         self.fastest = RUNAWAY_SPEED
         self._state = state
         self.system = system
@@ -74,7 +74,7 @@ class PlainSolver:
 
     def stats(self) -> SolverStats:
         """Counts of steps since the last call."""
-        stats, self.tries = SolverStats(steps=self.tries, forces=self.tries), 0
+        stats, self.work = SolverStats(steps=self.work, forces=self.work, work=self.work), 0
         return stats
 
     def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
@@ -105,7 +105,7 @@ class PlainSolver:
             else:
                 x, v, a = verlet_step(self._physics, x, v, a, h, lead)
             lead(x, v)  # the step has moved them
-            self.tries += 1
+            self.work += 1
             what = self._verdict(x, v)
             if what != guard.GOOD:
                 x, v, state.controls[:] = before

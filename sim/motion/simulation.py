@@ -25,9 +25,10 @@ from ..body.system import (
 from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
 from ..forces.limits import without_broken
-from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, State
+from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, Indices, State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
+from ..scene.columns import ends
 from ..scene.types import Anchor, Damage, Pose, Scene
 from ..scene.validate import validate
 from ..settings import shift_rest_angles
@@ -106,18 +107,23 @@ class Simulation:
     @property
     def positions(self) -> NDArray[np.float64]:
         """(n, 2) positions in px; a copy."""
-        return self._read(self._state.x, self._state.y)
+        return self._state.q.take(self._system.vector_index)
 
     @property
     def velocities(self) -> NDArray[np.float64]:
         """(n, 2) velocities in px/s, zero where a mass is held; a copy."""
-        return self._read(self._state.vx, self._state.vy)
+        return self._state.v.take(self._system.vector_index)
 
     @property
     def angles(self) -> NDArray[np.float64]:
         """(J,) the present angle of each angular spring, in degrees in (-180, 180]."""
         positions = self.positions
-        a, b = (positions[ends[:, 1]] - positions[ends[:, 0]] for ends in self._joint_ends)
+        held = self._joint_ends
+        if held is None:
+            of_springs = np.stack(ends(self._scene.linear_springs), 1)
+            first, second = ends(self._scene.angular_springs)
+            held = self._joint_ends = of_springs[first], of_springs[second]
+        a, b = (positions[of[:, 1]] - positions[of[:, 0]] for of in held)
         cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
         return np.degrees(np.arctan2(cross, (a * b).sum(1)))
 
@@ -188,9 +194,9 @@ class Simulation:
         return isinstance(solver, Solver) and solver.complete
 
     @property
-    def tries(self) -> int:
-        """Steps that the method has tried since the last call of `stats`."""
-        return self._stepper.solver.tries
+    def work(self) -> int:
+        """What the method has tried since the last call of `stats`, see `SolverStats`."""
+        return self._stepper.solver.work
 
     @property
     def rate_limited(self) -> bool:
@@ -330,8 +336,18 @@ class Simulation:
         """Go on by n time steps, and return how many were done.
 
         They are fewer when the body runs away, see `divergence`, and where `attempts` do not suffice: a
-        method that chooses its own steps may try that many. Then `time` has come as far as they led.
+        method that chooses its own steps may try that many, of which one of a dear method counts as several
+        under `auto`, see `work`. Then `time` has come as far as they led, and what is led goes on in the next
+        call.
         """
+        limit = UNLIMITED if attempts is None else attempts
+        if n > 0 and not self._keys and self.divergence is None:
+            # The usual case first: the physics of a short body takes less time than what follows.
+            hands = self._hands
+            if not hands.targets and not hands.limited:
+                limit = self._stepper.go_on(n, limit)
+                if limit < 0:
+                    return n
         if n < 0:
             raise InputError(f"step: {n} is not a number of steps")
         if self.divergence is not None or n == 0:
@@ -339,10 +355,9 @@ class Simulation:
         if self.plain:
             self.take_compiled()
         presses = presses_of(self._scene, self._keys)
-        limit = UNLIMITED if attempts is None else attempts
         outcome = self._stepper.step(n, self._hands, presses, self._all_held, limit)
         self._look_at_tables()
-        self._hands.settle()
+        self._hands.settle(outcome.steps == n or outcome.what != guard.GOOD)
         if outcome.what != guard.GOOD:
             self.divergence = explain(self._scene, self._system, self._state, self.step_count, outcome)
         return outcome.steps
@@ -482,10 +497,7 @@ class Simulation:
         self._whole = self._system = system  # `_system` is without what has broken
         self._body = system.body
         self._state: State = new_state(system)
-        joints = system.joint_order
-        springs = np.stack((self._body.spring_a, self._body.spring_b), 1)
-        ends = system.mass_order[springs - 1]  # of the springs of the tables, as the scene counts masses
-        self._joint_ends = ends[self._body.joint_a[joints]], ends[self._body.joint_b[joints]]
+        self._joint_ends: tuple[Indices, Indices] | None = None  # once angles have been asked for
         self._scratch = new_scratch(system)
         self._stepper = self._new_stepper()
         self._meter: StabilityMeter | None = None
@@ -514,10 +526,6 @@ class Simulation:
         state.x[index], state.y[index], state.vx[index], state.vy[index] = rows
         if self._body.limits.present:
             put_damage(state, self._system, damage)
-
-    def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-        index = self._system.mass_index
-        return np.column_stack((x[index], y[index]))
 
     @contextmanager
     def _by_hand(self) -> Iterator[None]:

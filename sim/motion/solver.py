@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -61,11 +62,15 @@ from .stability import quick_limit
 _ROWS, _ALPHA_ROWS = 20, 4
 """Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
 
+_NO_ROWS = np.zeros((1, 0))
+
 _NEAR_LIMIT = 0.6
 """Step, as a fraction of the stability limit, from which it counts as near the limit."""
 
 FALLBACK_STEP = 1e-3
 """Length of a fallback step, s."""
+_FALLBACK_WORK = 2
+"""Computing time of a fallback step, in steps of the implicit method."""
 
 UNLIMITED = 2**62
 """A number of steps that is never reached."""
@@ -79,6 +84,7 @@ class SolverStats:
         steps, rejected: accepted and rejected steps.
         forces, matrices: evaluations of the accelerations, and factorised matrices.
         fallbacks: fallback steps.
+        work: what was tried, in steps; those of `auto` in steps of its cheapest method, by their costs.
     """
 
     steps: int = 0
@@ -86,6 +92,7 @@ class SolverStats:
     forces: int = 0
     matrices: int = 0
     fallbacks: int = 0
+    work: int = 0
 
 
 class Solver:
@@ -97,11 +104,15 @@ class Solver:
         state: positions, velocities and parameters that change.
         scratch: scratch arrays.
         wait: whether it may wait until kernels are compiled.
+
+    Attributes:
+        work: what was tried since the counts were last read, see `SolverStats`.
     """
 
     def __init__(
         self, scene: Scene, system: System, state: State, scratch: Scratch, wait: bool = True
     ) -> None:
+        self.work = 0
         self._wait = wait
         self.scene, self._system, self.state, self.scratch = scene, system, state, scratch
         self.slots = state.q.size // 2
@@ -131,21 +142,15 @@ class Solver:
         )
         self._forget_turns()
         # The blocks of memory in which these arrays lie, each of which is cleared at once.
-        blocks = (
-            array if array.base is None else array.base
-            for array in (room, new_q, *(array for _, array in scratch.arrays()))
-        )
-        self._memory = list({id(block): block for block in blocks}.values())
-        no_rows = np.zeros((1, 0))
+        self._memory = [block for block in (room.base, new_q.base, scratch.lx.base) if block is not None]
         self.balance = EnergyBalance(
             active=False,
             work=Work(),
-            mass=np.zeros(self.slots),
-            rows=no_rows,
-            dampers=no_rows,
-            quick=no_rows,
+            mass=system.body.environment.mass,
+            rows=_NO_ROWS,
+            dampers=_NO_ROWS,
+            quick=_NO_ROWS,
         )
-        self.balance.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
         self._problem: Problem | None = None
         self._costs: Floats | None = None  # of a step of each method, see `Problem`
@@ -206,23 +211,29 @@ class Solver:
         auto.turn, auto.step[:], auto.pace[:] = -1, 0.0, -1.0
 
     def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
-        """Advance to a time (s) by the scene's method, trying at most `attempts` steps.
+        """Advance to a time (s) by the scene's method.
+
+        Args:
+            until: s.
+            drive: how held masses move.
+            attempts: what it may try, counted as `work` is.
 
         Returns:
             guard.GOOD, or what is wrong with the state after the next step.
         """
-        left = attempts - self._run(until, drive, attempts)
-        run = self.integrator.run
+        run, last = self.integrator.run, self.work + attempts
+        if run.what != guard.CHANGED:  # as `go_on` leaves it, if springs have yielded or broken
+            self._run(until, drive, attempts)
         can_fall_back = self._info.implicit and (self._wait or is_ready(FOR_FALLBACK))
         while (what := run.what) != guard.GOOD:
             if what == guard.CHANGED:
                 self._take_damage()
-            elif what == guard.STUCK and can_fall_back and left > 0 and self.time < until:
+            elif what == guard.STUCK and can_fall_back and self.work < last and self.time < until:
                 self.fall_back(until, drive)
             else:
                 break
-            if left > 0 and self.time < until:
-                left -= self._run(until, drive, left)
+            if self.work < last and self.time < until:
+                self._run(until, drive, last - self.work)
         if what == guard.STUCK and self._info.implicit:
             what = guard.GOOD  # it is only late: the next call begins with a fallback step
         return what
@@ -246,24 +257,37 @@ class Solver:
         self.system = system
         refresh(system.body, self.state)
 
-    def _run(self, until: float, drive: Drive, attempts: int) -> int:
-        """Like `run`, without fallback steps; returns the number of steps tried."""
+    def go_on(self, until: float, drive: Drive, attempts: int) -> bool:
+        """As `run`, where nothing comes in between.
+
+        Returns:
+            Whether it got there. If not, `run` has to be called with what is left of the attempts.
+        """
+        self._run(until, drive, attempts)
+        run = self.integrator.run
+        return run.what == guard.GOOD and run.time == until
+
+    def _run(self, until: float, drive: Drive, attempts: int) -> None:
+        """Like `run`, without fallback steps."""
         info, integrator = self._info, self.scene.integrator
         if self._missing:
             self._take_in()
         if info.kernel is not None:
-            before = self.tries
+            run = self.integrator.run
+            before = run.steps + run.rejected
             problem = self._problem or self._bind(info.implicit)
             info.kernel(
                 problem, drive, until, max(integrator.tolerance * info.tolerance_factor, 1e-13), attempts
             )
-            return self.tries - before
+            self.work += run.steps + run.rejected - before
+            return
         problem, left = self._problem or self._bind(False), attempts
         while True:
-            index, limit, tolerance, tried = next_turn(problem, until, integrator.tolerance, left)
-            left -= tried
+            index, limit, tolerance, spent = next_turn(problem, until, integrator.tolerance, left)
+            left -= spent
+            self.work += spent
             if index < 0:
-                return attempts - left
+                return
             method = AUTO_METHODS[index]
             if method.implicit and not problem.factorise_matrix:
                 problem = self._bind(True)
@@ -337,6 +361,8 @@ class Solver:
         if problem is None or not problem.factorise_matrix:
             problem = self._bind(True)
         run_fallback(problem, drive, h, 1e-6 * typical, typical)
+        implicit = 1.0 if self._costs is None else max(float(self._costs[ROSENBROCK]), 1.0)
+        self.work += math.ceil(_FALLBACK_WORK * implicit)
         self._forget_turns()
         alpha.last = alpha.older = alpha.contraction = 0.0
         alpha.steps = 0
@@ -382,12 +408,6 @@ class Solver:
         self.integrator.run.current = False
 
     @property
-    def tries(self) -> int:
-        """Number of steps tried since the counts were last read."""
-        run = self.integrator.run
-        return run.steps + run.rejected
-
-    @property
     def index(self) -> int:
         """Slot of the mass at which something is wrong."""
         return self.integrator.run.mass
@@ -395,6 +415,7 @@ class Solver:
     def stats(self) -> SolverStats:
         """Counts of what was done since the last call."""
         run = self.integrator.run
-        stats = SolverStats(run.steps, run.rejected, run.forces, run.matrices, run.fallbacks)
+        stats = SolverStats(run.steps, run.rejected, run.forces, run.matrices, run.fallbacks, self.work)
+        self.work = 0
         run.steps = run.rejected = run.forces = run.matrices = run.fallbacks = 0
         return stats

@@ -88,6 +88,7 @@ class Stepper:
         self._led: Targets = {}
         self._kept: Drive | None = None  # the drive of the last call, unless it had targets or hands
         self._presses = NO_PRESSES  # the keys in it
+        self._steady: Drive | None = None  # it, where nothing but the body changed in the last call
         self.steps = 0
         self._origin = (
             0.0,
@@ -108,11 +109,11 @@ class Stepper:
     def begin(self, time: float, steps: int) -> None:
         """Go on from another state: the one in `state` at a time (s), after so many steps."""
         self._origin, self.steps, self._begins = (time, steps), steps, True
-        self._led = {}
+        self._led, self._steady = {}, None
 
     def begin_anew(self) -> None:
         """Let the method begin anew with the next step: the state, or what acts on it, was changed."""
-        self._origin, self._begins = (self.time, self.steps), True
+        self._origin, self._begins, self._steady = (self.time, self.steps), True, None
 
     def _load(self) -> None:
         """Let the method begin."""
@@ -120,6 +121,24 @@ class Stepper:
         self._begins = False
         if self._kept is not None and (self._kept.mass.size or self._kept.pressed):
             self._kept = None  # circles and keys start from where the masses are now
+
+    def go_on(self, steps: int, attempts: int) -> int:
+        """Advance by some time steps as the last call of `step` did, in a third of its time.
+
+        It is for a call without targets, hands and keys.
+
+        Returns:
+            -1 if it got there. Otherwise the attempts that are left for `step`, which has to be called, and
+            goes on from where the body is now.
+        """
+        drive, solver = self._steady, self.solver
+        if drive is None or not isinstance(solver, Solver):
+            return attempts
+        last = solver.work + attempts
+        if solver.go_on(self._after(steps), drive, attempts):
+            self.steps += steps
+            return -1
+        return max(0, last - solver.work)
 
     def step(
         self, steps: int, hands: Hands, presses: Presses, all_held: bool, attempts: int = UNLIMITED
@@ -138,7 +157,7 @@ class Stepper:
             self._kept = None
             self._led = targets
         if hands.limited:
-            self._kept = None
+            self._kept = self._steady = None
             what = self._lead_limited(until, hands, presses, attempts)
         else:
             drive = self._kept
@@ -146,10 +165,13 @@ class Stepper:
                 drive = self._drive(until, targets, presses)
                 if not targets:
                     self._kept, self._presses = drive, presses
+            self._steady = None
             if all_held and drive.moving and self._adaptive and solver.tracks_energy:
                 what = self._halt(until, drive, min(_HALTS * steps, attempts), attempts)
             else:
                 what = solver.run(until, drive, attempts)
+                if drive is self._kept and presses is NO_PRESSES and not all_held:
+                    self._steady = drive
         time = solver.time
         if targets and time == until:
             self._put(targets)
@@ -167,21 +189,21 @@ class Stepper:
     def _halt(self, until: float, drive: Drive, halts: int, attempts: int) -> int:
         """Advance in parts: without free masses, no error would make steps short enough for the balance."""
         solver, start = self.solver, self.solver.time
-        last = solver.tries + attempts
+        last = solver.work + attempts
         for i in range(1, halts):
-            solver.run(start + (until - start) * i / halts, drive, last - solver.tries)
-        return solver.run(until, drive, last - solver.tries)
+            solver.run(start + (until - start) * i / halts, drive, last - solver.work)
+        return solver.run(until, drive, last - solver.work)
 
     def _lead_limited(self, until: float, hands: Hands, presses: Presses, attempts: int) -> int:
         """Advance in parts that are short enough for rate-limited hands."""
         solver, start = self.solver, self.solver.time
-        last, what = solver.tries + attempts, guard.GOOD
+        last, what = solver.work + attempts, guard.GOOD
         parts = max(1, math.ceil((until - start) / LONGEST_PART - 1e-6))
         for i in range(1, parts + 1):
             began, end = solver.time, until - (until - start) * (parts - i) / parts
             motions = {index: hand.next_motion(end - began) for index, hand in hands.limited.items()}
             drive = self._drive(until, hands.targets, presses, motions)
-            what = solver.run(end, drive, last - solver.tries)
+            what = solver.run(end, drive, last - solver.work)
             for index, hand in hands.limited.items():
                 hand.go_on(motions[index], solver.time - began)
             if what != guard.GOOD or solver.time < end:

@@ -25,9 +25,9 @@ from .types import BODY_FIELDS, FORMAT_VERSION, Pose, Scene
 SHORTEST = 1e-9
 """Distance, px, below which the ends of a spring count as coincident: the spring would have no direction."""
 
-_valid: weakref.ref[Scene] | None = None
-"""The scene that was found valid last. A slider's new scene comes here twice: from the setting, and from the
-simulation that goes on with it."""
+_valid: dict[int, weakref.ref[Scene]] = {}
+"""The scenes that were found valid, by id, as long as they live: a scene is frozen, with all that is in it.
+Most come here more than once: from the function that made them, and from a simulation."""
 
 _writer, _reader = msgspec.msgpack.Encoder(enc_hook=of_python), msgspec.msgpack.Decoder(Scene)
 
@@ -42,8 +42,8 @@ def validate(scene: Scene) -> Scene:
         SceneError: one sentence that names the field, as in
             `angular_springs[3].b: spring 17 does not exist (0..10)`.
     """
-    global _valid
-    if _valid is not None and _valid() is scene:
+    known = _valid.get(id(scene))
+    if known is not None and known() is scene:
         return scene
     if not isinstance(scene, Scene):
         raise SceneError(f"a Scene is expected, not {type(scene).__name__}")
@@ -51,7 +51,8 @@ def validate(scene: Scene) -> Scene:
     if converted != scene:  # a list is converted to a tuple, and a dict to a struct
         raise SceneError(difference(scene, converted))
     consistent(scene)
-    _valid = weakref.ref(scene)
+    key = id(scene)
+    _valid[key] = weakref.ref(scene, lambda _gone: _valid.pop(key, None))
     return scene
 
 

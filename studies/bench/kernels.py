@@ -1,4 +1,4 @@
-"""`softrod bench kernels`: the tutorial's step by several programs.
+"""`softrod bench kernels`: the tutorial's step by several programs, and steps of nets by two paths.
 
 The record-array kernel is the tutorial's own way of writing it: masses, springs and joints are records,
 unit vectors and lengths are stored, and each law adds to the accelerations. The C program is the fused
@@ -16,12 +16,14 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
+import msgspec
 import numba
 import numpy as np
 from rich.console import Console
 from rich.table import Table
 
 import sim
+from sim.forces.nets import NO_NET
 
 from . import fastest
 
@@ -35,6 +37,19 @@ STEP = 1e-6
 
 TARGETS = {12: 0.95, 50: 0.4, 100: 0.4, 1000: 0.4}
 """Masses, and the part of the C program's time that the chain path may take at most."""
+
+NETS: dict[str, Callable[[], sim.Scene]] = {
+    "cloth of 100": lambda: sim.cloth(columns=10, rows=10),
+    "cloth of 900": lambda: sim.cloth(columns=30, rows=30),
+    "cloth of 4900": lambda: sim.cloth(columns=70, rows=70),
+    "springs of 100": lambda: sim.jelly(columns=10, rows=10, bulk_modulus=0.0),
+    "springs of 900": lambda: sim.jelly(columns=30, rows=30, bulk_modulus=0.0),
+    "springs of 4900": lambda: sim.jelly(columns=70, rows=70, bulk_modulus=0.0),
+    "jelly": sim.jelly,
+    "bridge": sim.bridge,
+    "flag": sim.flag_pole,
+}
+"""The nets, by name; cloth has joints."""
 
 
 @numba.njit
@@ -108,10 +123,8 @@ def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Cal
     )
     # Masses that are exactly in line would make some products zero, and so perhaps cheaper.
     noise = np.random.default_rng(1).normal(size=(n, 2))
-    chain, general = sim.Simulation(scene), sim.Simulation(scene)
-    body = general._body.replaced(chain=False)
-    general._system = dataclasses.replace(general._system, body=body)
-    general._stepper = general._new_stepper()
+    chain = sim.Simulation(scene)
+    general = _on_general_path(sim.Simulation(scene))
     for simulation in (chain, general):
         simulation._state.x[1 : n + 1] += noise[:, 0]
         simulation._state.y[1 : n + 1] += noise[:, 1]
@@ -137,6 +150,24 @@ def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Cal
         kept = (x, y, vx, vy, free)
         runs["fused C"] = lambda: _call(library, n, steps, pointers, numbers, kept)
     return runs
+
+
+def _on_general_path(simulation: sim.Simulation) -> sim.Simulation:
+    """The simulation, made to take the path for bodies of any topology."""
+    body = simulation._body.replaced(chain=False, net=NO_NET)
+    simulation._system = dataclasses.replace(simulation._system, body=body)
+    simulation._stepper = simulation._new_stepper()
+    return simulation
+
+
+def of_net(scene: sim.Scene) -> tuple[dict[str, Callable[[], None]], int]:
+    """Steps of a net by both paths, as `contenders`; and how many springs one run computes."""
+    scene = msgspec.structs.replace(scene, integrator=sim.Integrator(method="symplectic_euler", dt=STEP))
+    springs = len(scene.linear_springs)
+    steps = max(4, 60_000 // springs)
+    net = sim.Simulation(scene)
+    general = _on_general_path(sim.Simulation(scene))
+    return {"general": lambda: _step(general, steps), "net": lambda: _step(net, steps)}, springs * steps
 
 
 def _step(simulation: sim.Simulation, steps: int) -> None:
@@ -171,3 +202,11 @@ def bench(console: Console, repeats: int) -> None:
             )
     console.print("symplectic Euler, ns per mass and step")
     console.print(table)
+    nets = Table("net", "general path", "path for nets", "general / nets", box=None)
+    for name, scene in NETS.items():
+        programs, computed = of_net(scene())
+        general, net = fastest(programs, repeats).values()
+        row = (f"{general / computed * 1e9:.2f}", f"{net / computed * 1e9:.2f}", f"{general / net:.2f}")
+        nets.add_row(name, *row)
+    console.print("symplectic Euler, ns per spring and step")
+    console.print(nets)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 import sim
 from sim.analysis.predictability import GrowthMeter
 from sim.errors import InputError
+from sim.scene.columns import column, ends
 
 Floats = NDArray[np.float64]
 Value = float | bool | str | None
@@ -79,6 +80,58 @@ def parse_measures(names: Sequence[str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*names, "survived")))
 
 
+SAMPLED = frozenset(("sag", "period", "error", "stretch", "survived"))
+"""The measures for which positions and velocities at the looks are enough, see `values_of`."""
+
+
+def values_of(
+    scene: sim.Scene, run: sim.Run, measures: Sequence[str], reference: Floats | None
+) -> tuple[Value, ...]:
+    """Some of `SAMPLED`, of a run that has come to its end; arguments else as of `Track.values`.
+
+    Args:
+        scene: of the run.
+        run: with samples at the looks; its end is the last look.
+        measures: names.
+        reference: near-exact positions at the end.
+    """
+    times, positions, velocities = run.sample_times, run.sample_positions, run.sample_velocities
+    start = positions[0]
+    if run.time > times[-1] + 1e-12 * run.time:
+        times = np.append(times, run.time)
+        positions, velocities = (
+            np.concatenate((rows, last[None]))
+            for rows, last in ((positions, run.positions), (velocities, run.velocities))
+        )
+    found: dict[str, Value] = {"survived": True}
+    if "sag" in measures:
+        found["sag"] = sag(np.array(scene.gravity), run.positions - start)
+    if "period" in measures:
+        free, weights = _free_masses(scene)
+        centres = [
+            (weights[:, None] * rows[:, free]).sum(1) / weights.sum() if free.size else rows[:0, 0]
+            for rows in (positions, velocities)
+        ]
+        found["period"] = period(times[: len(centres[0])], *centres)
+    if "error" in measures:
+        found["error"] = None if reference is None else distance(run.positions, reference)
+    if "stretch" in measures:
+        rest = column(scene.linear_springs, "rest_length") * scene.rest_length_scale
+        of = np.flatnonzero(rest)
+        a, b = ends(scene.linear_springs)
+        ways = positions[:, b[of]] - positions[:, a[of]]
+        strain = np.abs(np.hypot(ways[..., 0], ways[..., 1]) / rest[of] - 1.0)
+        found["stretch"] = float(strain.max()) if of.size else None
+    return tuple(found[name] for name in measures)
+
+
+def _free_masses(scene: sim.Scene) -> tuple[NDArray[np.int64], Floats]:
+    """The masses that are not held, and kg of each."""
+    held = {anchor.mass for anchor in scene.anchors}
+    free = np.array([i for i in range(len(scene.masses)) if i not in held], np.int64)
+    return free, np.array([scene.masses[i].mass for i in free])
+
+
 class Track:
     """Notes what the measures need of a simulation, at every look.
 
@@ -92,9 +145,7 @@ class Track:
         self._simulation, self._wanted = simulation, set(measures)
         self._gravity = np.array(scene.gravity)
         self._start = simulation.positions
-        held = {anchor.mass for anchor in scene.anchors}
-        self._free = np.array([i for i in range(len(scene.masses)) if i not in held], np.int64)
-        self._weights = np.array([scene.masses[i].mass for i in self._free])
+        self._free, self._weights = _free_masses(scene)
         self._springs = np.flatnonzero([spring.rest_length for spring in scene.linear_springs])
         self._stretch = self._residual = self._moved = self._farthest = 0.0
         self._height: float | None = None
@@ -136,7 +187,7 @@ class Track:
             reference: (n, 2) px, near-exact positions at the end; None where there are none.
         """
         found: dict[str, Value] = {
-            "sag": self._sag(),
+            "sag": sag(self._gravity, self._simulation.positions - self._start),
             "period": self._period(),
             "energy_residual": self._energy_residual(),
             "error": None if reference is None else distance(self._simulation.positions, reference),
@@ -156,16 +207,18 @@ class Track:
             return None
         return self._errors.result(self._simulation).per_second
 
-    def _sag(self) -> float | None:
-        size = float(np.hypot(*self._gravity))
-        if not size:
-            return None
-        x, y = (self._simulation.positions - self._start).T
-        return float((x * self._gravity[0] + y * self._gravity[1]).max()) / size
-
     def _period(self) -> float | None:
         centres = np.array(self._centres).reshape(-1, 4)
         return period(np.array(self._times), centres[:, :2], centres[:, 2:])
+
+
+def sag(gravity: Floats, displacements: Floats) -> float | None:
+    """The largest of (n, 2) displacements along gravity, px; None where there is no gravity."""
+    size = float(np.hypot(*gravity))
+    if not size:
+        return None
+    x, y = displacements.T
+    return float((x * gravity[0] + y * gravity[1]).max()) / size
 
 
 def distance(one: Floats, other: Floats) -> float:

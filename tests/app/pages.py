@@ -8,6 +8,7 @@ from typing import TypeVar
 
 import sim
 from app.session import commands
+from app.session.pacing import Costs
 from app.session.session import Session
 
 T = TypeVar("T")
@@ -43,6 +44,15 @@ class SessionPage:
             self.wall.time += FRAME
             self.session.drain()
             self.session.tick(BUDGET)
+
+
+def in_one_piece(costs: Costs, attempts: int) -> None:
+    """Let each frame be one call, in which a method may try so many steps, whatever the machine."""
+
+    def spend(budget: float, steps: int, go: Callable[[int, int], tuple[int, int]]) -> int:
+        return go(steps, attempts)[0] if steps else 0
+
+    costs.spend = spend  # type: ignore[method-assign, assignment]
 
 
 def answered(session: Session, ask: Callable[[], T]) -> T:

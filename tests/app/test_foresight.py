@@ -10,6 +10,7 @@ import pytest
 import sim
 from app.page.looks import readouts
 from app.session import commands
+from app.session.pacing import Costs
 from app.session.shadow import Foresight
 from tests.app.pages import SessionPage
 
@@ -110,13 +111,13 @@ def test_without_enough_time_it_sees_only_parts_of_the_motion() -> None:
     follow = foresight.follow
 
     def hurried(simulation: sim.Simulation, steps: int, budget: float) -> None:
-        foresight._step_cost, foresight.unit_cost = budget / 2.0, 0.0  # two steps of the seven of a frame
+        foresight._step_cost, foresight.costs = budget / 2.0, Costs()  # two steps of the seven of a frame
         follow(simulation, steps, budget)
 
     foresight.follow = hurried  # type: ignore[method-assign]
     page.frames(400)
     assert not page.session.heavy
-    foresight.unit_cost = 1.0
+    foresight.costs.learn(1, 1.0, 1)
     assert page.session.heavy
     assert foresight.growth == pytest.approx(math.sqrt(10.0), rel=0.2)
 

@@ -9,11 +9,10 @@ import sim
 from app.drawing.colors import palette
 from app.page.looks import readouts
 from app.session import commands
-from app.session import ghost as ghost_module
 from app.session.ghost import FINER
-from app.session.pacing import HEAVY_UNIT
+from app.session.pacing import HEAVY_UNIT, Costs
 from studies.bench import frames
-from tests.app.pages import BUDGET, FRAME, SessionPage
+from tests.app.pages import BUDGET, FRAME, SessionPage, in_one_piece
 
 
 def rate_limited() -> SessionPage:
@@ -41,7 +40,7 @@ def torn(page: SessionPage, far: float, reports: int = 12) -> tuple[float, float
 def test_an_anchor_torn_away_does_not_stop_the_clock(far: float) -> None:
     page = rate_limited()
     # Few milliseconds of computing in a frame, whatever the machine.
-    page.session.pacer.attempts = lambda budget: 1000  # type: ignore[method-assign]
+    in_one_piece(page.session.costs, 1000)
     behind, light = page.session.pacer.behind, hud(page)
     torn(page, far)
     assert page.session.pacer.behind - behind <= FRAME
@@ -113,13 +112,14 @@ def test_a_ghost_of_finer_steps_shows_how_wrong_the_body_s_are() -> None:
     assert "Euler, step / 10" in readouts.ghost_table(page.session)
 
 
-def test_a_ghost_that_is_late_is_not_compared_and_catches_up(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_ghost_that_is_late_is_not_compared_and_catches_up() -> None:
     page = SessionPage(sim.load_scene("tutorial-3.3"))
     page.frames(20, commands.Compare("symplectic_euler", "", 10))
     ghost = page.session.ghost
     assert ghost is not None
     before = ghost.distance
-    monkeypatch.setattr(ghost_module, "attempts_within", lambda budget, cost: 9)
+    costs, ghost.costs = ghost.costs, Costs()
+    in_one_piece(ghost.costs, 9)
     page.frames(20, commands.SetValue("gravity", 10.0))
     late = page.session.simulation.time - ghost.simulation.time
     assert late > 0.2
@@ -127,7 +127,7 @@ def test_a_ghost_that_is_late_is_not_compared_and_catches_up(monkeypatch: pytest
     page.frames(1, commands.GoBack(0.1))
     page.frames(1, commands.GoTo(1e9))
     assert page.session.simulation.time - ghost.simulation.time == pytest.approx(late)
-    monkeypatch.undo()
+    ghost.costs = costs
     page.frames(5, commands.Play(True))
     assert ghost.simulation.time == pytest.approx(page.session.simulation.time)
     assert ghost.distance != before
@@ -138,7 +138,7 @@ def test_a_ghost_has_the_time_that_the_body_leaves() -> None:
     page.frames(5, commands.Compare("rk4", "", 10))
     ghost = page.session.ghost
     assert ghost is not None
-    ghost.unit_cost = BUDGET / 20.0
+    ghost.costs.learn(1, 10.0 * BUDGET / 20.0, 10)
     tried: list[int] = []
     step = ghost.simulation.step
 
@@ -149,7 +149,7 @@ def test_a_ghost_has_the_time_that_the_body_leaves() -> None:
     ghost.simulation.step = noted  # type: ignore[method-assign, assignment]
     page.frames(1)
     assert 8 <= tried[0] <= 20
-    ghost.unit_cost = 10.0 * HEAVY_UNIT
+    ghost.costs.learn(1, 10.0 * HEAVY_UNIT, 1)
     assert page.session.heavy
 
 

@@ -10,11 +10,10 @@ import sim
 from app.page.tab import Tab
 from app.server.ticker import LONGEST_FRAME, next_frame
 from app.session import commands
-from app.session.pacing import HEAVY_UNIT, Pacer, is_large
+from app.session.pacing import HEAVY_UNIT, Costs, is_large
 from app.session.session import FRAME, Session
 from app.wire.from_page import Perform
 from app.wire.to_page import PageState
-from sim.motion.solver import SolverStats
 from studies.bench.tabs import cloth
 from tests.app.test_serving import Stage, eventually, say, session_of, stage  # noqa: F401
 
@@ -72,10 +71,10 @@ def test_a_scene_is_heavy_by_its_size_or_by_what_its_steps_cost() -> None:
     assert is_large(cloth(40))
     assert not is_large(cloth(20))
 
-    pacer = Pacer()
-    pacer.record(0.0, 1e-3, 10, 10 * 0.9 * HEAVY_UNIT, SolverStats(steps=10), missed=0)
-    assert pacer.unit_cost < HEAVY_UNIT
-    session.pacer = pacer
+    costs = Costs()
+    costs.learn(10, 10 * 0.9 * HEAVY_UNIT, 10)
+    assert costs.unit < HEAVY_UNIT
+    session.costs = costs
     session.drain()
     assert session.heavy
 

@@ -125,6 +125,48 @@ def test_the_waves_go_on_at_another_tempo_and_a_replay_has_the_same_bits() -> No
     assert session.simulation.capture().scene.beat == worm().beat
 
 
+def test_undo_and_redo_of_a_tempo_let_the_waves_go_on() -> None:
+    page = Page(worm())
+    page.session.post(commands.Play(True))
+    session = page.session
+    page.frames(40)
+
+    def beats(moment: sim.Moment) -> float:
+        beat = moment.scene.beat
+        assert beat
+        return (beat.frequency * moment.time + beat.phase / 360.0) % 1.0
+
+    def does(command: commands.Command, frequency: float) -> None:
+        before = session.simulation.capture()
+        session.post(command)
+        session.drain()
+        after = session.simulation.capture()
+        assert after.scene.beat and after.scene.beat.frequency == frequency
+        assert beats(after) == pytest.approx(beats(before), abs=1e-9)
+        page.frames(17)
+
+    first = worm().beat
+    assert first
+    page.do(commands.SetValue("gravity", 700.0), commands.Visit(), commands.SetValue("tempo", 2.3))
+    page.frames(21)
+    middle = session.simulation.time
+    page.frames(21)
+    does(commands.Undo(), first.frequency)
+    again = session.simulation.time - 0.05
+    does(commands.Undo(), first.frequency)
+    assert not session.versions.undoable
+    does(commands.Redo(), first.frequency)
+    does(commands.Redo(), 2.3)
+    assert not session.versions.redoable
+    # Each version is known again in the past, whatever the phase of its beat is there.
+    for time, undoable in ((0.2, ""), (middle, "Tempo"), (again, "Gravity")):
+        page.do(commands.GoTo(time))
+        assert session.versions.undoable.startswith(undoable) if undoable else not session.versions.undoable
+        assert session.versions.has_undo(session.scene) == bool(undoable)
+    does(commands.Undo(), first.frequency)
+    assert session.scene.gravity == worm().gravity
+
+
 # ------------------------------------------------------------------------- drawing
 def moved(time: float) -> tuple[sim.Scene, Picture]:
     scene, pulse = worm(), SpringMuscle(amplitude=-0.3, wave="pulse", per_beat=3, phase=10.0)

@@ -26,7 +26,7 @@ from sim.errors import SceneError
 from sim.scene.types import Damage
 from sim.store.link import pack_scene
 from tests.app.letters import Letters
-from tests.app.pages import SessionPage, answered
+from tests.app.pages import SessionPage, answered, in_one_piece
 
 REPLACE = msgspec.structs.replace
 
@@ -171,6 +171,7 @@ def test_the_body_waits_for_a_slower_rival(monkeypatch: pytest.MonkeyPatch) -> N
     page, rival = racing()
     real = rival.simulation.step
     monkeypatch.setattr(rival.simulation, "step", lambda n, attempts: real(min(n, 2), attempts))
+    in_one_piece(rival.costs, 1_000_000)
     page.frames(40, commands.Play(True))
     dt = rival.simulation.dt
     assert 60 * dt < page.session.simulation.time < 90 * dt

@@ -20,7 +20,7 @@ from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.store.files import encode_fields
 from tests.amount import examples
-from tests.app.pages import SessionPage
+from tests.app.pages import SessionPage, in_one_piece
 from tests.app.recording import agrees, busy_page, joined, lines_of, log_of, perturbed, replayed
 from tests.app.test_cli import refused, rows_of, softrod_here
 from tests.sim.fuzzing import with_muscles
@@ -69,7 +69,7 @@ def test_a_log_of_a_follower_of_choices_and_of_the_energy() -> None:
 def test_a_log_of_a_machine_that_is_too_slow() -> None:
     """Where the attempts of a frame run out, the body stops between two steps of the clock."""
     page = SessionPage(sim.set_value(sim.load_scene("ring"), "tolerance", 1e-6))
-    page.session.pacer.attempts = lambda budget: 9  # type: ignore[method-assign]
+    in_one_piece(page.session.costs, 9)
     page.frames(90)
     assert page.session.pacer.behind > 0.1
     agrees(page)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import msgspec
 import numpy as np
@@ -295,15 +296,23 @@ def test_a_scene_chosen_after_a_runaway_plays_and_one_chosen_in_a_pause_does_not
     assert not page.session.playing
 
 
-def test_a_slow_machine_lags_and_never_spirals(page: SessionPage) -> None:
+def test_a_slow_machine_lags_and_never_spirals(page: SessionPage, monkeypatch: pytest.MonkeyPatch) -> None:
     """With a budget for three steps a frame the clock falls behind, and says by how much."""
-    session = page.session
-    session.pacer._step_cost = 1e-3
+    session, computed = page.session, 0.0
+    step, spend = session.recorder.step, session.costs.spend
+
+    def slow(n: int, attempts: int) -> int:
+        nonlocal computed
+        done = step(n, attempts)
+        computed += 1e-3 * done
+        return done
+
+    monkeypatch.setattr(session.recorder, "step", slow)
+    monkeypatch.setattr(session.costs, "spend", partial(spend, clock=lambda: computed))
     before = session.simulation.step_count
     for _ in range(60):
         page.wall.time += FRAME
-        session.tick(budget=3e-3)
-        session.pacer._step_cost = 1e-3
+        session.tick(budget=3.01e-3)
     assert session.simulation.step_count - before == pytest.approx(180, abs=6)
     rates = session.pacer.rates(page.wall.time)
     assert rates.real_time_factor == pytest.approx(180 / 400, abs=0.05)
@@ -437,7 +446,7 @@ def test_of_bodies_that_are_to_come_the_last_waits_alone(page: SessionPage) -> N
 
 def test_what_one_body_cost_says_nothing_of_the_next(page: SessionPage) -> None:
     page.session.pacer.speed = 2.0
-    page.session.pacer._attempt_cost = 1.0
+    page.session.costs.learn(0, 1.0, 1)
     assert page.session.heavy
     page.session.post(commands.Open(sim.load_scene("box")))
     page.session.drain()

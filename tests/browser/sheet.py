@@ -1,4 +1,7 @@
-"""Makes the picture of all bodies in the docs from the page itself: `python -m tests.browser.sheet`."""
+"""Makes pictures for the docs from the page itself.
+
+`python -m tests.browser.sheet` makes one of all bodies, with `--motion` one of those with muscles in a beat.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ import io
 from pathlib import Path
 
 import msgspec
+import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 from playwright.sync_api import Browser, sync_playwright
 
@@ -16,19 +20,25 @@ from app.session import commands
 from tests.browser.conftest import FLAGS, browser_path
 from tests.browser.driver import Desk, Served
 
-OUT = Path(__file__).resolve().parents[2] / "docs" / "bodies.webp"
+DOCS = Path(__file__).resolve().parents[2] / "docs"
 
 TIMES = {
     "rod": 0.3, "ring": 0.6, "triangle": 0.6, "box": 0.6, "octagon": 0.6, "hair-tuft": 0.5, "tree": 3.0,
     "flag-pole": 3.0, "cloth": 0.4, "jelly": 0.62, "air-balloon": 0.75, "water-balloon": 0.75, "pile": 2.0,
-    "girder": 1.0, "bridge": 1.0,
+    "girder": 1.0, "bridge": 1.0, "worm": 2.0, "walker": 2.3, "swimmer": 1.5, "heart": 0.0, "hand": 1.2,
 }  # fmt: skip
 """The presets that are shown, in order, and at which time, s."""
 
 LOADED = {"girder": 110.0}
 """Loads other than the preset's, kg: members have yielded under this one."""
 
-COLUMNS = 5
+MOVING = ("worm", "walker", "swimmer", "heart", "hand")
+"""The presets that are shown in motion, in order."""
+SETTLED, ROOM = 2.0, 25.0
+"""After how many beats that begins, and px around them."""
+
+COLUMNS, MOMENTS = 5, 6
+"""Bodies in a row; or moments of a beat."""
 TILE = (250, 190)
 """Room for a body, px."""
 LABEL, GAP = 22, 6
@@ -40,21 +50,17 @@ PAGE = (900, 640)
 QUALITY = 82
 """Of the WebP compression, 0 to 100."""
 
-_BARE = """.softrod-hud, .softrod-dock, .softrod-overlay, .softrod-edge, .mantine-Notification-root {
+_BARE = """.softrod-hud, .softrod-dock, .softrod-overlay, .softrod-edge, .softrod-box, .softrod-box-lid,
+.softrod-edit, .softrod-edit-bar, .softrod-menu, .mantine-Notification-root {
   visibility: hidden !important; opacity: 0 !important;
 }"""
 
 
-def tile(desk: Desk, name: str, seconds: float) -> Image.Image:
-    """The scene's frame as the page shows it at that time."""
-    scene = sim.load_scene(name)
-    if name in LOADED:
-        scene = sim.set_value(scene, "load", LOADED[name])
-    simulation = sim.Simulation(scene)
-    simulation.step(round(seconds / simulation.dt))
-    scene = msgspec.structs.replace(simulation.scene, pose=simulation.pose())
+def tile(desk: Desk, scene: sim.Scene) -> Image.Image:
+    """The scene's frame as the page shows it."""
     desk.tell(commands.Play(False), commands.Open(scene))
     desk.until(lambda: desk.session.generation == desk.tab._generation, "the scene is up")
+    desk.until(lambda: len(desk.instances("/body/masses")) == 3 * len(scene.masses), "it is drawn")
     desk.wait_drawn()
     desk.rest(4)
     xmin, ymin, xmax, ymax = scene.view.frame
@@ -68,12 +74,44 @@ def tile(desk: Desk, name: str, seconds: float) -> Image.Image:
     return image
 
 
-def sheet(browser: Browser, dark: bool) -> Image.Image:
-    """All of them, each with its name."""
+def at_time(name: str, seconds: float) -> sim.Scene:
+    """A preset as it is at a time, s."""
+    scene = sim.load_scene(name)
+    if name in LOADED:
+        scene = sim.set_value(scene, "load", LOADED[name])
+    simulation = sim.Simulation(scene)
+    simulation.step(round(seconds / simulation.dt))
+    beat = simulation.scene.beat
+    if beat:  # its time begins anew
+        phase = (beat.phase + 360.0 * beat.frequency * simulation.time) % 360.0
+        beat = msgspec.structs.replace(beat, phase=phase)
+    return msgspec.structs.replace(simulation.scene, pose=simulation.pose(), beat=beat)
+
+
+def in_beats() -> dict[str, sim.Scene]:
+    """What is shown of those in motion, each seen from near in all of its moments."""
+    found: dict[str, sim.Scene] = {}
+    for name in MOVING:
+        beat = sim.load_scene(name).beat
+        assert beat
+        scenes = [at_time(name, (SETTLED + k / MOMENTS) / beat.frequency) for k in range(MOMENTS)]
+        places = np.array([scene.pose.positions for scene in scenes if scene.pose]).reshape(-1, 2)
+        low, high = places.min(0) - ROOM, places.max(0) + ROOM
+        size = np.maximum(high - low, (high - low)[::-1] * np.array(TILE) / TILE[::-1])
+        frame = tuple(map(float, (*(0.5 * (low + high - size)), *(0.5 * (low + high + size)))))
+        for k, scene in enumerate(scenes):
+            view = msgspec.structs.replace(scene.view, frame=frame)
+            label = f"{name}, {k} / {MOMENTS}" if k else name
+            found[label] = msgspec.structs.replace(scene, view=view)
+    return found
+
+
+def sheet(browser: Browser, tiles: dict[str, sim.Scene], columns: int, dark: bool) -> Image.Image:
+    """All of them, each with its label."""
     width, height = TILE[0] + 2 * GAP, TILE[1] + LABEL + 2 * GAP
-    rows = -(-len(TIMES) // COLUMNS)
+    rows = -(-len(tiles) // columns)
     paper, ink = ("#141414", "#cbd5e1") if dark else ("#ffffff", "#334155")
-    whole = Image.new("RGB", (COLUMNS * width, rows * height), paper)
+    whole = Image.new("RGB", (columns * width, rows * height), paper)
     draw, font = ImageDraw.Draw(whole), ImageFont.load_default(15)
     with serving(sim.load_scene("rod"), "127.0.0.1", 0) as (server, ticker, compiler):
         compiler.start()
@@ -83,11 +121,11 @@ def sheet(browser: Browser, dark: bool) -> Image.Image:
         desk.open()
         if dark:
             desk.tab.perform("dark")
-        for i, (name, seconds) in enumerate(TIMES.items()):
-            image = tile(desk, name, seconds)
-            x, y = i % COLUMNS * width, i // COLUMNS * height
+        for i, (label, scene) in enumerate(tiles.items()):
+            image = tile(desk, scene)
+            x, y = i % columns * width, i // columns * height
             whole.paste(image, (x + (width - image.width) // 2, y + GAP + (TILE[1] - image.height) // 2))
-            draw.text((x + width // 2, y + height - GAP), name, ink, font, anchor="md")
+            draw.text((x + width // 2, y + height - GAP), label, ink, font, anchor="md")
         context.close()
     return whole
 
@@ -95,15 +133,19 @@ def sheet(browser: Browser, dark: bool) -> Image.Image:
 def main() -> None:
     """Make the picture and write it."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=OUT, help="where the picture is written")
+    parser.add_argument("--motion", action="store_true", help="bodies with muscles in a beat")
+    parser.add_argument("--out", type=Path, help="where the picture is written")
     parser.add_argument("--dark", action="store_true", help="on a dark page")
     arguments = parser.parse_args()
+    moves = arguments.motion
+    tiles = in_beats() if moves else {name: at_time(name, seconds) for name, seconds in TIMES.items()}
+    out: Path = arguments.out or DOCS / ("muscles.webp" if moves else "bodies.webp")
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=browser_path(playwright), args=list(FLAGS))
-        image = sheet(browser, arguments.dark)
+        image = sheet(browser, tiles, MOMENTS if moves else COLUMNS, arguments.dark)
         browser.close()
-    image.save(arguments.out, quality=QUALITY, method=6)
-    print(f"{arguments.out}: {image.width} x {image.height}, {arguments.out.stat().st_size / 1000:.0f} kB")
+    image.save(out, quality=QUALITY, method=6)
+    print(f"{out}: {image.width} x {image.height}, {out.stat().st_size / 1000:.0f} kB")
 
 
 if __name__ == "__main__":

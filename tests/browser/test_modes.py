@@ -137,6 +137,6 @@ def test_what_touches_and_what_breaks_clicks_while_the_sound_is_on(open_page: Op
         until(page, lambda: sound.get_attribute("aria-pressed") == "false", "the sound is off")
     page.evaluate("noises.length = 0")
     desk.tell(commands.Reset())
-    desk.until(lambda: desk.simulation.time > 0.5, "it falls again")
+    desk.until(lambda: desk.simulation.time > 0.8, "it falls again")
     desk.rest(3)
     assert page.evaluate("noises") == []

@@ -208,10 +208,9 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
             msgspec.structs.replace(joint, yield_torque=_ten_to(rng, 3.0, 8.0))
             for joint in scene.angular_springs
         )
-    # A live file has joints yield a little otherwise now and then, which is seen where something resists.
-    if "angular_springs" not in fields and rng.random() < 0.5:
+    if rng.random() < 0.5:
         fields["medium"] = Medium(across=_ten_to(rng, -3.0, 1.0), along=_ten_to(rng, -3.0, 1.0))
-    if "angular_springs" not in fields and rng.random() < 0.5:
+    if rng.random() < 0.5:
         forward, backward, sideways = rng.choice([0.0, 0.3, 2.0], 3).tolist()
         fields["ground"] = Ground(
             forward=forward, backward=backward, sideways=sideways, slip_speed=_ten_to(rng, 0.5, 2.0)

@@ -27,6 +27,13 @@ KINDS: dict[str, dict[str, Any]] = {
             Gas(masses=(4, 6, 7, 5), pressure=40.0, area=2000.0),
         )
     },
+    # One is so large that not all of its masses are joined in the matrix.
+    "fillings of two sizes": {
+        "fillings": (
+            Gas(masses=(0, 2, 4, 6, 8, 10, 11, 9, 7, 5, 3, 1), pressure=60.0, outside=10.0),
+            Liquid(masses=(4, 6, 7, 5), bulk_modulus=300.0, area=2000.0),
+        )
+    },
 }
 """Fields of a scene."""
 

@@ -76,6 +76,14 @@ def test_a_heart_beats() -> None:
     assert spectrum[3] > 100.0 * spectrum[[1, 2, 4, 5]].max()
 
 
+def test_the_notch_of_a_heart_never_closes() -> None:
+    simulation = Simulation(sim.heart())
+    for _ in range(240):
+        simulation.advance(1.0 / 60.0)
+        left, right = (simulation.positions[list(masses), 0] for masses in ((-1, -2, -3, -4), (1, 2, 3, 4)))
+        assert (left < simulation.positions[0, 0]).all() and (right > simulation.positions[0, 0]).all()
+
+
 def test_a_hand_lifts_its_ball_and_lets_it_go() -> None:
     simulation, height = Simulation(sim.hand()), []
     for _ in range(24):

@@ -212,6 +212,26 @@ def test_a_joint_yields_and_stays_bent(method: Method, law: ForceLaw) -> None:
     assert abs(weaker.damage.set_angles[0]) > abs(damage.set_angles[0])
 
 
+@pytest.mark.parametrize("law", LAWS)
+def test_a_joint_that_is_led_round_and_round_yields_behind_it(law: ForceLaw) -> None:
+    """And goes on from a moment as if it had never stopped."""
+    simulation = Simulation(bent(law, "symplectic_euler", speed=2e4, yield_torque=7e6))
+    simulation.step(80)
+    turned, before = 0.0, float(simulation.angles[0])
+    while turned < 900.0:
+        simulation.step(20)
+        angle = float(simulation.angles[0])
+        turned, before = turned + math.remainder(angle - before, 360.0), angle
+        assert simulation.damage is not None
+        (set_angle,) = simulation.damage.set_angles
+        assert 20.0 < math.remainder(angle - set_angle, 360.0) < 60.0
+    other = Simulation(simulation.scene)
+    other.restore(simulation.capture())
+    for one in (simulation, other):
+        one.step(100)
+    assert other.positions == pytest.approx(simulation.positions, abs=1e-9)
+
+
 def test_a_joint_that_does_not_reach_its_yield_torque_does_not_yield() -> None:
     simulation = Simulation(bent("conservative", yield_torque=9.99e6, speed=1000.0))
     simulation.advance(1.0)

@@ -124,8 +124,23 @@ def test_a_thousand_masses() -> None:
     assert modes.frequencies == pytest.approx(own_frequencies(modes.scene, modes.rest, 6), rel=1e-8)
     with pytest.raises(InputError, match="modes: 1200 masses are more than 1000"):
         Modes(sim.rope(1200), 3)
-    with pytest.raises(InputError, match="that can touch something may have 200 masses, and this has 400"):
-        Modes(sim.jelly(columns=20, rows=20), 3)
+    with pytest.raises(InputError, match="a body with contact may have 200 masses, this has 400"):
+        Modes(sim.jelly(columns=20, rows=20, contact=sim.Contact(distance=5.0)), 3)
+
+
+def test_a_large_jelly_has_modes_where_it_lies_on_a_floor() -> None:
+    floor = sim.Wall(point=(0.0, 500.0), normal=(0.0, -1.0))
+    scene = sim.jelly(columns=20, rows=20, width=380.0, height=380.0, center=(300.0, 305.0), walls=(floor,))
+    modes = Modes(exact(scene), 4)
+    simulation = start(modes, exact(scene))
+    below = modes.rest[:, 1] > 500.0
+    assert 10 <= np.count_nonzero(below) <= 20
+    weight = 1000.0 * sum(mass.mass for mass in scene.masses)
+    pushed = sum(floor.hardness * scene.masses[0].mass * (modes.rest[below, 1] - 500.0) ** 2)
+    assert pushed == pytest.approx(weight, rel=1e-6)
+    simulation.step(60)
+    assert simulation.positions == pytest.approx(modes.rest, abs=1e-4)
+    assert (modes.frequencies > 0.1).all()
 
 
 # ------------------------------------------------------------------------- energies

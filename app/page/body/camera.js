@@ -133,10 +133,11 @@ function bounds(width, height, withBody) {
   const all = { left: -width / 2, right: width / 2, low: -height / 2, high: height / 2 };
   if (plan) showWalls(all, plan);
   if (!withBody || !plan || !frame) return all;
-  const world = toWorld(plan, frame.positions);
+  const { rival } = frame;
+  const world = [...toWorld(plan, frame.positions), ...(rival ? toWorld(plan, rival.positions) : [])];
   const whole = { ...all };
   for (let i = 0; i < world.length; i += 2) {
-    const radius = plan.radius[i / 2];
+    const radius = plan.radius[i / 2] ?? 0;
     whole.left = Math.min(whole.left, world[i] - radius);
     whole.right = Math.max(whole.right, world[i] + radius);
     whole.low = Math.min(whole.low, world[i + 1] - radius);

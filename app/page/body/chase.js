@@ -16,6 +16,9 @@ const EASE = 0.2;
 /** Seconds between two pictures beyond which the body stood. */
 const STOOD = 0.1;
 
+/** Part of the canvas by which the body is out of its middle at most, for the sake of the other one. */
+const BESIDE = 0.3;
+
 let on = false;
 /** Where it has gone with, in the page's world; null until the next picture says. @type {{x: number, y: number} | null} */
 let gone = null;
@@ -24,32 +27,45 @@ let last = 0;
 /** Whether the camera goes with the body. */
 export const isChasing = () => on;
 
-/** The middle of what is to be kept in view, in the page's world. */
-function middle() {
-  const { frame, pictured: plan } = shown();
-  if (!frame || !plan) return null;
+/** The middle of a body in the page's world. @param {import("../../drawing/static/plan.js").Plan} plan @param {Float32Array} positions */
+function middleOf(plan, positions) {
+  const world = toWorld(plan, positions);
   let [x, y] = [0, 0];
-  const bodies = frame.rival ? [frame, frame.rival] : [frame];
-  for (const { positions } of bodies) {
-    const world = toWorld(plan, positions);
-    for (let i = 0; i < world.length; i += 2) {
-      x += world[i] / (world.length / 2) / bodies.length;
-      y += world[i + 1] / (world.length / 2) / bodies.length;
-    }
+  for (let i = 0; i < world.length; i += 2) {
+    x += (2 * world[i]) / world.length;
+    y += (2 * world[i + 1]) / world.length;
   }
   return { x, y };
 }
 
-/** Turns it on or off; a body that has left the view comes back into its middle. */
-export function toggleChase() {
-  on = !on;
-  store(NAME, on ? "1" : "");
+/** What is to be kept in view, in the page's world: in a race a place between both, but never far from the body. */
+function middle() {
+  const [{ frame, pictured: plan }, seen, box] = [shown(), screen(), viser()?.canvas?.getBoundingClientRect()];
+  if (!frame || !plan || !seen || !box) return null;
+  const own = middleOf(plan, frame.positions);
+  const { x, y } = frame.rival ? middleOf(plan, frame.rival.positions) : own;
+  /** @param {number} way @param {number} size */
+  const part = (way, size) => Math.max(-BESIDE * size, Math.min(BESIDE * size, (way * seen.step) / 2)) / seen.step;
+  return { x: own.x + part(x - own.x, box.width), y: own.y + part(y - own.y, box.height) };
+}
+
+/** Where it is to go on from: a body that is out of view comes into its middle. */
+function anchor() {
   gone = null;
-  const [seen, at, box] = [screen(), middle(), viser()?.canvas?.getBoundingClientRect()];
-  if (!on || !seen || !at || !box) return;
+  const { frame, pictured: plan } = shown();
+  const [seen, box] = [screen(), viser()?.canvas?.getBoundingClientRect()];
+  if (!on || !seen || !frame || !plan || !box) return;
+  const at = middleOf(plan, frame.positions);
   const [x, y] = [seen.x + at.x * seen.step, seen.y - at.y * seen.step];
   if (x > box.left && x < box.right && y > box.top && y < box.bottom) return;
   gone = worldAt({ x: box.left + box.width / 2, y: box.top + box.height / 2 }, seen);
+}
+
+/** Turns it on or off. */
+export function toggleChase() {
+  on = !on;
+  store(NAME, on ? "1" : "");
+  anchor();
   chase();
 }
 
@@ -70,5 +86,5 @@ function chase() {
 export function addChase() {
   on = kept(NAME) === "1";
   onPicture(chase);
-  onFit(() => (gone = null));
+  onFit(anchor);
 }

@@ -5,6 +5,7 @@ import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "../../wire/channel.js";
 import { wrapped } from "../../drawing/static/draw.js";
 import { addEdgeArrow } from "./edge.js";
+import { freePlace } from "./label.js";
 import { onScreen, screen } from "./screen.js";
 import { viser } from "../viser/viser.js";
 
@@ -25,6 +26,8 @@ import { viser } from "../viser/viser.js";
 const ARC = 26;
 /** Pixels from the arc to the middle of its angle's text. */
 const LABEL = 22;
+/** Where else that may be: degrees by which it is turned around the mass. */
+const AROUND = [0, 180, 40, -40, 80, -80, 120, -120];
 /** Pixels that the scale bar has at least. */
 const BAR = 70;
 /** And how long at least where it has little room. */
@@ -194,6 +197,7 @@ export const degrees = (angle) => `${(Number(angle.toFixed(1)) + 0).toFixed(1)}Â
 function jointMark(add) {
   const arc = add("path", "softrod-arc");
   const angle = add("text", "softrod-angle");
+  let kept = AROUND[0];
   /** @param {Sight} seen */
   return ({ plan, frame, on, places }) => {
     const joint = told().joint ?? -1;
@@ -211,8 +215,14 @@ function jointMark(add) {
     const [begin, end] = [at(from, radius), at(from + turn, radius)];
     const curve = `A${radius} ${radius} 0 0 ${turn > 0 ? 0 : 1} ${end.x} ${end.y}`;
     set(arc, { d: `M${x} ${y}L${begin.x} ${begin.y}${curve}` });
-    // On the outside of the bend, where the body is not.
-    set(angle, at(from + turn / 2 - (turn < 0 ? -90 : 90), radius + LABEL));
+    // On the outside of the bend, where the body is seldom; or else where it is not. It stays while it can.
+    const outside = from + turn / 2 - (turn < 0 ? -90 : 90);
+    const order = [kept, ...AROUND.filter((turned) => turned !== kept)];
+    const texts = order.map((turned) => at(outside + turned, radius + LABEL));
+    const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
+    const free = freePlace(texts.map(({ x, y }) => ({ x: Number(x), y: Number(y) })), plan.springs, places, hud ? [hud] : []);
+    kept = order[free];
+    set(angle, texts[free]);
     // As the panel has it: positive is anticlockwise where y grows upwards.
     angle.textContent = degrees(turn * plan.flip);
   };

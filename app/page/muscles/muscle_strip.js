@@ -23,7 +23,7 @@ import { viser } from "../viser/viser.js";
 
 /** Pixels around a mark, for a mouse and for a finger. */
 const REACH = { mouse: 14, pen: 18, touch: 30 };
-/** Pixels that a drag has to go, each way. */
+/** Pixels that a drag has to go before it counts, along each way; then all of it does. */
 const SLACK = 5;
 /** Milliseconds between two things that a drag tells the server. */
 const TELL_EVERY = 60;
@@ -89,7 +89,7 @@ function makeStrip() {
   let hovered = "";
   /** The mark that the Tab key comes to. */
   let reached = "";
-  /** What is dragged, and how far. @type {{id: number, held: Mark, all: Mark[], x: number, y: number, moved: boolean, toggles: boolean, alone: boolean, way: Way} | null} */
+  /** What is dragged, and how far. @type {{id: number, held: Mark, all: Mark[], x: number, y: number, moved: boolean, along: {x: boolean, y: boolean}, toggles: boolean, alone: boolean, way: Way} | null} */
   let drag = null;
   /** What was dragged, where it was left. @type {{all: Mark[], way: Way} | null} */
   let left = null;
@@ -211,8 +211,8 @@ function makeStrip() {
     const toggles = was && event.shiftKey;
     known = NOWHERE;
     drag = {
-      id: event.pointerId, held, all: marks.filter(isSelected), ...placeIn(event), moved: false, toggles,
-      alone: was && !event.shiftKey, way: NOWHERE,
+      id: event.pointerId, held, all: marks.filter(isSelected), ...placeIn(event), moved: false,
+      along: { x: false, y: false }, toggles, alone: was && !event.shiftKey, way: NOWHERE,
     };
     wave.setPointerCapture(event.pointerId);
     send({ do: "visit" });
@@ -229,10 +229,13 @@ function makeStrip() {
     }
     if (event.pointerId !== drag.id) return;
     const at = placeIn(event);
-    const [dx, dy] = [at.x - drag.x, at.y - drag.y].map((d) => Math.sign(d) * Math.max(0, Math.abs(d) - SLACK));
-    if (!drag.moved && !dx && !dy) return;
+    const ways = { x: at.x - drag.x, y: at.y - drag.y };
+    // Whichever way it goes, it goes whole; along the other one it stays until it leaves the slack there, too.
+    drag.along.x ||= Math.abs(ways.x) > SLACK;
+    drag.along.y ||= Math.abs(ways.y) > SLACK;
+    if (!drag.along.x && !drag.along.y) return;
     drag.moved = true;
-    drag.way = wayOf(drag.held, drag.all, box, dx, dy);
+    drag.way = wayOf(drag.held, drag.all, box, drag.along.x ? ways.x : 0, drag.along.y ? ways.y : 0);
     telling ||= setTimeout(tell, TELL_EVERY);
     drawMarks();
   });

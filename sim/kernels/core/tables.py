@@ -18,6 +18,7 @@ if TYPE_CHECKING:  # the pages about forces need the tables here
     from ...forces.environment import Environment
     from ...forces.limits import Limits
     from ...forces.muscles import Muscles
+    from ...forces.nets import Net
 
 
 class Body(Table):
@@ -66,6 +67,7 @@ class Body(Table):
     more_spring: Indices  # of each spring in the lists: its index,
     more_spring_mass: Indices  # the slot of the mass that it acts on,
     more_spring_sign: Floats  # and the sign
+    net: Net  # runs of springs and joints; see there
     environment: Environment  # what else acts on the masses; see there
     limits: Limits  # what springs and joints bear; see there
     muscles: Muscles  # what moves rest lengths and rest angles by itself; see there
@@ -151,6 +153,10 @@ class Scratch(Table):
     ty: Floats
     fx: Floats  # (slots,) force of springs and joints on each mass, kg px/s²
     fy: Floats
+    # Of a net, see `forces.nets`; empty for another body.
+    vectors: Rows  # (3, gap + S padded + gap) vectors of the springs, px, and their lengths
+    spring_rows: Rows  # (2, room) force on the b end of each spring, kg px/s²
+    joint_rows: Rows  # (3, room) of each joint, its `torque_cos`, `torque_sin` and `torque_size`
 
 
 CONTROL_SCALE = 0
@@ -191,10 +197,13 @@ class Matrix(Table):
     slot: Indices  # (n,) scratch: block of the current row in each column
     spring_target: Indices  # (4 S,) blocks that a spring adds to, at rows and columns bb, ba, ab, aa
     joint_target: Indices  # (16 J,) blocks that a joint adds to, likewise for each pair of its springs
-    loop_target: Indices  # (2 M,) for each mass of a loop, blocks of its row with the masses before and after
-    # For the products of gradients of L fillings, see `linear.implicit`.
-    borders: Rows  # (2 L, 2 slots)
-    corrections: Rows  # (L + 1, L)
+    # Of each loop in turn, blocks of the row of each of its masses: in a small loop with all masses of it, in
+    # its order; in another one with the masses before and after.
+    loop_target: Indices
+    # For the products of gradients of the B fillings that are not small, see `linear.implicit`.
+    bordered: Indices  # (B,) their numbers
+    borders: Rows  # (2 B, 2 slots)
+    corrections: Rows  # (B + 1, B)
     # For contact, see `linear.krylov`; empty where there is none.
     of_mass: Indices  # (slots,) block of each mass on the diagonal
     touching: Floats  # (3,), see the TOUCHING_ constants there

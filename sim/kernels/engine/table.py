@@ -11,8 +11,8 @@ A record is a table whose numbers change: Python and kernels read `run.time` and
 
 from __future__ import annotations
 
+import ctypes
 import inspect
-import struct
 from collections.abc import Iterator
 from typing import Any, ClassVar, NamedTuple, Self, dataclass_transform
 
@@ -46,7 +46,7 @@ _NUMBERS = {"int": types.int64, "bool": types.boolean, "float": types.float64}
 _ARRAYS = {"Floats": (types.float64, 1), "Rows": (types.float64, 2), "Indices": (types.int64, 1)}
 _WORD, _DOUBLE = ir.IntType(64), ir.DoubleType()  # LLVM's types
 _ITEM = 8  # bytes of a float, an integer and a pointer
-_FLOAT, _BITS = struct.Struct("d"), struct.Struct("q")  # for reading the bits of a float as an integer
+_AT: Any = (ctypes.c_char * 0).from_buffer  # no bytes at the start of anything that can be written to
 
 
 class _Field(NamedTuple):
@@ -84,8 +84,11 @@ class _Block:
     """
 
     mutable: ClassVar[bool] = False
+    _bytes: ClassVar[int]  # of the block
+    _places: ClassVar[list[int]]  # where the addresses of arrays are kept, as in `_Field`
     numbers: ClassVar[tuple[str, ...]]  # of a record: names of the fields that are numbers
     _starts: ClassVar[list[int]]  # where these are kept, as in `_Field`
+    _others: ClassVar[set[str]]  # names of all other fields
     fields: ClassVar[dict[str, _Field]]
     numba_type: ClassVar[TableType]
     _numba_type_: ClassVar[TableType]
@@ -104,6 +107,8 @@ class _Block:
                 type_ = _NUMBERS.get(kind, table)
                 cls.fields[name] = _Field(start, type_, is_float=kind == "float")
                 start += 1
+        cls._bytes = _ITEM * start
+        cls._places = [field.start for field in cls.fields.values() if field.dtype is not None]
         cls.numba_type = TableType(cls.__name__, cls.mutable)
         cls._numba_type_ = cls.numba_type  # numba checks this attribute before it calls `typeof_impl`
         _CLASSES[cls.__name__] = cls
@@ -111,25 +116,25 @@ class _Block:
     def __init__(self, **values: Any) -> None:
         if values.keys() != self.fields.keys():
             raise TypeError(f"{type(self).__name__}: {sorted(values.keys() ^ self.fields.keys())}")
-        words: list[int] = []
-        for name, field in self.fields.items():
-            value = values[name]
-            if field.dtype is not None:
-                if (
-                    value.dtype != field.dtype
-                    or value.ndim != field.dimensions
-                    or not value.flags.c_contiguous
-                ):
+        self._fill(bytearray(self._bytes), values)
+
+    def _fill(self, block: bytearray, values: dict[str, Any]) -> None:
+        """Take over values, and write them into a block that has all others."""
+        wholes, floats = memoryview(block).cast("q"), memoryview(block).cast("d")
+        for name, value in values.items():
+            start, _, dtype, dimensions, is_float = self.fields[name]
+            if dtype is not None:
+                if value.dtype != dtype or value.ndim != dimensions or not value.flags.c_contiguous:
                     raise TypeError(f"{type(self).__name__}.{name}: {value.dtype}, {value.shape}")
-                words += (value.__array_interface__["data"][0], *value.shape)
-            elif field.is_float:
-                words += _BITS.unpack(_FLOAT.pack(value))
+                wholes[start] = address_of(value)
+                for axis, size in enumerate(value.shape, start + 1):
+                    wholes[axis] = size
+            elif is_float:
+                floats[start] = value
             else:
-                words.append(value.address() if isinstance(value, _Block) else int(value))
-        self.__dict__.update(values)
-        self.__dict__["_block"] = np.array(words, np.int64)
-        self.__dict__["_floats"] = self.__dict__["_block"].view(np.float64)
-        self.__dict__["_address"] = self.__dict__["_block"].ctypes.data
+                wholes[start] = value.address() if isinstance(value, _Block) else int(value)
+        address = ctypes.addressof(_AT(block))
+        self.__dict__.update(values, _wholes=wholes, _floats=floats, _address=address)
 
     def address(self) -> int:
         """The address of the block."""
@@ -141,19 +146,18 @@ class _Block:
         kinds = ((name, field.dtype, field.dimensions) for name, field in cls.fields.items())
         return cls(**{name: 0 if kind is None else np.zeros((0,) * axes, kind) for name, kind, axes in kinds})
 
-    def replaced(self, **changes: Any) -> Self:
-        """A copy of the table with other values in some fields; arrays are not copied."""
-        return type(self)(**{name: changes.get(name, getattr(self, name)) for name in self.fields})
-
-    def copied(self) -> Self:
-        """A copy of the table with copies of all its arrays."""
-        return self.replaced(**{name: array.copy() for name, array in self.arrays()})
-
     def arrays(self) -> Iterator[tuple[str, NDArray[Any]]]:
         """The names and values of the fields that are arrays."""
         for name in self.fields:
             if isinstance(value := getattr(self, name), np.ndarray):
                 yield name, value
+
+
+def address_of(array: NDArray[Any]) -> int:
+    """The address of an array's elements."""
+    if array.flags.writeable:
+        return ctypes.addressof(_AT(array))  # in a fifth of the time that numpy takes to say it
+    return array.__array_interface__["data"][0]
 
 
 @dataclass_transform(kw_only_default=True, frozen_default=True)
@@ -162,6 +166,37 @@ class Table(_Block):
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"{type(self).__name__}.{name}: a table is read-only; see `replaced`")
+
+    def replaced(self, **changes: Any) -> Self:
+        """A copy of the table with other values in some fields; arrays are not copied."""
+        copy = object.__new__(type(self))
+        copy.__dict__.update(self.__dict__)
+        copy._fill(bytearray(self.__dict__["_wholes"]), changes)
+        return copy
+
+    def moved(self, way: int, arrays: dict[str, NDArray[Any]]) -> Self:
+        """A copy of the table whose arrays are others of the same sizes, `way` bytes after its own.
+
+        It takes a tenth of the time of a new table.
+
+        Args:
+            way: for all arrays the same, as they lie in one block of memory.
+            arrays: those of all fields that are arrays and have elements.
+        """
+        copy = object.__new__(type(self))
+        block = bytearray(self.__dict__["_wholes"])
+        wholes = memoryview(block).cast("q")
+        for start in self._places:
+            wholes[start] += way
+        address = ctypes.addressof(_AT(block))
+        copy.__dict__.update(
+            self.__dict__, _wholes=wholes, _floats=memoryview(block).cast("d"), _address=address, **arrays
+        )
+        return copy
+
+    def copied(self) -> Self:
+        """A copy of the table with copies of all its arrays."""
+        return self.replaced(**{name: array.copy() for name, array in self.arrays()})
 
 
 class Record(_Block):
@@ -175,19 +210,26 @@ class Record(_Block):
             n for n, f in cls.fields.items() if isinstance(f.type, (types.Number, types.Boolean))
         )
         cls._starts = [cls.fields[name].start for name in cls.numbers]
+        cls._others = cls.fields.keys() - set(cls.numbers)
         for name, field in cls.fields.items():
             setattr(cls, name, _number(field) if name in cls.numbers else _unchanging(name))
 
     def __init__(self, **values: Any) -> None:
-        super().__init__(**dict.fromkeys(self.numbers, 0) | values)
+        if not self._others <= values.keys() <= self.fields.keys():
+            super().__init__(**values)  # which says what is wrong
+        self._fill(bytearray(self._bytes), values)
 
     def clear(self) -> None:
         """Set all numbers to zero."""
-        self.__dict__["_block"][self._starts] = 0
+        words = self.__dict__["_wholes"]
+        for start in self._starts:
+            words[start] = 0
 
     def take_over(self, other: Self) -> None:
         """Set all numbers to those of another record."""
-        self.__dict__["_block"][self._starts] = other.__dict__["_block"][self._starts]
+        words, others = self.__dict__["_wholes"], other.__dict__["_wholes"]
+        for start in self._starts:
+            words[start] = others[start]
 
 
 def _unchanging(name: str) -> property:
@@ -197,17 +239,18 @@ def _unchanging(name: str) -> property:
 
 def _number(field: _Field) -> property:
     """A number of a record, as an attribute in Python."""
-    start, kind = field.start, bool if field.type == types.boolean else int
+    start, view = field.start, "_floats" if field.is_float else "_wholes"
 
-    def set_float(record: Any, value: float) -> None:
-        record._floats[start] = value
+    def value(record: Any) -> Any:
+        return record.__dict__[view][start]
 
-    def set_whole(record: Any, value: int) -> None:
-        record._block[start] = value
+    def is_set(record: Any) -> bool:
+        return record.__dict__[view][start] != 0
 
-    if field.is_float:
-        return property(lambda record: float(record._floats[start]), set_float)
-    return property(lambda record: kind(record._block[start]), set_whole)
+    def set_value(record: Any, value: float) -> None:
+        record.__dict__[view][start] = value
+
+    return property(is_set if field.type == types.boolean else value, set_value)
 
 
 # ------------------------------------------------------------------------- registration with numba

@@ -69,22 +69,23 @@ def next_turn(problem, end, whole_tolerance, left):
         problem: the tables, with the costs of the methods that may be chosen.
         end: the time to advance to, s.
         whole_tolerance: the scene's tolerance, px.
-        left: number of steps that may still be tried.
+        left: what may still be tried, in steps of Verlet by the costs.
 
     Returns:
-        The method, or -1 if the end or the number of steps is reached; how many steps it may try; its
-        tolerance; and how many steps were tried in the last turn.
+        The method, or -1 if nothing is left to do or to try; how many steps it may try; its tolerance; and
+        what was tried in the last turn, in steps of Verlet.
     """
     integrator, costs = problem.integrator, problem.costs
     run, alpha, auto = integrator.run, integrator.alpha, integrator.auto
-    tries = 0
+    spent = 0
     if auto.turn >= 0:
         tries = run.steps + run.rejected - auto.tried
         _enter_turn(integrator, costs, auto.turn, tries, end)
+        spent = math.ceil(max(tries, 1) * costs[auto.turn])
         auto.turn = -1
-        left -= max(tries, 1)
+        left -= spent
     if not (run.time < end and left > 0 and run.what == GOOD):
-        return -1, 0, 0.0, tries
+        return -1, 0, 0.0, spent
     method, limit = _whose_turn(auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited)
     began, step = run.time, auto.step[method]
     tolerance = problem.tolerance_factor[method] * whole_tolerance
@@ -98,7 +99,8 @@ def next_turn(problem, end, whole_tolerance, left):
         alpha.steps = 0
         step *= _TAKING_OVER
     run.step = step
-    return method, min(limit, left), max(tolerance, 1e-13), tries
+    affordable = max(int(left / costs[method]), 1)
+    return method, min(limit, affordable), max(tolerance, 1e-13), spent
 
 
 @kernel(fastmath=FAST)

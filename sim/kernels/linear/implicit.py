@@ -5,10 +5,10 @@ eliminated from the systems, so there are two unknowns a mass. The blocks that a
 `sparse`, those of contact that are not in `krylov`.
 
 The pressure of a filling depends on the area of its loop, which gives a product of two vectors, see
-`forces.fillings.write_area_product`: the matrix gets c M^-1 G Gᵀ. That is full, so it is not stored. With the
-rest of the matrix, A, the system (A + U Gᵀ) x = b, where U = c M^-1 G, is solved as
-x = y - A^-1 U (I + Gᵀ A^-1 U)^-1 Gᵀ y with A y = b (Sherman, Morrison and Woodbury), for all fillings at
-once.
+`forces.fillings.write_area_product`: the matrix gets c M^-1 G Gᵀ. That is full, so it is stored for small
+loops alone. With the rest of the matrix, A, the system (A + U Gᵀ) x = b, where U = c M^-1 G, is solved as
+x = y - A^-1 U (I + Gᵀ A^-1 U)^-1 Gᵀ y with A y = b (Sherman, Morrison and Woodbury), for all other fillings
+at once.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def factorise_matrix(body, state, matrix, q, v, a, g, definite):
 def solve_matrix(body, matrix, b):
     """Solve with the last factors, in place; b is a flat vector, x of every slot, then y."""
     solve_with_contact(body, matrix, b)
-    fillings = body.environment.fillings.rows.shape[0]
+    fillings = matrix.bordered.size
     for k in range(fillings):
         matrix.corrections[fillings, k] = dot(body.masses, matrix.borders[k], b)
     for k in range(fillings):
@@ -67,9 +67,9 @@ def _border(body, state, matrix, q):
 
     `borders` gets the gradients G, and then A^-1 U; `corrections` the inverse of I + Gᵀ A^-1 U.
     """
-    borders, small, count = matrix.borders, matrix.corrections, body.environment.fillings.rows.shape[0]
+    borders, small, count = matrix.borders, matrix.corrections, matrix.bordered.size
     for k in range(count):
-        write_area_product(body, state, k, q, borders[k], borders[count + k])
+        write_area_product(body, state, matrix.bordered[k], q, borders[k], borders[count + k])
         solve_with_contact(body, matrix, borders[count + k])
     for i in range(count):
         for k in range(count):

@@ -179,13 +179,13 @@ class Heart(Jointed, frozen=True, kw_only=True):
     center: Vector = (300.0, 280.0)
     squeeze: Annotated[float, bounded(0.0, 0.9, "", "Squeeze", slider=(0.0, 0.6))] = 0.3
     spread: Annotated[float, bounded(0.0, 1.0, "", "Delay of the tip", slider=(0.0, 0.5))] = 0.12
-    pressure: Pressure = 200.0
+    pressure: Pressure = 250.0
     outside: Pressure = 200.0
     stiffness: Stiffness = 8000.0
     damping: Damping = 60.0
     mass: Kilograms = 0.2
     radius: Radius = 5.0
-    angular_stiffness: Stiffness = 6000.0
+    angular_stiffness: Stiffness = 24_000.0
     angular_damping: Damping = 60.0
 
     def expand(self) -> Parts:

@@ -1,0 +1,1 @@
+"""Softrod beside what one would take instead: physics engines, solvers of equations, loops in C and NumPy."""
