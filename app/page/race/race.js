@@ -60,8 +60,8 @@ function makeStrip() {
   const strip = make("div", "softrod-strip softrod-race");
   strip.setAttribute("role", "group");
   strip.ariaLabel = "Race";
-  const head = make("div", "softrod-race-head");
-  const says = make("span", "softrod-race-says");
+  const head = make("div", "softrod-strip-head softrod-race-head");
+  const says = make("span", "softrod-strip-says softrod-race-says");
   const begin = makeButton("Start", () => start(), "softrod-race-start");
   begin.title = withKey("Both from the start, after a count-down", "race");
   const leave = makeButton("Leave", () => perform("leaveRace"), "");
