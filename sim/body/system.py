@@ -512,7 +512,7 @@ def _hinged_first(spring_ends: Indices, joints: Indices) -> Indices:
     """Indices of the springs in runs, those that angular springs hold first."""
     alone = np.ones(spring_ends.shape[1], np.bool_)
     alone[joints] = False
-    return order_in_runs(*spring_ends, alone)
+    return order_in_runs(spring_ends[0], spring_ends[1], alone)
 
 
 def _body(scene: Scene, wiring: _Wiring, damageable: bool) -> Body:

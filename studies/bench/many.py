@@ -92,7 +92,8 @@ def bench_many(console: Console, repeats: int) -> None:
         table.add_column(name, justify="left" if name == "method" else "right")
     for method, dt in METHODS:
         scenes = ropes(Integrator(method=method, dt=dt))
-        together(scenes[:8]), one_by_one(scenes[:8])  # compiled by then
+        together(scenes[:8])  # compiled by then
+        one_by_one(scenes[:8])
         each = many = np.inf
         for _ in range(repeats):  # in turns, so that both have the same machine
             each = min(each, fastest(lambda scenes=scenes: one_by_one(scenes), 1))
