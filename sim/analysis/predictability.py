@@ -250,9 +250,8 @@ class GrowthMeter:
 
 
 def _tried(simulation: Simulation) -> int:
-    """The steps that a simulation has tried since this was last asked of it."""
-    stats = simulation.stats()
-    return stats.steps + stats.rejected
+    """What a simulation has tried since this was last asked of it, see `SolverStats.work`."""
+    return simulation.stats().work
 
 
 def growth_within(times: Sequence[float], levels: Sequence[float], span: float) -> float | None:

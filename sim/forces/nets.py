@@ -103,16 +103,19 @@ def _runs(a: Indices, b: Indices, ends: int, groups: np.ndarray, most_rows: int 
     Args:
         a, b: of each pair.
         ends: number of ends.
-        groups: of each pair; no run is in two groups.
+        groups: of each pair; no run and no row is in two groups.
         most_rows: number of rows that there may be.
     """
     begins = np.ones(a.size, np.bool_)
     begins[1:] = (np.diff(a) != 1) | (np.diff(b) != 1) | (groups[1:] != groups[:-1])
     first = np.flatnonzero(begins)
     count, distance = np.diff(first, append=a.size), (b - a)[first]
-    # In a row, each run begins behind the one before, and so overwrites what that has written there.
-    new_row = np.ones(first.size, np.bool_)
-    new_row[1:] = (np.diff(distance) != 0) | (a[first[1:]] < (a[first] + count)[:-1])
+    # In a row, each run begins behind the one before, and so overwrites what that has written there. Those of
+    # another group are not written in the same turn.
+    new_row, group = np.ones(first.size, np.bool_), groups[first]
+    new_row[1:] = (
+        (np.diff(distance) != 0) | (a[first[1:]] < (a[first] + count)[:-1]) | (group[1:] != group[:-1])
+    )
     row = np.cumsum(new_row) - 1
     long = count >= _SHORTEST_RUN
     in_row = np.bincount(row, count * long, int(new_row.sum()))
@@ -189,11 +192,21 @@ def net_forces(body, state, scratch, q, v):
     for k in range(runs.loose.size):
         s = np.uint64(runs.loose[k])
         a, b = np.uint64(body.spring_a[s] - 1), np.uint64(body.spring_b[s] - 1)
+        to_x, to_y, inv = lx[gap + s], ly[gap + s], inverse[s]
         along = _along(
-            lx[gap + s], ly[gap + s], inverse[s], vx[b] - vx[a], vy[b] - vy[a],
-            rest_tension[s], stiffness[s], damping[s],
-        )  # fmt: skip
-        _add_tension(body, s, along * lx[gap + s], along * ly[gap + s], scratch.fx, scratch.fy)
+            to_x, to_y, inv, vx[b] - vx[a], vy[b] - vy[a], rest_tension[s], stiffness[s], damping[s]
+        )
+        tx, ty = along * to_x, along * to_y
+        if law != NO_JOINTS and s < np.uint64(body.hinged):
+            cos, sin, size = scratch.joint_rows[0], scratch.joint_rows[1], scratch.joint_rows[2]
+            a0, a1 = np.uint64(joints.at_a[0]), np.uint64(joints.at_a[1])
+            b0, b1 = np.uint64(joints.at_b[0]), np.uint64(joints.at_b[1])
+            given_x, given_y = _given_by_rows(
+                law, s, gap, to_x, to_y, inv, a0, a1, b0, b1, lx, ly, length, cos, sin, size
+            )
+            tx += given_x
+            ty += given_y
+        _add_tension(body, s, tx, ty, scratch.fx, scratch.fy)
     if law != NO_JOINTS:
         for k in range(joints.loose.size):
             j = np.uint64(joints.loose[k])
@@ -252,18 +265,14 @@ def _tensions_with_joints(
     # Of both rows of joints: where they begin for springs that come first and second, and their distance.
     a0, a1 = np.uint64(joints.at_a[0]), np.uint64(joints.at_a[1])
     b0, b1 = np.uint64(joints.at_b[0]), np.uint64(joints.at_b[1])
-    far0, far1 = a0 - b0, a1 - b1
     for i in range(whole_eights(count)):
         s, a, b = first + np.uint64(i), start_a + np.uint64(i), start_b + np.uint64(i)
-        here = gap + s
-        x, y, inv = lx[here], ly[here], inverse[s]
+        x, y, inv = lx[gap + s], ly[gap + s], inverse[s]
         along = _along(x, y, inv, vx[b] - vx[a], vy[b] - vy[a], rest_tension[s], stiffness[s], damping[s])
-        first_x, first_y = _given(law, 1.0, x, y, inv, here + far0, a0 + s, lx, ly, length, cos, sin, size)
-        second_x, second_y = _given(law, -1.0, x, y, inv, here - far0, b0 + s, lx, ly, length, cos, sin, size)
-        third_x, third_y = _given(law, 1.0, x, y, inv, here + far1, a1 + s, lx, ly, length, cos, sin, size)
-        fourth_x, fourth_y = _given(law, -1.0, x, y, inv, here - far1, b1 + s, lx, ly, length, cos, sin, size)
-        tx = along * x + (first_x + second_x) + (third_x + fourth_x)
-        ty = along * y + (first_y + second_y) + (third_y + fourth_y)
+        given_x, given_y = _given_by_rows(
+            law, s, gap, x, y, inv, a0, a1, b0, b1, lx, ly, length, cos, sin, size
+        )
+        tx, ty = along * x + given_x, along * y + given_y
         rows_x[row + np.uint64(i)] = tx if i < count else 0.0
         rows_y[row + np.uint64(i)] = ty if i < count else 0.0
 
@@ -311,6 +320,17 @@ def _add_tension(body, s, tx, ty, fx, fy):
 def _along(x, y, inv, u, v, rest_tension, stiffness, damping):
     """The force on the b end of a spring without joints, per vector; u and v are the vector's rate."""
     return rest_tension * inv - stiffness - damping * (x * u + y * v) * (inv * inv)
+
+
+@kernel(inline="always")
+def _given_by_rows(law, s, gap, x, y, inv, a0, a1, b0, b1, lx, ly, length, cos, sin, size):
+    """The force on the b end of spring s by all joints in rows, whether it is in a run itself or not."""
+    here, far0, far1 = gap + s, a0 - b0, a1 - b1
+    first_x, first_y = _given(law, 1.0, x, y, inv, here + far0, a0 + s, lx, ly, length, cos, sin, size)
+    second_x, second_y = _given(law, -1.0, x, y, inv, here - far0, b0 + s, lx, ly, length, cos, sin, size)
+    third_x, third_y = _given(law, 1.0, x, y, inv, here + far1, a1 + s, lx, ly, length, cos, sin, size)
+    fourth_x, fourth_y = _given(law, -1.0, x, y, inv, here - far1, b1 + s, lx, ly, length, cos, sin, size)
+    return first_x + second_x + (third_x + fourth_x), first_y + second_y + (third_y + fourth_y)
 
 
 @kernel(inline="always")

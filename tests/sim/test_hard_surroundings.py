@@ -47,7 +47,7 @@ def frames(scene: Scene, method: Method, count: int = 60, dt: float = 1e-3) -> S
     simulation.energy()
     last = 0.0
     for _ in range(count):
-        simulation.step(round(1.0 / 60.0 / simulation.dt), attempts=1500)
+        simulation.step(round(1.0 / 60.0 / simulation.dt), attempts=6000)
         assert np.isfinite(simulation.positions).all()
         assert np.isfinite(simulation.velocities).all()
         assert np.isfinite(simulation.energy().residual)

@@ -115,6 +115,18 @@ def test_a_net_accelerates_like_any_other_body(
     assert found == pytest.approx(expected, abs=1e-13 * size)
 
 
+@pytest.mark.parametrize("name", ["ring", "pile", "box", "bridge", "girder", "flag-pole", "jelly", "tree"])
+def test_other_bodies_that_are_nets(name: str) -> None:
+    """In some, springs in no run are held by joints in one, or not all of one distance are held."""
+    near = sim.Contact(distance=1.0)
+    for scene in (sim.load_scene(name), REPLACE(sim.load_scene(name), contact=near)):
+        for law in ("tutorial", "conservative"):
+            system, state = moving(REPLACE(scene, force_law=law), 3)
+            expected = accelerations_of(by_the_general_path(system), state)
+            size = np.abs(expected).max()
+            assert accelerations_of(system, state) == pytest.approx(expected, abs=1e-13 * size)
+
+
 def test_what_a_state_leaves_behind_does_not_show_in_the_next() -> None:
     # What is written behind a run, in vectors and rows, must be nobody's at the next state.
     for scene in (sim.cloth(), sim.jelly(), sim.flag_pole(columns=11)):
