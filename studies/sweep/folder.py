@@ -68,8 +68,9 @@ class Folder(KeptRows):
         """Write `table.csv`: the rows that there are, in the order of the grid.
 
         Raises:
-            InputError: it cannot be written.
+            InputError: it cannot be written, or the rows cannot be read.
         """
+        self.read()  # an interruption may have come when one was on the disk, but not here yet
         text = comma_separated(headings(grid, measures), cells(grid, self.rows), decimal_comma)
         write_file(self.out / "table.csv", text.encode())
 

@@ -64,15 +64,20 @@ class KeptRows:
 
     def __init__(self, out: Path, plan: Plan) -> None:
         make_folder(out)
-        self.out, self._path = out, out / f"{plan.COMMAND}.jsonl"
+        self.out, self._path, self._plan = out, out / f"{plan.COMMAND}.jsonl", plan
         self.rows: dict[int, Row] = {}
-        lines = self._read(plan)
+        lines = self.read()
         whole = b"".join([msgspec.json.encode(plan) + b"\n", *lines])
         if not self._path.exists() or self._path.read_bytes() != whole:
             write_file(self._path, whole)
 
-    def _read(self, plan: Plan) -> list[bytes]:
-        """Take over the rows that are there, and return their lines."""
+    def read(self) -> list[bytes]:
+        """Take over the rows that are on the disk, and return their lines.
+
+        Raises:
+            InputError: the file cannot be read, or has rows of something else.
+        """
+        plan = self._plan
         try:
             first, *lines = self._path.read_bytes().splitlines(keepends=True)
         except (FileNotFoundError, ValueError):
