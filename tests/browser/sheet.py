@@ -64,14 +64,14 @@ def tile(desk: Desk, scene: sim.Scene) -> Image.Image:
     desk.tell(commands.Play(False), commands.Open(scene))
     desk.until(lambda: desk.session.generation == desk.tab._generation, "the scene is up")
     xmin, ymin, xmax, ymax = scene.view.frame
-    corners = desk.at([(xmin, ymin), (xmax, ymax)])
-    (left, top), (right, bottom) = corners.min(0), corners.max(0)
-    places = (desk.at(scene.pose.positions if scene.pose else ()) - (left, top)).astype(int)
 
     def drawn() -> Image.Image | None:
         """The page, once the masses that are in view are in it: viser draws when it has the time."""
         desk.page.evaluate("window.__viserMutable.requestRender()")
         desk.rest(4)
+        corners = desk.at([(xmin, ymin), (xmax, ymax)])  # the camera may have been on its way
+        (left, top), (right, bottom) = corners.min(0), corners.max(0)
+        places = (desk.at(scene.pose.positions if scene.pose else ()) - (left, top)).astype(int)
         clip = {"x": left, "y": top, "width": right - left, "height": bottom - top}
         shot = desk.page.screenshot(style=_BARE, clip=clip)  # type: ignore[arg-type]
         image = Image.open(io.BytesIO(shot)).convert("RGB")
