@@ -159,10 +159,7 @@ def _forces(batch, group, to):
     lx, ly, inverse, turning, tx, ty = batch.lx, batch.ly, batch.inverse, batch.turning, batch.tx, batch.ty
     of_springs, of_joints = group * LANES * batch.springs, group * LANES * batch.joints
     for run in range(batch.spring_a.size):
-        first, size = (
-            LANES * batch.spring_run[run],
-            LANES * (batch.spring_run[run + 1] - batch.spring_run[run]),
-        )
+        first, size = _span(batch.spring_run, run)
         a, b = LANES * batch.spring_a[run], LANES * batch.spring_b[run]
         _pull(
             size, batch.qx, batch.qy, a, b, batch.stiffness, batch.rest_tension, of_springs + first,
@@ -175,10 +172,7 @@ def _forces(batch, group, to):
             )  # fmt: skip
     if batch.law != NO_JOINTS:
         for run in range(batch.joint_a.size):
-            first, size = (
-                LANES * batch.joint_run[run],
-                LANES * (batch.joint_run[run + 1] - batch.joint_run[run]),
-            )
+            first, size = _span(batch.joint_run, run)
             a, b = LANES * batch.joint_a[run], LANES * batch.joint_b[run]
             _bend(
                 batch.law, size, lx, ly, inverse, a, b, batch.torque_cos, batch.torque_sin, batch.torque_size,
@@ -194,10 +188,7 @@ def _forces(batch, group, to):
     batch.kx[to : to + LANES * batch.masses] = 0.0
     batch.ky[to : to + LANES * batch.masses] = 0.0
     for run in range(batch.spring_a.size):
-        first, size = (
-            LANES * batch.spring_run[run],
-            LANES * (batch.spring_run[run + 1] - batch.spring_run[run]),
-        )
+        first, size = _span(batch.spring_run, run)
         _join(size, tx, ty, first, 1.0, batch.kx, batch.ky, to + LANES * batch.spring_b[run])
         _join(size, tx, ty, first, -1.0, batch.kx, batch.ky, to + LANES * batch.spring_a[run])
 
