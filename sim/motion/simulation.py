@@ -521,9 +521,9 @@ class Simulation:
 
     def _adopt(self, rows: NDArray[np.float64], damage: Damage | None) -> None:
         """Fill in the state from what `_rows` and `damage` give."""
-        state, index = self._state, self._system.mass_index
+        state, index = self._state, self._system.vector_index.T
         state.q[:] = state.v[:] = 0.0  # the padding, too
-        state.x[index], state.y[index], state.vx[index], state.vy[index] = rows
+        state.q[index], state.v[index] = rows[:2], rows[2:]
         if self._body.limits.present:
             put_damage(state, self._system, damage)
 

@@ -62,7 +62,8 @@ from .stability import quick_limit
 _ROWS, _ALPHA_ROWS = 20, 4
 """Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
 
-_NO_ROWS = np.zeros((1, 0))
+_NO_BALANCE = EnergyBalance.empty().replaced(work=Work())
+"""Of all solvers that keep none; kernels do not write to it."""
 
 _NEAR_LIMIT = 0.6
 """Step, as a fraction of the stability limit, from which it counts as near the limit."""
@@ -143,14 +144,7 @@ class Solver:
         self._forget_turns()
         # The blocks of memory in which these arrays lie, each of which is cleared at once.
         self._memory = [block for block in (room.base, new_q.base, scratch.lx.base) if block is not None]
-        self.balance = EnergyBalance(
-            active=False,
-            work=Work(),
-            mass=system.body.environment.mass,
-            rows=_NO_ROWS,
-            dampers=_NO_ROWS,
-            quick=_NO_ROWS,
-        )
+        self.balance = _NO_BALANCE
         self._matrix: Matrix | None = None
         self._problem: Problem | None = None
         self._costs: Floats | None = None  # of a step of each method, see `Problem`
@@ -380,13 +374,12 @@ class Solver:
         walls = len(body.environment.walls.rows) if self._info.order != 1 else 0
         rows, quick = np.zeros((4, 2 * self.slots)), np.zeros((walls, 2 * self.slots))
         dampers = np.zeros((DAMPER_ROWS, body.springs + body.joints))
-        self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers, quick=quick)
-        self.balance.work.clear()
+        self.balance = EnergyBalance(active=True, work=Work(), rows=rows, dampers=dampers, quick=quick)
         self._problem = None
 
     def close_balance(self) -> None:
         """Stop the energy balance."""
-        self.balance = self.balance.replaced(active=False)
+        self.balance = _NO_BALANCE
         self._problem = None
 
     @property

@@ -18,11 +18,11 @@ from sim.store.files import decode_scene, encode_scene
 from ..reporting.output import Watch, write_figures
 from .folder import Folder, make_plan
 from .grid import Grid
-from .runs import REFERENCE, Points, Reference, Row, reference_of, run, run_reference
+from .runs import REFERENCE, Points, Reference, Row, is_quick, reference_of, run_reference, run_several
 from .workers import Making, Workers
 
-AHEAD = 1000
-"""Calls that workers have at a time: more than they can be at, and no more than fits in memory."""
+TOGETHER = 64
+"""Runs of one call, where one does several."""
 
 
 @dataclass
@@ -35,6 +35,7 @@ class Sweep:
         duration: simulated time of each run, s.
         methods: names of all methods, once `check` has looked.
         tolerance: then the smallest one of a method that has one, px; infinite where none has.
+        quick: then the numbers of the runs that are quick, see `is_quick`.
     """
 
     grid: Grid
@@ -42,6 +43,7 @@ class Sweep:
     duration: float
     methods: set[str] = field(default_factory=set)
     tolerance: float = math.inf
+    quick: set[int] = field(default_factory=set)
 
     def check(self) -> None:
         """Look at the scene of every run.
@@ -49,8 +51,11 @@ class Sweep:
         Raises:
             InputError: one is not valid.
         """
-        for point in self.grid.points:
-            integrator = self.grid.scene_at(point).integrator
+        for number, point in enumerate(self.grid.points):
+            scene = self.grid.scene_at(point)
+            integrator = scene.integrator
+            if is_quick(scene, self.duration, self.measures):
+                self.quick.add(number)
             self.methods.add(integrator.method)
             if METHODS[integrator.method].adaptive:
                 self.tolerance = min(self.tolerance, integrator.tolerance)
@@ -64,28 +69,28 @@ class Sweep:
             InputError: no worker is left.
         """
         data = encode_scene(self.grid.scene)
-        waiting = deque(missing)
-        ready: deque[tuple[int, Points | None]] = deque()
+        waiting, ready = deque(missing), _Ready(self.quick)
+        if "error" not in self.measures:
+            ready.add(waiting, None)
+            waiting.clear()
         exact: dict[Reference, Points | None] = {}
         asked: dict[Reference, list[int]] = {}
-        running: dict[concurrent.futures.Future, int | Reference] = {}
+        running: dict[concurrent.futures.Future, list[int] | Reference] = {}
         submit = workers.executor.submit
         with workers.losing("sweep"):
             while waiting or ready or running:
-                while (waiting or ready) and len(running) < AHEAD:
+                while (waiting or ready) and len(running) < workers.ahead:
                     if ready:
-                        number, end = ready.popleft()
-                        assignments = self.grid.assignments(self.grid.points[number])
-                        call = submit(run, data, assignments, self.duration, self.measures, end)
-                        running[call] = number
-                    elif "error" not in self.measures:
-                        ready.append((waiting.popleft(), None))
+                        numbers, ends = ready.take()
+                        changes = [self.grid.assignments(self.grid.points[number]) for number in numbers]
+                        call = submit(run_several, data, changes, self.duration, self.measures, ends)
+                        running[call] = numbers
                     else:
                         number = waiting.popleft()
                         scene = self.grid.scene_at(self.grid.points[number])
                         reference = reference_of(scene, self.duration, self.tolerance)
                         if reference in exact:
-                            ready.append((number, exact[reference]))
+                            ready.add([number], exact[reference])
                         elif reference in asked:
                             asked[reference].append(number)
                         else:
@@ -94,11 +99,40 @@ class Sweep:
                 done, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
                 for call in done:
                     what = running.pop(call)
-                    if isinstance(what, int):
-                        yield what, call.result()
+                    if isinstance(what, list):
+                        yield from zip(what, call.result(), strict=True)
                     else:
                         exact[what] = call.result()
-                        ready.extend((number, exact[what]) for number in asked.pop(what))
+                        ready.add(asked.pop(what), exact[what])
+
+
+class _Ready:
+    """The runs that wait for nothing but somebody to do them, each with the end of its near-exact run.
+
+    Args:
+        quick: the numbers of those of which a call does several.
+    """
+
+    def __init__(self, quick: set[int]) -> None:
+        self._quick = quick
+        self._several: deque[tuple[int, Points | None]] = deque()
+        self._single: deque[tuple[int, Points | None]] = deque()
+
+    def __len__(self) -> int:
+        return len(self._several) + len(self._single)
+
+    def add(self, numbers: Iterable[int], end: Points | None) -> None:
+        """Put in some runs."""
+        for number in numbers:
+            (self._several if number in self._quick else self._single).append((number, end))
+
+    def take(self) -> tuple[list[int], list[Points | None]]:
+        """Take out the runs of a call: their numbers, and their ends."""
+        if self._several:
+            some = [self._several.popleft() for _ in range(min(TOGETHER, len(self._several)))]
+        else:
+            some = [self._single.popleft()]
+        return [number for number, _ in some], [end for _, end in some]
 
 
 def sweep(

@@ -426,7 +426,6 @@ class EnergyBalance(Table):
 
     active: bool
     work: Work
-    mass: Floats  # (slots,) kg
     rows: Rows  # (k, 2 slots) scratch, see `energy.work`
     dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `energy.dissipation`
     quick: Rows  # (W, 2 slots) scratch, see `forces.walls.mark_quick`; empty for methods of first order

@@ -40,12 +40,13 @@ function press(body, { factor, angle }, h) {
  * Symplectic Euler, the tutorial's method: v += h a(x, v), then x += h v.
  *
  * @param {Body} body @param {number} h s
- * @param {(t: number) => void} lead puts the masses that are led where they are at a time
+ * @param {(t: number, roundAt: number) => void} lead puts masses where hands lead them at time t, and circles at `roundAt`
  */
 function eulerStep(body, h, lead) {
   const { positions: x, velocities: v, accelerations: a, held } = body;
   const end = body.time + h;
-  lead(end);
+  // As in the tutorial, forces see hands where they are in the end; circles go on with the masses.
+  lead(end, body.time);
   body.at(end);
   body.accelerate(h);
   for (let i = 0; i < x.length; i++) {
@@ -53,6 +54,7 @@ function eulerStep(body, h, lead) {
     v[i] += h * a[i];
     x[i] += h * v[i];
   }
+  lead(end, end);
 }
 
 /** Room for what a body was like at the begin of a step. @type {WeakMap<Body, {v: Float64Array, a: Float64Array}>} */
@@ -61,7 +63,7 @@ const rooms = new WeakMap();
 /**
  * Velocity Verlet: x += h v + h²/2 a, v += h/2 (a + a'). Forces at the end of the step see the velocities v + h a.
  *
- * @param {Body} body @param {number} h s @param {(t: number) => void} lead as of `eulerStep`
+ * @param {Body} body @param {number} h s @param {(t: number, roundAt: number) => void} lead as of `eulerStep`
  */
 function verletStep(body, h, lead) {
   const { positions: x, velocities: v, accelerations: a, held } = body;
@@ -75,7 +77,7 @@ function verletStep(body, h, lead) {
     x[i] += h * (v[i] + 0.5 * h * a[i]);
     v[i] += h * a[i];
   }
-  lead(end);
+  lead(end, end);
   body.at(end);
   body.accelerate(h);
   for (let i = 0; i < x.length; i++) {
@@ -109,8 +111,8 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
   });
   const before = hands.map(({ mass }) => body.held[mass]);
   for (const { mass } of hands) body.held[mass] = 1;
-  const lead = (/** @type {number} */ t) => {
-    goRound(body, t);
+  const lead = (/** @type {number} */ t, /** @type {number} */ roundAt) => {
+    goRound(body, roundAt);
     const part = Math.min((t - start) / duration, 1);
     for (const way of ways) {
       x[way.i] = way.x + part * way.dx;
@@ -120,7 +122,7 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
     }
   };
   const step = METHODS[method];
-  lead(start);
+  lead(start, start);
   if (method === "verlet") body.accelerate(h);
   for (let i = 1; i <= count; i++) {
     press(body, presses, h);
