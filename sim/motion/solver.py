@@ -118,7 +118,8 @@ class Solver:
         self.scene, self._system, self.state, self.scratch = scene, system, state, scratch
         self.slots = state.q.size // 2
         wide = state.q.size
-        self._info = METHODS[scene.integrator.method]
+        self._info = info = METHODS[scene.integrator.method]
+        self._tolerance = max(scene.integrator.tolerance * info.tolerance_factor, 1e-13)
         auto = self._info.name == "auto"
         remembers = self._info.name == "generalized_alpha" or (auto and system.body.masses >= LONG)
         past, kept = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
@@ -263,21 +264,19 @@ class Solver:
 
     def _run(self, until: float, drive: Drive, attempts: int) -> None:
         """Like `run`, without fallback steps."""
-        info, integrator = self._info, self.scene.integrator
-        if self._missing:
-            self._take_in()
+        info = self._info
         if info.kernel is not None:
             run = self.integrator.run
             before = run.steps + run.rejected
             problem = self._problem or self._bind(info.implicit)
-            info.kernel(
-                problem, drive, until, max(integrator.tolerance * info.tolerance_factor, 1e-13), attempts
-            )
+            info.kernel(problem, drive, until, self._tolerance, attempts)
             self.work += run.steps + run.rejected - before
             return
+        if self._missing:
+            self._take_in()
         problem, left = self._problem or self._bind(False), attempts
         while True:
-            index, limit, tolerance, spent = next_turn(problem, until, integrator.tolerance, left)
+            index, limit, tolerance, spent = next_turn(problem, until, self._tolerance, left)
             left -= spent
             self.work += spent
             if index < 0:

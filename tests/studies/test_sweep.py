@@ -196,7 +196,12 @@ def test_runs_that_need_no_simulation_are_done_side_by_side(tmp_path: Path) -> N
 
 
 def test_what_runs_away_beside_others_has_no_measures() -> None:
-    changes = [("gravity=100",), ("gravity=100", "dt=0.5"), ("linear_stiffness=1e6", "dt=0.005"), ("gravity=200",)]
+    changes = [
+        ("gravity=100",),
+        ("gravity=100", "dt=0.5"),
+        ("linear_stiffness=1e6", "dt=0.005"),
+        ("gravity=200",),
+    ]
     rows = run_several(encode_scene(ROPE), changes, 1.0, ("sag", "survived"), [None] * 4)
     assert [row.values[1] for row in rows] == [True, False, False, True]
     assert rows[1].values[0] is rows[2].values[0] is None
