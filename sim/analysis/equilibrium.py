@@ -14,6 +14,7 @@ from ..errors import InputError
 from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
 from ..forces.joints import JointsTwin
+from ..forces.limits import NO_LIMITS
 from ..forces.springs import SpringsTwin
 from ..kernels.core.tables import Floats, Indices, Matrix
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
@@ -125,7 +126,7 @@ class Resting:
         scene = msgspec.structs.replace(scene, wind=wind)
         self.scene = scene
         self.system, self.state = start_of(scene, build_system(scene))
-        body = self.tables = self.system.body
+        body = self.tables = self.system.body.replaced(limits=NO_LIMITS)  # nothing yields on the way
         self.surrounded = bool(body.environment.present)
         self.scratch = new_scratch(self.system)
         state, here = self.state, slice(1, body.masses + 1)
@@ -304,7 +305,7 @@ class Resting:
 
     def overloads(self, q: Floats) -> list[str]:
         """What would break or yield at positions q and at rest, in a sentence for each way."""
-        limits, state, unit = self.tables.limits, self.state, self.scene.view.unit
+        limits, state, unit = self.system.body.limits, self.state, self.scene.view.unit
         if not limits.present:
             return []
         still = np.zeros(self.slots, complex)

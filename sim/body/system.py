@@ -289,6 +289,8 @@ def new_state(system: System) -> State:
         "set_length": (body.springs if damageable else 0, 0),
         "set_angle": (body.joints if damageable else 0, 0),
         "hardened": (body.springs if damageable else 0, 0),
+        "trial_tension": (body.springs if damageable else 0, 0),
+        "trial_angle": (body.joints if damageable else 0, 0),
         "broken": (body.springs if damageable else 0, 0),
     }
     state = _in_a_slab(State, {field: sizes.get(field, (slots, 1)) for field in State.fields}, page_offset=0)
@@ -325,6 +327,8 @@ def refresh(body: Body, state: State) -> None:
     state.torque_rest[joints] = rest
     state.torque_cos[joints] = body.joint_stiffness * np.cos(rest)
     state.torque_sin[joints] = body.joint_stiffness * np.sin(rest)
+    if body.limits.present:
+        state.trial_tension[:], state.trial_angle[:] = state.rest_tension[springs], rest
     if body.ring and body.joints:
         state.torque_cos[0] = state.torque_cos[body.joints]
         state.torque_sin[0] = state.torque_sin[body.joints]

@@ -23,7 +23,7 @@ from numba import types
 
 from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
-from ..forces.limits import overstrained, settle
+from ..forces.limits import part_to_try, settle, yielding_accelerations
 from ..kernels.core.shared import BY_ADDRESS, FLOATS
 from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
@@ -72,7 +72,8 @@ class EntryPoint:
     @cached_property
     def address(self) -> int:
         """The address of its machine code, if it is one of `BY_ADDRESS`."""
-        return address_of(self.kernel, BY_ADDRESS[self.name])
+        forces = BY_ADDRESS["accelerations"]  # also the signature of those that yield
+        return address_of(self.kernel, BY_ADDRESS.get(self.name, forces))
 
     @property
     def file(self) -> Path | None:
@@ -100,7 +101,8 @@ def _entry_points() -> dict[str, EntryPoint]:
         by_address("the work done in a step", accumulate_work),
         ("energies", energies, (Body.numba_type, State.numba_type, *[FLOATS] * 4)),
         by_address("steps with contact", no_tunnelling),
-        by_address("limits of springs", overstrained),
+        ("forces that yield", yielding_accelerations, BY_ADDRESS["accelerations"].args),
+        by_address("limits of springs", part_to_try),
         by_address("yielding and breaking", settle),
     ]
     found: dict[str, EntryPoint] = {}
@@ -122,7 +124,7 @@ FOR_FALLBACK = (*FOR_MATRICES, "run_fallback")
 FOR_ENERGY = ("energies", "accumulate_work")
 """Entry points that the energy balance needs."""
 
-FOR_DAMAGE = ("overstrained", "settle")
+FOR_DAMAGE = ("yielding_accelerations", "part_to_try", "settle")
 """Entry points that a body needs which breaks or yields."""
 
 

@@ -1,6 +1,6 @@
 """What springs and joints bear: beyond a limit, a spring yields or breaks, and a joint yields.
 
-Limits are looked at after each step, by the force f of a spring and the torque of a joint, without damping.
+Limits are looked at by the force f of a spring and the torque of a joint, without damping.
 
 - A spring of stiffness k yields where |f| > Y. Its rest length moves by d in the direction of the force, so
   the force decreases by k d, and Y grows by H d, with the hardening H, kg/s². Then the force is at the limit
@@ -11,10 +11,18 @@ Limits are looked at after each step, by the force f of a spring and the torque 
 - A spring breaks where |f| > B, after it has yielded. From then on it does nothing, nor do the joints that
   hold it, nor a filling whose loop it was a part of, and nothing touches it; see `without_broken`.
 
-The energy that is lost in this way is entered into the energy balance, with that of what touches a spring
-that breaks. A step is asked not to go far beyond a limit, so that a method with error control finds the
-moment at which a spring breaks, see `overstrained`. Limits are no `Term`, since they exert no force: the loop
-of the integrators calls `overstrained` before it keeps a step, and `settle` after it.
+Yielding is a part of the force law. A step begins with what has yielded before (the history); at each
+evaluation `yield_at` maps the force back to the limit from there, so that all stages of a step see forces
+within the limits, and implicit methods the tangent of the mapped force, k H / (k + H) instead of k. After a
+step, `settle` makes what has yielded in it part of the history. Where a spring or joint has turned round
+within the step, the largest way between is taken from the cubic through lengths and rates at both ends.
+
+So the force is continuous, with a kink where yielding begins. Error control may miss that, and does not see
+where something turns round, or breaks too late: `part_to_try` asks for a step that ends there instead, as far
+as it matters to the tolerance.
+
+The energy that is lost is entered into the energy balance, with that of what touches a spring that breaks.
+Limits are no `Term`, since they exert no force of their own.
 """
 
 from __future__ import annotations
@@ -24,28 +32,31 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..kernels.core.blocks import add_block, outer, plus
 from ..kernels.core.drive import wrap
-from ..kernels.core.tables import Body
-from ..kernels.core.vectors import deflection, length_of
+from ..kernels.core.tables import Body, State
+from ..kernels.core.vectors import deflection, from_to, length_of
 from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.table import Floats, Indices, Table
 from ..scene.columns import column
 from ..scene.types import Scene
+from .all import accelerations
 from .broad_phase import update_pairs
 from .contact import energy_on_spring
 from .fillings import FillingRow
-from .joints import deflection_at, is_sine, joint_energy, joint_vectors, terms
+from .joints import TUTORIAL, deflection_at, is_sine, joint_energy, joint_vectors, terms
 from .resistance import of_whole_springs
-from .springs import spring_force
 from .term import read_only
 
-_OVER_STRENGTH = 1e-3
-"""Force beyond the strength of a spring, as a fraction of it, at the end of a step in which it breaks."""
-_OVER_STRETCH = 0.1
-"""The same as a length, as a fraction of the tolerance; the smaller of both counts."""
-_OVER_YIELD = 1e-3
-"""The same for the yield force, and for the angle at which a joint yields, beside the tolerance for the way
-that the rest length moves, or that an angle of both springs of the joint together takes."""
+_UNSEEN = 0.05
+"""Speed that a step may add to a mass where something turns round or breaks, or miss at a kink, as a fraction
+of the tolerance per second."""
+_ON = 1e-9
+"""Force below the yield force, as a fraction of it, from which on a spring that is pulled further yields."""
+_LARGEST_PART = 0.999
+"""Largest part of a step that is tried instead of it."""
+_HALVINGS = 40
+"""Number of halvings with which the moment of a break is looked for."""
 _STEEPEST = 0.999
 """Largest sine of the deflection to which a yielding joint returns; beyond 90 degrees it would not hold."""
 _SHORTEST_REST = 0.01
@@ -94,124 +105,433 @@ def _or_infinite(limits: Floats) -> Floats:
 
 
 # ------------------------------------------------------------------------- what yields, and by how much
+@kernel(forceinline=True, fastmath=FAST)
+def _trial_force(body, state, q, s):
+    """The force of a spring if it did not yield in this step, kg px/s²."""
+    x, y = from_to(q, body.spring_a[s], body.spring_b[s])
+    return body.stiffness[s] * length_of(x, y, body.softening) - state.trial_tension[s]
+
+
 @kernel(fastmath=FAST)
-def _set_by(body, state, s, force):
-    """How far the rest length of a spring with a force moves for good, px; never to less than it may be."""
-    limits, stiffness = body.limits, body.stiffness[s]
-    over = abs(force) - (limits.yielding[s] + state.hardened[s])
-    if not (over > 0.0 and stiffness > 0.0):
+def _set_by(body, state, s, over, force):
+    """How far the rest length of a spring moves for good, px; never to less than it may be.
+
+    Args:
+        body, state, s: the tables, and which spring.
+        over: how far it yields, px, if positive.
+        force: its sign is that of the force.
+    """
+    if not over > 0.0:
         return 0.0
-    rest = state.rest_tension[s] / stiffness
-    moved = math.copysign(over / (stiffness + limits.hardening[s]), force)
-    return max(moved, min(_SHORTEST_REST * body.rest_length[s] - rest, 0.0))
+    rest = state.trial_tension[s] / body.stiffness[s]
+    return max(math.copysign(over, force), min(_SHORTEST_REST * body.rest_length[s] - rest, 0.0))
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _beyond(body, state, s, force):
+    """How far a spring yields under a trial force, px; negative where it does not."""
+    stiffness = body.stiffness[s]
+    if not stiffness > 0.0:
+        return -1.0
+    over = abs(force) - (body.limits.yielding[s] + state.hardened[s])
+    return over / (stiffness + body.limits.hardening[s])
 
 
 @kernel(fastmath=FAST)
-def _bent_by(body, state, q, j):
-    """How far the rest angle of a joint moves for good at positions q, in radians.
+def _bent(body, state, q, j):
+    """How a joint is bent at positions q, if it did not yield in this step.
 
     Returns:
-        That; the deflection at which it yields, and what is beyond it; the length of both springs, px.
+        off: the deflection, radians.
+        limit: that at which it yields; infinite where it has no torque.
+        kept: that to which it returns.
+        lengths: |A||B|, px².
     """
     size, soft = body.torque_size[j + 1], body.softening
-    if size <= 0.0:
-        return 0.0, 0.0, 0.0, 1.0
+    if size <= 0.0 or not body.limits.bending[j] < np.inf:
+        return 0.0, np.inf, 0.0, 1.0
     (ax, ay), (bx, by) = joint_vectors(body, q, j)
-    one, other = length_of(ax, ay, soft), length_of(bx, by, soft)
-    span, limit = one + other, body.limits.bending[j] / (size * one * other)
-    off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.torque_rest[j + 1])
-    torque = abs(terms(body.law, off)[0])
-    if is_sine(body.law) and abs(off) > 0.5 * math.pi:
-        torque = 1.0  # bent beyond its largest torque, it has yielded on the way
-    if is_sine(body.law):
-        yielding, kept = math.asin(min(limit, 1.0)), math.asin(min(limit, _STEEPEST))
-    else:
-        yielding = kept = deflection_at(body.law, limit, abs(off))
-    moved = off - math.copysign(kept, off)
-    if not torque > limit or abs(moved) < 1e-12:
-        moved = 0.0
-    return moved, yielding, abs(off) - yielding, span
+    lengths = length_of(ax, ay, soft) * length_of(bx, by, soft)
+    off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.trial_angle[j])
+    torque = body.limits.bending[j] / (size * lengths)
+    if is_sine(body.law):  # bent beyond its largest torque, it has yielded on the way
+        return off, math.asin(min(torque, 1.0)), math.asin(min(torque, _STEEPEST)), lengths
+    limit = deflection_at(body.law, torque, math.pi)
+    return off, limit, limit, lengths
 
 
-# ------------------------------------------------------------------------- what it asks of a step
+@kernel(forceinline=True, fastmath=FAST)
+def _turn_rest(body, state, j, rest):
+    """Set the rest angle of a joint, radians."""
+    if abs(rest) > math.pi:  # a deflection is wrapped once only
+        rest -= math.copysign(2.0 * math.pi, rest)
+    size = body.torque_size[j + 1]
+    state.torque_rest[j + 1] = rest
+    state.torque_cos[j + 1], state.torque_sin[j + 1] = size * math.cos(rest), size * math.sin(rest)
+
+
 @kernel(fastmath=FAST)
-def overstrained(problem, q, tolerance):
-    """Whether a step that leads to positions q goes so far beyond a limit that a shorter one should be tried.
-
-    So a method with error control finds the moment at which a spring breaks.
-    """
-    body, state = problem.body, problem.state
+def yield_at(body, state, q):
+    """Set rest lengths and rest angles to what they are if the step leads to positions q."""
     limits = body.limits
     for s in range(body.springs):
-        force, stiffness = spring_force(body, state, q, s), body.stiffness[s]
-        over = min(_OVER_STRENGTH * limits.breaking[s], _OVER_STRETCH * stiffness * tolerance)
-        if state.broken[s] == 0.0 and abs(force) > limits.breaking[s] + over:
-            return True
-        # Not the force, since a spring that cannot yield any further may be squeezed by any.
-        over = abs(_set_by(body, state, s, force)) * (stiffness + limits.hardening[s])
-        yielding = limits.yielding[s] + state.hardened[s]
-        if over > _OVER_YIELD * yielding + stiffness * tolerance:
-            return True
+        if limits.yielding[s] < np.inf:
+            force = _trial_force(body, state, q, s)
+            moved = _set_by(body, state, s, _beyond(body, state, s, force), force)
+            state.rest_tension[s] = state.trial_tension[s] + body.stiffness[s] * moved
     for j in range(body.joints):
-        moved, limit, over, span = _bent_by(body, state, q, j)
-        if moved != 0.0 and over > _OVER_YIELD * limit + tolerance / span:
-            return True
-    return False
+        off, limit, kept, _ = _bent(body, state, q, j)
+        moved = off - math.copysign(kept, off) if abs(off) > limit else 0.0
+        if moved != 0.0 or state.torque_rest[j + 1] != state.trial_angle[j]:
+            _turn_rest(body, state, j, state.trial_angle[j] + moved)
+
+
+@kernel(fastmath=FAST)
+def yielding_accelerations(body, state, scratch, q, v, a):
+    """`forces.all.accelerations` of a body in which something yields or breaks."""
+    yield_at(body, state, q)
+    accelerations(body, state, scratch, q, v, a)
+
+
+# ------------------------------------------------------------------------- derivatives
+@kernel(fastmath=FAST)
+def add_yielding_derivatives(body, state, matrix, q, v):
+    """Add what yielding changes of the derivatives of forces to `matrix.blocks`, after `yield_at`.
+
+    A spring that yields has R' = k² / (k + H) by its length, so that its tension changes by
+    k² / (k + H) u uᵀ, with the unit vector u.
+
+    A joint that yields keeps its torque G, and its energy U, which is K |A||B| F, depends on |A||B| only:
+    with f K |A||B| = T, dU/d(K |A||B|) = F - f² / f'. In the notation of `joints.joint_blocks`, that is
+    without the stiffness S = K |A||B| f' by the angle.
+    """
+    limits = body.limits
+    for s in range(body.springs):
+        force, stiffness = _trial_force(body, state, q, s), body.stiffness[s]
+        x, y = from_to(q, body.spring_a[s], body.spring_b[s])
+        u, w = from_to(v, body.spring_a[s], body.spring_b[s])
+        beyond = _beyond(body, state, s, force)
+        on = beyond > -_ON * limits.yielding[s] / (stiffness + limits.hardening[s])
+        if on and (beyond > 0.0 or (x * u + y * w) * force > 0.0):
+            moved = _set_by(body, state, s, max(beyond, 0.0), force)
+            if abs(moved) < beyond * (1.0 - _ON):
+                continue  # it cannot be squeezed any further
+            softer = stiffness * stiffness / (stiffness + limits.hardening[s])
+            block = outer(softer / (x * x + y * y + body.softening), (x, y), (x, y))
+            for k, sign in enumerate((1.0, -1.0, -1.0, 1.0)):
+                add_block(matrix.blocks, matrix.spring_target[4 * s + k], sign, block)
+    for j in range(body.joints):
+        off, limit, kept, lengths = _bent(body, state, q, j)
+        if abs(off) < limit * (1.0 - _ON):
+            continue
+        if abs(off) <= limit and _opening(body, q, v, j)[0] * off <= 0.0:
+            continue
+        _add_yielding_joint(body, matrix, q, j, math.copysign(kept, off), body.torque_size[j + 1] * lengths)
+
+
+@kernel(fastmath=FAST)
+def _add_yielding_joint(body, matrix, q, j, off, size):
+    """The same for joint j with the deflection `off` and the stiffness `size`, K |A||B|."""
+    a, b = joint_vectors(body, q, j)
+    len_a, len_b = length_of(a[0], a[1], body.softening), length_of(b[0], b[1], body.softening)
+    torque, _, slope = terms(body.law, off)
+    stiffness, excess = size * slope, size * torque * torque / slope
+    torque *= size
+    unit_a, unit_b = (a[0] / len_a, a[1] / len_a), (b[0] / len_b, b[1] / len_b)
+    normal_a, normal_b = (unit_a[1] / len_a, -unit_a[0] / len_a), (unit_b[1] / len_b, -unit_b[0] / len_b)
+    # The derivatives of the torque by A and B, if it did not yield.
+    by_a = (torque / len_a * unit_a[0] + stiffness * normal_a[0],
+            torque / len_a * unit_a[1] + stiffness * normal_a[1])  # fmt: skip
+    by_b = (torque / len_b * unit_b[0] - stiffness * normal_b[0],
+            torque / len_b * unit_b[1] - stiffness * normal_b[1])  # fmt: skip
+    aa, ab = outer(1.0, normal_a, by_a), outer(1.0, normal_a, by_b)
+    ba, bb = outer(-1.0, normal_b, by_a), outer(-1.0, normal_b, by_b)
+    if body.law != TUTORIAL:
+        aa = plus(aa, outer(torque / len_a, unit_a, normal_a))
+        ab = plus(ab, outer(-torque / len_a, unit_a, normal_b))
+        ba = plus(ba, outer(torque / len_b, unit_b, normal_a))
+        bb = plus(bb, outer(-torque / len_b, unit_b, normal_b))
+        aa = plus(aa, outer(excess / (len_a * len_a), unit_a, unit_a))
+        ab = plus(ab, outer(excess / (len_a * len_b), unit_a, unit_b))
+        ba = plus(ba, outer(excess / (len_a * len_b), unit_b, unit_a))
+        bb = plus(bb, outer(excess / (len_b * len_b), unit_b, unit_b))
+    i = 16 * j
+    for block in (aa, ab, ba, bb):
+        for k, sign in enumerate((1.0, -1.0, -1.0, 1.0)):
+            add_block(matrix.blocks, matrix.joint_target[i + k], sign, block)
+        i += 4
+
+
+# ------------------------------------------------------------------------- within a step
+@kernel(forceinline=True, fastmath=FAST)
+def _lengthening(body, q, v, s):
+    """The rate of a spring's length, px/s."""
+    x, y = from_to(q, body.spring_a[s], body.spring_b[s])
+    u, w = from_to(v, body.spring_a[s], body.spring_b[s])
+    return (x * u + y * w) / length_of(x, y, body.softening)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _opening(body, q, v, j):
+    """The rate of a joint's angle, and that of the logarithm of |A||B|, 1/s."""
+    (ax, ay), (bx, by) = joint_vectors(body, q, j)
+    (ux, uy), (wx, wy) = joint_vectors(body, v, j)
+    per_a, per_b = 1.0 / (ax * ax + ay * ay + body.softening), 1.0 / (bx * bx + by * by + body.softening)
+    turned = (bx * wy - by * wx) * per_b - (ax * uy - ay * ux) * per_a
+    return turned, (ax * ux + ay * uy) * per_a + (bx * wx + by * wy) * per_b
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _spring_way(body, state, q, v, s):
+    """How far a spring yields without the history of this step, px, the rate of that, and its sign."""
+    force = _trial_force(body, state, q, s)
+    side = math.copysign(1.0, force)
+    softness = body.stiffness[s] / (body.stiffness[s] + body.limits.hardening[s] + 1e-300)
+    return _beyond(body, state, s, force), side * softness * _lengthening(body, q, v, s), side
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _joint_way(body, state, q, v, j):
+    """Likewise for a joint, radians."""
+    off, limit, kept, _ = _bent(body, state, q, j)
+    side = math.copysign(1.0, off)
+    turned, longer = _opening(body, q, v, j)
+    torque, _, slope = terms(body.law, kept)
+    # The torque at which it yields is T / (K |A||B|).
+    return abs(off) - limit, side * turned + torque / max(slope, 1e-3) * longer, side
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _peak(h, y0, r0, y1, r1):
+    """The largest value of a cubic within a step, by its values and rates at both ends.
+
+    Returns:
+        That, and the part of the step after which it is reached: 1 where that is the end, as it is also where
+        the rates do not fit to the values, since a mass is led without a speed.
+    """
+    rise = y1 - y0
+    if not (r0 > 0.0 and r1 < 0.0 and abs(rise - 0.5 * h * (r0 + r1)) < 0.25 * h * (r0 - r1)):
+        return y1, 1.0
+    c1, c2, c3 = h * r0, 3.0 * rise - h * (2.0 * r0 + r1), h * (r0 + r1) - 2.0 * rise
+    part = c1 / (math.sqrt(max(c2 * c2 - 3.0 * c1 * c3, 0.0)) - c2)
+    return y0 + part * (c1 + part * (c2 + part * c3)), part
+
+
+@kernel(fastmath=FAST)
+def _crossing(h, y0, r0, y1, r1):
+    """The part of the step after which a cubic that starts below zero gets there, by bisection."""
+    _, high = _peak(h, y0, r0, y1, r1)
+    rise, low = y1 - y0, 0.0
+    c1, c2, c3 = h * r0, 3.0 * rise - h * (2.0 * r0 + r1), h * (r0 + r1) - 2.0 * rise
+    for _ in range(_HALVINGS):
+        part = 0.5 * (low + high)
+        if y0 + part * (c1 + part * (c2 + part * c3)) < 0.0:
+            low = part
+        else:
+            high = part
+    return high
+
+
+@kernel(fastmath=FAST)
+def part_to_try(problem, q, v, to_q, to_v, to_a, h, tolerance):
+    """The part of a step that should be tried instead of it; 1 if it may be kept.
+
+    Args:
+        problem: the tables.
+        q, v: flat positions and velocities at its start.
+        to_q, to_v, to_a: those at its end, and the accelerations there.
+        h: its length, s.
+        tolerance: px per second.
+    """
+    body, state = problem.body, problem.state
+    limits, w, unseen = body.limits, state.inverse_mass, _UNSEEN * tolerance
+    part = 1.0
+    for s in range(body.springs):
+        stiffness = body.stiffness[s]
+        if not stiffness > 0.0:
+            continue
+        if limits.yielding[s] < np.inf:
+            y0, r0, side0 = _spring_way(body, state, q, v, s)
+            y1, r1, side1 = _spring_way(body, state, to_q, to_v, s)
+            if side0 == side1:
+                rest = state.trial_tension[s] / stiffness
+                room = np.inf if side1 > 0.0 else rest - _SHORTEST_REST * body.rest_length[s]
+                quick = stiffness * (w[body.spring_a[s]] + w[body.spring_b[s]])
+                part = min(part, _part_to_kink(h, y0, r0, y1, r1, room, quick, unseen))
+        if limits.breaking[s] < np.inf:
+            part = min(part, _part_to_break(problem, s, q, v, to_q, to_v, to_a, h, unseen))
+    for j in range(body.joints):
+        if limits.bending[j] < np.inf and body.torque_size[j + 1] > 0.0:
+            y0, r0, side0 = _joint_way(body, state, q, v, j)
+            y1, r1, side1 = _joint_way(body, state, to_q, to_v, j)
+            if side0 == side1:
+                quick = _joint_stiffness(body, w, to_q, j)
+                part = min(part, _part_to_kink(h, y0, r0, y1, r1, np.inf, quick, unseen))
+    return min(part, _LARGEST_PART) if part < 1.0 else 1.0
+
+
+@kernel(fastmath=FAST)
+def _part_to_kink(h, y0, r0, y1, r1, room, quick, unseen):
+    """The part of a step that leads just beyond where something begins to yield, or where it turns round.
+
+    Args:
+        h: length of the step, s.
+        y0, r0, y1, r1: of both ends, how far it yields and the rate of that, in px and px/s, or radians.
+        room: how far it can yield.
+        quick: the acceleration of a mass, px/s², by as much of it as 1.
+        unseen: speed of a mass that does not matter, px/s.
+
+    Returns:
+        That; 1 if the step may be kept.
+    """
+    top, turn = _peak(h, y0, r0, y1, r1)
+    if not (top > 0.0 and room > 0.0):
+        return 1.0
+    if y0 < 0.0:
+        # Before and after the kink, forces differ by quick r t at the distance t; what a step that knows
+        # one side does not see is at most the integral of that over the shorter side.
+        kink = _crossing(h, y0, r0, y1, r1)
+        shorter, rate = h * min(kink, 1.0 - kink), (top - y0) / h
+        if 0.5 * quick * rate * shorter * shorter > unseen:
+            return kink + min(math.sqrt(0.2 * unseen / (quick * rate)) / h, 0.5 * (1.0 - kink))
+    missed = min(top, room) - min(max(y0, y1, 0.0), room)
+    if quick * missed * h > unseen:
+        bend = (r0 - r1) / h
+        return turn + min(math.sqrt(0.5 * unseen / (quick * bend * h)) / h, 0.5 * (1.0 - turn))
+    return 1.0
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _joint_stiffness(body, w, q, j):
+    """The largest acceleration that a joint gives a mass per deflection, px/s²."""
+    s, r = body.joint_a[j], body.joint_b[j]
+    (ax, ay), (bx, by) = joint_vectors(body, q, j)
+    len_a, len_b = length_of(ax, ay, body.softening), length_of(bx, by, body.softening)
+    light = max(w[body.spring_a[s]], w[body.spring_b[s]], w[body.spring_a[r]], w[body.spring_b[r]])
+    return body.torque_size[j + 1] * light * (len_a + len_b)
+
+
+@kernel(fastmath=FAST)
+def _part_to_break(problem, s, q, v, to_q, to_v, to_a, h, unseen):
+    """The part of a step that leads just beyond the strength of a spring; 1 if the step may be kept.
+
+    Too late a break adds the force that is gone, and the accelerations of what changes with it, for so long.
+    """
+    body, state = problem.body, problem.state
+    y0, r0, side0 = _strain(body, state, q, v, s)
+    y1, r1, side1 = _strain(body, state, to_q, to_v, s)
+    if side0 != side1:
+        y0, r0 = -y0 - 2.0 * body.limits.breaking[s], -r0
+    top, _ = _peak(h, y0, r0, y1, r1)
+    if not max(top, y0) > 0.0:
+        return 1.0
+    part = _crossing(h, y0, r0, y1, r1) if y0 < 0.0 else 0.0
+    most, slots = 0.0, q.size // 2
+    for i in range(1, body.masses + 1):
+        most = max(most, abs(to_a[i]), abs(to_a[slots + i]))
+    light = max(state.inverse_mass[body.spring_a[s]], state.inverse_mass[body.spring_b[s]])
+    late = unseen / (body.limits.breaking[s] * light + most + 1e-300)
+    if y1 > 0.0 and (1.0 - part) * h <= late:
+        return 1.0
+    return part + 0.5 * late / h
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _strain(body, state, q, v, s):
+    """How far the force of a spring is beyond its strength, kg px/s², its rate, and its sign."""
+    limits, stiffness = body.limits, body.stiffness[s]
+    force, rate = _trial_force(body, state, q, s), stiffness * _lengthening(body, q, v, s)
+    moved = _set_by(body, state, s, _beyond(body, state, s, force), force)
+    side = math.copysign(1.0, force)
+    if moved != 0.0:
+        force -= stiffness * moved
+        rate *= limits.hardening[s] / (stiffness + limits.hardening[s])
+    return abs(force) - limits.breaking[s], side * rate, side
 
 
 # ------------------------------------------------------------------------- after a step
 @kernel(fastmath=FAST)
-def settle(problem, q):
-    """Let springs and joints yield and break at positions q; returns whether any did."""
+def settle(problem, q, v, to_q, to_v, h):
+    """Make what has yielded in a step part of the history, and let springs break.
+
+    Args:
+        problem: the tables.
+        q, v: flat positions and velocities at its start.
+        to_q, to_v: those at its end.
+        h: its length, s; 0 if what was between is not to be looked at, as under a fixed step.
+
+    Returns:
+        Whether anything broke.
+    """
     body, state, balance = problem.body, problem.state, problem.balance
-    limits, slots, changed = body.limits, q.size // 2, False
+    limits, slots, broke = body.limits, q.size // 2, False
     for s in range(body.springs):
-        force, stiffness = spring_force(body, state, q, s), body.stiffness[s]
-        moved = _set_by(body, state, s, force)
-        if moved != 0.0:
-            after = force - stiffness * moved
-            state.set_length[s] += moved
-            state.hardened[s] += limits.hardening[s] * abs(moved)
-            state.rest_tension[s] += stiffness * moved
-            balance.work.plastic -= 0.5 * (force * force - after * after) / stiffness
-            force, changed = after, True
+        stiffness = body.stiffness[s]
+        if limits.yielding[s] < np.inf:
+            way, r1, side = _spring_way(body, state, to_q, to_v, s)
+            if h > 0.0:
+                y0, r0, side0 = _spring_way(body, state, q, v, s)
+                if side0 == side:
+                    way, _ = _peak(h, y0, r0, way, r1)
+            moved = _set_by(body, state, s, way, side)
+            if moved != 0.0:
+                before = limits.yielding[s] + state.hardened[s]
+                state.set_length[s] += moved
+                state.hardened[s] += limits.hardening[s] * abs(moved)
+                state.trial_tension[s] += stiffness * moved
+                balance.work.plastic -= (before + 0.5 * limits.hardening[s] * abs(moved)) * abs(moved)
+            state.rest_tension[s] = state.trial_tension[s]
+        force = _trial_force(body, state, to_q, s)
         if abs(force) > limits.breaking[s] and state.broken[s] == 0.0:
             state.broken[s] = 1.0
             balance.work.broken -= 0.5 * force * force / stiffness
             if body.environment.contact.present:
-                update_pairs(body, q[:slots], q[slots:])
-                balance.work.broken -= energy_on_spring(body, q, s)
-            changed = True
+                update_pairs(body, to_q[:slots], to_q[slots:])
+                balance.work.broken -= energy_on_spring(body, to_q, s)
+            broke = True
     for j in range(body.joints):
-        changed |= _settle_joint(problem, q, j)
-    return changed
+        _settle_joint(problem, j, q, v, to_q, to_v, h)
+    return broke
 
 
 @kernel(fastmath=FAST)
-def _settle_joint(problem, q, j):
-    """Let a joint yield or break with one of its springs; whether it did."""
+def _settle_joint(problem, j, q, v, to_q, to_v, h):
+    """Let a joint yield, or break with one of its springs."""
     body, state, balance = problem.body, problem.state, problem.balance
-    size, soft = body.torque_size[j + 1], body.softening
+    size = body.torque_size[j + 1]
     if size <= 0.0:
-        return False
+        return
     s, r = body.joint_a[j], body.joint_b[j]
-    (ax, ay), (bx, by) = joint_vectors(body, q, j)
-    before = size * joint_energy(body.law, ax, ay, bx, by, state.torque_rest[j + 1], soft)
+    if body.limits.bending[j] < np.inf:
+        way, r1, side = _joint_way(body, state, to_q, to_v, j)
+        if h > 0.0:
+            y0, r0, side0 = _joint_way(body, state, q, v, j)
+            if side0 == side:
+                way, _ = _peak(h, y0, r0, way, r1)
+        if way > 0.0:
+            _, limit, kept, lengths = _bent(body, state, to_q, j)
+            moved = side * (way + (limit - kept))
+            state.set_angle[j] = wrap(state.set_angle[j] + math.degrees(moved))
+            _turn_rest(body, state, j, state.trial_angle[j] + moved)
+            state.trial_angle[j] = state.torque_rest[j + 1]
+            torque, energy, _ = terms(body.law, kept)
+            lost = terms(body.law, limit)[1] - energy + torque * way
+            balance.work.plastic -= size * lengths * lost
+        elif state.torque_rest[j + 1] != state.trial_angle[j]:
+            _turn_rest(body, state, j, state.trial_angle[j])
     if state.broken[s] + state.broken[r] > 0.0:
-        balance.work.broken -= before
-        return True
-    moved, _, _, _ = _bent_by(body, state, q, j)
-    if moved == 0.0:
-        return False
-    state.set_angle[j] = wrap(state.set_angle[j] + math.degrees(moved))
-    rest = state.torque_rest[j + 1] + moved
-    if abs(rest) > math.pi:  # a deflection is wrapped once only
-        rest -= math.copysign(2.0 * math.pi, rest)
-    state.torque_rest[j + 1] = rest
-    state.torque_cos[j + 1], state.torque_sin[j + 1] = size * math.cos(rest), size * math.sin(rest)
-    after = size * joint_energy(body.law, ax, ay, bx, by, rest, soft)
-    balance.work.plastic -= before - after
-    return True
+        (ax, ay), (bx, by) = joint_vectors(body, to_q, j)
+        rest = state.torque_rest[j + 1]
+        balance.work.broken -= size * joint_energy(body.law, ax, ay, bx, by, rest, body.softening)
+
+
+def take_back(body: Body, state: State) -> None:
+    """Set rest lengths and rest angles to the history again, after a step that was not kept."""
+    joints = slice(1, body.joints + 1)
+    state.rest_tension[: body.springs] = state.trial_tension
+    state.torque_rest[joints] = state.trial_angle
+    state.torque_cos[joints] = body.joint_stiffness * np.cos(state.trial_angle)
+    state.torque_sin[joints] = body.joint_stiffness * np.sin(state.trial_angle)
 
 
 # ------------------------------------------------------------------------- what breaking does to a body

@@ -202,7 +202,10 @@ def spring_power_of_keys(body, state, growth, q):
     power = 0.0
     for s in range(body.springs):
         if body.stiffness[s] > 0.0:
-            power -= spring_force(body, state, q, s) * growth * state.rest_tension[s] / body.stiffness[s]
+            rest = state.rest_tension[s] / body.stiffness[s]
+            if body.limits.present:  # what has yielded does not grow
+                rest = state.trial_tension[s] / body.stiffness[s] - state.set_length[s]
+            power -= spring_force(body, state, q, s) * growth * rest
     return power
 
 

@@ -71,9 +71,14 @@ class BodyResult:
     other_errors: tuple[float, ...]
 
 
-def measure_body(seed: int) -> BodyResult:
-    """Run the body of a seed by the references, by one of them with its start nudged, and by `auto`."""
-    scene = random_body(seed)
+def measure_body(seed: int, scene: Scene | None = None) -> BodyResult:
+    """Run the body of a seed by the references, by one of them with its start nudged, and by `auto`.
+
+    Args:
+        seed: see `random_bodies.random_body`.
+        scene: another body instead.
+    """
+    scene = random_body(seed) if scene is None else scene
     path, other = (Ours(scene, method, TIGHT).frame_by_frame().path for method in REFERENCES)
     nudged = None if path is None else Ours(_nudged(scene, seed), REFERENCES[0], TIGHT).frame_by_frame().path
     growth = math.inf if path is None or nudged is None else distance(nudged, path) / NUDGE

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from sim import Scene, Simulation
 from sim.body.sparsity import new_matrix
 from sim.forces.all import ENERGIES, accelerations
+from sim.forces.limits import yielding_accelerations
 from sim.kernels.energy.energies import energies
 from sim.kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from sim.motion.solver import Solver
@@ -70,7 +71,8 @@ class Arrays:
     def accelerations(self, q: Floats, v: Floats) -> Floats:
         """Of all of `here`."""
         a = np.zeros_like(q)
-        accelerations(self.body, self.state, self.scratch, q, v, a)
+        forces = yielding_accelerations if self.body.limits.present else accelerations
+        forces(self.body, self.state, self.scratch, q, v, a)
         return a[self.here]
 
     def potential(self, q: Floats) -> float:

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 import sim
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
 from sim.body.sparsity import fill
+from sim.forces.joints import JointsTwin
 from sim.kernels.linear.sparse import assemble
 from sim.scene.types import ForceLaw
 from tests.amount import examples
@@ -57,6 +58,37 @@ def test_the_matrix_is_that_of_the_forces(
         # So it does for the system that matters.
         right = np.random.default_rng(seed).normal(size=arrays.here.size)
         assert np.abs(expected @ arrays.solve(right) - right).max() <= 1e-7
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("shape", ["girder", "tree", "ring"])
+def test_the_matrix_is_that_of_forces_that_yield(shape: str, law: ForceLaw) -> None:
+    scene = body(shape, law, 1, held=(0,))
+    at = np.array([mass.position for mass in scene.masses])
+    springs = tuple(
+        REPLACE(
+            s,
+            yield_force=0.6 * s.stiffness * abs(float(np.hypot(*(at[s.b] - at[s.a]))) - s.rest_length),
+            hardening=0.3 * s.stiffness * (i % 4),
+        )
+        if i % 2
+        else s
+        for i, s in enumerate(scene.linear_springs)
+    )
+    twin = JointsTwin(Arrays(scene).body, Arrays(scene).state)
+    system, still = Arrays(scene).system, np.zeros(Arrays(scene).slots, complex)
+    torques = np.abs(twin.torques(Arrays(scene).state.x + 1j * Arrays(scene).state.y, still))
+    joints = tuple(
+        REPLACE(joint, yield_torque=0.6 * torque) if i % 2 else joint
+        for i, (joint, torque) in enumerate(
+            zip(scene.angular_springs, torques[system.joint_order].tolist(), strict=True)
+        )
+    )
+    arrays = Arrays(REPLACE(scene, linear_springs=springs, angular_springs=joints))
+    expected, elastic = matrix_of(arrays, 2e4, 150.0), matrix_of(Arrays(scene), 2e4, 150.0)
+    assert np.abs(expected - elastic).max() >= 1e-2 * np.abs(expected).max()
+    found = np.linalg.inv(arrays.inverse(2e4, 150.0))
+    assert np.abs(found - expected).max() <= 1e-7 * np.abs(expected).max()
 
 
 @pytest.mark.parametrize("law", LAWS)

@@ -6,10 +6,18 @@ import math
 
 import pytest
 
+import sim
 from sim.body.system import build_system
 from studies.speed import random_study
+from studies.speed.fragile_bodies import KINDS, fragile_body
 from studies.speed.random_bodies import random_body
-from studies.speed.random_study import measure_body, shares, shares_by_growth, shares_by_tolerance
+from studies.speed.random_study import (
+    GROWTHS,
+    measure_body,
+    shares,
+    shares_by_growth,
+    shares_by_tolerance,
+)
 from tests.amount import part_of
 from tests.studies.results import some_body
 
@@ -66,6 +74,33 @@ def test_shares_by_growth_count_chaotic_bodies_whose_references_agree() -> None:
     assert [s.counted for s in found.values()] == [1, 1, 1, 1]
     assert [s.within for s in found.values()] == [1.0, 1.0, 0.0, 0.0]
     assert list(found) == ["0 to 10", "10 to 100", "100 to 1000", "1000 and more"]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_auto_keeps_to_its_tolerance_where_something_yields_or_breaks(kind: str) -> None:
+    bodies = []
+    for seed in part_of(range(48), 4):
+        scene = fragile_body(seed, kind)
+        if scene is not None:
+            bodies.append(measure_body(seed, scene))
+    bodies = [body for body in bodies if body.growth < GROWTHS[1]]
+    for found in shares_by_tolerance(bodies):
+        assert found.counted >= 3
+        assert found.within * found.counted >= found.counted - 1  # one of them may be unlucky
+        assert found.largest < 5.0
+
+
+def test_fragile_bodies_are_the_same_every_time_and_do_what_they_are_to_do() -> None:
+    for kind in KINDS:
+        scene = fragile_body(2, kind)
+        assert scene is not None and scene == fragile_body(2, kind)
+        simulation = sim.Simulation(scene)
+        simulation.advance(1.0)
+        damage = simulation.damage
+        assert damage is not None
+        assert bool(damage.broken) == ("break" in kind)
+        assert any(damage.set_lengths) == (kind == KINDS[0])
+        assert any(damage.set_angles) == (kind == KINDS[1])
 
 
 def test_auto_keeps_to_large_tolerances_and_small_ones() -> None:

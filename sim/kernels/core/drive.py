@@ -33,6 +33,9 @@ def refresh(body, state):
     if body.ring:
         state.torque_cos[0] = state.torque_cos[body.joints]
         state.torque_sin[0] = state.torque_sin[body.joints]
+    if body.limits.present:
+        for s in range(body.springs):
+            state.trial_tension[s] = state.rest_tension[s]
     if body.muscles.present:
         flex(body, state)
 
@@ -46,6 +49,7 @@ def flex(body, state):
         rest = body.rest_length[s] * scale * (1.0 + wave(muscles.stretch[i], t))
         if body.limits.present:
             rest += state.set_length[s]
+            state.trial_tension[s] = body.stiffness[s] * rest
         state.rest_tension[s] = body.stiffness[s] * rest
     for i in range(muscles.joint.size):
         _turn_to(body, state, muscles.joint[i], wave(muscles.turn[i], t))
@@ -64,6 +68,8 @@ def _turn_to(body, state, j, more):
     state.torque_cos[j + 1] = body.torque_size[j + 1] * math.cos(rest)
     state.torque_sin[j + 1] = body.torque_size[j + 1] * math.sin(rest)
     state.torque_rest[j + 1] = rest
+    if body.limits.present:
+        state.trial_angle[j] = rest
 
 
 @kernel(internal=True)

@@ -26,8 +26,8 @@ BY_ADDRESS = {
     "solve_matrix": types.void(_BODY, _MATRIX, FLOATS),
     "add_damping_product": types.void(_BODY, _STATE, FLOATS, FLOATS, FLOATS, _FLOAT, FLOATS),
     "no_tunnelling": types.boolean(_BODY, FLOATS, FLOATS),
-    "overstrained": types.boolean(_PROBLEM, FLOATS, _FLOAT),
-    "settle": types.boolean(_PROBLEM, FLOATS),
+    "part_to_try": _FLOAT(_PROBLEM, *[FLOATS] * 5, _FLOAT, _FLOAT),
+    "settle": types.boolean(_PROBLEM, *[FLOATS] * 4, _FLOAT),
 }
 """Signatures of the kernels that are called through their addresses, by their names."""
 
@@ -37,13 +37,13 @@ _factorise_matrix = calls(BY_ADDRESS["factorise_matrix"])
 _solve_matrix = calls(BY_ADDRESS["solve_matrix"])
 _add_damping_product = calls(BY_ADDRESS["add_damping_product"])
 _no_tunnelling = calls(BY_ADDRESS["no_tunnelling"])
-_overstrained = calls(BY_ADDRESS["overstrained"])
+_part_to_try = calls(BY_ADDRESS["part_to_try"])
 _settle = calls(BY_ADDRESS["settle"])
 
 
 @kernel(inline="always")
 def accelerate(problem, q, v, a):
-    """`forces.all.accelerations` of the problem's body."""
+    """`forces.all.accelerations` of the problem's body, or `forces.limits.yielding_accelerations`."""
     _accelerations(problem.accelerations, problem.body, problem.state, problem.scratch, q, v, a)
 
 
@@ -79,12 +79,14 @@ def no_tunnelling(problem, q, to_q):
 
 
 @kernel(inline="always")
-def within_strength(problem, q, tolerance):
-    """Whether no spring is strained at positions q so far beyond its limits that a step should be shorter."""
-    return problem.overstrained == 0 or not _overstrained(problem.overstrained, problem, q, tolerance)
+def part_to_try(problem, old, new, h, tolerance):
+    """`forces.limits.part_to_try` of a step, where anything yields or breaks."""
+    if problem.part_to_try == 0:
+        return 1.0
+    return _part_to_try(problem.part_to_try, problem, old.q, old.v, new.q, new.v, new.a, h, tolerance)
 
 
 @kernel(inline="always")
-def settle(problem, q):
-    """`forces.limits.settle`, after a step that has led to positions q."""
-    return problem.settle != 0 and _settle(problem.settle, problem, q)
+def settle(problem, old, new, h):
+    """`forces.limits.settle` after a step, where anything yields or breaks."""
+    return problem.settle != 0 and _settle(problem.settle, problem, old.q, old.v, new.q, new.v, h)

@@ -104,6 +104,9 @@ class State(Table):
     set_length: Floats  # (S,) px by which rest lengths have moved for good
     set_angle: Floats  # (J,) degrees by which rest angles have
     hardened: Floats  # (S,) kg px/s² by which yield forces have grown
+    # `rest_tension` and `torque_rest` (here of joint j at index j) without what yields in the present step.
+    trial_tension: Floats  # (S,) kg px/s²
+    trial_angle: Floats  # (J,) radians
     broken: Floats  # (S,) 1 for a spring that is broken, else 0
 
     @property
@@ -273,6 +276,7 @@ class Trial(Record):
     far: float  # its largest coordinate, px; infinite where unknown, as are the next two
     fast: float  # its largest velocity component, px/s
     moved: float  # largest change of a coordinate, px, if the last forces are those at its end
+    part: float  # what of it is to be tried instead, as something turns round or breaks after that; or 1
     failures: int  # number of steps refused since the last good one
     number: int  # of fixed steps before it
     most: int  # number of fixed steps that may be done at once
@@ -441,13 +445,13 @@ class Problem(Table):
     integrator: IntegratorState
     balance: EnergyBalance
     # Addresses of the kernels of `core.shared.BY_ADDRESS`; 0 for one that the run does not need.
-    accelerations: int
+    accelerations: int  # those of a body that yields, where something does
     accumulate_work: int
     factorise_matrix: int
     solve_matrix: int
     add_damping_product: int
     no_tunnelling: int
-    overstrained: int
+    part_to_try: int
     settle: int
     fixed: float  # the step, s, or 0 for error control
     near_limit: float  # s; steps from here on count as near Verlet's stability limit

@@ -6,6 +6,7 @@ import math
 
 from ...forces.all import add_forces, add_power
 from ...forces.joints import TUTORIAL, joint_power_of_keys, power_of_law
+from ...forces.limits import yield_at
 from ...forces.muscles import power_of_muscles
 from ...forces.springs import spring_forces, spring_power_of_keys
 from ...forces.walls import gather_others, mark_quick, work_of_quick
@@ -110,6 +111,8 @@ def _add_powers(problem, drive, t, h, q, v):
         ux, uy = hand_speed(drive, i, t)
         true[m] += (1.0 - drive.hand[i]) * ux
         true[slots + m] += (1.0 - drive.hand[i]) * uy
+    if body.limits.present:
+        yield_at(body, state, q)
     if drive.mass.size > 0:
         # What leads masses works against all forces but those of the dampers, friction and bouncing by their
         # true velocities, and against these by those that the forces go by.

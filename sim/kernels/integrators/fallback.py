@@ -10,11 +10,11 @@ from __future__ import annotations
 import math
 
 from ..core.drive import act_at, drive_to
-from ..core.shared import accelerate, add_damping, factorise, solve
+from ..core.shared import accelerate, add_damping, factorise, settle, solve
 from ..core.vectors import from_to
 from ..energy.energies import energies
 from ..engine.jit import FAST, kernel
-from .guard import GOOD, state_ok
+from .guard import CHANGED, GOOD, state_ok
 from .steps import max_abs
 
 
@@ -96,5 +96,11 @@ def run_fallback(problem, drive, h, shortest, reach):
     run.step = alpha.last = alpha.older = 0.0
     run.current = False
     run.what = GOOD
+    if problem.settle != 0:
+        lost = balance.work.plastic + balance.work.broken
+        if settle(problem, integrator.old, integrator.old, 0.0):
+            run.what = CHANGED
+        lost -= balance.work.plastic + balance.work.broken
+        balance.work.fallbacks += energies(body, state, mass, q, v, parts) - after + lost
     run.fallbacks += 1
     run.matrices += 1

@@ -9,7 +9,7 @@ from ..engine.jit import FAST, kernel
 
 GOOD, BAD_NUMBER, BAD_POSITION, BAD_SPEED, STUCK, CHANGED = 0, 1, 2, 3, 4, 5
 """What is wrong with a state. STUCK: no step from it is accepted, however short. CHANGED: nothing is wrong,
-but springs have yielded or broken, so that the run has to begin anew."""
+but springs have broken, so that the run has to begin anew."""
 
 
 @kernel(forceinline=True, fastmath=FAST)

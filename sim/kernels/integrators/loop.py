@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from ..core.drive import act_as, lead_to
-from ..core.shared import accelerate, accumulate, no_tunnelling, settle, within_strength
+from ..core.shared import accelerate, accumulate, no_tunnelling, part_to_try, settle
 from ..core.tables import CONTROL_SCALE, CONTROL_SHIFT
 from ..engine.jit import kernel
 from .guard import CHANGED, GOOD, state_ok
@@ -80,6 +80,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             h = fitting_step(t, end, run.step, equal_steps)
             trial.end = goal if h == goal - t else t + h
         trial.h, trial.far, trial.fast, trial.moved = h, math.inf, math.inf, math.inf
+        trial.part = 1.0
         scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
         if balance.active and not knows_a:
             lead_to(drive, t, old.q, old.v)
@@ -96,11 +97,14 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         if not good and trial.count > 1:
             most, tries = 1, tries - 1  # one at a time, up to the last good state
             continue
+        if trial.part < 1.0:
+            run.step = trial.part * h
+            continue
         run.step = control(problem, drive, old, new, h, tolerance, error, good)
         if not good:
             trial.failures += 1
             continue
-        # Before the energy balance, which evaluates forces elsewhere.
+        # Before all that evaluates forces elsewhere.
         shortest = shortest_of(body, problem.scratch) if trial.moved < math.inf else 0.0
         if balance.active:
             if not knows_a:
@@ -109,12 +113,14 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             accumulate(problem, drive, t, new.q, new.v, new.a, h)
             if drive.moving:
                 act_as(body, state, drive, trial.end, scale, shift)
+        broke = settle(problem, old, new, h if fixed == 0.0 else 0.0)
+        if balance.active:
             replace_state(old.q, old.v, old.a, new.q, new.v, new.a)
         else:
             # Swap the arrays instead of copying them.
             old, new = new, old
             swaps += 1
-        if settle(problem, old.q):
+        if broke:
             run.what, run.current = CHANGED, False
         steps += trial.count
         t, is_whole = trial.end, fixed == 0.0 or trial.end == fixed_time(problem, number + trial.count)
@@ -139,11 +145,14 @@ def _is_acceptable(problem, old, new, h, tolerance, shortest):
         return False
     if fixed > 0.0:
         return True
-    return (
+    if not (
         rotation_ok(body, problem.state, old.q, new.q, h, trial.moved, shortest)
         and no_tunnelling(problem, old.q, new.q)
-        and (too_short or within_strength(problem, new.q, tolerance))
-    )
+    ):
+        return False
+    if not too_short:
+        trial.part = part_to_try(problem, old, new, h, tolerance)
+    return trial.part == 1.0
 
 
 @kernel(internal=True)

@@ -122,6 +122,8 @@ export class Body {
     this.setLength.set(data.yielded?.length ?? []);
     this.setAngle.set(data.yielded?.angle ?? []);
     this.hardened.set(data.yielded?.hardened ?? []);
+    /** How far rest lengths move in the step that is being made, px. */
+    this.yielding = new Float64Array(this.springs);
     // In each evaluation: of each spring its vector, px, its length, px, and the force on its b end, kg px/s².
     this.vectors = new Float64Array(2 * this.springs);
     this.lengths = new Float64Array(this.springs);
@@ -162,7 +164,7 @@ export class Body {
       this.bearers.fill(0);
       for (let i = 0; i < this.ends.length; i++) this.bearers[this.ends[i]] += 1 - this.broken[i >> 1];
     }
-    for (let j = 0; j < this.joints; j++) this.#bend(j);
+    for (let j = 0; j < this.joints; j++) this.turnRest(j, 0);
   }
 
   /** Go to a time, s: gusts and muscles are then what they are at it. @param {number} time */
@@ -181,13 +183,18 @@ export class Body {
     for (let i = 0; i < muscles.joints.length; i++) {
       const j = muscles.joints[i][0];
       bent[j] = wave(muscles, muscles.joints[i], this.time);
-      this.#bend(j);
+      this.turnRest(j, 0);
     }
   }
 
-  /** Find what follows from the rest angle and the stiffness of a joint. @param {number} j */
-  #bend(j) {
-    const rest = this.restAngleOf(j) * DEGREE;
+  /**
+   * Find what follows from the rest angle and the stiffness of a joint.
+   *
+   * @param {number} j @param {number} more radians by which it yields in the step that is being made
+   */
+  turnRest(j, more) {
+    let rest = this.restAngleOf(j) * DEGREE + more;
+    if (Math.abs(rest) > Math.PI) rest -= Math.sign(rest) * TURN;
     const stiffness = this.isLoose(j) ? 0 : this.jointStiffness[j];
     this.rest[j] = rest;
     this.cosine[j] = stiffness * Math.cos(rest);
@@ -257,7 +264,7 @@ export class Body {
       const dy = vectors[2 * s + 1];
       const length = lengths[s];
       const along = (dx * (v[two] - v[one]) + dy * (v[two + 1] - v[one + 1])) / (length * length);
-      const pull = this.stiffness[s] * (this.restLengthOf(s) / length - 1) - this.damping[s] * along;
+      const pull = this.stiffness[s] * ((this.restLengthOf(s) + this.yielding[s]) / length - 1) - this.damping[s] * along;
       forces[2 * s] = pull * dx;
       forces[2 * s + 1] = pull * dy;
     }

@@ -12,7 +12,51 @@ const STEEPEST = 0.999;
 const SHORTEST_REST = 0.01;
 
 /**
- * Let springs and joints yield and break, after a step; says whether any did.
+ * How far a spring yields at its present length, px, by what has yielded before this step.
+ *
+ * @param {Body} body @param {number} s
+ */
+function setBy(body, s) {
+  const { limits } = body.data;
+  const stiffness = body.stiffness[s];
+  if (!limits || body.broken[s] || !(stiffness > 0)) return 0;
+  const rest = body.restLengthOf(s);
+  const force = stiffness * (body.lengths[s] - rest);
+  const over = Math.abs(force) - (limits.yieldForce[s] + body.hardened[s]);
+  if (!(over > 0)) return 0;
+  const least = Math.min(SHORTEST_REST * body.restLength[s] - rest, 0);
+  return Math.max((Math.sign(force) * over) / (stiffness + limits.hardening[s]), least);
+}
+
+/** Likewise how far the rest angle of a joint moves, radians. @param {Body} body @param {number} j */
+function bentBy(body, j) {
+  const { limits } = body.data;
+  const stiffness = body.jointStiffness[j];
+  if (!limits || !(stiffness > 0) || body.isLoose(j)) return 0;
+  const { heldSprings, vectors, lengths } = body;
+  const [p, q] = [heldSprings[2 * j], heldSprings[2 * j + 1]];
+  const [px, py, qx, qy] = [vectors[2 * p], vectors[2 * p + 1], vectors[2 * q], vectors[2 * q + 1]];
+  const torque = limits.yieldTorque[j] / (stiffness * lengths[p] * lengths[q]);
+  let off = Math.atan2(px * qy - py * qx, px * qx + py * qy) - (body.restAngleOf(j) * Math.PI) / 180;
+  if (off > Math.PI) off -= 2 * Math.PI;
+  else if (off < -Math.PI) off += 2 * Math.PI;
+  // Bent beyond the largest torque of a sine law, it has yielded on the way.
+  const isAngle = body.law === "angle";
+  const limit = isAngle ? torque : Math.asin(Math.min(torque, 1));
+  if (!(Math.abs(off) > limit)) return 0;
+  return off - Math.sign(off) * (isAngle ? limit : Math.asin(Math.min(torque, STEEPEST)));
+}
+
+/** Let springs and joints yield as they do if a step leads to where a body is. @param {Body} body */
+export function yieldHere(body) {
+  if (!body.data.limits) return;
+  body.measure();
+  for (let s = 0; s < body.springs; s++) body.yielding[s] = setBy(body, s);
+  for (let j = 0; j < body.joints; j++) body.turnRest(j, bentBy(body, j));
+}
+
+/**
+ * Keep what has yielded in a step, and let springs break; says whether any did.
  *
  * @param {Body} body
  */
@@ -20,53 +64,26 @@ export function settle(body) {
   const { limits } = body.data;
   if (!limits) return false;
   body.measure();
-  let [changed, broke] = [false, false];
+  let broke = false;
   for (let s = 0; s < body.springs; s++) {
-    const stiffness = body.stiffness[s];
     if (body.broken[s]) continue;
-    let force = stiffness * (body.lengths[s] - body.restLengthOf(s));
-    const over = Math.abs(force) - (limits.yieldForce[s] + body.hardened[s]);
-    if (over > 0 && stiffness > 0) {
-      const least = Math.min(SHORTEST_REST * body.restLength[s] - body.restLengthOf(s), 0);
-      const moved = Math.max((Math.sign(force) * over) / (stiffness + limits.hardening[s]), least);
-      body.setLength[s] += moved;
-      body.hardened[s] += limits.hardening[s] * Math.abs(moved);
-      force -= stiffness * moved;
-      changed ||= moved !== 0;
-    }
-    if (Math.abs(force) > limits.strength[s]) {
+    const moved = setBy(body, s);
+    body.setLength[s] += moved;
+    body.hardened[s] += limits.hardening[s] * Math.abs(moved);
+    body.yielding[s] = 0;
+    if (Math.abs(body.stiffness[s] * (body.lengths[s] - body.restLengthOf(s))) > limits.strength[s]) {
       body.broken[s] = 1;
       broke = true;
     }
   }
+  for (let j = 0; j < body.joints; j++) {
+    body.setAngle[j] += (bentBy(body, j) * 180) / Math.PI;
+    if (body.setAngle[j] > 180) body.setAngle[j] -= 360;
+    else if (body.setAngle[j] <= -180) body.setAngle[j] += 360;
+  }
   if (broke) leak(body);
-  for (let j = 0; j < body.joints; j++) changed = bend(body, j, limits.yieldTorque[j]) || changed;
-  if (changed || broke) body.refresh();
-  return changed || broke;
-}
-
-/** Let a joint yield beyond a torque; says whether it did. @param {Body} body @param {number} j @param {number} yieldTorque */
-function bend(body, j, yieldTorque) {
-  const stiffness = body.jointStiffness[j];
-  if (!(stiffness > 0) || body.isLoose(j)) return false;
-  const { heldSprings, vectors, lengths, rest } = body;
-  const [p, q] = [heldSprings[2 * j], heldSprings[2 * j + 1]];
-  const [px, py, qx, qy] = [vectors[2 * p], vectors[2 * p + 1], vectors[2 * q], vectors[2 * q + 1]];
-  const limit = yieldTorque / (stiffness * lengths[p] * lengths[q]);
-  let off = Math.atan2(px * qy - py * qx, px * qx + py * qy) - rest[j];
-  if (off > Math.PI) off -= 2 * Math.PI;
-  else if (off < -Math.PI) off += 2 * Math.PI;
-  const isAngle = body.law === "angle";
-  const size = Math.abs(off);
-  // Bent beyond the largest torque of a sine law, it has yielded on the way.
-  const torque = isAngle ? size : size > 0.5 * Math.PI ? 1 : Math.sin(size);
-  const kept = isAngle ? Math.min(limit, size) : Math.asin(Math.min(limit, STEEPEST));
-  const moved = off - Math.sign(off) * kept;
-  if (!(torque > limit) || Math.abs(moved) < 1e-12) return false;
-  body.setAngle[j] += (moved * 180) / Math.PI;
-  if (body.setAngle[j] > 180) body.setAngle[j] -= 360;
-  else if (body.setAngle[j] <= -180) body.setAngle[j] += 360;
-  return true;
+  body.refresh();
+  return broke;
 }
 
 /** Let out what was held in by a spring that is broken. @param {Body} body */

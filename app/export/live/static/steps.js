@@ -8,7 +8,7 @@
  *   that all rest angles grow by
  */
 import { TURN } from "./body.js";
-import { settle } from "./limits.js";
+import { settle, yieldHere } from "./limits.js";
 
 /** Range of the factor of all rest lengths. */
 const [SCALE_MIN, SCALE_MAX] = [0.01, 100];
@@ -36,6 +36,12 @@ function press(body, { factor, angle }, h) {
   body.refresh();
 }
 
+/** Find the accelerations where a step leads to, by what yields in it. @param {Body} body @param {number} h s */
+function accelerateHere(body, h) {
+  yieldHere(body);
+  body.accelerate(h);
+}
+
 /**
  * Symplectic Euler, the tutorial's method: v += h a(x, v), then x += h v.
  *
@@ -48,7 +54,7 @@ function eulerStep(body, h, lead) {
   // As in the tutorial, forces see hands where they are in the end; circles go on with the masses.
   lead(end, body.time);
   body.at(end);
-  body.accelerate(h);
+  accelerateHere(body, h);
   for (let i = 0; i < x.length; i++) {
     if (held[i >> 1]) continue;
     v[i] += h * a[i];
@@ -79,7 +85,7 @@ function verletStep(body, h, lead) {
   }
   lead(end, end);
   body.at(end);
-  body.accelerate(h);
+  accelerateHere(body, h);
   for (let i = 0; i < x.length; i++) {
     if (!held[i >> 1]) v[i] = before.v[i] + 0.5 * h * (before.a[i] + a[i]);
   }
@@ -123,11 +129,11 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
   };
   const step = METHODS[method];
   lead(start, start);
-  if (method === "verlet") body.accelerate(h);
+  if (method === "verlet") accelerateHere(body, h);
   for (let i = 1; i <= count; i++) {
     press(body, presses, h);
     step(body, h, lead);
-    if (settle(body) && method === "verlet") body.accelerate(h);
+    if (settle(body) && method === "verlet") accelerateHere(body, h);
   }
   hands.forEach(({ mass }, i) => {
     body.held[mass] = before[i];
