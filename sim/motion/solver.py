@@ -63,7 +63,7 @@ _ROWS, _ALPHA_ROWS = 20, 4
 """Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
 
 _NO_BALANCE = EnergyBalance.empty().replaced(work=Work())
-"""Of all solvers that keep none; kernels do not write to it."""
+"""Of all solvers that keep none; nobody reads what is entered into it."""
 
 _NEAR_LIMIT = 0.6
 """Step, as a fraction of the stability limit, from which it counts as near the limit."""
