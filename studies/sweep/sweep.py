@@ -11,6 +11,7 @@ from pathlib import Path
 
 from rich.console import Console
 
+import sim
 from sim.compiling.compiler import all_of, fetch
 from sim.methods.registry import METHODS
 from sim.store.files import decode_scene, encode_scene
@@ -33,17 +34,17 @@ class Sweep:
         grid: the scene and what is varied.
         measures: names.
         duration: simulated time of each run, s.
-        methods: names of all methods, once `check` has looked.
+        quick: once `check` has looked, the numbers of the runs that are quick, see `is_quick`.
+        methods: then the names of the methods of all others.
         tolerance: then the smallest one of a method that has one, px; infinite where none has.
-        quick: then the numbers of the runs that are quick, see `is_quick`.
     """
 
     grid: Grid
     measures: tuple[str, ...]
     duration: float
+    quick: set[int] = field(default_factory=set)
     methods: set[str] = field(default_factory=set)
     tolerance: float = math.inf
-    quick: set[int] = field(default_factory=set)
 
     def check(self) -> None:
         """Look at the scene of every run.
@@ -56,7 +57,8 @@ class Sweep:
             integrator = scene.integrator
             if is_quick(scene, self.duration, self.measures):
                 self.quick.add(number)
-            self.methods.add(integrator.method)
+            else:
+                self.methods.add(integrator.method)
             if METHODS[integrator.method].adaptive:
                 self.tolerance = min(self.tolerance, integrator.tolerance)
 
@@ -198,6 +200,8 @@ def _compute(what: Sweep, folder: Folder, making: Making, watch: Watch) -> None:
     # Once, here, and not by each of several processes that start at the same time.
     for method in sorted(what.methods | ({REFERENCE} if "error" in what.measures else set())):
         fetch(all_of(method))
+    if what.quick:
+        sim.run_many([what.grid.scene_at(what.grid.points[min(what.quick)])], 0.0)
     watch.say("starting", len(folder.rows))
     with making() as workers:
         for number, row in what.rows(missing, workers):
