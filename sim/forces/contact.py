@@ -135,7 +135,14 @@ def _change_of(contact, pair, change, g, definite):
     vx, vy, wx, wy, speed = pair.vx, pair.vy, pair.wx, pair.wy, pair.speed
     push, friction, per_square = pair.push, pair.friction, pair.per_square
     square = ex * ex + ey * ey
-    by_depth, by_speed = push_slopes(contact.stiffness, contact.damping, contact.distance - r, speed)
+    by_depth, by_speed = push_slopes(
+        contact.stiffness,
+        contact.damping,
+        contact.hysteresis,
+        contact.slip_speed,
+        contact.distance - r,
+        speed,
+    )
     coefficient = friction_on(contact, square)
     held = math.tanh(pair.along / contact.slip_speed)
     stuck = coefficient * push * (1.0 - held * held) / contact.slip_speed
@@ -181,7 +188,14 @@ def _drag_of(contact, pair, change):
     """
     dx, dy, fx, fy = change
     nx, ny, lx, ly = pair.nx, pair.ny, pair.lx, pair.ly
-    _, by_speed = push_slopes(contact.stiffness, contact.damping, contact.distance - pair.r, pair.speed)
+    _, by_speed = push_slopes(
+        contact.stiffness,
+        contact.damping,
+        contact.hysteresis,
+        contact.slip_speed,
+        contact.distance - pair.r,
+        pair.speed,
+    )
     held = math.tanh(pair.along / contact.slip_speed)
     more, slide = by_speed * (nx * dx + ny * dy), nx * dy - ny * dx - (fx * lx + fy * ly)
     coefficient = friction_on(contact, pair.ex * pair.ex + pair.ey * pair.ey)
@@ -363,7 +377,7 @@ class ContactTwin:
         )
         coefficient = contact.friction * np.minimum(square / contact.distance**2, 1.0)
         push, friction = pushes_and_frictions(
-            contact.stiffness, contact.damping, coefficient, contact.slip_speed,
+            contact.stiffness, contact.damping, contact.hysteresis, coefficient, contact.slip_speed,
             self._step, mobility, mobility_along, contact.distance - abs(gap), speed,
         )  # fmt: skip
         force, couple = (push - 1j * friction) * normal, friction * arm

@@ -28,7 +28,7 @@ from ..kernels.engine.table import Floats, Indices, Table
 from ..near import near_pairs
 from ..scene.types import Scene
 from .broad_phase import meeting, segment
-from .push import damping_factor, push_and_friction
+from .push import losses, push_and_friction
 
 _APART = 1.25
 """Distance, as a multiple of that of contact, below which a mass never touches a spring of its own body."""
@@ -52,6 +52,7 @@ class Contacts(Table):
     friction: float  # coefficient
     slip_speed: float  # px/s
     damping: float  # s/px, the factor of the speed in the push
+    hysteresis: float  # by which part the push is larger on the way in, and smaller on the way out
     margin: float  # px, by which pairs that are listed may be farther apart than `distance`
     cell: float  # px, width of a cell of the grid
     apart_start: Indices  # (S + 1,) where the masses of each spring start in `apart`
@@ -93,6 +94,7 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
     distance = contact.distance
     x = np.zeros(slots, complex)
     x[mass_index] = [complex(*mass.position) for mass in scene.masses]
+    damping, hysteresis = losses(contact.restitution, contact.bounciness)
     margin = max(_MARGIN * max(distance, float(np.median(np.abs(x[ends[:, 1]] - x[ends[:, 0]])))), 1e-3)
     pairs = _apart(x, np.sort(mass_index), ends, _APART * distance)
     return Contacts(
@@ -101,7 +103,8 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
         stiffness=contact.stiffness,
         friction=contact.friction,
         slip_speed=contact.slip_speed,
-        damping=damping_factor(contact.bounciness),
+        damping=damping,
+        hysteresis=hysteresis,
         margin=margin,
         cell=2.0 * (distance + margin),
         apart_start=np.searchsorted(pairs[0], np.arange(springs + 1)),
@@ -202,8 +205,8 @@ def pair_at(body, w, s, m, q, v):
             + w[b] * ((lx - t * ny) * (lx - t * ny) + (ly + t * nx) * (ly + t * nx))
         )
     push, friction, elastic = push_and_friction(
-        contact.stiffness, contact.damping, friction_on(contact, ex * ex + ey * ey), contact.slip_speed,
-        h, mobility, mobility_along, contact.distance - r, speed, along,
+        contact.stiffness, contact.damping, contact.hysteresis, friction_on(contact, ex * ex + ey * ey),
+        contact.slip_speed, h, mobility, mobility_along, contact.distance - r, speed, along,
     )  # fmt: skip
     return True, Pair(
         m, a, b, t, r, nx, ny, ex, ey, per_square, vx, vy, wx, wy, lx, ly, speed, along,

@@ -18,7 +18,7 @@ from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.table import Rows, Table
 from ..scene.surroundings import Wall
 from ..scene.types import Scene
-from .push import damping_factor, push_and_friction, push_slopes, pushes_and_frictions, time_to_deepest
+from .push import losses, push_and_friction, push_slopes, pushes_and_frictions, time_to_deepest
 from .term import Floats, Term, Vectors, read_only
 
 _QUICKLY = 4.0
@@ -29,7 +29,7 @@ _QUICKLY = 4.0
 class Walls(Table):
     """Read-only. W walls."""
 
-    rows: Rows  # (W, 8), a `WallRow` each
+    rows: Rows  # (W, 9), a `WallRow` each
 
 
 class WallRow(NamedTuple):
@@ -43,6 +43,7 @@ class WallRow(NamedTuple):
     friction: float  # coefficient
     slip_speed: float  # px/s
     damping: float  # factor, s/px
+    hysteresis: float  # part of the push
 
 
 _NO_WALLS = read_only(Walls(rows=np.zeros((0, len(WallRow._fields)))))
@@ -58,15 +59,15 @@ def new_walls(scene: Scene) -> Walls:
 
 def _row(wall: Wall) -> WallRow:
     nx, ny = (part / math.hypot(*wall.normal) for part in wall.normal)
-    damping = damping_factor(wall.bounciness)
-    return WallRow(*wall.point, nx, ny, wall.hardness, wall.friction, wall.slip_speed, damping)
+    lost = losses(wall.restitution, wall.bounciness)
+    return WallRow(*wall.point, nx, ny, wall.hardness, wall.friction, wall.slip_speed, *lost)
 
 
 @kernel(forceinline=True)
 def _wall(body, k):
     """The k-th wall."""
     row = body.environment.walls.rows[k]
-    return WallRow(row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7])
+    return WallRow(row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8])
 
 
 # ------------------------------------------------------------------------- force and energy
@@ -89,7 +90,7 @@ def _wall_push(wall, h, depth, vx, vy):
     nx, ny = wall.nx, wall.ny
     along = vy * nx - vx * ny
     push, friction, elastic = push_and_friction(
-        wall.hardness, wall.damping, wall.friction, wall.slip_speed,
+        wall.hardness, wall.damping, wall.hysteresis, wall.friction, wall.slip_speed,
         h, 1.0, 1.0, depth, vx * nx + vy * ny, along,
     )  # fmt: skip
     return push, friction, elastic, along
@@ -221,7 +222,9 @@ def _wall_derivatives(wall, depth, vx, vy, definite):
     push, _, _, along = _wall_push(wall, 0.0, depth, vx, vy)
     held = math.tanh(along / slip_speed)
     drag = friction * push * (1.0 - held * held) / slip_speed
-    by_depth, by_speed = push_slopes(wall.hardness, wall.damping, depth, vx * nx + vy * ny)
+    by_depth, by_speed = push_slopes(
+        wall.hardness, wall.damping, wall.hysteresis, slip_speed, depth, vx * nx + vy * ny
+    )
     fx, fy = nx + friction * held * ny, ny - friction * held * nx
     if definite:
         fx, fy = nx, ny
@@ -293,7 +296,7 @@ class WallsTwin:
         for wall, depth, normal in self._depths(x):
             speed = v * normal.conjugate()  # real part: outwards, imaginary part: along the wall
             push, rubbing = pushes_and_frictions(
-                wall.hardness, wall.damping, wall.friction, wall.slip_speed,
+                wall.hardness, wall.damping, wall.hysteresis, wall.friction, wall.slip_speed,
                 self._step, 1.0, 1.0, depth, speed,
             )  # fmt: skip
             total += self._mass * (push - 1j * rubbing) * normal

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 import msgspec
 from msgspec import Meta
@@ -12,6 +12,9 @@ from .numbers import Index, Length, Speed, Vector, bounded
 Pressure = Annotated[float, bounded(0.0, 1e9, "kg/s²", "Pressure")]
 STILL_AIR = 1e-6
 """px/s below which there is no wind."""
+
+Restitution = Literal["viscous", "constant"]
+"""How the part of the speed that is left after a bounce goes by the speed; see `Wall`."""
 
 Area = Annotated[float, bounded(1e-6, 1e12, "px²", "An area")]
 
@@ -88,8 +91,10 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         normal: any vector but zero, from the surface to the side that is free.
         hardness: 1e-3..1e9 1/(px s²), the acceleration at a depth of 1 px.
         friction: 0..100, coefficient of friction.
-        bounciness: 0..1; the speed at which a mass leaves that has hit the wall at 1000 px/s, as a fraction
-            of that. Slower ones keep more.
+        bounciness: 0..1; the speed at which a mass leaves that has hit the wall, as a fraction of that.
+        restitution: of which speeds. "viscous": at 1000 px/s; slower ones keep more, and tiny ones all.
+            "constant": of all that are well above `slip_speed`, by a push that is larger while a mass goes in
+            than while it comes out (Walton & Braun 1986); tiny ones are damped most, so things come to rest.
         slip_speed: 1e-3..1e6 px/s.
     """
 
@@ -99,6 +104,7 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     friction: Annotated[float, bounded(0.0, 100.0, "", "Coefficient of friction")] = 0.5
     bounciness: Annotated[float, bounded(0.0, 1.0, "", "Bounciness")] = 0.5
     slip_speed: Annotated[float, bounded(1e-3, 1e6, "px/s", "Speed of full friction")] = 10.0
+    restitution: Restitution = "viscous"
 
 
 class Gas(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, tag_field="kind", tag="gas"):
@@ -154,7 +160,7 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     Attributes:
         distance: 0..1e6 px, at which contact begins; 0 for none.
         stiffness: 1e-3..1e12 kg/(px s²).
-        friction, bounciness, slip_speed: as of a `Wall`.
+        friction, bounciness, slip_speed, restitution: as of a `Wall`.
     """
 
     distance: Length
@@ -162,3 +168,4 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     friction: Annotated[float, bounded(0.0, 100.0, "", "Coefficient of friction")] = 0.5
     bounciness: Annotated[float, bounded(0.0, 1.0, "", "Bounciness")] = 0.5
     slip_speed: Annotated[float, bounded(1e-3, 1e6, "px/s", "Speed of full friction")] = 10.0
+    restitution: Restitution = "viscous"

@@ -90,6 +90,7 @@ def _contact(system: System) -> dict[str, Any] | None:
         "friction": contact.friction,
         "slipSpeed": contact.slip_speed,
         "damping": contact.damping,
+        "hysteresis": contact.hysteresis,
         "margin": contact.margin,
         "apart": apart,
     }

@@ -17,14 +17,14 @@ import { pushAndFriction } from "./push.js";
  * @typedef {{masses: number[], isGas: boolean, strength: number, outside: number, area: number}} Filling the pressure of a gas
  *   at its area, or the bulk modulus of a liquid, and the pressure outside, kg/s²; px²; masses so that the area is positive
  * @typedef {[x: number, y: number, nx: number, ny: number, hardness: number, friction: number, slipSpeed: number,
- *   damping: number]} Wall a point, the unit vector to the free side, 1/(px s²), 1, px/s, s/px
+ *   damping: number, hysteresis: number]} Wall a point, the unit vector to the free side, 1/(px s²), 1, px/s, s/px, 1
  * @typedef {[x: number, y: number, u: number, v: number, phase: number, rate: number]} Wave of gusts: its wave vector, 1/px,
  *   its amplitude, px/s, its phase at time zero, and the rate of that, 1/s
  * @typedef {{across: number, along: number}} Medium kg/(px s)
  * @typedef {{gravity: number, forward: number, backward: number, sideways: number, slipSpeed: number}} Ground px/s²; coefficients
  *   of friction; px/s
- * @typedef {{distance: number, stiffness: number, friction: number, slipSpeed: number, damping: number, margin: number,
- *   apart: number[][]}} Contact px, kg/(px s²), 1, px/s, s/px, px; for each spring, the masses that never touch it
+ * @typedef {{distance: number, stiffness: number, friction: number, slipSpeed: number, damping: number, hysteresis: number,
+ *   margin: number, apart: number[][]}} Contact px, kg/(px s²), 1, px/s, s/px, 1, px; for each spring, the masses that never touch it
  * @typedef {{strength: number[], yieldForce: number[], hardening: number[], yieldTorque: number[]}} Limits of springs and
  *   joints: kg px/s², kg/s², kg px²/s²; 1e300 for what has none
  * @typedef {{length: number[], hardened: number[], angle: number[]}} Yielded what has yielded before: rest lengths by how
@@ -446,7 +446,7 @@ export class Body {
   }
 
   /** @param {Wall} wall @param {number} h */
-  #addWall([px, py, nx, ny, hardness, friction, slipSpeed, damping], h) {
+  #addWall([px, py, nx, ny, hardness, friction, slipSpeed, damping, hysteresis], h) {
     const { positions: x, velocities: v, accelerations: a, held } = this;
     for (let m = 0; m < this.masses; m++) {
       const i = 2 * m;
@@ -454,7 +454,9 @@ export class Body {
       if (!(depth > 0) || held[m]) continue;
       const speed = v[i] * nx + v[i + 1] * ny;
       const along = v[i + 1] * nx - v[i] * ny;
-      const [push, rub] = pushAndFriction(hardness, damping, friction, slipSpeed, h, 1, 1, depth, speed, along);
+      const [push, rub] = pushAndFriction(
+        hardness, damping, hysteresis, friction, slipSpeed, h, 1, 1, depth, speed, along,
+      );
       a[i] += push * nx + rub * ny;
       a[i + 1] += push * ny - rub * nx;
     }

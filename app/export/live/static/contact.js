@@ -88,7 +88,7 @@ export function addContact(body, contact, h) {
     const mobilityAlong = wm + wa * ((lx + u * ny) ** 2 + (ly - u * nx) ** 2) + wb * ((lx - t * ny) ** 2 + (ly + t * nx) ** 2);
     const friction = contact.friction * Math.min(whole / (contact.distance * contact.distance), 1);
     const [push, rub] = pushAndFriction(
-      contact.stiffness, contact.damping, friction, contact.slipSpeed, h, mobility, mobilityAlong,
+      contact.stiffness, contact.damping, contact.hysteresis, friction, contact.slipSpeed, h, mobility, mobilityAlong,
       contact.distance - r, speed, along,
     );
     const [fx, fy, gx, gy] = [push * nx + rub * ny, push * ny - rub * nx, rub * lx, rub * ly];
