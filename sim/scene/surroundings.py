@@ -84,7 +84,9 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     enters, and c follows from the bounciness (Hunt & Crossley 1975). So under gravity g it comes to rest at
     the depth sqrt(g / hardness).
     Along the wall, a mass that is pushed with N is slowed by friction N tanh(s / slip_speed) at the speed s.
-    So it creeps even on a slope that would hold it: the smaller the slip speed, the slower.
+    So it creeps even on a slope that would hold it: the smaller the slip speed, the slower. With a tangential
+    hardness it does not: a spring of stiffness m tangential_hardness holds it where it touched the wall, and
+    slides along as soon as it pulls with more than friction N (Cundall & Strack 1979).
 
     Attributes:
         point: any point of the wall's surface.
@@ -93,9 +95,11 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         friction: 0..100, coefficient of friction.
         bounciness: 0..1; the speed at which a mass leaves that has hit the wall, as a fraction of that.
         restitution: of which speeds. "viscous": at 1000 px/s; slower ones keep more, and tiny ones all.
-            "constant": of all that are well above `slip_speed`, by a push that is larger while a mass goes in
-            than while it comes out (Walton & Braun 1986); tiny ones are damped most, so things come to rest.
+            "constant": at all speeds, by a push that is larger while a mass goes in than while it comes out
+            (Walton & Braun 1986). Then what bounces comes to rest; 0.1 is the least that is distinguished.
         slip_speed: 1e-3..1e6 px/s.
+        tangential_hardness: 0..1e9 1/s², the acceleration along the wall at a stretch of 1 px; 0 for friction
+            that creeps. As stiff as the wall is for a mass at rest under gravity g: 2 sqrt(g hardness).
     """
 
     point: Vector
@@ -105,6 +109,7 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     bounciness: Annotated[float, bounded(0.0, 1.0, "", "Bounciness")] = 0.5
     slip_speed: Annotated[float, bounded(1e-3, 1e6, "px/s", "Speed of full friction")] = 10.0
     restitution: Restitution = "viscous"
+    tangential_hardness: Annotated[float, bounded(0.0, 1e9, "1/s²", "Tangential hardness of a wall")] = 0.0
 
 
 class Gas(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, tag_field="kind", tag="gas"):
@@ -161,6 +166,8 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
         distance: 0..1e6 px, at which contact begins; 0 for none.
         stiffness: 1e-3..1e12 kg/(px s²).
         friction, bounciness, slip_speed, restitution: as of a `Wall`.
+        tangential_stiffness: 0..1e12 kg/s², of the tangential springs that hold what does not slide, see
+            `Wall`; 0 for friction that creeps. A contact is as stiff as 2 sqrt(N stiffness) under the push N.
     """
 
     distance: Length
@@ -169,3 +176,4 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     bounciness: Annotated[float, bounded(0.0, 1.0, "", "Bounciness")] = 0.5
     slip_speed: Annotated[float, bounded(1e-3, 1e6, "px/s", "Speed of full friction")] = 10.0
     restitution: Restitution = "viscous"
+    tangential_stiffness: Annotated[float, bounded(0.0, 1e12, "kg/s²", "Tangential stiffness")] = 0.0

@@ -347,6 +347,11 @@ def test_a_program_refuses_walls_with_a_constant_restitution() -> None:
     for write in (python_program, c_program):
         with pytest.raises(InputError, match="walls with a constant restitution; make it viscous"):
             write(body)
+    held = tuple(changed(wall, tangential_hardness=5000.0) for wall in scene.walls)
+    with pytest.raises(
+        InputError, match="walls with tangential springs; set tangential_hardness to 0 to have one"
+    ):
+        python_program(body_of(changed(scene, walls=held)))
     assert '"restitution":"constant"' in body_json(body).decode().replace(" ", "")
 
 

@@ -179,6 +179,7 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
                 bounciness=float(rng.choice([0.0, 0.5, 1.0])),
                 slip_speed=_ten_to(rng, 0.0, 2.0),
                 restitution="constant" if k % 2 else "viscous",
+                tangential_hardness=1e4 if k == 1 else 0.0,
             )
             for k in range(int(rng.integers(1, 4)))
         )

@@ -101,7 +101,7 @@ def test_with_a_constant_restitution_a_mass_comes_to_rest() -> None:
         simulation.advance(3.0)
         speeds.append(float(np.abs(simulation.velocities).max()))
     assert speeds[0] > 5.0
-    assert speeds[1] < 1e-6
+    assert speeds[1] < 1e-4
 
 
 @pytest.mark.parametrize("method", FIXED)

@@ -61,6 +61,10 @@ class Plan:
         if contact is not None and contact.distance > 0.0 and len(body.ends):
             lacks["contact_distance"] = "contact of bodies"
         check_law(body)
+        if any(wall.tangential_hardness > 0.0 for wall in body.scene.walls):
+            raise InputError(
+                "a program cannot do walls with tangential springs; set tangential_hardness to 0 to have one"
+            )
         if any(wall.restitution == "constant" for wall in body.scene.walls):
             raise InputError(
                 "a program cannot do walls with a constant restitution; make it viscous to have one"
