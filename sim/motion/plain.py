@@ -105,6 +105,7 @@ class PlainSolver:
             else:
                 x, v, a = verlet_step(self._physics, x, v, a, h, lead)
             lead(x, v)  # the step has moved them
+            self._physics.stick(x, v)
             self.work += 1
             what = self._verdict(x, v)
             if what != guard.GOOD:

@@ -21,6 +21,7 @@ from ..compiling.compiler import (
 )
 from ..forces.fillings import FillingsTwin
 from ..forces.limits import take_back, without_broken
+from ..forces.sticking import sticks
 from ..kernels.core.shared import BY_ADDRESS
 from ..kernels.core.tables import (
     CHOICES,
@@ -316,6 +317,7 @@ class Solver:
             *(("accumulate_work",) if self.balance.active else ()),
             *(FOR_MATRICES if implicit else ()),
             *(("no_tunnelling",) if body.environment.contact.present else ()),
+            *(("stick",) if sticks(body) else ()),
             *(FOR_DAMAGE if body.limits.present else ()),
         )
         self._fetch((*needed_by(info.name), *(FOR_FALLBACK if implicit else ()), *called))

@@ -452,6 +452,7 @@ class Problem(Table):
     add_damping_product: int
     no_tunnelling: int
     part_to_try: int
+    stick: int
     settle: int
     fixed: float  # the step, s, or 0 for error control
     near_limit: float  # s; steps from here on count as near Verlet's stability limit

@@ -133,6 +133,7 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
   for (let i = 1; i <= count; i++) {
     press(body, presses, h);
     step(body, h, lead);
+    body.stick(h);
     if (settle(body) && method === "verlet") accelerateHere(body, h);
   }
   hands.forEach(({ mass }, i) => {
