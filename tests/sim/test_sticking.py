@@ -12,6 +12,8 @@ from hypothesis import strategies as st
 
 import sim
 from sim import Integrator, LinearSpring, Mass, Scene, SceneError, Simulation
+from sim.edit.build import pin, remove
+from sim.edit.edit import Selection, carried
 from sim.forces.walls import NOWHERE
 from sim.methods.registry import METHODS
 from sim.physics import Physics
@@ -203,6 +205,17 @@ def test_a_wall_that_is_moved_holds_nothing_any_more() -> None:
     wall = scene.walls[0]
     held.replace(REPLACE(scene, walls=(REPLACE(wall, point=(3.0, 0.0)),)))
     assert held.capture().grips is None
+
+
+def test_an_edit_that_takes_parts_away_leaves_no_grips_of_others() -> None:
+    held = Simulation(block(0.7))
+    held.advance(1.0)
+    moment = held.capture()
+    assert (
+        carried(remove(held.scene, Selection(frozenset((0,)), frozenset(), frozenset())), moment).grips
+        is None
+    )
+    assert carried(pin(held.scene, (0,), True), moment).grips == moment.grips
 
 
 def test_grips_of_what_does_not_exist_are_refused() -> None:
