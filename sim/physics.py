@@ -18,9 +18,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from .forces.all import TERMS, WITH_ENERGY
+from .forces.contact import ContactTwin
 from .forces.joints import JointsTwin
 from .forces.springs import SpringsTwin
 from .forces.term import Vectors
+from .forces.walls import WallsTwin
 from .kernels.core.tables import Body, State
 
 
@@ -43,6 +45,7 @@ class Physics:
         self._state = state
         self.springs, self.joints = SpringsTwin(body, state), JointsTwin(body, state)
         self.terms = {term.name: term.twin(body, state) for term in TERMS}
+        self._sticking = [term for term in self.terms.values() if isinstance(term, WallsTwin | ContactTwin)]
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """(slots,) all forces but gravity at positions x (px) and velocities v (px/s), kg px/s²."""
@@ -58,6 +61,11 @@ class Physics:
         """Energies of linear and of angular springs and of all terms, kg px²/s², by their names."""
         others = {term.name: self.terms[term.name].energy(x) for term in WITH_ENERGY}
         return {"linear": self.springs.energy(x), "angular": self.joints.energy(x), **others}
+
+    def stick(self, x: Vectors, v: Vectors) -> None:
+        """After a step to positions x with velocities v, update tangential springs; see `forces.sticking`."""
+        for term in self._sticking:
+            term.stick(x, v)
 
 
 def euler_step(physics: Physics, x: Vectors, v: Vectors, h: float) -> tuple[Vectors, Vectors]:

@@ -232,13 +232,16 @@ def _workers(jobs: int | None, address: str | None) -> Making:
     Raises:
         InputError: the number of processes makes no sense.
     """
-    from .sweep.workers import cluster, processes
+    from .sweep.workers import cluster, processes, this_process
 
     if jobs is not None and not 1 <= jobs <= 1000:
         raise InputError(f"--jobs: {jobs} is not in the range 1..1000")
     if jobs is not None and address is not None:
         raise InputError("--jobs: how many compute is up to the cluster")
-    return partial(processes, jobs or os.cpu_count() or 1) if address is None else partial(cluster, address)
+    if address is not None:
+        return partial(cluster, address)
+    count = jobs or os.cpu_count() or 1
+    return partial(processes, count) if count > 1 else this_process
 
 
 @dataclass

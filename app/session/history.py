@@ -291,5 +291,7 @@ def _size(frame: _Frame, before: _Frame | None) -> int:
     if damage is not None and (before is None or damage is not before.moment.damage):
         numbers = damage.broken, damage.set_lengths, damage.hardened, damage.set_angles
         size += _PER_NUMBER * sum(map(len, numbers))
+    if moment.grips is not None:
+        size += 3 * _PER_NUMBER * (len(moment.grips.walls) + len(moment.grips.springs))
     # What goes along with the body is of the same size.
     return size * (1 + len(frame.beside))

@@ -332,6 +332,7 @@ def restore_entry(moment: sim.Moment, with_scene: bool) -> Restore:
             positions=tuple(zip(x, y, strict=True)),
             velocities=tuple(zip(vx, vy, strict=True)),
             damage=moment.damage,
+            grips=moment.grips,
         ),
         time=moment.time,
         step=moment.step_count,
@@ -349,7 +350,7 @@ def moment_of(entry: Restore, scene: sim.Scene) -> sim.Moment:
     """
     pose = consistent_pose(entry.pose, scene)
     rows = np.ascontiguousarray([*np.array(pose.positions).T, *np.array(pose.velocities).T])
-    return sim.Moment(scene, entry.scale, entry.shift, rows, entry.time, entry.step, pose.damage)
+    return sim.Moment(scene, entry.scale, entry.shift, rows, entry.time, entry.step, pose.damage, pose.grips)
 
 
 def is_recorded(data: bytes) -> bool:

@@ -31,7 +31,7 @@ from ..kernels.core.tables import (
 )
 from ..kernels.engine.table import Table, address_of
 from ..methods.registry import METHODS
-from ..scene.columns import column, ends
+from ..scene.columns import column, ends, vectors
 from ..scene.types import Damage, Integrator, Scene, is_damageable, is_loaded, is_surrounded
 
 _SOFT_IN_TOLERANCES = 0.02
@@ -101,11 +101,10 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
     held = np.zeros(n, np.bool_)
     held[mass_index[[anchor.mass for anchor in scene.anchors]] - 1] = True
     if scene.pose is not None:
-        positions, velocities = scene.pose.positions, scene.pose.velocities
+        positions, velocities = np.array(scene.pose.positions), np.array(scene.pose.velocities)
     else:
-        positions = tuple(m.position for m in scene.masses)
-        velocities = tuple(m.velocity for m in scene.masses)
-    start = np.array([*np.array(positions, float).T, *np.array(velocities, float).T])[:, mass_order]
+        positions, velocities = vectors(scene.masses, "position"), vectors(scene.masses, "velocity")
+    start = np.concatenate((positions, velocities), 1).T[:, mass_order]
     start[2:, held] = 0.0
     return System(
         body=body,

@@ -24,6 +24,7 @@ from numba import types
 from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
 from ..forces.limits import part_to_try, settle, yielding_accelerations
+from ..forces.sticking import stick
 from ..kernels.core.shared import BY_ADDRESS, FLOATS
 from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
@@ -103,6 +104,7 @@ def _entry_points() -> dict[str, EntryPoint]:
         by_address("steps with contact", no_tunnelling),
         ("forces that yield", yielding_accelerations, BY_ADDRESS["accelerations"].args),
         by_address("limits of springs", part_to_try),
+        by_address("friction that holds", stick),
         by_address("yielding and breaking", settle),
     ]
     found: dict[str, EntryPoint] = {}

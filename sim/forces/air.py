@@ -15,6 +15,7 @@ wind w (Kraichnan 1970, Taylor 1938).
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -60,12 +61,18 @@ class Wave(NamedTuple):
 
 def new_air(scene: Scene) -> Air:
     """The table of a valid scene."""
-    wind = scene.wind if is_windy(scene) else None
-    x, y = wind.velocity if wind else (0.0, 0.0)
-    waves = _waves(wind) if wind else np.zeros((0, len(Wave._fields)))
-    return read_only(
-        Air(friction=scene.air_friction, moves=wind is not None, wind_x=x, wind_y=y, waves=waves)
-    )
+    wind = scene.wind
+    if wind is None or not is_windy(scene):
+        return _still_air(scene.air_friction)
+    x, y = wind.velocity
+    return read_only(Air(friction=scene.air_friction, moves=True, wind_x=x, wind_y=y, waves=_waves(wind)))
+
+
+@lru_cache(maxsize=16)
+def _still_air(friction: float) -> Air:
+    """The table of a scene without wind. Those of all scenes of one friction are the same."""
+    waves = np.zeros((0, len(Wave._fields)))
+    return read_only(Air(friction=friction, moves=False, wind_x=0.0, wind_y=0.0, waves=waves))
 
 
 def _waves(wind: Wind) -> Floats:
@@ -170,7 +177,7 @@ def _add_power(body, state, balance, q, v, part):
                 u, w = wind_at(air, state.clock[0], q[i], q[slots + i])
                 power -= air.friction * ((vx - u) * abs(vx - u) * vx + (vy - w) * abs(vy - w) * vy)
             else:
-                power -= state.air[i] * balance.mass[i] * (vx * vx * abs(vx) + vy * vy * abs(vy))
+                power -= state.air[i] * body.environment.mass[i] * (vx * vx * abs(vx) + vy * vy * abs(vy))
     balance.work.air += part * power
 
 

@@ -6,6 +6,7 @@ Symbols, rows and the force of a pair are in `contact_pairs`, how pairs are foun
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +15,8 @@ from ..kernels.core.tables import Body, State
 from ..kernels.engine.jit import FUSED, kernel
 from ..near import near_pairs, nearest_points
 from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
-from .contact_pairs import add_at_pair, friction_on, pair_at
-from .push import push_slopes, pushes_and_frictions, time_to_deepest
+from .contact_pairs import add_at_pair, direction_of, friction_on, pair_at
+from .push import friction_slopes, push_slopes, pushes_and_frictions, softened_for, time_to_deepest
 from .term import Floats, Term, Vectors
 
 _SURE = 0.5
@@ -44,13 +45,13 @@ def _add_forces(body, state, scratch, q, v):
 # ------------------------------------------------------------------------- energy and balance
 @kernel(internal=True, fastmath=FUSED)
 def _energy(body, state, q):
-    """The sum of k d³ / 3."""
+    """The sum of k d³ / 3, and what tangential springs have."""
     energy, slots = 0.0, q.size // 2
     if body.environment.contact.present:
         update_pairs(body, q[:slots], q[slots:])
         for s in range(body.springs):
             energy += energy_on_spring(body, q, s)
-    return energy
+    return energy + energy_along_springs(body, state, q)
 
 
 @kernel(forceinline=True, fastmath=FUSED)
@@ -66,6 +67,60 @@ def energy_on_spring(body, q, s):
         if depth > 0.0:
             energy += contact.stiffness * depth * depth * depth / 3.0
     return energy
+
+
+@kernel(internal=True, fastmath=FUSED)
+def energy_along_springs(body, state, q):
+    """The energy of the tangential springs at positions q, kg px²/s²."""
+    contact, energy, slots = body.environment.contact, 0.0, q.size // 2
+    if contact.present and contact.tangential > 0.0:
+        update_pairs(body, q[:slots], q[slots:])
+        for s in range(body.springs):
+            energy += energy_along_spring(body, state, q, s)
+    return energy
+
+
+@kernel(internal=True, fastmath=FUSED)
+def energy_along_spring(body, state, q, s):
+    """That of the tangential springs of one spring; the list of pairs must be up to date."""
+    contact, energy = body.environment.contact, 0.0
+    if contact.tangential > 0.0:
+        first, behind = pairs_of(body, s)
+        for p in range(first, behind):
+            touches, pair = pair_at(body, state.inverse_mass, s, contact.member[p], q, state.v)
+            if touches:
+                energy += 0.5 * pair.tangential * pair.stretch * pair.stretch
+    return energy
+
+
+@kernel(internal=True, fastmath=FUSED)
+def stick_to_springs(body, state, q, v):
+    """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`."""
+    contact, slots, count = body.environment.contact, q.size // 2, 0
+    if not (contact.present and contact.tangential > 0.0):
+        return
+    update_pairs(body, q[:slots], q[slots:])
+    for s in range(body.springs):
+        first, behind = pairs_of(body, s)
+        start = count
+        for p in range(first, behind):
+            touches, pair = pair_at(body, state.inverse_mass, s, contact.member[p], q, v)
+            if touches and count < contact.next_mass.size:
+                most = (
+                    friction_on(contact, pair.ex * pair.ex + pair.ey * pair.ey) * pair.push / pair.tangential
+                )
+                ahead, beside = direction_of(pair)
+                contact.next_mass[count] = pair.m
+                contact.next_held[count, 0] = min(max(pair.stretch, -most), most)
+                contact.next_held[count, 1] = pair.t
+                contact.next_held[count, 2], contact.next_held[count, 3] = ahead, beside
+                count += 1
+        contact.held_start[s] = start  # no later spring needs what it was
+    contact.held_start[body.springs] = count
+    for k in range(count):
+        contact.held_mass[k] = contact.next_mass[k]
+        for i in range(4):
+            contact.held[k, i] = contact.next_held[k, i]
 
 
 @kernel(internal=True, fastmath=FUSED)
@@ -85,6 +140,11 @@ def _add_power(body, state, balance, q, v, part):
 
 
 # ------------------------------------------------------------------------- derivatives
+@kernel(forceinline=True)
+def _lost(contact):
+    return contact.damping, contact.hysteresis, contact.calm
+
+
 TOUCHING_G, TOUCHING_DEFINITE, TOUCHING_PAIRS = 0, 1, 2
 """In `Matrix.touching`: factor of the derivatives by velocities, 1/s, whether what could make the matrix
 indefinite is left out, and the number of pairs that touch."""
@@ -109,9 +169,10 @@ def _change_of(contact, pair, change, g, definite):
         `sliding` = 2 r spin stretch - shift (n x e') - turn s - away spin - r (E x e') / |e|²,
 
     and if the velocities change by g D and g E, too, by g away and g `slide`, where slide = n x D - L . E.
-    With these, the push changes by `more` = dN/ds (faster + g away) - dN/dd away, and friction
-    T = mu N tanh(u / u0) by `drag` = mu tanh more + mu N (1 - tanh²) / u0 (sliding + g slide), plus
-    2 stretch T where mu is in proportion to |e|². So, since n changes by turn tau and tau by -turn n,
+    With these, the push changes by `more` = dN/ds (faster + g away) - dN/dd away, and friction T(mu N, z, u)
+    by `drag` = mu dT/d(mu N) more + dT/du (sliding + g slide) + dT/dz slide, as the stretch z of a tangential
+    spring changes like what u is the rate of, plus 2 stretch mu N dT/d(mu N) where mu is in proportion to
+    |e|². So, since n changes by turn tau and tau by -turn n,
 
         F = N n - T tau changes by (more + T turn) n + (N turn - drag) tau,
         G = T L by drag L + T ((away J e + r J E) / |e|² - 2 stretch L), with J x = (-x.y, x.x).
@@ -125,7 +186,7 @@ def _change_of(contact, pair, change, g, definite):
         change: D.x, D.y, E.x, E.y, px.
         g: 1/s.
         definite: leave out what could make the matrix of an implicit step indefinite: all but
-            -dN/dd away and the terms with g, without friction's part in proportion to the push.
+            -dN/dd away, dT/dz, and the terms with g, without friction's part in proportion to the push.
 
     Returns:
         The x and y of the change of F, and of that of G less shift F, kg px/s².
@@ -134,15 +195,19 @@ def _change_of(contact, pair, change, g, definite):
     t, r, nx, ny, ex, ey, lx, ly = pair.t, pair.r, pair.nx, pair.ny, pair.ex, pair.ey, pair.lx, pair.ly
     vx, vy, wx, wy, speed = pair.vx, pair.vy, pair.wx, pair.wy, pair.speed
     push, friction, per_square = pair.push, pair.friction, pair.per_square
+    spring = contact.tangential, contact.resisting
     square = ex * ex + ey * ey
-    by_depth, by_speed = push_slopes(contact.stiffness, contact.damping, contact.distance - r, speed)
+    by_depth, by_speed = push_slopes(
+        contact.stiffness, (contact.damping, contact.hysteresis, contact.calm), contact.distance - r, speed
+    )
     coefficient = friction_on(contact, square)
-    held = math.tanh(pair.along / contact.slip_speed)
-    stuck = coefficient * push * (1.0 - held * held) / contact.slip_speed
+    most = coefficient * push
+    held, stiff, stuck = friction_slopes(most, contact.slip_speed, spring, pair.along, pair.stretch)
+    stiff = stiff if pair.gripped else 0.0
     away, past = nx * dx + ny * dy, nx * dy - ny * dx
     slide = past - (fx * lx + fy * ly)
     if definite:
-        more, drag = (g * by_speed - by_depth) * away, g * stuck * slide
+        more, drag = (g * by_speed - by_depth) * away, (g * stuck + stiff) * slide
         return more * nx + drag * ny, more * ny - drag * nx, drag * lx, drag * ly
     if 0.0 < t < 1.0:
         turn = (ex * fy - ey * fx) * per_square
@@ -159,9 +224,9 @@ def _change_of(contact, pair, change, g, definite):
         - r * (fx * wy - fy * wx) * per_square
     )
     more = by_speed * (faster + g * away) - by_depth * away
-    drag = coefficient * held * more + stuck * (sliding + g * slide)
+    drag = coefficient * held * more + stuck * (sliding + g * slide) + stiff * slide
     if square < contact.distance * contact.distance:
-        drag += 2.0 * friction * stretch
+        drag += 2.0 * held * most * stretch
     along_n, across_n = more + friction * turn, push * turn - drag
     longer = drag - 2.0 * friction * stretch
     by_away, by_turn = friction * away * per_square, friction * r * per_square
@@ -181,11 +246,22 @@ def _drag_of(contact, pair, change):
     """
     dx, dy, fx, fy = change
     nx, ny, lx, ly = pair.nx, pair.ny, pair.lx, pair.ly
-    _, by_speed = push_slopes(contact.stiffness, contact.damping, contact.distance - pair.r, pair.speed)
-    held = math.tanh(pair.along / contact.slip_speed)
+    _, by_speed = push_slopes(
+        contact.stiffness,
+        (contact.damping, contact.hysteresis, contact.calm),
+        contact.distance - pair.r,
+        pair.speed,
+    )
     more, slide = by_speed * (nx * dx + ny * dy), nx * dy - ny * dx - (fx * lx + fy * ly)
     coefficient = friction_on(contact, pair.ex * pair.ex + pair.ey * pair.ey)
-    drag = coefficient * (held * more + pair.push * (1.0 - held * held) / contact.slip_speed * slide)
+    held, _, stuck = friction_slopes(
+        coefficient * pair.push,
+        contact.slip_speed,
+        (contact.tangential, contact.resisting),
+        pair.along,
+        pair.stretch,
+    )
+    drag = coefficient * held * more + stuck * slide
     return more * nx + drag * ny, more * ny - drag * nx, drag * lx, drag * ly
 
 
@@ -342,15 +418,25 @@ class ContactTwin:
         self._inverse_mass, self._ends = state.inverse_mass, np.stack((body.spring_a, body.spring_b), 1)
         self._masses = np.arange(1, body.masses + 1)
         self._at = np.full(state.inverse_mass.size, np.inf + 0j)
-        self._pairs = np.zeros((3, 0), np.int64)
+        self._pairs = np.zeros((4, 0), np.int64)
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """See `Twin`."""
-        contact, total = self._contact, np.zeros_like(x)
-        if not contact.present:
+        total = np.zeros_like(x)
+        if not self._contact.present:
             return total
+        (_, m, a, b), t, normal, arm, push, friction, _, _ = self._pushed(x, v)
+        force, couple = (push - 1j * friction) * normal, friction * arm
+        np.add.at(total, m, force)
+        np.add.at(total, a, -(1.0 - t) * force - couple)
+        np.add.at(total, b, -t * force + couple)
+        return total
+
+    def _pushed(self, x: Vectors, v: Vectors) -> tuple[Any, ...]:
+        """Of the pairs that touch: spring, mass and ends; t; n; L; N; T; the stretch; the most it may be."""
+        contact = self._contact
         pairs, t, gap = self._touching(x)
-        m, a, b = pairs
+        _, m, a, b = pairs
         spring, turning = x[b] - x[a], v[b] - v[a]
         normal, square = gap / np.maximum(abs(gap), 1e-300), np.maximum(abs(spring) ** 2, 1e-300)
         arm = 1j * spring * abs(gap) / square
@@ -362,43 +448,85 @@ class ContactTwin:
             free[m] + free[a] * abs(arm - (1.0 - t) * tangent) ** 2 + free[b] * abs(arm + t * tangent) ** 2
         )
         coefficient = contact.friction * np.minimum(square / contact.distance**2, 1.0)
+        stretch = self._stretches(pairs, t, gap, spring)
+        tangential = contact.tangential, contact.resisting
         push, friction = pushes_and_frictions(
-            contact.stiffness, contact.damping, coefficient, contact.slip_speed,
-            self._step, mobility, mobility_along, contact.distance - abs(gap), speed,
+            contact.stiffness, (contact.damping, contact.hysteresis, contact.calm), coefficient,
+            contact.slip_speed, tangential, self._step, mobility, mobility_along,
+            contact.distance - abs(gap), speed, stretch,
         )  # fmt: skip
-        force, couple = (push - 1j * friction) * normal, friction * arm
-        np.add.at(total, m, force)
-        np.add.at(total, a, -(1.0 - t) * force - couple)
-        np.add.at(total, b, -t * force + couple)
-        return total
+        stiffness, _ = softened_for(tangential, self._step, mobility_along)
+        return pairs, t, normal, arm, push, friction, stretch, (stiffness, coefficient * push)
+
+    def _stretches(self, pairs: NDArray[np.int64], t: Floats, gap: Vectors, spring: Vectors) -> Floats:
+        """(k,) px, of tangential springs; 0 for pairs that have none yet."""
+        contact, stretch = self._contact, np.zeros(t.size)
+        if not contact.tangential or not t.size:
+            return stretch
+        of_spring = np.repeat(np.arange(len(self._ends)), np.diff(contact.held_start))
+        known = of_spring * self._at.size + contact.held_mass[: of_spring.size]  # in ascending order
+        keys = pairs[0] * self._at.size + pairs[1]
+        k = np.searchsorted(known, keys)
+        found = np.append(known, -1)[k] == keys
+        was, way = contact.held[k[found]], direction(gap, spring)[found]
+        # The sine of the angle by which n has turned relative to the spring, and the way along the spring.
+        turned = ((was[:, 2] - 1j * was[:, 3]) * way).imag
+        moved = np.copysign(abs(spring[found]), way.imag) * (t[found] - was[:, 1])
+        stretch[found] = was[:, 0] + abs(gap[found]) * turned - moved
+        return stretch
+
+    def stick(self, x: Vectors, v: Vectors) -> None:
+        """`stick_to_springs`."""
+        contact = self._contact
+        if not (contact.present and contact.tangential):
+            return
+        (s, m, a, b), t, normal, _, _, _, stretch, (stiffness, most) = self._pushed(x, v)
+        order = np.lexsort((m, s))[: contact.held_mass.size]
+        way, bound = direction(normal, x[b] - x[a]), most / stiffness
+        kept = np.stack((np.clip(stretch, -bound, bound), t, way.real, way.imag), 1)
+        contact.held_start[:] = np.searchsorted(s[order], np.arange(len(self._ends) + 1))
+        contact.held_mass[: order.size], contact.held[: order.size] = m[order], kept[order]
 
     def energy(self, x: Vectors) -> float:
         """See `Twin`."""
         contact = self._contact
+        if not contact.present:
+            return 0.0
         _, _, gap = self._touching(x)
-        return float((contact.stiffness * (contact.distance - abs(gap)) ** 3).sum()) / 3.0
+        energy = float((contact.stiffness * (contact.distance - abs(gap)) ** 3).sum()) / 3.0
+        if not contact.tangential:
+            return energy
+        *_, stretch, (stiffness, _) = self._pushed(x, np.zeros_like(x))
+        return energy + 0.5 * float((stiffness * stretch**2).sum())
 
     def _touching(self, x: Vectors) -> tuple[NDArray[np.int64], Floats, Vectors]:
-        """(3, k) the mass and the ends of the spring of each pair, the nearest point, and the way from it."""
+        """(4, k) the spring, the mass and the ends of the spring of each pair, the nearest point, and the way
+        from it."""
         contact = self._contact
         here = self._masses
         if not contact.present or not np.isfinite(x[here]).all():
             return self._pairs[:, :0], np.zeros(0), x[:0]
         if not 2.0 * float(abs(x[here] - self._at[here]).max()) <= contact.margin:
             self._pairs, self._at = self._near(x), x.copy()
-        m, a, b = self._pairs
+        _, m, a, b = self._pairs
         t = nearest_points(x[m], x[a], x[b])
         gap = x[m] - x[a] - t * (x[b] - x[a])
         near = abs(gap) < contact.distance
         return self._pairs[:, near], t[near], gap[near]
 
     def _near(self, x: Vectors) -> NDArray[np.int64]:
-        """(3, k) the mass and the ends of the spring of each pair that may touch."""
+        """(4, k) the spring, the mass and the ends of the spring of each pair that may touch."""
         contact = self._contact
         spring, mass = near_pairs(x, self._masses, self._ends, contact.distance + contact.margin)
         never = np.repeat(np.arange(len(self._ends)), np.diff(contact.apart_start))
         apart = np.isin(spring * x.size + mass, never * x.size + contact.apart)
-        return np.stack((mass, *self._ends[spring].T))[:, ~apart & (contact.broken[spring] == 0.0)]
+        return np.stack((spring, mass, *self._ends[spring].T))[:, ~apart & (contact.broken[spring] == 0.0)]
+
+
+def direction(gap: Vectors, spring: Vectors) -> Vectors:
+    """Of a vector relative to a spring's, of length 1."""
+    relative = spring.conjugate() * gap
+    return relative / np.maximum(abs(relative), 1e-300)
 
 
 CONTACT = Term(

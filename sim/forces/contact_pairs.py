@@ -12,6 +12,12 @@ takes energy whenever anything slides, and has neither a sum nor a torque: besid
 there is the couple G = T L on the spring. A spring shorter than the distance of contact could not bear that,
 so friction decreases with the square of its length there.
 
+A tangential spring (see `push`) is remembered for a pair as long as it touches, with where it was at the end
+of the last step: its stretch, t, and the direction of n relative to the spring, (n . e, e x n) / |e|. The way
+since then is, with |e| and r as they are now, the integral of u: -|e| times the change of t where n is to the
+left of the spring, |e| times it on the other side, and r times the sine of the angle by which n has turned
+about an end. A mass that slides on to the next spring of a body begins anew there: it is sliding anyway.
+
 A pair's forces are w_i F + c_i G with the weights w = (1, t - 1, -t) and c = (0, -1, 1) of the mass, a and b.
 """
 
@@ -24,16 +30,21 @@ import numpy as np
 
 from ..kernels.core.tables import padded
 from ..kernels.engine.jit import FUSED, kernel
-from ..kernels.engine.table import Floats, Indices, Table
+from ..kernels.engine.table import Floats, Indices, Rows, Table
 from ..near import near_pairs
+from ..scene.columns import column
 from ..scene.types import Scene
 from .broad_phase import meeting, segment
-from .push import damping_factor, push_and_friction
+from .push import losses, push_and_friction, softened, tangential_spring
 
 _APART = 1.25
 """Distance, as a multiple of that of contact, below which a mass never touches a spring of its own body."""
 _MARGIN = 0.5
 """Margin of the list of pairs, as a fraction of the distance of contact or of a typical spring's length."""
+_TYPICAL = 1.5
+"""Mobility of a pair, in those of the median mass, by which it is damped: that in the middle of a spring."""
+_HELD_ROOM = 8
+"""Room for tangential springs, likewise. Pairs that find none do without."""
 _ROOM = 64
 """Room in the list, in masses for each spring. If it does not suffice, finding pairs takes longer."""
 
@@ -51,12 +62,22 @@ class Contacts(Table):
     stiffness: float  # kg/(px s²)
     friction: float  # coefficient
     slip_speed: float  # px/s
-    damping: float  # s/px, the factor of the speed in the push
+    damping: float  # what is lost, see `push.Lost`: s/px
+    hysteresis: float
+    calm: float  # px^(-1/2)/s
+    tangential: float  # of tangential springs: their stiffness, kg/s²
+    resisting: float  # and their damping, kg/s
     margin: float  # px, by which pairs that are listed may be farther apart than `distance`
     cell: float  # px, width of a cell of the grid
     apart_start: Indices  # (S + 1,) where the masses of each spring start in `apart`
     apart: Indices  # slots of the masses that never touch a spring, ascending
     broken: Floats  # (S,) 1 for a spring that is broken and touches nothing any more, else 0
+    # What tangential springs remember, in the order of the list; a second copy is what the next is made in.
+    held_start: Indices  # (S + 1,) where those of each spring start
+    held_mass: Indices  # slots of masses
+    held: Rows  # (n, 4) stretch, px; t; n . e / |e|; e x n / |e|
+    next_mass: Indices
+    next_held: Rows
     # The list
     number: Floats  # (1,) the margin with which it was made, px; negative if there is none
     crowded: Indices  # (1,) 1 if it has no room for all pairs: those of a spring are then found when needed
@@ -93,7 +114,12 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
     distance = contact.distance
     x = np.zeros(slots, complex)
     x[mass_index] = [complex(*mass.position) for mass in scene.masses]
+    mobility = _TYPICAL / float(np.median(column(scene.masses, "mass")))
+    lost = losses(contact.restitution, contact.bounciness, contact.stiffness, mobility)
+    damping, hysteresis, calm = lost
+    tangential, resisting = tangential_spring(contact.tangential_stiffness, mobility)
     margin = max(_MARGIN * max(distance, float(np.median(np.abs(x[ends[:, 1]] - x[ends[:, 0]])))), 1e-3)
+    room = _HELD_ROOM * springs if contact.tangential_stiffness > 0.0 else 0
     pairs = _apart(x, np.sort(mass_index), ends, _APART * distance)
     return Contacts(
         present=True,
@@ -101,7 +127,16 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
         stiffness=contact.stiffness,
         friction=contact.friction,
         slip_speed=contact.slip_speed,
-        damping=damping_factor(contact.bounciness),
+        damping=damping,
+        hysteresis=hysteresis,
+        calm=calm,
+        tangential=tangential,
+        resisting=resisting,
+        held_start=np.zeros(springs + 1, np.int64),
+        held_mass=np.zeros(room, np.int64),
+        held=np.zeros((room, 4)),
+        next_mass=np.zeros(room, np.int64),
+        next_held=np.zeros((room, 4)),
         margin=margin,
         cell=2.0 * (distance + margin),
         apart_start=np.searchsorted(pairs[0], np.arange(springs + 1)),
@@ -167,6 +202,9 @@ class Pair(NamedTuple):
     push: float  # N, kg px/s²
     elastic: float  # the part of N that does not depend on the speed
     friction: float  # T, kg px/s²
+    gripped: bool  # whether there is a tangential spring
+    stretch: float  # of it, px
+    tangential: float  # its stiffness, kg/s²
 
 
 @kernel(forceinline=True, fastmath=FUSED)
@@ -184,7 +222,7 @@ def pair_at(body, w, s, m, q, v):
     if not square < contact.distance * contact.distance:
         return False, Pair(
             m, a, b, t, 0.0, 0.0, 0.0, ex, ey, per_square, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, False, 0.0, 0.0,
         )  # fmt: skip
     r = math.sqrt(square)
     per_r = 1.0 / (r + 1e-300)
@@ -201,14 +239,47 @@ def pair_at(body, w, s, m, q, v):
             + w[a] * ((lx + u * ny) * (lx + u * ny) + (ly - u * nx) * (ly - u * nx))
             + w[b] * ((lx - t * ny) * (lx - t * ny) + (ly + t * nx) * (ly + t * nx))
         )
+    gripped, stretch, tangential = False, 0.0, contact.tangential
+    if tangential > 0.0:
+        gripped, stretch = _stretch_of(contact, s, m, (t, r, nx, ny, ex, ey, per_square))
+        tangential, _ = softened((contact.tangential, contact.resisting), h, mobility_along)
     push, friction, elastic = push_and_friction(
-        contact.stiffness, contact.damping, friction_on(contact, ex * ex + ey * ey), contact.slip_speed,
-        h, mobility, mobility_along, contact.distance - r, speed, along,
+        contact.stiffness, (contact.damping, contact.hysteresis, contact.calm),
+        friction_on(contact, ex * ex + ey * ey), contact.slip_speed, (contact.tangential, contact.resisting),
+        h, mobility, mobility_along, contact.distance - r, speed, along, stretch,
     )  # fmt: skip
     return True, Pair(
         m, a, b, t, r, nx, ny, ex, ey, per_square, vx, vy, wx, wy, lx, ly, speed, along,
-        push, elastic, friction,
+        push, elastic, friction, gripped, stretch, tangential,
     )  # fmt: skip
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def _stretch_of(contact, s, m, where):
+    """(whether the pair of spring s and mass m has a tangential spring, its stretch, px).
+
+    `where`: t, r, n.x, n.y, e.x, e.y, 1 / |e|² of the pair.
+    """
+    t, r, nx, ny, ex, ey, per_square = where
+    for k in range(contact.held_start[s], contact.held_start[s + 1]):
+        if contact.held_mass[k] == m:
+            length = math.sqrt(ex * ex + ey * ey)
+            ahead, beside = (
+                (nx * ex + ny * ey) * (length * per_square),
+                (ex * ny - ey * nx) * (length * per_square),
+            )
+            turned = contact.held[k, 2] * beside - contact.held[k, 3] * ahead
+            way = r * turned - math.copysign(length, beside) * (t - contact.held[k, 1])
+            return True, contact.held[k, 0] + way
+    return False, 0.0
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def direction_of(pair):
+    """(n . e, e x n) / |e|: the direction of n relative to the spring."""
+    ahead, beside = pair.nx * pair.ex + pair.ny * pair.ey, pair.ex * pair.ny - pair.ey * pair.nx
+    factor = math.sqrt(pair.ex * pair.ex + pair.ey * pair.ey) * pair.per_square
+    return ahead * factor, beside * factor
 
 
 @kernel(forceinline=True, fastmath=FUSED)

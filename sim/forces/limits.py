@@ -42,7 +42,7 @@ from ..scene.columns import column
 from ..scene.types import Scene
 from .all import accelerations
 from .broad_phase import update_pairs
-from .contact import energy_on_spring
+from .contact import energy_along_spring, energy_on_spring
 from .fillings import FillingRow
 from .joints import TUTORIAL, deflection_at, is_sine, joint_energy, joint_vectors, terms
 from .resistance import of_whole_springs
@@ -492,6 +492,7 @@ def settle(problem, q, v, to_q, to_v, h):
             if body.environment.contact.present:
                 update_pairs(body, to_q[:slots], to_q[slots:])
                 balance.work.broken -= energy_on_spring(body, to_q, s)
+                balance.work.broken -= energy_along_spring(body, state, to_q, s)
             broke = True
     for j in range(body.joints):
         _settle_joint(problem, j, q, v, to_q, to_v, h)

@@ -18,7 +18,17 @@ from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.table import Rows, Table
 from ..scene.surroundings import Wall
 from ..scene.types import Scene
-from .push import damping_factor, push_and_friction, push_slopes, pushes_and_frictions, time_to_deepest
+from .push import (
+    friction_slopes,
+    losses,
+    push_and_friction,
+    push_slopes,
+    pushes_and_frictions,
+    softened,
+    softened_for,
+    tangential_spring,
+    time_to_deepest,
+)
 from .term import Floats, Term, Vectors, read_only
 
 _QUICKLY = 4.0
@@ -27,9 +37,12 @@ _QUICKLY = 4.0
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
 class Walls(Table):
-    """Read-only. W walls."""
+    """W walls. What tangential springs remember changes while a body moves; the rows are read-only."""
 
-    rows: Rows  # (W, 8), a `WallRow` each
+    rows: Rows  # (W, 12), a `WallRow` each
+    # Of the tangential spring between each wall and each mass; (W, 0) where no wall has any.
+    stretch: Rows  # (W, slots) px, at the end of the last step
+    place: Rows  # (W, slots) where along the wall the mass was then, px; `NOWHERE` if it was not inside
 
 
 class WallRow(NamedTuple):
@@ -42,31 +55,56 @@ class WallRow(NamedTuple):
     hardness: float  # 1/(px s²)
     friction: float  # coefficient
     slip_speed: float  # px/s
-    damping: float  # factor, s/px
+    damping: float  # what is lost, see `push.Lost`: s/px
+    hysteresis: float
+    calm: float  # px^(-1/2)/s
+    tangential: float  # of a tangential spring of a mass of 1 kg: its stiffness, 1/s²
+    resisting: float  # and its damping, 1/s
 
 
-_NO_WALLS = read_only(Walls(rows=np.zeros((0, len(WallRow._fields)))))
+NOWHERE = 1e300
+"""The place along a wall of a mass that has no tangential spring there."""
+
+_NO_WALLS = read_only(
+    Walls(rows=np.zeros((0, len(WallRow._fields))), stretch=np.zeros((0, 0)), place=np.zeros((0, 0)))
+)
 
 
-def new_walls(scene: Scene) -> Walls:
-    """The table of a valid scene."""
+def new_walls(scene: Scene, slots: int) -> Walls:
+    """The table of a valid scene, for states with so many slots."""
     if not scene.walls:
         return _NO_WALLS
     rows = np.array([_row(wall) for wall in scene.walls], float).reshape(-1, len(WallRow._fields))
-    return read_only(Walls(rows=rows))
+    rows.setflags(write=False)
+    width = slots if any(wall.tangential_hardness for wall in scene.walls) else 0
+    stretch, place = np.zeros((len(rows), width)), np.full((len(rows), width), NOWHERE)
+    return Walls(rows=rows, stretch=stretch, place=place)
 
 
 def _row(wall: Wall) -> WallRow:
     nx, ny = (part / math.hypot(*wall.normal) for part in wall.normal)
-    damping = damping_factor(wall.bounciness)
-    return WallRow(*wall.point, nx, ny, wall.hardness, wall.friction, wall.slip_speed, damping)
+    lost = losses(wall.restitution, wall.bounciness, wall.hardness, 1.0)
+    spring = tangential_spring(wall.tangential_hardness, 1.0)
+    return WallRow(*wall.point, nx, ny, wall.hardness, wall.friction, wall.slip_speed, *lost, *spring)
 
 
 @kernel(forceinline=True)
 def _wall(body, k):
     """The k-th wall."""
     row = body.environment.walls.rows[k]
-    return WallRow(row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7])
+    return WallRow(
+        row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8], row[9], row[10], row[11]
+    )
+
+
+@kernel(forceinline=True)
+def _lost(wall):
+    return wall.damping, wall.hysteresis, wall.calm
+
+
+@kernel(forceinline=True)
+def _spring(wall):
+    return wall.tangential, wall.resisting
 
 
 # ------------------------------------------------------------------------- force and energy
@@ -77,7 +115,17 @@ def _depth_in(wall, x, y):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _wall_push(wall, h, depth, vx, vy):
+def _stretch_at(body, wall, k, i, x, y):
+    """The stretch of the tangential spring between the k-th wall and mass i at (x, y), px; 0 without one."""
+    if wall.tangential == 0.0:
+        return 0.0
+    walls = body.environment.walls
+    place = walls.place[k, i]
+    return walls.stretch[k, i] + (y * wall.nx - x * wall.ny - place) if place < NOWHERE else 0.0
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _wall_push(wall, h, depth, vx, vy, stretch):
     """What a wall does to a mass of 1 kg inside it: (push, friction, elastic part of the push, speed along).
 
     Args:
@@ -85,12 +133,13 @@ def _wall_push(wall, h, depth, vx, vy):
         h: `Environment.step`.
         depth: of the mass, px, positive.
         vx, vy: its velocity, px/s.
+        stretch: of its tangential spring, px.
     """
     nx, ny = wall.nx, wall.ny
     along = vy * nx - vx * ny
     push, friction, elastic = push_and_friction(
-        wall.hardness, wall.damping, wall.friction, wall.slip_speed,
-        h, 1.0, 1.0, depth, vx * nx + vy * ny, along,
+        wall.hardness, _lost(wall), wall.friction, wall.slip_speed,
+        _spring(wall), h, 1.0, 1.0, depth, vx * nx + vy * ny, along, stretch,
     )  # fmt: skip
     return push, friction, elastic, along
 
@@ -104,14 +153,15 @@ def _add_forces(body, state, scratch, q, v):
         for i in range(1, body.masses + 1):
             depth = _depth_in(wall, q[i], q[slots + i])
             if depth > 0.0 and free[i] > 0.0:
-                push, friction, _, _ = _wall_push(wall, environment.step, depth, v[i], v[slots + i])
+                stretch = _stretch_at(body, wall, k, i, q[i], q[slots + i])
+                push, friction, _, _ = _wall_push(wall, environment.step, depth, v[i], v[slots + i], stretch)
                 fx[i] += environment.mass[i] * (push * wall.nx + friction * wall.ny)
                 fy[i] += environment.mass[i] * (push * wall.ny - friction * wall.nx)
 
 
 @kernel(fastmath=FAST)
 def _energy(body, state, q):
-    """The sum of m H d³ / 3."""
+    """The sum of m H d³ / 3, and what tangential springs have."""
     environment, rows, slots, energy = body.environment, body.environment.walls.rows, q.size // 2, 0.0
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
@@ -119,7 +169,43 @@ def _energy(body, state, q):
             depth = _depth_in(wall, q[i], q[slots + i])
             if depth > 0.0 and state.inverse_mass[i] > 0.0:
                 energy += environment.mass[i] * wall.hardness * depth * depth * depth / 3.0
+    return energy + energy_along_walls(body, state, q)
+
+
+@kernel(fastmath=FAST)
+def energy_along_walls(body, state, q):
+    """The energy of the tangential springs at positions q, kg px²/s²."""
+    environment, rows, slots, energy = body.environment, body.environment.walls.rows, q.size // 2, 0.0
+    for k in range(rows.shape[0]):
+        wall = _wall(body, k)
+        if wall.tangential > 0.0:
+            stiffness, _ = softened(_spring(wall), environment.step, 1.0)
+            for i in range(1, body.masses + 1):
+                if _depth_in(wall, q[i], q[slots + i]) > 0.0 and state.inverse_mass[i] > 0.0:
+                    stretch = _stretch_at(body, wall, k, i, q[i], q[slots + i])
+                    energy += 0.5 * environment.mass[i] * stiffness * stretch * stretch
     return energy
+
+
+@kernel(fastmath=FAST)
+def stick_to_walls(body, state, q, v):
+    """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`."""
+    walls, h, slots = body.environment.walls, body.environment.step, q.size // 2
+    for k in range(walls.rows.shape[0]):
+        wall = _wall(body, k)
+        if wall.tangential > 0.0:
+            stiffness, _ = softened(_spring(wall), h, 1.0)
+            for i in range(1, body.masses + 1):
+                x, y = q[i], q[slots + i]
+                depth = _depth_in(wall, x, y)
+                if depth > 0.0 and state.inverse_mass[i] > 0.0:
+                    stretch = _stretch_at(body, wall, k, i, x, y)
+                    push, _, _, _ = _wall_push(wall, h, depth, v[i], v[slots + i], stretch)
+                    most = wall.friction * push / stiffness
+                    walls.stretch[k, i] = min(max(stretch, -most), most)
+                    walls.place[k, i] = y * wall.nx - x * wall.ny
+                else:
+                    walls.stretch[k, i], walls.place[k, i] = 0.0, NOWHERE
 
 
 # ------------------------------------------------------------------------- the balance
@@ -134,7 +220,8 @@ def _add_power(body, state, balance, q, v, part):
             depth = _depth_in(wall, q[i], q[slots + i])
             if depth > 0.0 and state.inverse_mass[i] > 0.0:
                 vx, vy = v[i], v[slots + i]
-                push, friction, elastic, along = _wall_push(wall, environment.step, depth, vx, vy)
+                stretch = _stretch_at(body, wall, k, i, q[i], q[slots + i])
+                push, friction, elastic, along = _wall_push(wall, environment.step, depth, vx, vy, stretch)
                 rubbing = friction * along if quick.shape[0] == 0 or quick[k, i] == 0.0 else 0.0
                 power += environment.mass[i] * ((push - elastic) * (vx * wall.nx + vy * wall.ny) - rubbing)
     balance.work.walls += part * power
@@ -182,7 +269,8 @@ def gather_others(body, q, v, a, part, quick):
                 x, y, vx, vy = q[i], q[slots + i], v[i], v[slots + i]
                 depth, along, friction = _depth_in(wall, x, y), vy * wall.nx - vx * wall.ny, 0.0
                 if depth > 0.0:
-                    _, friction, _, _ = _wall_push(wall, environment.step, depth, vx, vy)
+                    stretch = _stretch_at(body, wall, k, i, x, y)
+                    _, friction, _, _ = _wall_push(wall, environment.step, depth, vx, vy, stretch)
                 others = a[slots + i] * wall.nx - a[i] * wall.ny + friction
                 quick[k, slots + i] += part * environment.mass[i] * others * along
 
@@ -203,29 +291,42 @@ def work_of_quick(body, v0, v1, h, quick):
 
 
 # ------------------------------------------------------------------------- derivatives
+@kernel(forceinline=True)
+def _has_grip(body, wall, k, i):
+    """Whether there is a tangential spring between the k-th wall and mass i."""
+    return wall.tangential > 0.0 and body.environment.walls.place[k, i] < NOWHERE
+
+
 @kernel(fastmath=FAST)
-def _wall_derivatives(wall, depth, vx, vy, definite):
+def _wall_derivatives(wall, depth, vx, vy, stretch, gripped, definite):
     """The derivatives of a wall's acceleration f of a mass inside it: two blocks, 1/s² and 1/s.
 
     With the push N(d, s), the normal n, t = (-n.y, n.x), the speeds s = v . n outwards and u = v . t along,
-    the friction coefficient mu and the slip speed w, f = N (n - mu tanh(u/w) t). With d' = -n by position,
+    the friction coefficient mu, and the friction T(mu N, z, u) with the stretch z, f = N n - T t. With
+    d' = -n and z' = t by position,
 
-        df/dx = -dN/dd (n - mu tanh(u/w) t) nᵀ,
-        df/dv = dN/ds (n - mu tanh(u/w) t) nᵀ - mu N (1 - tanh²(u/w)) / w t tᵀ.
+        df/dx = -dN/dd (n - mu dT/d(mu N) t) nᵀ - dT/dz t tᵀ,
+        df/dv = dN/ds (n - mu dT/d(mu N) t) nᵀ - dT/du t tᵀ.
 
+    Without a tangential spring, T = mu N tanh(u / u0). `gripped`: whether the mass has one there.
     The push is that without the softening for explicit methods, which use no derivatives. With `definite`,
     friction along t, which is not symmetric, is left out of the first factors.
     """
     nx, ny = wall.nx, wall.ny
     friction, slip_speed = wall.friction, wall.slip_speed
-    push, _, _, along = _wall_push(wall, 0.0, depth, vx, vy)
-    held = math.tanh(along / slip_speed)
-    drag = friction * push * (1.0 - held * held) / slip_speed
-    by_depth, by_speed = push_slopes(wall.hardness, wall.damping, depth, vx * nx + vy * ny)
+    push, _, _, along = _wall_push(wall, 0.0, depth, vx, vy, stretch)
+    held, stiff, drag = friction_slopes(friction * push, slip_speed, _spring(wall), along, stretch)
+    stiff = stiff if gripped else 0.0
+    by_depth, by_speed = push_slopes(wall.hardness, _lost(wall), depth, vx * nx + vy * ny)
     fx, fy = nx + friction * held * ny, ny - friction * held * nx
     if definite:
         fx, fy = nx, ny
-    by_position = (-by_depth * fx * nx, -by_depth * fx * ny, -by_depth * fy * nx, -by_depth * fy * ny)
+    by_position = (
+        -by_depth * fx * nx - stiff * ny * ny,
+        -by_depth * fx * ny + stiff * ny * nx,
+        -by_depth * fy * nx + stiff * nx * ny,
+        -by_depth * fy * ny - stiff * nx * nx,
+    )
     by_velocity = (
         by_speed * fx * nx - drag * ny * ny,
         by_speed * fx * ny + drag * ny * nx,
@@ -244,7 +345,11 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
             m = matrix.order[i]
             depth = _depth_in(wall, q[m], q[slots + m])
             if depth > 0.0 and state.inverse_mass[m] > 0.0:
-                by_q, by_v = _wall_derivatives(wall, depth, v[m], v[slots + m], definite)
+                stretch, gripped = (
+                    _stretch_at(body, wall, k, m, q[m], q[slots + m]),
+                    _has_grip(body, wall, k, m),
+                )
+                by_q, by_v = _wall_derivatives(wall, depth, v[m], v[slots + m], stretch, gripped, definite)
                 d = 4 * matrix.diagonal[i]
                 for e in range(4):
                     matrix.blocks[d + e] += mass[m] * (by_q[e] + g * by_v[e])
@@ -258,7 +363,8 @@ def _add_damping(body, state, q, v, z, factor, out):
         for m in range(1, body.masses + 1):
             depth = _depth_in(wall, q[m], q[slots + m])
             if depth > 0.0 and w[m] > 0.0:
-                _, block = _wall_derivatives(wall, depth, v[m], v[slots + m], False)
+                stretch = _stretch_at(body, wall, k, m, q[m], q[slots + m])
+                _, block = _wall_derivatives(wall, depth, v[m], v[slots + m], stretch, False, False)
                 share = factor * w[m] * mass[m]
                 out[m] += share * (block[0] * z[m] + block[1] * z[slots + m])
                 out[slots + m] += share * (block[2] * z[m] + block[3] * z[slots + m])
@@ -284,29 +390,54 @@ class WallsTwin:
     """Walls in NumPy; see `Twin`. For a unit vector n, conj(n) v has the parts of v along n and across it."""
 
     def __init__(self, body: Body, state: State) -> None:
-        self._rows, self._step = body.environment.walls.rows, body.environment.step
+        self._walls, self._step = body.environment.walls, body.environment.step
         self._mass, self._state = body.environment.mass, state
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """See `Twin`; also on masses that are held."""
         total = np.zeros_like(x)
-        for wall, depth, normal in self._depths(x):
+        for k, (wall, depth, normal) in enumerate(self._depths(x)):
             speed = v * normal.conjugate()  # real part: outwards, imaginary part: along the wall
             push, rubbing = pushes_and_frictions(
-                wall.hardness, wall.damping, wall.friction, wall.slip_speed,
-                self._step, 1.0, 1.0, depth, speed,
+                wall.hardness, wall[7:10], wall.friction, wall.slip_speed, wall[10:],
+                self._step, 1.0, 1.0, depth, speed, self._stretch(k, wall, x),
             )  # fmt: skip
             total += self._mass * (push - 1j * rubbing) * normal
         return total
 
     def energy(self, x: Vectors) -> float:
         """See `Twin`; that of free masses."""
-        mass = np.where(self._state.inverse_mass > 0.0, self._mass, 0.0)
-        return sum(float((mass * wall.hardness * depth**3).sum()) / 3.0 for wall, depth, _ in self._depths(x))
+        mass, total = np.where(self._state.inverse_mass > 0.0, self._mass, 0.0), 0.0
+        for k, (wall, depth, _) in enumerate(self._depths(x)):
+            total += float((mass * wall.hardness * depth**3).sum()) / 3.0
+            stiffness = float(softened_for(wall[10:], self._step, 1.0)[0])
+            total += 0.5 * stiffness * float((mass * (depth > 0.0) * self._stretch(k, wall, x) ** 2).sum())
+        return total
+
+    def stick(self, x: Vectors, v: Vectors) -> None:
+        """`stick_to_walls`."""
+        for k, (wall, depth, normal) in enumerate(self._depths(x)):
+            if wall.tangential:
+                stretch = self._stretch(k, wall, x)
+                push, _ = pushes_and_frictions(
+                    wall.hardness, wall[7:10], wall.friction, wall.slip_speed, wall[10:],
+                    self._step, 1.0, 1.0, depth, v * normal.conjugate(), stretch,
+                )  # fmt: skip
+                most = wall.friction * push / softened_for(wall[10:], self._step, 1.0)[0]
+                inside = (depth > 0.0) & (self._state.inverse_mass > 0.0)
+                self._walls.stretch[k] = np.where(inside, np.clip(stretch, -most, most), 0.0)
+                self._walls.place[k] = np.where(inside, (x * normal.conjugate()).imag, NOWHERE)
+
+    def _stretch(self, k: int, wall: WallRow, x: Vectors) -> Floats:
+        """The stretch of each tangential spring, px; 0 without one."""
+        if not wall.tangential:
+            return np.zeros(x.size)
+        place, here = self._walls.place[k], x.imag * wall.nx - x.real * wall.ny
+        return np.where(place < NOWHERE, self._walls.stretch[k] + (here - place), 0.0)
 
     def _depths(self, x: Vectors) -> Iterator[tuple[WallRow, Floats, complex]]:
         """Each wall, how deep each mass is in it, px, or 0, and its normal."""
-        for row in self._rows:
+        for row in self._walls.rows:
             wall = WallRow(*row)
             normal = complex(wall.nx, wall.ny)
             depth = ((complex(wall.x, wall.y) - x) * normal.conjugate()).real

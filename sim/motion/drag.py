@@ -228,11 +228,12 @@ class Hands:
             Whether all masses are held.
         """
         system, state, masses = self._system, self._state, slice(1, self._system.body.masses + 1)
-        held = system.held.copy()
-        held[system.mass_index[list(self.grabbed)] - 1] = True
+        held = system.held
+        if self.grabbed:
+            held = held.copy()
+            held[system.mass_index[list(self.grabbed)] - 1] = True
         free = np.where(held, 0.0, 1.0)
-        state.vx[masses] *= free
-        state.vy[masses] *= free
+        state.v.reshape(2, -1)[:, masses] *= free
         state.inverse_mass[masses] = free * system.inverse_mass
         still = 0.0 if scene.wind else scene.air_friction  # the friction of wind is in the surroundings
         state.air[masses] = state.inverse_mass[masses] * still

@@ -102,3 +102,11 @@ def offset(circle: Circle | None, time: float) -> tuple[float, float]:
         return 0.0, 0.0
     phase = math.tau * circle.frequency * (time - circle.ramp * (1.0 - math.exp(-time / circle.ramp)))
     return circle.radius * math.sin(phase), circle.radius * (1.0 - math.cos(phase))
+
+
+def velocity(circle: Circle, time: float) -> tuple[float, float]:
+    """Velocity, px/s, of an anchor on a circle at a time (s)."""
+    fade = math.exp(-time / circle.ramp)
+    omega = math.tau * circle.frequency
+    phase, speed = omega * (time - circle.ramp * (1.0 - fade)), circle.radius * omega * (1.0 - fade)
+    return speed * math.cos(phase), speed * math.sin(phase)

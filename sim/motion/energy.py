@@ -113,8 +113,8 @@ class EnergyTracker:
     def total(self) -> float:
         """The sum of the energies of the present state, kg px²/s²."""
         state, solver = self._state, self._solver
-        body, mass = solver.system.body, solver.balance.mass
-        return float(energies(body, state, mass, state.q, state.v, self._energies))
+        body = solver.system.body
+        return float(energies(body, state, body.environment.mass, state.q, state.v, self._energies))
 
     def moved(self, before: float) -> None:
         """Enter that held masses were moved at once, grabbed or released; the total was `before`."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..scene.types import Damage, Scene
+from ..scene.types import Damage, Grips, Scene
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -24,6 +24,7 @@ class Moment:
         time: simulated time, s.
         step_count: time steps done until then.
         damage: what has yielded and broken, or None.
+        grips: the tangential springs by which friction holds, or None.
     """
 
     scene: Scene
@@ -33,6 +34,7 @@ class Moment:
     time: float
     step_count: int
     damage: Damage | None = None
+    grips: Grips | None = None
 
     @property
     def positions(self) -> NDArray[np.float64]:

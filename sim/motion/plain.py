@@ -98,13 +98,14 @@ class PlainSolver:
             t = self.time + h
             lead = partial(self._drive_to, drive, t)
             if self._euler:
-                # Led masses and keys come first, as in the tutorial.
+                # Hands and keys come first, as in the tutorial; circles go on with the masses.
                 x, v = x.copy(), v.copy()
-                lead(x, v)
+                self._drive_to(drive, t, x, v, self.time)
                 x, v = euler_step(self._physics, x, v, h)
             else:
                 x, v, a = verlet_step(self._physics, x, v, a, h, lead)
             lead(x, v)  # the step has moved them
+            self._physics.stick(x, v)
             self.work += 1
             what = self._verdict(x, v)
             if what != guard.GOOD:
@@ -122,10 +123,17 @@ class PlainSolver:
         state, self._a = self._state, a
         state.x[:], state.y[:], state.vx[:], state.vy[:] = x.real, x.imag, v.real, v.imag
 
-    def _drive_to(self, drive: Drive, t: float, x: Vectors, v: Vectors) -> None:
-        """Set the held masses in x and v to their state at time t, and rest lengths and angles likewise."""
+    def _drive_to(
+        self, drive: Drive, t: float, x: Vectors, v: Vectors, round_at: float | None = None
+    ) -> None:
+        """Set the held masses in x and v to their state at time t, and rest lengths and angles likewise.
+
+        Those on circles are set to where they are at `round_at`, if given.
+        """
         if not drive.moving:
             return
+        if round_at is None:
+            round_at = t
         since = t - drive.start
         led = min(since, drive.duration)
         speed, acceleration, jerk = (
@@ -133,8 +141,8 @@ class PlainSolver:
             drive.ax + 1j * drive.ay,
             drive.jx + 1j * drive.jy,
         )
-        fade = np.exp(-t / drive.ramp)
-        turn = np.exp(1j * drive.omega * (t - drive.ramp * (1.0 - fade)))
+        fade = np.exp(-round_at / drive.ramp)
+        turn = np.exp(1j * drive.omega * (round_at - drive.ramp * (1.0 - fade)))
         # i r - i r exp(ip) = r (sin p, 1 - cos p), see `Circle`.
         circle = 1j * drive.radius * (1.0 - turn)
         x[drive.mass] = (

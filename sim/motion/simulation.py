@@ -25,11 +25,12 @@ from ..body.system import (
 from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
 from ..forces.limits import without_broken
+from ..forces.sticking import grips_of, put_grips, sticks
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, Indices, State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
 from ..scene.columns import ends
-from ..scene.types import Anchor, Damage, Pose, Scene
+from ..scene.types import Anchor, Damage, Grips, Pose, Scene
 from ..scene.validate import validate
 from ..settings import shift_rest_angles
 from .divergence import Divergence, explain
@@ -153,6 +154,7 @@ class Simulation:
             positions=tuple((x, y) for x, y in self.positions.tolist()),
             velocities=tuple((x, y) for x, y in self.velocities.tolist()),
             damage=self.damage,
+            grips=self._grips(),
         )
 
     @property
@@ -412,7 +414,8 @@ class Simulation:
     def reset(self) -> None:
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
         pose = self._scene.pose
-        self._adopt(self._system.start[:, self._system.mass_index - 1], pose.damage if pose else None)
+        start = self._system.start[:, self._system.mass_index - 1]
+        self._adopt(start, pose.damage if pose else None, pose.grips if pose else None)
         self._owed = 0.0
         self._hands.clear()
         self._restart(0.0, 0)
@@ -423,7 +426,7 @@ class Simulation:
         rows = self._rows()
         if self._hands.grabbed:
             rows[2:, list(self._hands.grabbed)] = 0.0
-        return Moment(self._scene, scale, shift, rows, self.time, self.step_count, self.damage)
+        return Moment(self._scene, scale, shift, rows, self.time, self.step_count, self.damage, self._grips())
 
     def restore(self, moment: Moment) -> None:
         """Back to a moment of this scene, or of another: settings, rest lengths and angles, motion and time.
@@ -435,7 +438,7 @@ class Simulation:
         kept = self._tracker is not None
         if moment.scene is not self._scene or self._lacks_room_for(moment.damage):
             self._install(moment.scene, moment.damage)
-        self._adopt(moment.rows, moment.damage)
+        self._adopt(moment.rows, moment.damage, moment.grips)
         self._owed = 0.0
         self._hands.clear()
         controls = moment.rest_length_scale, moment.rest_angle_shift
@@ -450,17 +453,17 @@ class Simulation:
             other: the other one.
             shift: (4, n) px and px/s by which x, y, vx and vy of the free masses are to differ; None for 0.
         """
-        rows, damage = other._rows(), other.damage
+        rows, damage, grips = other._rows(), other.damage, other._grips()
         if self._lacks_room_for(damage):
             self._install(self._scene, damage)
-        self._adopt(rows, damage)
+        self._adopt(rows, damage, grips)
         self._owed = other._owed
         self._hands.take_over(other._hands)
         self._keys = other._keys
         self._restart(other.time, other.step_count)
         if shift is not None:
             free = self._state.inverse_mass[self._system.mass_index] > 0.0
-            self._adopt(rows + np.where(free, shift, 0.0), damage)
+            self._adopt(rows + np.where(free, shift, 0.0), damage, grips)
 
     def replace(self, scene: Scene) -> None:
         """Go on with another scene. Where it joins the same masses in the same way, positions, velocities and
@@ -475,11 +478,14 @@ class Simulation:
             self.reset()
             return
         time, steps, rows, damage = self.time, self.step_count, self._rows(), self.damage
+        grips = self._grips()
+        if grips is not None and not same_walls(self._scene, scene):
+            grips = msgspec.structs.replace(grips, walls=())
         hands, tracker = self._hands, self._tracker
         if tracker is not None:
             tracker.close()
         self._install(scene, damage)
-        self._adopt(rows, damage)
+        self._adopt(rows, damage, grips)
         self._hands.take_over(hands)
         self._restart(time, steps)
         # Where the kernels of the new method are still being compiled, there is no balance for now.
@@ -519,13 +525,21 @@ class Simulation:
             field.take(index, out=row, mode="clip")
         return rows
 
-    def _adopt(self, rows: NDArray[np.float64], damage: Damage | None) -> None:
-        """Fill in the state from what `_rows` and `damage` give."""
-        state, index = self._state, self._system.mass_index
+    def _grips(self) -> Grips | None:
+        """The tangential springs by which friction holds; None where there are none."""
+        if not sticks(self._body):
+            return None
+        return grips_of(self._body, self._system.mass_order, self._system.spring_order)
+
+    def _adopt(self, rows: NDArray[np.float64], damage: Damage | None, grips: Grips | None) -> None:
+        """Fill in the state from what `_rows`, `damage` and `_grips` give."""
+        state, index = self._state, self._system.vector_index.T
         state.q[:] = state.v[:] = 0.0  # the padding, too
-        state.x[index], state.y[index], state.vx[index], state.vy[index] = rows
+        state.q[index], state.v[index] = rows[:2], rows[2:]
         if self._body.limits.present:
             put_damage(state, self._system, damage)
+        if sticks(self._body):
+            put_grips(self._body, state, self._system.mass_index, self._system.spring_order, grips)
 
     @contextmanager
     def _by_hand(self) -> Iterator[None]:
@@ -604,3 +618,9 @@ class Simulation:
         if not self._hands.hold(mass):
             raise InputError(f"mass {mass} is not held, so it cannot be moved")
         return index
+
+
+def same_walls(one: Scene, other: Scene) -> bool:
+    """Whether two scenes have walls at the same places."""
+    places = [[(wall.point, wall.normal) for wall in scene.walls] for scene in (one, other)]
+    return places[0] == places[1]

@@ -21,6 +21,7 @@ from ..compiling.compiler import (
 )
 from ..forces.fillings import FillingsTwin
 from ..forces.limits import take_back, without_broken
+from ..forces.sticking import sticks
 from ..kernels.core.shared import BY_ADDRESS
 from ..kernels.core.tables import (
     CHOICES,
@@ -62,7 +63,8 @@ from .stability import quick_limit
 _ROWS, _ALPHA_ROWS = 20, 4
 """Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
 
-_NO_ROWS = np.zeros((1, 0))
+_NO_BALANCE = EnergyBalance.empty().replaced(work=Work())
+"""Of all solvers that keep none; nobody reads what is entered into it."""
 
 _NEAR_LIMIT = 0.6
 """Step, as a fraction of the stability limit, from which it counts as near the limit."""
@@ -121,7 +123,9 @@ class Solver:
         self.scene, self._system, self.state, self.scratch = scene, system, state, scratch
         self.slots = state.q.size // 2
         wide = state.q.size
-        self._info = METHODS[scene.integrator.method]
+        self._info = info = METHODS[scene.integrator.method]
+        tolerance = scene.integrator.tolerance * info.tolerance_factor
+        self._tolerance = max(tolerance * (_WITH_LIMITS if system.body.limits.present else 1.0), 1e-13)
         auto = self._info.name == "auto"
         remembers = self._info.name == "generalized_alpha" or (auto and system.body.masses >= LONG)
         past, kept = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
@@ -147,14 +151,7 @@ class Solver:
         self._forget_turns()
         # The blocks of memory in which these arrays lie, each of which is cleared at once.
         self._memory = [block for block in (room.base, new_q.base, scratch.lx.base) if block is not None]
-        self.balance = EnergyBalance(
-            active=False,
-            work=Work(),
-            mass=system.body.environment.mass,
-            rows=_NO_ROWS,
-            dampers=_NO_ROWS,
-            quick=_NO_ROWS,
-        )
+        self.balance = _NO_BALANCE
         self._matrix: Matrix | None = None
         self._problem: Problem | None = None
         self._costs: Floats | None = None  # of a step of each method, see `Problem`
@@ -272,21 +269,19 @@ class Solver:
 
     def _run(self, until: float, drive: Drive, attempts: int) -> None:
         """Like `run`, without fallback steps."""
-        info, tolerance = self._info, self.scene.integrator.tolerance
-        if self.system.body.limits.present:
-            tolerance *= _WITH_LIMITS
-        if self._missing:
-            self._take_in()
+        info = self._info
         if info.kernel is not None:
             run = self.integrator.run
             before = run.steps + run.rejected
             problem = self._problem or self._bind(info.implicit)
-            info.kernel(problem, drive, until, max(tolerance * info.tolerance_factor, 1e-13), attempts)
+            info.kernel(problem, drive, until, self._tolerance, attempts)
             self.work += run.steps + run.rejected - before
             return
+        if self._missing:
+            self._take_in()
         problem, left = self._problem or self._bind(False), attempts
         while True:
-            index, limit, of_turn, spent = next_turn(problem, until, tolerance, left)
+            index, limit, of_turn, spent = next_turn(problem, until, self._tolerance, left)
             left -= spent
             self.work += spent
             if index < 0:
@@ -322,6 +317,7 @@ class Solver:
             *(("accumulate_work",) if self.balance.active else ()),
             *(FOR_MATRICES if implicit else ()),
             *(("no_tunnelling",) if body.environment.contact.present else ()),
+            *(("stick",) if sticks(body) else ()),
             *(FOR_DAMAGE if body.limits.present else ()),
         )
         self._fetch((*needed_by(info.name), *(FOR_FALLBACK if implicit else ()), *called))
@@ -386,13 +382,12 @@ class Solver:
         walls = len(body.environment.walls.rows) if self._info.order != 1 else 0
         rows, quick = np.zeros((4, 2 * self.slots)), np.zeros((walls, 2 * self.slots))
         dampers = np.zeros((DAMPER_ROWS, body.springs + body.joints))
-        self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers, quick=quick)
-        self.balance.work.clear()
+        self.balance = EnergyBalance(active=True, work=Work(), rows=rows, dampers=dampers, quick=quick)
         self._problem = None
 
     def close_balance(self) -> None:
         """Stop the energy balance."""
-        self.balance = self.balance.replaced(active=False)
+        self.balance = _NO_BALANCE
         self._problem = None
 
     @property

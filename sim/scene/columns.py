@@ -30,6 +30,11 @@ def column(parts: Parts, field: str) -> NDArray[np.float64]:
     return _column(parts, field, float)
 
 
+def vectors(parts: Parts, field: str) -> NDArray[np.float64]:
+    """(k, 2) the vector that each part has in a field, read-only."""
+    return _column(parts, field, float).reshape(-1, 2)
+
+
 def ends(parts: Parts) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """(k,) the `a` and the `b` of springs or of joints, read-only."""
     return _column(parts, "a", np.int64), _column(parts, "b", np.int64)
@@ -63,11 +68,15 @@ def _inherited(parts: Parts) -> _Arrays:
             middle, rest = parts[before : len(parts) - after], len(other) - after
             return {
                 (field, dtype): _read_only(
-                    np.concatenate((array[:before], _made(middle, field, dtype), array[rest:]))
+                    _spliced(array[:before], _made(middle, field, dtype), array[rest:])
                 )
                 for (field, dtype), array in list(arrays.items())
             }
     return {}
+
+
+def _spliced(first: NDArray[Any], middle: NDArray[Any], last: NDArray[Any]) -> NDArray[Any]:
+    return np.concatenate((first, middle, last) if len(middle) else (first, last))
 
 
 def _same(some: Iterable[Any], others: Iterable[Any]) -> int:

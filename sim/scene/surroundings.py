@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 import msgspec
 from msgspec import Meta
@@ -12,6 +12,9 @@ from .numbers import Index, Length, Speed, Vector, bounded
 Pressure = Annotated[float, bounded(0.0, 1e9, "kg/s²", "Pressure")]
 STILL_AIR = 1e-6
 """px/s below which there is no wind."""
+
+Restitution = Literal["viscous", "constant"]
+"""How the part of the speed that is left after a bounce goes by the speed; see `Wall`."""
 
 Area = Annotated[float, bounded(1e-6, 1e12, "px²", "An area")]
 
@@ -81,16 +84,22 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     enters, and c follows from the bounciness (Hunt & Crossley 1975). So under gravity g it comes to rest at
     the depth sqrt(g / hardness).
     Along the wall, a mass that is pushed with N is slowed by friction N tanh(s / slip_speed) at the speed s.
-    So it creeps even on a slope that would hold it: the smaller the slip speed, the slower.
+    So it creeps even on a slope that would hold it: the smaller the slip speed, the slower. With a tangential
+    hardness it does not: a spring of stiffness m tangential_hardness holds it where it touched the wall, and
+    slides along as soon as it pulls with more than friction N (Cundall & Strack 1979).
 
     Attributes:
         point: any point of the wall's surface.
         normal: any vector but zero, from the surface to the side that is free.
         hardness: 1e-3..1e9 1/(px s²), the acceleration at a depth of 1 px.
         friction: 0..100, coefficient of friction.
-        bounciness: 0..1; the speed at which a mass leaves that has hit the wall at 1000 px/s, as a fraction
-            of that. Slower ones keep more.
+        bounciness: 0..1; the speed at which a mass leaves that has hit the wall, as a fraction of that.
+        restitution: of which speeds. "viscous": at 1000 px/s; slower ones keep more, and tiny ones all.
+            "constant": at all speeds, by a push that is larger while a mass goes in than while it comes out
+            (Walton & Braun 1986). Then what bounces comes to rest; 0.1 is the least that is distinguished.
         slip_speed: 1e-3..1e6 px/s.
+        tangential_hardness: 0..1e9 1/s², the acceleration along the wall at a stretch of 1 px; 0 for friction
+            that creeps. As stiff as the wall is for a mass at rest under gravity g: 2 sqrt(g hardness).
     """
 
     point: Vector
@@ -99,6 +108,8 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     friction: Annotated[float, bounded(0.0, 100.0, "", "Coefficient of friction")] = 0.5
     bounciness: Annotated[float, bounded(0.0, 1.0, "", "Bounciness")] = 0.5
     slip_speed: Annotated[float, bounded(1e-3, 1e6, "px/s", "Speed of full friction")] = 10.0
+    restitution: Restitution = "viscous"
+    tangential_hardness: Annotated[float, bounded(0.0, 1e9, "1/s²", "Tangential hardness of a wall")] = 0.0
 
 
 class Gas(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, tag_field="kind", tag="gas"):
@@ -154,7 +165,9 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     Attributes:
         distance: 0..1e6 px, at which contact begins; 0 for none.
         stiffness: 1e-3..1e12 kg/(px s²).
-        friction, bounciness, slip_speed: as of a `Wall`.
+        friction, bounciness, slip_speed, restitution: as of a `Wall`.
+        tangential_stiffness: 0..1e12 kg/s², of the tangential springs that hold what does not slide, see
+            `Wall`; 0 for friction that creeps. A contact is as stiff as 2 sqrt(N stiffness) under the push N.
     """
 
     distance: Length
@@ -162,3 +175,5 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     friction: Annotated[float, bounded(0.0, 100.0, "", "Coefficient of friction")] = 0.5
     bounciness: Annotated[float, bounded(0.0, 1.0, "", "Bounciness")] = 0.5
     slip_speed: Annotated[float, bounded(1e-3, 1e6, "px/s", "Speed of full friction")] = 10.0
+    restitution: Restitution = "viscous"
+    tangential_stiffness: Annotated[float, bounded(0.0, 1e12, "kg/s²", "Tangential stiffness")] = 0.0

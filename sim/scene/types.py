@@ -118,6 +118,18 @@ class Damage(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     set_angles: tuple[Angle, ...] = ()
 
 
+class Grips(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The tangential springs by which friction holds what touches, see `Wall` and `Contact`.
+
+    Attributes:
+        walls: of each, the wall, the mass, and the stretch along the wall, px.
+        springs: of each, the linear spring, the mass that touches it, and the stretch, px.
+    """
+
+    walls: tuple[tuple[Index, Index, Coordinate], ...] = ()
+    springs: tuple[tuple[Index, Index, Coordinate], ...] = ()
+
+
 class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Positions and velocities of all masses, saved from a running simulation.
 
@@ -125,11 +137,13 @@ class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         positions: one per mass, px.
         velocities: one per mass, px/s.
         damage: what has yielded and broken, or None.
+        grips: the tangential springs by which friction holds, or None.
     """
 
     positions: tuple[Vector, ...]
     velocities: tuple[tuple[Speed, Speed], ...]
     damage: Damage | None = None
+    grips: Grips | None = None
 
 
 class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, weakref=True):

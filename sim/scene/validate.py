@@ -321,6 +321,14 @@ def _pose_problems(scene: Scene, pose: Pose | None) -> Iterator[str]:
         for i, spring in enumerate(damage.broken):
             if spring >= springs:
                 yield f"pose.damage.broken[{i}]: spring {spring} does not exist ({_span(springs)})"
+    if pose.grips is not None:
+        for field, of in (("walls", len(scene.walls)), ("springs", len(scene.linear_springs))):
+            for i, (index, mass, _) in enumerate(getattr(pose.grips, field)):
+                if index >= of:
+                    what = field.removesuffix("s")
+                    yield f"pose.grips.{field}[{i}]: {what} {index} does not exist ({_span(of)})"
+                if mass >= n:
+                    yield f"pose.grips.{field}[{i}]: mass {mass} does not exist ({_span(n)})"
 
 
 def _span(count: int) -> str:

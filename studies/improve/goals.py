@@ -187,10 +187,13 @@ class GoalMeter:
         wants_periods = goal.want == "reach" and goal.of == "period"
         self._periods = Meter(reading, simulation.scene) if wants_periods else None
 
+    @property
+    def goes_by_end(self) -> bool:
+        """Whether the end of a run is all that it needs to see, so that `look` need not be called."""
+        return self._goal.want != "reach" and self._goal.of == "end"
+
     def look(self) -> None:
         """Note the present state."""
-        if self._goal.want != "reach" and self._goal.of == "end":
-            return
         if self._periods is not None:
             value = self._periods.take(self._simulation)
         else:

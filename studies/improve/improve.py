@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import concurrent.futures
-from collections import Counter
+from collections import Counter, deque
 from collections.abc import Iterable, Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass
@@ -273,21 +273,25 @@ class _Hunt:
 
     def _do(self, points: dict[int, tuple[str, ...]], workers: Workers) -> None:
         """Do some runs, and keep each as soon as it is done."""
-        wanted = self._wanted
+        wanted, waiting = self._wanted, deque(points)
         running: dict[concurrent.futures.Future[Row], int] = {}
         with workers.losing("improve"):
-            for number, point in points.items():
-                try:
-                    if number:
-                        wanted.grid.scene_at(point)
-                except InputError:
-                    self._keep(number, point, Row((None, None, INVALID), made_by()))
-                    continue
-                # The scene as it is may have settings that differ from part to part.
-                assignments = wanted.grid.assignments(point) if number else wanted.grid.settings
-                call = workers.executor.submit(trial, self._data, assignments, wanted.duration, wanted.goal)
-                running[call] = number
-            while running:
+            while waiting or running:
+                while waiting and len(running) < workers.ahead:
+                    number = waiting.popleft()
+                    point = points[number]
+                    try:
+                        if number:
+                            wanted.grid.scene_at(point)
+                    except InputError:
+                        self._keep(number, point, Row((None, None, INVALID), made_by()))
+                        continue
+                    # The scene as it is may have settings that differ from part to part.
+                    assignments = wanted.grid.assignments(point) if number else wanted.grid.settings
+                    call = workers.executor.submit(
+                        trial, self._data, assignments, wanted.duration, wanted.goal
+                    )
+                    running[call] = number
                 done, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
                 for call in done:
                     number = running.pop(call)

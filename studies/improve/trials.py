@@ -29,7 +29,7 @@ def trial(data: bytes, assignments: Sequence[str], duration: float, goal: Goal) 
     """
     simulation = simulation_of(data, assignments)
     meter, whole = GoalMeter(goal, simulation), _broken(simulation)
-    if not follow(simulation, duration, meter.look):
+    if not follow(simulation, duration, None if meter.goes_by_end else meter.look):
         return Row((None, None, GAVE_UP if simulation.divergence is None else RAN_AWAY), made_by())
     if _broken(simulation) > whole:
         return Row((None, None, BROKE), made_by())

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 import sim
 from sim.analysis.predictability import GrowthMeter
+from sim.body.system import rest_lengths
 from sim.errors import InputError
 from sim.scene.columns import column, ends
 
@@ -80,6 +81,9 @@ def parse_measures(names: Sequence[str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*names, "survived")))
 
 
+AT_END = frozenset(("sag", "error", "survived"))
+"""The measures for which the start and the end are enough, so that nobody needs to look in between."""
+
 SAMPLED = frozenset(("sag", "period", "error", "stretch", "survived"))
 """The measures for which positions and velocities at the looks are enough, see `values_of`."""
 
@@ -146,7 +150,9 @@ class Track:
         self._gravity = np.array(scene.gravity)
         self._start = simulation.positions
         self._free, self._weights = _free_masses(scene)
-        self._springs = np.flatnonzero([spring.rest_length for spring in scene.linear_springs])
+        self._springs = np.flatnonzero(column(scene.linear_springs, "rest_length"))
+        self._a, self._b = (end[self._springs] for end in ends(scene.linear_springs))
+        self._rows = np.argsort(simulation.tables[0].spring_order)[self._springs]  # in the tables
         self._stretch = self._residual = self._moved = self._farthest = 0.0
         self._height: float | None = None
         self._times: list[float] = []
@@ -158,11 +164,9 @@ class Track:
         """Note the present state."""
         positions = self._simulation.positions
         if "stretch" in self._wanted and self._springs.size:
-            length, elongation = (
-                sim.QUANTITIES["spring", what].values(self._simulation, self._springs)
-                for what in ("length", "elongation")
-            )
-            strain = elongation / (length - elongation)
+            system, state = self._simulation.tables
+            rest = rest_lengths(system.body, state)[self._rows]
+            strain = np.hypot(*(positions[self._b] - positions[self._a]).T) / rest - 1.0
             self._stretch = max(self._stretch, float(np.abs(strain).max()))
         if "period" in self._wanted and self._free.size:
             velocities = self._simulation.velocities

@@ -17,7 +17,7 @@ from sim.motion.many import is_laned
 from sim.settings import apply_assignments
 from sim.store.files import decode_scene, encode_scene
 
-from .measures import GAVE_UP, SAMPLED, Track, Value, values_of
+from .measures import AT_END, GAVE_UP, SAMPLED, Floats, Track, Value, values_of
 
 LOOKS = 120
 """Looks at the body per simulated second, where time steps are not longer; a whole number of steps apart."""
@@ -33,6 +33,11 @@ _FINEST = 1e-12
 MOST_ATTEMPTS = 1e7
 """Steps that a method with error control may try per simulated second: with so many they are a tenth of the
 shortest step that a scene can have. With more it would hardly ever get to the end."""
+
+_MOST_NOTED = 2**17
+"""Places of masses that a run beside others may note: 4 MB with their velocities."""
+_MOST_MOVED = 2**23
+"""Masses times steps that a run beside others may have: some dozen such runs take a few seconds."""
 
 Points = tuple[tuple[float, float], ...]
 
@@ -65,22 +70,67 @@ def run(
         measures: names.
         reference: near-exact positions at the end, px, for the measure `error`.
     """
-    exact = None if reference is None else np.array(reference)
-    scene = apply_assignments(_decoded(data), assignments)
-    if SAMPLED.issuperset(measures) and is_laned(scene):
-        # Without a simulation, and without a look at every time.
-        dt = scene.integrator.dt
-        (found,) = sim.run_many([scene], steps_of(scene, duration) * dt, looks_apart(dt))
-        if found.divergence is None:
-            return Row(tuple(map(_finite, values_of(scene, found, measures, exact))), made_by())
-        return Row(tuple(False if name == "survived" else None for name in measures), made_by())
+    (row,) = run_several(data, [assignments], duration, measures, [reference])
+    return row
+
+
+def run_several(
+    data: bytes,
+    assignments: Sequence[Sequence[str]],
+    duration: float,
+    measures: Sequence[str],
+    references: Sequence[Points | None],
+) -> list[Row]:
+    """Several runs; arguments as of `run`, of each. Those of which `is_quick` holds are done side by side."""
+    scenes = [apply_assignments(_decoded(data), each) for each in assignments]
+    exact = [None if each is None else np.array(each) for each in references]
+    rows: dict[int, Row] = {}
+    alike: dict[float, list[int]] = {}
+    for i, scene in enumerate(scenes):
+        if is_quick(scene, duration, measures):
+            alike.setdefault(scene.integrator.dt, []).append(i)
+        else:
+            rows[i] = _alone(scene, duration, measures, exact[i])
+    for some in alike.values():
+        made = _side_by_side([scenes[i] for i in some], duration, measures, [exact[i] for i in some])
+        rows.update(zip(some, made, strict=True))
+    return [rows[i] for i in range(len(scenes))]
+
+
+def is_quick(scene: sim.Scene, duration: float, measures: Sequence[str]) -> bool:
+    """Whether a run needs no simulation of its own, so that `run_several` does many in one go."""
+    if not (SAMPLED.issuperset(measures) and is_laned(scene)):
+        return False
+    steps, masses = steps_of(scene, duration), len(scene.masses)
+    looks = 2 if AT_END.issuperset(measures) else steps // looks_apart(scene.integrator.dt) + 2
+    return masses * looks <= _MOST_NOTED and masses * steps <= _MOST_MOVED
+
+
+def _alone(scene: sim.Scene, duration: float, measures: Sequence[str], exact: Floats | None) -> Row:
     simulation = sim.Simulation(scene)
     track = Track(simulation, measures)
-    if not follow(simulation, duration, track.look):
-        ended = GAVE_UP if simulation.divergence is None else False
-        return Row(tuple(ended if name == "survived" else None for name in measures), made_by())
-    values = track.values(measures, exact)
-    return Row(tuple(map(_finite, values)), made_by())
+    if not follow(simulation, duration, None if AT_END.issuperset(measures) else track.look):
+        return _ended(GAVE_UP if simulation.divergence is None else False, measures)
+    return Row(tuple(map(_finite, track.values(measures, exact))), made_by())
+
+
+def _side_by_side(
+    scenes: Sequence[sim.Scene], duration: float, measures: Sequence[str], exact: Sequence[Floats | None]
+) -> list[Row]:
+    """The rows of quick runs with one time step."""
+    dt, steps = scenes[0].integrator.dt, steps_of(scenes[0], duration)
+    every = steps if AT_END.issuperset(measures) else looks_apart(dt)
+    return [
+        Row(tuple(map(_finite, values_of(scene, run, measures, end))), made_by())
+        if run.divergence is None
+        else _ended(False, measures)
+        for scene, run, end in zip(scenes, sim.run_many(scenes, steps * dt, every), exact, strict=True)
+    ]
+
+
+def _ended(survived: Value, measures: Sequence[str]) -> Row:
+    """The row of a run that did not come to its end."""
+    return Row(tuple(survived if name == "survived" else None for name in measures), made_by())
 
 
 def simulation_of(data: bytes, assignments: Sequence[str]) -> sim.Simulation:
@@ -88,15 +138,27 @@ def simulation_of(data: bytes, assignments: Sequence[str]) -> sim.Simulation:
     return sim.Simulation(apply_assignments(_decoded(data), assignments))
 
 
-def follow(simulation: sim.Simulation, duration: float, look: Callable[[], None]) -> bool:
+def follow(simulation: sim.Simulation, duration: float, look: Callable[[], None] | None) -> bool:
     """Simulate for so many seconds, rounded to whole time steps, and look at the body now and then.
+
+    Args:
+        simulation: at its start.
+        duration: s.
+        look: called at the start, after each `looks_apart` steps, and at the end; None for no looks.
 
     Returns:
         Whether it got there: False where it ran away, or where its method would hardly ever get to the end.
     """
-    look()
     steps = steps_of(simulation.scene, duration)
     between = looks_apart(simulation.dt)
+    if look is None:
+        attempts = _attempts(between, simulation)
+        while (left := steps - simulation.step_count) > 0:
+            # As far as the attempts lead; they have to lead as far as from one look to the next.
+            if simulation.step(left, attempts) < min(between, left):
+                return False
+        return True
+    look()
     while simulation.step_count < steps:
         if not _go(simulation, min(between, steps - simulation.step_count)):
             return False
@@ -111,8 +173,12 @@ def looks_apart(dt: float) -> int:
 
 def _go(simulation: sim.Simulation, steps: int) -> bool:
     """Do so many time steps, and return whether they could be done."""
-    attempts = math.ceil(MOST_ATTEMPTS * steps * simulation.dt)
-    return simulation.step(steps, attempts) == steps
+    return simulation.step(steps, _attempts(steps, simulation)) == steps
+
+
+def _attempts(steps: int, simulation: sim.Simulation) -> int:
+    """The attempts that so many time steps may take."""
+    return math.ceil(MOST_ATTEMPTS * steps * simulation.dt)
 
 
 def _finite(value: Value) -> Value:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from rich.console import Console
 
+import sim
 from sim.compiling.compiler import all_of, fetch
 from sim.methods.registry import METHODS
 from sim.store.files import decode_scene, encode_scene
@@ -18,11 +19,11 @@ from sim.store.files import decode_scene, encode_scene
 from ..reporting.output import Watch, write_figures
 from .folder import Folder, make_plan
 from .grid import Grid
-from .runs import REFERENCE, Points, Reference, Row, reference_of, run, run_reference
+from .runs import REFERENCE, Points, Reference, Row, is_quick, reference_of, run_reference, run_several
 from .workers import Making, Workers
 
-AHEAD = 1000
-"""Calls that workers have at a time: more than they can be at, and no more than fits in memory."""
+TOGETHER = 64
+"""Runs of one call, where one does several."""
 
 
 @dataclass
@@ -33,13 +34,15 @@ class Sweep:
         grid: the scene and what is varied.
         measures: names.
         duration: simulated time of each run, s.
-        methods: names of all methods, once `check` has looked.
+        quick: once `check` has looked, the numbers of the runs that are quick, see `is_quick`.
+        methods: then the names of the methods of all others.
         tolerance: then the smallest one of a method that has one, px; infinite where none has.
     """
 
     grid: Grid
     measures: tuple[str, ...]
     duration: float
+    quick: set[int] = field(default_factory=set)
     methods: set[str] = field(default_factory=set)
     tolerance: float = math.inf
 
@@ -49,9 +52,13 @@ class Sweep:
         Raises:
             InputError: one is not valid.
         """
-        for point in self.grid.points:
-            integrator = self.grid.scene_at(point).integrator
-            self.methods.add(integrator.method)
+        for number, point in enumerate(self.grid.points):
+            scene = self.grid.scene_at(point)
+            integrator = scene.integrator
+            if is_quick(scene, self.duration, self.measures):
+                self.quick.add(number)
+            else:
+                self.methods.add(integrator.method)
             if METHODS[integrator.method].adaptive:
                 self.tolerance = min(self.tolerance, integrator.tolerance)
 
@@ -64,28 +71,28 @@ class Sweep:
             InputError: no worker is left.
         """
         data = encode_scene(self.grid.scene)
-        waiting = deque(missing)
-        ready: deque[tuple[int, Points | None]] = deque()
+        waiting, ready = deque(missing), _Ready(self.quick)
+        if "error" not in self.measures:
+            ready.add(waiting, None)
+            waiting.clear()
         exact: dict[Reference, Points | None] = {}
         asked: dict[Reference, list[int]] = {}
-        running: dict[concurrent.futures.Future, int | Reference] = {}
+        running: dict[concurrent.futures.Future, list[int] | Reference] = {}
         submit = workers.executor.submit
         with workers.losing("sweep"):
             while waiting or ready or running:
-                while (waiting or ready) and len(running) < AHEAD:
+                while (waiting or ready) and len(running) < workers.ahead:
                     if ready:
-                        number, end = ready.popleft()
-                        assignments = self.grid.assignments(self.grid.points[number])
-                        call = submit(run, data, assignments, self.duration, self.measures, end)
-                        running[call] = number
-                    elif "error" not in self.measures:
-                        ready.append((waiting.popleft(), None))
+                        numbers, ends = ready.take()
+                        changes = [self.grid.assignments(self.grid.points[number]) for number in numbers]
+                        call = submit(run_several, data, changes, self.duration, self.measures, ends)
+                        running[call] = numbers
                     else:
                         number = waiting.popleft()
                         scene = self.grid.scene_at(self.grid.points[number])
                         reference = reference_of(scene, self.duration, self.tolerance)
                         if reference in exact:
-                            ready.append((number, exact[reference]))
+                            ready.add([number], exact[reference])
                         elif reference in asked:
                             asked[reference].append(number)
                         else:
@@ -94,11 +101,40 @@ class Sweep:
                 done, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
                 for call in done:
                     what = running.pop(call)
-                    if isinstance(what, int):
-                        yield what, call.result()
+                    if isinstance(what, list):
+                        yield from zip(what, call.result(), strict=True)
                     else:
                         exact[what] = call.result()
-                        ready.extend((number, exact[what]) for number in asked.pop(what))
+                        ready.add(asked.pop(what), exact[what])
+
+
+class _Ready:
+    """The runs that wait for nothing but somebody to do them, each with the end of its near-exact run.
+
+    Args:
+        quick: the numbers of those of which a call does several.
+    """
+
+    def __init__(self, quick: set[int]) -> None:
+        self._quick = quick
+        self._several: deque[tuple[int, Points | None]] = deque()
+        self._single: deque[tuple[int, Points | None]] = deque()
+
+    def __len__(self) -> int:
+        return len(self._several) + len(self._single)
+
+    def add(self, numbers: Iterable[int], end: Points | None) -> None:
+        """Put in some runs."""
+        for number in numbers:
+            (self._several if number in self._quick else self._single).append((number, end))
+
+    def take(self) -> tuple[list[int], list[Points | None]]:
+        """Take out the runs of a call: their numbers, and their ends."""
+        if self._several:
+            some = [self._several.popleft() for _ in range(min(TOGETHER, len(self._several)))]
+        else:
+            some = [self._single.popleft()]
+        return [number for number, _ in some], [end for _, end in some]
 
 
 def sweep(
@@ -164,6 +200,8 @@ def _compute(what: Sweep, folder: Folder, making: Making, watch: Watch) -> None:
     # Once, here, and not by each of several processes that start at the same time.
     for method in sorted(what.methods | ({REFERENCE} if "error" in what.measures else set())):
         fetch(all_of(method))
+    if what.quick:
+        sim.run_many([what.grid.scene_at(what.grid.points[min(what.quick)])], 0.0)
     watch.say("starting", len(folder.rows))
     with making() as workers:
         for number, row in what.rows(missing, workers):

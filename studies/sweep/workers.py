@@ -1,4 +1,5 @@
-"""Who computes: processes of this machine or a cluster, both behind the interface of `concurrent.futures`."""
+"""Who computes: this process, others of this machine or a cluster, all behind the interface of
+`concurrent.futures`."""
 
 from __future__ import annotations
 
@@ -11,8 +12,12 @@ import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
+from typing import Any
 
 from sim.errors import InputError
+
+AHEAD = 1000
+"""Calls that workers have at a time: more than they can be at, and no more than fits in memory."""
 
 CONNECTING = 10
 """Seconds in which a scheduler must answer."""
@@ -24,10 +29,12 @@ class Workers:
 
     Attributes:
         executor: takes the calls.
+        ahead: calls that it should have at a time.
         failures: what it, or a future of it, raises if nothing more can come, and what that means.
     """
 
     executor: concurrent.futures.Executor
+    ahead: int = AHEAD
     failures: Mapping[type[BaseException], str] = field(
         default_factory=lambda: {concurrent.futures.BrokenExecutor: "a worker was lost"}
     )
@@ -51,6 +58,24 @@ class Workers:
 
 
 Making = Callable[[], AbstractContextManager[Workers]]
+
+
+class _Here(concurrent.futures.Executor):
+    """Does each call at once, in this thread."""
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> concurrent.futures.Future[Any]:
+        done: concurrent.futures.Future[Any] = concurrent.futures.Future()
+        try:
+            done.set_result(fn(*args, **kwargs))
+        except Exception as error:
+            done.set_exception(error)
+        return done
+
+
+@contextmanager
+def this_process() -> Iterator[Workers]:
+    """Nobody else: each call is done, and kept, before the next."""
+    yield Workers(_Here(), ahead=1)
 
 
 @contextmanager
@@ -110,4 +135,4 @@ def cluster(address: str) -> Iterator[Workers]:
     for name in ("distributed.client", "distributed", "tornado.application", "asyncio"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     with client:
-        yield Workers(client.get_executor(pure=False), failures)
+        yield Workers(client.get_executor(pure=False), failures=failures)

@@ -340,6 +340,21 @@ def test_what_a_program_cannot_do_is_refused_in_one_sentence(
     assert command("export", name, "--c", out, "--set", f"{setting}=0") == 0
 
 
+def test_a_program_refuses_walls_with_a_constant_restitution() -> None:
+    scene = sim.load_scene("jelly")
+    walls = tuple(changed(wall, restitution="constant") for wall in scene.walls)
+    body = body_of(changed(scene, walls=walls))
+    for write in (python_program, c_program):
+        with pytest.raises(InputError, match="walls with a constant restitution; make it viscous"):
+            write(body)
+    held = tuple(changed(wall, tangential_hardness=5000.0) for wall in scene.walls)
+    with pytest.raises(
+        InputError, match="walls with tangential springs; set tangential_hardness to 0 to have one"
+    ):
+        python_program(body_of(changed(scene, walls=held)))
+    assert '"restitution":"constant"' in body_json(body).decode().replace(" ", "")
+
+
 def test_a_medium_and_the_ground_are_in_json_and_tables_as_in_the_scene() -> None:
     resisted = changed(sim.load_scene("rope"), medium=sim.Medium(), ground=sim.Ground())
     data = json.loads(body_json(body_of(resisted)))

@@ -129,6 +129,26 @@ def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() 
     assert broke >= 10
 
 
+def test_what_sticks_sticks_as_in_the_solver() -> None:
+    pile = sim.load_scene("pile")
+    assert pile.contact is not None
+    contact = replace(pile.contact, restitution="constant", tangential_stiffness=2000.0)
+    walls = tuple(replace(wall, restitution="constant", tangential_hardness=5000.0) for wall in pile.walls)
+    scenes = []
+    for method in METHODS:
+        scene = by(replace(pile, contact=contact, walls=walls), method)
+        begun = sim.Simulation(scene)
+        begun.advance(1.0)
+        pose = begun.pose()
+        assert pose.grips is not None
+        assert len(pose.grips.springs) > 3
+        assert len(pose.grips.walls) > 0
+        scenes += [scene, replace(scene, pose=pose, bodies=())]  # from the start, and from where it sticks
+    for scene, script in zip(scenes, by_script(scenes), strict=True):
+        off = np.abs(script["positions"].reshape(-1, 2) - moved(scene).positions).max()
+        assert off < CLOSE, (scene.integrator.method, off)
+
+
 def test_what_has_yielded_before_yields_on_as_in_the_solver() -> None:
     rope = sim.rope(masses=6, length=240.0, direction=(1.0, 0.0), driven=None)
     springs = tuple(replace(s, yield_force=2e3, hardening=800.0) for s in rope.linear_springs)

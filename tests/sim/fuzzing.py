@@ -178,8 +178,10 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
                 friction=float(rng.choice([0.0, 0.5, 10.0])),
                 bounciness=float(rng.choice([0.0, 0.5, 1.0])),
                 slip_speed=_ten_to(rng, 0.0, 2.0),
+                restitution="constant" if k % 2 else "viscous",
+                tangential_hardness=1e4 if k == 1 else 0.0,
             )
-            for _ in range(int(rng.integers(1, 4)))
+            for k in range(int(rng.integers(1, 4)))
         )
     if alone or rng.random() < 0.3:
         velocity = tuple((rng.normal(0.0, 1.0, 2) * _ten_to(rng, 1.0, 4.0)).tolist())

@@ -15,7 +15,14 @@ KINDS: dict[str, dict[str, Any]] = {
     "walls": {
         "walls": (
             Wall(point=(0.0, 10.0), normal=(0.2, -1.0), hardness=50.0, friction=0.6, bounciness=0.4),
-            Wall(point=(60.0, 0.0), normal=(-3.0, 1.0), hardness=200.0, friction=1.5, slip_speed=80.0),
+            Wall(
+                point=(60.0, 0.0),
+                normal=(-3.0, 1.0),
+                hardness=200.0,
+                friction=1.5,
+                slip_speed=80.0,
+                restitution="constant",
+            ),
         )
     },
     "steady wind": {"wind": Wind(velocity=(300.0, -80.0))},

@@ -43,6 +43,16 @@ def left_with(simulation: Simulation, mass: int, surface: float) -> float:
     raise AssertionError("it stays inside")
 
 
+def fastest_outwards(simulation: Simulation, mass: int, steps: int) -> float:
+    """The largest speed upwards, px/s, that a mass has at the end of any of some steps."""
+    fastest = 0.0
+    for _ in range(steps):
+        simulation.step()
+        assert simulation.divergence is None
+        fastest = max(fastest, -float(simulation.velocities[mass, 1]))
+    return fastest
+
+
 @pytest.mark.parametrize("method", FIXED)
 @pytest.mark.parametrize(("bounciness", "most"), [(0.3, 1.0), (0.5, 1.0), (0.8, 1.0), (1.0, 1.005)])
 def test_no_fixed_step_makes_a_floor_give_energy(method: Method, bounciness: float, most: float) -> None:
@@ -60,6 +70,38 @@ def test_short_steps_leave_as_the_bounciness_says(method: Method) -> None:
     for bounciness in (0.3, 0.8, 1.0):
         scene = falling(1.0, 1000.0, REPLACE(FLOOR, bounciness=bounciness), method, 1e-5)
         assert left_with(Simulation(scene), 0, 0.0) == pytest.approx(1000.0 * bounciness, rel=2e-3)
+
+
+@pytest.mark.parametrize("method", FIXED)
+@pytest.mark.parametrize("bounciness", [0.0, 0.3, 0.8, 1.0])
+def test_with_a_constant_restitution_no_fixed_step_makes_energy(method: Method, bounciness: float) -> None:
+    wall = REPLACE(FLOOR, bounciness=bounciness, restitution="constant")
+    for speed, dt, part in itertools.product(
+        (10.0, 100.0, 500.0, 4000.0, 20000.0), (0.001, 0.0025, 1.0 / 60.0), (0.1, 0.45, 0.8)
+    ):
+        scene = falling(part * speed * dt, speed, wall, method, dt)
+        assert fastest_outwards(Simulation(scene), 0, 200) <= (1.005 if bounciness == 1.0 else 1.0) * speed
+
+
+@pytest.mark.parametrize("bounciness", [0.1, 0.5, 0.9, 1.0])
+@pytest.mark.parametrize("method", ["auto", "rodas5p", "velocity_verlet"])
+def test_with_a_constant_restitution_all_speeds_keep_the_same_part(method: Method, bounciness: float) -> None:
+    wall = REPLACE(FLOOR, bounciness=bounciness, restitution="constant", slip_speed=0.1)
+    for speed in (20.0, 300.0, 5000.0):
+        scene = falling(0.1, speed, wall, method, 2e-5 * (5000.0 / speed) ** (1.0 / 3.0))  # as it takes long
+        assert left_with(Simulation(scene), 0, 0.0) == pytest.approx(bounciness * speed, rel=0.02)
+
+
+def test_with_a_constant_restitution_a_mass_comes_to_rest() -> None:
+    speeds = []
+    for restitution in ("viscous", "constant"):
+        wall = REPLACE(FLOOR, bounciness=0.5, restitution=restitution)
+        scene = REPLACE(falling(30.0, 0.0, wall, "velocity_verlet", 2e-4), gravity=(0.0, 1000.0))
+        simulation = Simulation(scene)
+        simulation.advance(3.0)
+        speeds.append(float(np.abs(simulation.velocities).max()))
+    assert speeds[0] > 5.0
+    assert speeds[1] < 1e-4
 
 
 @pytest.mark.parametrize("method", FIXED)

@@ -152,6 +152,35 @@ def test_several_anchors_go_their_own_ways(method: Method) -> None:
     assert np.abs(simulation.positions[4] - end - off(other, 80 * DT)).max() <= 1e-10
 
 
+def test_symplectic_euler_sees_it_where_it_is_at_the_start_of_a_step() -> None:
+    # v += h a(x(t), v), then x += h v, worked out by hand.
+    k, c, mass, length = 50.0, 2.0, 3.0, 80.0
+    scene = REPLACE(
+        chain(row(2, length), mass=mass, stiffness=k, damping=c, held=(0,), dt=DT),
+        anchors=(Anchor(mass=0, circle=CIRCLE),),
+    )
+    gravity = np.array(scene.gravity)
+    (spring,) = scene.linear_springs
+    simulation = Simulation(scene)
+    end, speed = simulation.positions[1], np.zeros(2)
+    start = simulation.positions[0]
+    for i in range(200):
+        at = start + off(CIRCLE, i * DT)
+        along = end - at
+        fade = 1.0 - math.exp(-i * DT / CIRCLE.ramp)
+        phase = math.tau * CIRCLE.frequency * (i * DT - CIRCLE.ramp * fade)
+        rate = CIRCLE.radius * math.tau * CIRCLE.frequency * fade
+        led = rate * np.array([math.cos(phase), math.sin(phase)])
+        size = math.hypot(*along)
+        pull = k * (size - spring.rest_length) + c * along @ (speed - led) / size
+        speed = speed + DT * (gravity - pull * along / size / mass)
+        end = end + DT * speed
+    for steps in (7, 1, 192):  # however they are cut
+        simulation.step(steps)
+    assert simulation.positions[1] == pytest.approx(end, abs=1e-9)
+    assert simulation.velocities[1] == pytest.approx(speed, abs=1e-8)
+
+
 # ------------------------------------------------------------------------- and led
 @pytest.mark.parametrize("method", METHODS)
 def test_it_is_led_and_goes_on_round_where_it_was_led_to(method: Method) -> None:
@@ -225,7 +254,7 @@ def test_damping_goes_by_the_velocity_of_a_circle_under_every_law(law: ForceLaw)
         force_law=law,
     )
     simulation = Simulation(scene)
-    simulation.step(1)
+    simulation.step(2)  # at the start of the first, the circle is at rest
     velocity = CIRCLE.radius * math.tau * CIRCLE.frequency * (1.0 - math.exp(-1e-3 / CIRCLE.ramp))
     assert simulation.velocities[1, 0] == pytest.approx(1e-3 * 4.0 * velocity, rel=1e-3)
 

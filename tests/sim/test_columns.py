@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import sim
 from sim.scene import columns
-from sim.scene.columns import column, ends, has_any
+from sim.scene.columns import column, ends, has_any, vectors
 
 
 def spring(a: int, b: int, stiffness: float, strength: float | None = None) -> sim.LinearSpring:
@@ -70,6 +70,15 @@ def test_arrays_of_other_parts_are_made_of_those_that_are_the_same(data: st.Data
         end = data.draw(st.integers(start, len(parts)))
         new = springs_of(data.draw(st.integers(0, 3)), first=100 * (step + 1))
         parts = (*parts[:start], *new, *parts[end:])
+
+
+def test_vectors_of_other_masses_are_made_of_those_that_are_the_same() -> None:
+    masses = tuple(sim.Mass(position=(float(i), -float(i))) for i in range(6))
+    new = sim.Mass(position=(50.0, 60.0))
+    for some in (masses, masses[:5], (*masses[:2], new, *masses[3:]), (*masses, new), (), (new,)):
+        expected = [list(mass.position) for mass in some]
+        assert vectors(some, "position").tolist() == expected
+        assert vectors(some, "position").shape == (len(some), 2)
 
 
 def test_only_what_is_new_is_read(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -17,6 +17,7 @@ from tests.sim.arrays import Arrays
 from tests.sim.inside import same_state, solver_of, system_of
 from tests.sim.surrounded import KINDS
 from tests.sim.touching import (
+    CONSTANT,
     HARD,
     REPLACE,
     SMOOTH,
@@ -53,11 +54,13 @@ def test_a_broken_spring_touches_nothing() -> None:
     assert np.abs(found - whole.accelerations(whole.q, whole.v)).max() > 1.0
 
 
+@pytest.mark.parametrize("contact", [SOFT, CONSTANT], ids=["viscous", "constant"])
 @pytest.mark.parametrize("method", ["rk4", "symplectic_euler"])
 @pytest.mark.parametrize("shape", ["girder", "cloth", "ring", "chain"])
-def test_the_kernels_do_what_the_physics_in_numpy_says(shape: str, method: Method) -> None:
+def test_the_kernels_do_what_the_physics_in_numpy_says(shape: str, method: Method, contact: Contact) -> None:
     for seed in range(3):
-        scene = REPLACE(crumpled(shape, seed, held=(1,)), integrator=Integrator(method=method, dt=1e-3))
+        scene = crumpled(shape, seed, contact, held=(1,))
+        scene = REPLACE(scene, integrator=Integrator(method=method, dt=1e-3))
         arrays = Arrays(scene)
         expected = Physics(arrays.body, arrays.state).accelerations(
             arrays.state.x + 1j * arrays.state.y, arrays.state.vx + 1j * arrays.state.vy
@@ -120,9 +123,10 @@ def test_friction_is_still_where_everything_turns_as_a_whole() -> None:
 
 
 # ------------------------------------------------------------------------- derivatives
+@pytest.mark.parametrize("contact", [SOFT, CONSTANT], ids=["viscous", "constant"])
 @pytest.mark.parametrize(("shape", "kind"), [("girder", "all"), ("cloth", ""), ("ring", "")])
-def test_the_matrix_is_that_of_the_forces(shape: str, kind: str) -> None:
-    scene = REPLACE(crumpled(shape, 1, held=(1,)), **KINDS.get(kind, {}))
+def test_the_matrix_is_that_of_the_forces(shape: str, kind: str, contact: Contact) -> None:
+    scene = REPLACE(crumpled(shape, 1, contact, held=(1,)), **KINDS.get(kind, {}))
     arrays, g = Arrays(scene), 150.0
     by_place = arrays.derivative(by_velocity=False, step=1e-3)
     by_speed = arrays.derivative(by_velocity=True, step=0.01)
@@ -251,9 +255,10 @@ def test_very_rough_bodies_stay_finite(method: Method) -> None:
     assert np.abs(simulation.velocities).max() < 2000.0
 
 
+@pytest.mark.parametrize("contact", [SOFT, CONSTANT], ids=["viscous", "constant"])
 @pytest.mark.parametrize("method", ["auto", "adams", "rodas5p", "rk4", "velocity_verlet"])
-def test_the_balance_closes(method: Method) -> None:
-    scene = crumpled("girder", 5, held=(2,))
+def test_the_balance_closes(method: Method, contact: Contact) -> None:
+    scene = crumpled("girder", 5, contact, held=(2,))
     simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=2e-5, tolerance=1e-8)))
     simulation.energy()
     x, y = scene.pose.positions[2] if scene.pose else (0.0, 0.0)

@@ -34,10 +34,10 @@ def plain(scene: Scene) -> Simulation:
 def lively(shape: str, law: ForceLaw, method: Method, seed: int) -> Scene:
     """A body with damping everywhere, air, an anchor that goes round and keys that do something."""
     scene = body(shape, law, seed)
-    anchors = tuple(REPLACE(a, circle=Circle(radius=5.0, frequency=2.0)) for a in scene.anchors[:1])
+    circle = Circle(radius=5.0, frequency=20.0, ramp=1e-3)
     return REPLACE(
         scene,
-        anchors=anchors + scene.anchors[1:],
+        anchors=(sim.Anchor(mass=0, circle=circle),),
         arrow_keys=sim.ArrowKeys(),
         integrator=Integrator(method=method, dt=2e-5),
     )

@@ -17,6 +17,7 @@ REPLACE = msgspec.structs.replace
 SOFT = Contact(distance=12.0, stiffness=50.0, friction=0.7, slip_speed=80.0, bounciness=0.6)
 SMOOTH = REPLACE(SOFT, friction=0.0, bounciness=1.0)
 HARD = Contact(distance=6.0, stiffness=500.0, friction=0.4, bounciness=0.3)
+CONSTANT = REPLACE(SOFT, restitution="constant")
 Pairs = set[tuple[int, int]]
 """Springs, and slots of masses."""
 

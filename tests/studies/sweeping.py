@@ -16,8 +16,9 @@ import sim
 from studies.sweep.grid import make_grid
 from studies.sweep.kept import Line
 from studies.sweep.measures import parse_measures
+from studies.sweep.runs import run_several
 from studies.sweep.sweep import sweep
-from studies.sweep.workers import Workers
+from studies.sweep.workers import AHEAD, Workers
 
 ROPE = sim.rope(
     5,
@@ -42,16 +43,24 @@ def numbers_of(out: Path) -> list[int]:
 
 
 class Here(concurrent.futures.Executor):
-    """Computes in this process, and notes what it was asked for."""
+    """Computes in this process, and notes what it was asked for: "run" for each run of a sweep.
 
-    def __init__(self, interrupt_at: int | None = None, counted: str = "run") -> None:
+    Attributes:
+        asked: names of what was asked for.
+        calls: how often it was asked.
+    """
+
+    def __init__(self, interrupt_at: int | None = None, counted: str = "run", ahead: int = AHEAD) -> None:
         self.asked: list[str] = []
-        self._interrupt_at, self._counted = interrupt_at, counted
+        self.calls = 0
+        self._interrupt_at, self._counted, self._ahead = interrupt_at, counted, ahead
 
     def submit(self, call, /, *arguments, **named):
-        if call.__name__ == self._counted and self.asked.count(self._counted) == self._interrupt_at:
+        asked = ["run"] * len(arguments[1]) if call is run_several else [call.__name__]
+        if asked[0] == self._counted and self.asked.count(self._counted) == self._interrupt_at:
             raise KeyboardInterrupt
-        self.asked.append(call.__name__)
+        self.asked += asked
+        self.calls += 1
         future = concurrent.futures.Future()
         try:
             future.set_result(call(*arguments, **named))
@@ -61,7 +70,7 @@ class Here(concurrent.futures.Executor):
 
     @contextmanager
     def __call__(self) -> Iterator[Workers]:
-        yield Workers(self)
+        yield Workers(self, self._ahead)
 
 
 def swept(
@@ -73,7 +82,8 @@ def swept(
     **options,
 ) -> tuple[int, Here, str]:
     """The exit status of a sweep in this process, what was asked for, and what was printed."""
-    here, text = Here(options.pop("interrupt_at", None)), io.StringIO()
+    here = Here(options.pop("interrupt_at", None), ahead=options.pop("ahead", AHEAD))
+    text = io.StringIO()
     grid = make_grid(scene, options.pop("settings", ()), vary)
     status = sweep(grid, parse_measures(measures), duration, here, out, Console(file=text, width=200))
     return status, here, text.getvalue()

@@ -14,7 +14,7 @@ from sim.errors import InputError
 from sim.scene.lesson import Goal as LessonGoal
 from sim.scene.lesson import Lesson, Step
 from sim.store.files import encode_scene
-from studies.improve.goals import parse_goal
+from studies.improve.goals import GoalMeter, parse_goal
 from studies.improve.improve import Improved, Wanted
 from studies.improve.ranges import Range
 from studies.improve.search import Search
@@ -33,6 +33,20 @@ def values_of(scene: sim.Scene, goal: str, duration: float = 4.0, settings: tupl
     """Result, score and end of one run."""
     found, scene = parse_goal(goal, scene)
     return trial(encode_scene(scene), settings, duration, found).values
+
+
+@pytest.mark.parametrize(("goal", "looks"), [("max mass1.x", 0), ("max mean mass1.x", 61)])
+def test_nobody_looks_in_between_where_only_the_end_counts(
+    goal: str, looks: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: list[float] = []
+    look = GoalMeter.look
+    monkeypatch.setattr(GoalMeter, "look", lambda meter: (seen.append(0.0), look(meter)))
+    found, scene = parse_goal(goal, sim.load_scene("pendulum"))
+    scene = sim.set_value(scene, "dt", 1e-3)
+    result, _, ended = trial(encode_scene(scene), (), 0.48, found).values
+    assert isinstance(result, float) and ended == ""
+    assert len(seen) == looks
 
 
 def best_of(found: Improved) -> tuple[float, float]:

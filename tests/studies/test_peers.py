@@ -17,7 +17,7 @@ import sim
 from app import cli
 from studies.bench.heap import heap
 from studies.peers import heaps, references, report
-from studies.peers.engines import many, own
+from studies.peers.engines import c_loop, many, own
 from studies.peers.figures import figures, front
 from studies.peers.peers import ENGINES, bench_peers
 from studies.peers.plain import Equations, Floats
@@ -165,6 +165,12 @@ def pretended(values: tuple[float, ...]) -> list[Point]:
     ladder = Ladder("who", "how", values, lambda v: f"at {v:g}", lambda v: Pretended(right, v))
     *_, (points, _) = measure("rope-12", [ladder], right, 3)
     return points
+
+
+def test_the_loop_in_c_leaves_the_arithmetic_of_others_alone() -> None:
+    c_loop.library()
+    least = np.finfo(float).tiny
+    assert 0.5 * least > 0.0
 
 
 def test_settings_are_tried_and_timed_again() -> None:

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+import io
+import math
 from pathlib import Path
 
 import msgspec
 import numpy as np
 import pytest
+from rich.console import Console
 
 import sim
 from sim.errors import InputError
 from sim.store.files import encode_scene
+from studies.commands import _workers
 from studies.sweep.folder import Folder, make_plan
 from studies.sweep.grid import make_grid, parse_axis
 from studies.sweep.measures import GAVE_UP, MEASURES, parse_measures
 from studies.sweep.plot import COLOURS, plot
-from studies.sweep.runs import Row, reference_of, run, run_reference
+from studies.sweep.runs import Row, reference_of, run, run_reference, run_several
+from studies.sweep.sweep import TOGETHER, sweep
 from tests.studies.sweeping import ROPE, numbers_of, rows_of, swept
 
 
@@ -139,9 +144,9 @@ def test_the_table_has_units_and_all_digits(tmp_path: Path) -> None:
 def test_what_is_done_is_kept_and_the_same_call_goes_on(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("studies.sweep.sweep.AHEAD", 1)
+    monkeypatch.setattr("studies.sweep.sweep.TOGETHER", 2)
     vary = ("gravity=100..900:9",)
-    status, here, text = swept(tmp_path, ROPE, vary, ("sag",), interrupt_at=4)
+    status, here, text = swept(tmp_path, ROPE, vary, ("sag",), interrupt_at=4, ahead=1)
     assert (status, here.asked.count("run")) == (130, 4)
     assert "Interrupted: 4 of 9 runs are done; the same command goes on." in text
     assert [row["gravity [px/s²]"] for row in rows_of(tmp_path)] == ["100", "200", "300", "400"]
@@ -150,6 +155,57 @@ def test_what_is_done_is_kept_and_the_same_call_goes_on(
     assert "9 of 9 runs are done" in text
     status, here, _ = swept(tmp_path, ROPE, vary, ("sag",))
     assert (status, here.asked) == (0, [])
+
+
+def test_with_one_process_each_run_is_kept_before_the_next(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    done: list[float] = []
+
+    def interrupted(*arguments):
+        if len(done) == 3:
+            raise KeyboardInterrupt
+        done.append(0.0)
+        return run_several(*arguments)
+
+    monkeypatch.setattr("studies.sweep.sweep.run_several", interrupted)
+    grid, measures = make_grid(ROPE, ("method=auto",), ("gravity=100..900:9",)), parse_measures(("sag",))
+    console = Console(file=io.StringIO())
+    assert sweep(grid, measures, 0.1, _workers(1, None), tmp_path, console) == 130
+    assert numbers_of(tmp_path) == [0, 1, 2]
+    monkeypatch.setattr("studies.sweep.sweep.run_several", run_several)
+    assert sweep(grid, measures, 0.1, _workers(1, None), tmp_path, console) == 0
+    assert len(numbers_of(tmp_path)) == 9
+
+
+def test_runs_that_need_no_simulation_are_done_side_by_side(tmp_path: Path) -> None:
+    vary = ("gravity=100..900:50", "dt=1e-3,2e-3", "method=rk4,auto")
+    measures = ("sag", "period", "stretch")
+    _, here, _ = swept(tmp_path, ROPE, vary, measures, duration=0.3)
+    assert (here.asked.count("run"), here.calls) == (200, 100 + math.ceil(100 / TOGETHER))  # `auto` singly
+    _, here, _ = swept(tmp_path / "fixed", ROPE, vary[:2], measures, duration=0.3)
+    assert (here.asked.count("run"), here.calls) == (100, math.ceil(100 / TOGETHER))
+    # Each as if it were alone, to the last bit.
+    rows = rows_of(tmp_path / "fixed")
+    for row in (rows[0], rows[57], rows[99]):
+        changes = (f"gravity={row['gravity [px/s²]']}", f"dt={row['dt [s]']}")
+        alone = run(encode_scene(ROPE), changes, 0.3, measures)
+        assert tuple(float(row[key]) for key in ("sag [px]", "period [s]", "stretch") if row[key]) == tuple(
+            value for value in alone.values if value is not None
+        )
+
+
+def test_what_runs_away_beside_others_has_no_measures() -> None:
+    changes = [
+        ("gravity=100",),
+        ("gravity=100", "dt=0.5"),
+        ("linear_stiffness=1e6", "dt=0.005"),
+        ("gravity=200",),
+    ]
+    rows = run_several(encode_scene(ROPE), changes, 1.0, ("sag", "survived"), [None] * 4)
+    assert [row.values[1] for row in rows] == [True, False, False, True]
+    assert rows[1].values[0] is rows[2].values[0] is None
+    assert rows == [run(encode_scene(ROPE), each, 1.0, ("sag", "survived")) for each in changes]
 
 
 def test_a_torn_line_is_done_again(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from sim.store.files import encode_scene
-from studies.sweep.measures import period
+from studies.sweep.measures import Track, period
 from studies.sweep.runs import reference_of, run, run_reference
 from tests.studies.sweeping import ROPE, rows_of, swept
 
@@ -116,6 +116,20 @@ def test_the_error_falls_with_the_step_at_the_order_of_the_method(
     errors = [float(row["error [px]"]) for row in rows_of(tmp_path)]
     assert math.log2(errors[0] / errors[-1]) / 2.0 == pytest.approx(order, abs=0.25)
     assert here.asked == ["run_reference", "run", "run", "run"]
+
+
+@pytest.mark.parametrize(("measures", "looks"), [(("sag", "survived"), 0), (("sag", "stretch"), 25)])
+def test_nobody_looks_in_between_where_only_the_end_counts(
+    measures: tuple[str, ...], looks: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: list[float] = []
+    look = Track.look
+    monkeypatch.setattr(Track, "look", lambda track: (seen.append(0.0), look(track)))
+    row = run(encode_scene(ROPE), ("method=auto", "dt=1e-3"), 0.192, measures)
+    assert len(seen) == looks
+    assert row.values[0] == pytest.approx(
+        run(encode_scene(ROPE), ("method=rk4",), 0.192, ("sag",)).values[0], abs=0.1
+    )
 
 
 def test_near_exact_runs_are_shared_where_only_the_solver_varies(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from sim.body.stable_spring import clamp_stiffness
 from sim.body.system import System, build_system, joint_stiffness
 from sim.errors import InputError
 from sim.forces.limits import leaking
-from sim.motion.driving import offset
+from sim.motion.driving import offset, velocity
 from sim.scene.parts import Beat, JointMuscle, SpringMuscle
 from sim.scene.types import Circle, is_muscular
 
@@ -121,6 +121,9 @@ class Body:
         held = np.zeros(len(scene.masses), np.bool_)
         held[[anchor.mass for anchor in scene.anchors]] = True
         velocities = np.where(held[:, None], 0.0, moment.velocities)
+        circles = _circles(moment)
+        for mass, (circle, _) in circles.items():
+            velocities[mass] = velocity(circle, moment.time)
         system = build_system(scene)
         environment = system.body.environment
         air = environment.air
@@ -132,7 +135,7 @@ class Body:
             radius=np.array([m.radius for m in scene.masses], float),
             loads={i: mass.force for i, mass in enumerate(scene.masses) if mass.force},
             held=held,
-            circles=_circles(moment),
+            circles=circles,
             ends=ends,
             stiffness=np.where(whole, [s.stiffness for s in springs], 0.0),
             damping=np.where(whole, [s.damping for s in springs], 0.0),

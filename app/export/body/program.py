@@ -61,6 +61,14 @@ class Plan:
         if contact is not None and contact.distance > 0.0 and len(body.ends):
             lacks["contact_distance"] = "contact of bodies"
         check_law(body)
+        if any(wall.tangential_hardness > 0.0 for wall in body.scene.walls):
+            raise InputError(
+                "a program cannot do walls with tangential springs; set tangential_hardness to 0 to have one"
+            )
+        if any(wall.restitution == "constant" for wall in body.scene.walls):
+            raise InputError(
+                "a program cannot do walls with a constant restitution; make it viscous to have one"
+            )
         if lacks:
             raise InputError(
                 f"a program cannot do {' and '.join(lacks.values())}; set {' and '.join(lacks)} to 0 to have "
@@ -120,7 +128,7 @@ class Plan:
             springs.append(body.damping)
         if has["HAS_JOINT_DAMPING"]:
             joints.append(body.joint_damping)
-        columns = {"MASSES": masses, "SPRINGS": springs, "JOINTS": joints, "WALLS": [*body.walls.T]}
+        columns = {"MASSES": masses, "SPRINGS": springs, "JOINTS": joints, "WALLS": [*body.walls.T[:8]]}
         return {
             **{name: list(zip(*(c.tolist() for c in table), strict=True)) for name, table in columns.items()},
             "LOADS": [(mass, *map(float, force)) for mass, force in body.loads.items()],

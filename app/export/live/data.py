@@ -11,7 +11,7 @@ import numpy as np
 import sim
 from sim.body.system import System, build_system
 from sim.scene.parts import JointMuscle, SpringMuscle
-from sim.scene.types import Damage, is_damageable
+from sim.scene.types import Damage, Grips, is_damageable
 
 from ..body.body import Body
 
@@ -72,6 +72,7 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "contact": _contact(system),
         "limits": _limits(scene) if is_damageable(scene) else None,
         "yielded": _yielded(moment.damage),
+        "grips": _grips(moment.grips),
         "muscles": _muscles(body),
     }
 
@@ -89,10 +90,15 @@ def _contact(system: System) -> dict[str, Any] | None:
         "stiffness": contact.stiffness,
         "friction": contact.friction,
         "slipSpeed": contact.slip_speed,
-        "damping": contact.damping,
+        "lost": [contact.damping, contact.hysteresis, contact.calm],
+        "tangential": [contact.tangential, contact.resisting],
         "margin": contact.margin,
         "apart": apart,
     }
+
+
+def _grips(grips: Grips | None) -> dict[str, Any] | None:
+    return None if grips is None else {"walls": grips.walls, "springs": grips.springs}
 
 
 def _ground(ground: sim.Ground) -> dict[str, float]:

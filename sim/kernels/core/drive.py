@@ -145,6 +145,12 @@ def set_controls(body, state, scale, shift):
 @kernel(forceinline=True)
 def lead_to(drive, t, q, v):
     """Set the held masses in q and v to their state at time t."""
+    lead(drive, t, t, q, v)
+
+
+@kernel(forceinline=True)
+def lead(drive, t, round_at, q, v):
+    """Set the held masses in q and v to where hands lead them at time t, and circles at time `round_at`."""
     slots = q.size // 2
     # A hand must not go beyond its target because of rounding in the time.
     since = min(t - drive.start, drive.duration)
@@ -155,7 +161,7 @@ def lead_to(drive, t, q, v):
         vx, vy = hand_speed(drive, i, t)
         vx, vy = vx * drive.hand[i], vy * drive.hand[i]
         if drive.radius[i] > 0.0:
-            dx, dy, du, dv = circle_at(t, drive.radius[i], drive.omega[i], drive.ramp[i])
+            dx, dy, du, dv = circle_at(round_at, drive.radius[i], drive.omega[i], drive.ramp[i])
             x, y, vx, vy = x + dx, y + dy, vx + du, vy + dv
         q[m], q[slots + m] = x, y
         v[m], v[slots + m] = vx, vy

@@ -27,6 +27,7 @@ BY_ADDRESS = {
     "add_damping_product": types.void(_BODY, _STATE, FLOATS, FLOATS, FLOATS, _FLOAT, FLOATS),
     "no_tunnelling": types.boolean(_BODY, FLOATS, FLOATS),
     "part_to_try": _FLOAT(_PROBLEM, *[FLOATS] * 5, _FLOAT, _FLOAT),
+    "stick": types.void(_PROBLEM, FLOATS, FLOATS, FLOATS),
     "settle": types.boolean(_PROBLEM, *[FLOATS] * 4, _FLOAT),
 }
 """Signatures of the kernels that are called through their addresses, by their names."""
@@ -38,6 +39,7 @@ _solve_matrix = calls(BY_ADDRESS["solve_matrix"])
 _add_damping_product = calls(BY_ADDRESS["add_damping_product"])
 _no_tunnelling = calls(BY_ADDRESS["no_tunnelling"])
 _part_to_try = calls(BY_ADDRESS["part_to_try"])
+_stick = calls(BY_ADDRESS["stick"])
 _settle = calls(BY_ADDRESS["settle"])
 
 
@@ -90,3 +92,10 @@ def part_to_try(problem, old, new, h, tolerance):
 def settle(problem, old, new, h):
     """`forces.limits.settle` after a step, where anything yields or breaks."""
     return problem.settle != 0 and _settle(problem.settle, problem, old.q, old.v, new.q, new.v, h)
+
+
+@kernel(inline="always")
+def stick(problem, q0, q1, v1):
+    """`forces.sticking.stick`, after a step from positions q0, where there are tangential springs."""
+    if problem.stick != 0:
+        _stick(problem.stick, problem, q0, q1, v1)

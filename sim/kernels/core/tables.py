@@ -430,7 +430,6 @@ class EnergyBalance(Table):
 
     active: bool
     work: Work
-    mass: Floats  # (slots,) kg
     rows: Rows  # (k, 2 slots) scratch, see `energy.work`
     dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `energy.dissipation`
     quick: Rows  # (W, 2 slots) scratch, see `forces.walls.mark_quick`; empty for methods of first order
@@ -453,6 +452,7 @@ class Problem(Table):
     add_damping_product: int
     no_tunnelling: int
     part_to_try: int
+    stick: int
     settle: int
     fixed: float  # the step, s, or 0 for error control
     near_limit: float  # s; steps from here on count as near Verlet's stability limit

@@ -120,15 +120,15 @@ class _Block:
 
     def _fill(self, block: bytearray, values: dict[str, Any]) -> None:
         """Take over values, and write them into a block that has all others."""
-        wholes, floats = memoryview(block).cast("q"), memoryview(block).cast("d")
+        wholes, floats, fields = memoryview(block).cast("q"), memoryview(block).cast("d"), self.fields
         for name, value in values.items():
-            start, _, dtype, dimensions, is_float = self.fields[name]
+            start, _, dtype, dimensions, is_float = fields[name]
             if dtype is not None:
                 if value.dtype != dtype or value.ndim != dimensions or not value.flags.c_contiguous:
                     raise TypeError(f"{type(self).__name__}.{name}: {value.dtype}, {value.shape}")
-                wholes[start] = address_of(value)
-                for axis, size in enumerate(value.shape, start + 1):
-                    wholes[axis] = size
+                wholes[start], wholes[start + 1] = address_of(value), len(value)
+                if dimensions == 2:
+                    wholes[start + 2] = value.shape[1]
             elif is_float:
                 floats[start] = value
             else:
@@ -155,9 +155,10 @@ class _Block:
 
 def address_of(array: NDArray[Any]) -> int:
     """The address of an array's elements."""
-    if array.flags.writeable:
+    try:
         return ctypes.addressof(_AT(array))  # in a fifth of the time that numpy takes to say it
-    return array.__array_interface__["data"][0]
+    except TypeError:  # it cannot be written to
+        return array.__array_interface__["data"][0]
 
 
 @dataclass_transform(kw_only_default=True, frozen_default=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..core.drive import lead_to, press
+from ..core.drive import lead, lead_to, press
 from ..core.shared import accelerate
 from ..core.tables import SPARE
 from ..engine.jit import FUSED, kernel
@@ -21,15 +21,16 @@ def run_euler(problem, drive, end, tolerance, attempts):
 def _step(problem, drive, old, new, t, h, tolerance):
     """See `advance`: as many steps as may be done at once.
 
-    Led masses and held keys are updated before the forces, which see them as they are at the end of a step,
-    as in the tutorial.
+    Hands and held keys come before the forces, which see them as they are at the end of a step, as in the
+    tutorial. Circles belong to the equations of motion, whose forces are those at the start of a step.
     """
     trial, q, v = problem.integrator.trial, new.q, new.v
     _copy(old.q, old.v, q, v)
     trial.count = trial.most
     for i in range(1, trial.most + 1):
+        start = t if i == 1 else trial.end
         trial.end = fixed_time(problem, trial.number + i)
-        lead_to(drive, trial.end, q, v)
+        lead(drive, trial.end, start, q, v)
         if drive.moving:
             press(problem.body, problem.state, drive, trial.end, h)
         accelerate(problem, q, v, new.a)

@@ -36,7 +36,7 @@ def run_fallback(problem, drive, h, shortest, reach):
     for j in range(q.size):
         kept_q[j], kept_v[j], a[j] = q[j], v[j], 0.0
     t = run.time
-    mass = balance.mass
+    mass = body.environment.mass
     first = energies(body, state, mass, q, v, parts)
     if drive.moving:
         drive_to(body, state, drive, t + h, q, v)
@@ -88,9 +88,10 @@ def run_fallback(problem, drive, h, shortest, reach):
         return
     for j in range(q.size):
         q[j], v[j] = to_q[j], to_v[j]
-    # Giving springs a length and moving anchors also changed the energy.
-    balance.work.anchors += before - first
-    balance.work.fallbacks += after - before
+    if balance.active:
+        # Giving springs a length and moving anchors also changed the energy.
+        balance.work.anchors += before - first
+        balance.work.fallbacks += after - before
     run.time = t + h
     run.step = alpha.last = alpha.older = 0.0
     run.current = False

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from ..core.drive import act_as, lead_to
-from ..core.shared import accelerate, accumulate, no_tunnelling, part_to_try, settle
+from ..core.shared import accelerate, accumulate, no_tunnelling, part_to_try, settle, stick
 from ..core.tables import CONTROL_SCALE, CONTROL_SHIFT
 from ..engine.jit import kernel
 from .guard import CHANGED, GOOD, state_ok
@@ -56,7 +56,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
     run, trial, fixed = integrator.run, integrator.trial, problem.fixed
     old, new = integrator.old, integrator.new
     number = last = 0
-    most = 1 if balance.active or problem.settle != 0 else _MOST_AT_ONCE
+    most = 1 if balance.active or problem.settle != 0 or problem.stick != 0 else _MOST_AT_ONCE
     # A body may be beyond its limits where it is put.
     if run.time == run.origin and settle(problem, old, old, -1.0):
         run.what = CHANGED
@@ -116,6 +116,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             accumulate(problem, drive, t, new.q, new.v, new.a, h)
             if drive.moving:
                 act_as(body, state, drive, trial.end, scale, shift)
+        stick(problem, old.q, new.q, new.v)
         broke = settle(problem, old, new, h if fixed == 0.0 else 0.0)
         if balance.active:
             replace_state(old.q, old.v, old.a, new.q, new.v, new.a)

@@ -375,9 +375,6 @@ static void step(void) {
     static double t = GIVEN_START;  // s
     t += DT;
 # endif
-# ifdef HAS_CIRCLES
-    lead(t);
-# endif
 # ifdef HAS_MUSCLES
     flex(t);
 # endif
@@ -389,6 +386,9 @@ static void step(void) {
         m[i].vx += DT * ax[i], m[i].vy += DT * ay[i];
         m[i].x += DT * m[i].vx, m[i].y += DT * m[i].vy;
     }
+# ifdef HAS_CIRCLES
+    lead(t);
+# endif
 }
 
 int main(int count, char **words) {

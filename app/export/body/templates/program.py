@@ -273,9 +273,6 @@ def flex(t):
 # endif
 def step(x, v, t):
     """One time step from time t (s), in place."""
-    # ifdef HAS_CIRCLES
-    lead(x, v, t + DT)
-    # endif
     # ifdef HAS_MUSCLES
     flex(t + DT)
     # endif

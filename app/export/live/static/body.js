@@ -6,9 +6,9 @@
  * Positions and velocities are flat: x and y of the first mass, of the second one, and so on. x grows to the right; which
  * way y grows is the scene's matter, and no force asks for it. Lengths are in px, angles of rest in degrees.
  */
-import { addContact } from "./contact.js";
+import { addContact, gripSprings, stickToSprings } from "./contact.js";
 import { wave } from "./muscles.js";
-import { pushAndFriction } from "./push.js";
+import { clamp, pushAndFriction, softened } from "./push.js";
 
 /**
  * @typedef {"tutorial" | "conservative" | "angle"} ForceLaw
@@ -17,19 +17,25 @@ import { pushAndFriction } from "./push.js";
  * @typedef {{masses: number[], isGas: boolean, strength: number, outside: number, area: number}} Filling the pressure of a gas
  *   at its area, or the bulk modulus of a liquid, and the pressure outside, kg/s²; px²; masses so that the area is positive
  * @typedef {[x: number, y: number, nx: number, ny: number, hardness: number, friction: number, slipSpeed: number,
- *   damping: number]} Wall a point, the unit vector to the free side, 1/(px s²), 1, px/s, s/px
+ *   ...lost: number[]]} Wall a point, the unit vector to the free side, 1/(px s²), 1, px/s, and the numbers of `Lost` and, for a
+ *   mass of 1 kg, of `Tangential`
  * @typedef {[x: number, y: number, u: number, v: number, phase: number, rate: number]} Wave of gusts: its wave vector, 1/px,
  *   its amplitude, px/s, its phase at time zero, and the rate of that, 1/s
  * @typedef {{across: number, along: number}} Medium kg/(px s)
  * @typedef {{gravity: number, forward: number, backward: number, sideways: number, slipSpeed: number}} Ground px/s²; coefficients
  *   of friction; px/s
- * @typedef {{distance: number, stiffness: number, friction: number, slipSpeed: number, damping: number, margin: number,
- *   apart: number[][]}} Contact px, kg/(px s²), 1, px/s, s/px, px; for each spring, the masses that never touch it
+ * @typedef {{distance: number, stiffness: number, friction: number, slipSpeed: number,
+ *   lost: Lost, tangential: Tangential, margin: number, apart: number[][]}} Contact
+ *   px, kg/(px s²), 1, px/s; px; for each spring, the masses that never touch it
+ * @typedef {{walls: number[][], springs: number[][]}} Grips of the tangential springs of walls and of springs: wall or spring,
+ *   mass, and stretch, px
  * @typedef {{strength: number[], yieldForce: number[], hardening: number[], yieldTorque: number[]}} Limits of springs and
  *   joints: kg px/s², kg/s², kg px²/s²; 1e300 for what has none
  * @typedef {{length: number[], hardened: number[], angle: number[]}} Yielded what has yielded before: rest lengths by how
  *   much, px, yield forces, kg px/s², rest angles, degrees; empty where none has
  * @typedef {import("./muscles.js").Muscles} Muscles
+ * @typedef {import("./push.js").Lost} Lost
+ * @typedef {import("./push.js").Tangential} Tangential
  *
  * @typedef {object} BodyData a body at one moment, as `app/export/live/data.py` writes it
  * @property {number} time s
@@ -62,6 +68,7 @@ import { pushAndFriction } from "./push.js";
  * @property {Contact | null} contact
  * @property {Limits | null} limits
  * @property {Yielded | null} yielded
+ * @property {Grips | null} grips
  * @property {Muscles | null} muscles
  */
 
@@ -137,6 +144,12 @@ export class Body {
     // The velocity of the air where it was last asked for, px/s.
     this.blow = new Float64Array(2);
     for (const spring of data.broken) this.broken[spring] = 1;
+    // What tangential springs remember: of each pair of a spring and a mass, and of each wall by mass.
+    /** @type {Map<number, number[]>} */
+    this.grips = new Map();
+    /** @type {Map<number, number[]>[]} */
+    this.wallGrips = this.walls.map(() => new Map());
+    this.#grip(data.grips);
     this.refresh();
     this.flex();
   }
@@ -224,7 +237,7 @@ export class Body {
       a[2 * m] = a[2 * m] * w + (held[m] ? 0 : gravity[0]);
       a[2 * m + 1] = a[2 * m + 1] * w + (held[m] ? 0 : gravity[1]);
     }
-    for (let k = 0; k < this.walls.length; k++) this.#addWall(this.walls[k], softeningStep);
+    for (let k = 0; k < this.walls.length; k++) this.#addWall(k, softeningStep);
   }
 
   /** Find the vectors and lengths of all springs as they are now. */
@@ -445,18 +458,63 @@ export class Body {
     }
   }
 
-  /** @param {Wall} wall @param {number} h */
-  #addWall([px, py, nx, ny, hardness, friction, slipSpeed, damping], h) {
-    const { positions: x, velocities: v, accelerations: a, held } = this;
+  /** @param {number} k @param {number} h */
+  #addWall(k, h) {
+    const { accelerations: a } = this;
+    this.#forMassesIn(k, h, (i, _depth, push, rub) => {
+      const [, , nx, ny] = this.walls[k];
+      a[i] += push * nx + rub * ny;
+      a[i + 1] += push * ny - rub * nx;
+    });
+  }
+
+  /**
+   * Look at the masses in a wall: first index, depth, push and friction, stretch of the tangential spring, place along the wall.
+   *
+   * @param {number} k @param {number} h
+   * @param {(i: number, depth: number, push: number, rub: number, stretch: number, place: number) => void} see
+   */
+  #forMassesIn(k, h, see) {
+    const { positions: x, velocities: v, held } = this;
+    const [px, py, nx, ny, hardness, friction, slipSpeed, damping, hysteresis, calm, stiffness, resisting] = this.walls[k];
     for (let m = 0; m < this.masses; m++) {
       const i = 2 * m;
       const depth = (px - x[i]) * nx + (py - x[i + 1]) * ny;
       if (!(depth > 0) || held[m]) continue;
       const speed = v[i] * nx + v[i + 1] * ny;
       const along = v[i + 1] * nx - v[i] * ny;
-      const [push, rub] = pushAndFriction(hardness, damping, friction, slipSpeed, h, 1, 1, depth, speed, along);
-      a[i] += push * nx + rub * ny;
-      a[i + 1] += push * ny - rub * nx;
+      const place = x[i + 1] * nx - x[i] * ny;
+      const was = stiffness ? this.wallGrips[k].get(m) : undefined;
+      const stretch = was ? was[0] + (place - was[1]) : 0;
+      const [push, rub] = pushAndFriction(
+        hardness, [damping, hysteresis, calm], friction, slipSpeed, [stiffness, resisting], h, 1, 1, depth, speed, along,
+        stretch,
+      );
+      see(i, depth, push, rub, stretch, place);
     }
+  }
+
+  /** After a step of h seconds, note the stretch of each tangential spring, and let sliders slide. @param {number} h */
+  stick(h) {
+    if (this.contact) stickToSprings(this, this.contact, h);
+    this.walls.forEach((wall, k) => {
+      if (!wall[10]) return;
+      const [stiffness] = softened([wall[10], wall[11]], h, 1);
+      const next = new Map();
+      this.#forMassesIn(k, h, (i, _depth, push, _rub, stretch, place) => {
+        next.set(i / 2, [clamp(stretch, (wall[5] * push) / stiffness), place]);
+      });
+      this.wallGrips[k] = next;
+    });
+  }
+
+  /** Let tangential springs have the stretches with which the body was written. @param {Grips | null} grips */
+  #grip(grips) {
+    const { positions: x } = this;
+    for (const [k, m, stretch] of grips?.walls ?? []) {
+      const [, , nx, ny] = this.walls[k];
+      this.wallGrips[k].set(m, [stretch, x[2 * m + 1] * nx - x[2 * m] * ny]);
+    }
+    if (this.contact && grips) gripSprings(this, this.contact, grips.springs);
   }
 }

@@ -6,7 +6,7 @@
  * @typedef {import("./body.js").Body} Body
  * @typedef {import("./body.js").Contact} Contact
  */
-import { pushAndFriction } from "./push.js";
+import { clamp, pushAndFriction, softened } from "./push.js";
 
 /** Pairs that may touch, and the positions for which they were found, by body. @type {WeakMap<Body, {at: Float64Array, pairs: Int32Array}>} */
 const found = new WeakMap();
@@ -58,7 +58,57 @@ function nearPairs(body, { distance, margin, apart }) {
  * @param {Body} body @param {Contact} contact @param {number} h length of the step by which pushes are softened, s
  */
 export function addContact(body, contact, h) {
-  const { positions: x, velocities: v, accelerations: out, ends, mass, held, broken } = body;
+  const { accelerations: out } = body;
+  forPairs(body, contact, h, ({ i, a, b, t, fx, fy, gx, gy }) => {
+    const u = 1 - t;
+    out[i] += fx;
+    out[i + 1] += fy;
+    out[a] -= u * fx + gx;
+    out[a + 1] -= u * fy + gy;
+    out[b] += gx - t * fx;
+    out[b + 1] += gy - t * fy;
+  });
+}
+
+/**
+ * After a step, note the stretch of each tangential spring, and let sliders slide.
+ *
+ * @param {Body} body @param {Contact} contact @param {number} h length of the step by which pushes are softened, s
+ */
+export function stickToSprings(body, contact, h) {
+  if (!contact.tangential[0]) return;
+  const next = new Map();
+  forPairs(body, contact, h, ({ key, t, ahead, beside, stretch, most }) => {
+    next.set(key, [clamp(stretch, most), t, ahead, beside]);
+  });
+  body.grips = next;
+}
+
+/**
+ * What tangential springs had remembered when a body was written: of each, spring, mass and stretch.
+ *
+ * @param {Body} body @param {Contact} contact @param {number[][]} grips
+ */
+export function gripSprings(body, contact, grips) {
+  const stretches = new Map(grips.map(([s, m, stretch]) => [s * body.masses + m, stretch]));
+  body.grips = new Map();
+  forPairs(body, contact, 0, ({ key, t, ahead, beside }) => {
+    const stretch = stretches.get(key);
+    if (stretch !== undefined) body.grips.set(key, [stretch, t, ahead, beside]);
+  });
+}
+
+/**
+ * A pair that touches: first indices of its masses, where it touches, the forces F and G, and of its tangential spring the
+ * key, the direction of n relative to the spring, the stretch and the most that this may be, px.
+ *
+ * @typedef {{i: number, a: number, b: number, t: number, fx: number, fy: number, gx: number, gy: number, key: number,
+ *   ahead: number, beside: number, stretch: number, most: number}} Pair
+ */
+
+/** Look at all pairs that touch. @param {Body} body @param {Contact} contact @param {number} h @param {(pair: Pair) => void} see */
+function forPairs(body, contact, h, see) {
+  const { positions: x, velocities: v, ends, mass, held, broken } = body;
   const pairs = nearPairs(body, contact);
   const mobilityOf = (/** @type {number} */ m) => (held[m] ? 0 : 1 / mass[m]);
   for (let p = 0; p < pairs.length; p += 2) {
@@ -87,16 +137,18 @@ export function addContact(body, contact, h) {
     const mobility = wm + u * u * wa + t * t * wb;
     const mobilityAlong = wm + wa * ((lx + u * ny) ** 2 + (ly - u * nx) ** 2) + wb * ((lx - t * ny) ** 2 + (ly + t * nx) ** 2);
     const friction = contact.friction * Math.min(whole / (contact.distance * contact.distance), 1);
+    const key = s * body.masses + m;
+    const far = Math.sqrt(whole);
+    const [ahead, beside] = [(nx * ex + ny * ey) / far, (ex * ny - ey * nx) / far];
+    const was = contact.tangential[0] ? body.grips.get(key) : undefined;
+    const way = was ? r * (was[2] * beside - was[3] * ahead) - (beside < 0 ? -far : far) * (t - was[1]) : 0;
+    const stretch = was ? was[0] + way : 0;
     const [push, rub] = pushAndFriction(
-      contact.stiffness, contact.damping, friction, contact.slipSpeed, h, mobility, mobilityAlong,
-      contact.distance - r, speed, along,
+      contact.stiffness, contact.lost, friction, contact.slipSpeed, contact.tangential, h,
+      mobility, mobilityAlong, contact.distance - r, speed, along, stretch,
     );
     const [fx, fy, gx, gy] = [push * nx + rub * ny, push * ny - rub * nx, rub * lx, rub * ly];
-    out[i] += fx;
-    out[i + 1] += fy;
-    out[a] -= u * fx + gx;
-    out[a + 1] -= u * fy + gy;
-    out[b] += gx - t * fx;
-    out[b + 1] += gy - t * fy;
+    const most = (friction * push) / softened(contact.tangential, h, mobilityAlong)[0];
+    see({ i, a, b, t, fx, fy, gx, gy, key, ahead, beside, stretch, most });
   }
 }

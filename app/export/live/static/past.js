@@ -14,8 +14,9 @@ const ARRAYS = /** @type {const} */ (["positions", "velocities", "broken", "setL
 
 /** @param {Body} body */
 function momentOf(body) {
-  const { time, scale, shift, fillings } = body;
-  return { time, scale, shift, fillings, arrays: ARRAYS.map((name) => body[name].slice()) };
+  // Maps of grips are made anew in each step.
+  const { time, scale, shift, fillings, grips, wallGrips } = body;
+  return { time, scale, shift, fillings, grips, wallGrips: [...wallGrips], arrays: ARRAYS.map((name) => body[name].slice()) };
 }
 
 /** The last moments of a body. */
@@ -43,8 +44,8 @@ export class Past {
   goBack() {
     const { body, moments } = this;
     if (moments.length > 1) moments.pop();
-    const { time, scale, shift, fillings, arrays } = moments[moments.length - 1];
-    Object.assign(body, { time, scale, shift, fillings });
+    const { time, scale, shift, fillings, grips, wallGrips, arrays } = moments[moments.length - 1];
+    Object.assign(body, { time, scale, shift, fillings, grips, wallGrips: [...wallGrips] });
     ARRAYS.forEach((name, i) => body[name].set(arrays[i]));
     body.refresh();
     body.flex();

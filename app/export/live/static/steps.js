@@ -46,12 +46,13 @@ function accelerateHere(body, h) {
  * Symplectic Euler, the tutorial's method: v += h a(x, v), then x += h v.
  *
  * @param {Body} body @param {number} h s
- * @param {(t: number) => void} lead puts the masses that are led where they are at a time
+ * @param {(t: number, roundAt: number) => void} lead puts masses where hands lead them at time t, and circles at `roundAt`
  */
 function eulerStep(body, h, lead) {
   const { positions: x, velocities: v, accelerations: a, held } = body;
   const end = body.time + h;
-  lead(end);
+  // As in the tutorial, forces see hands where they are in the end; circles go on with the masses.
+  lead(end, body.time);
   body.at(end);
   accelerateHere(body, h);
   for (let i = 0; i < x.length; i++) {
@@ -59,6 +60,7 @@ function eulerStep(body, h, lead) {
     v[i] += h * a[i];
     x[i] += h * v[i];
   }
+  lead(end, end);
 }
 
 /** Room for what a body was like at the begin of a step. @type {WeakMap<Body, {v: Float64Array, a: Float64Array}>} */
@@ -67,7 +69,7 @@ const rooms = new WeakMap();
 /**
  * Velocity Verlet: x += h v + h²/2 a, v += h/2 (a + a'). Forces at the end of the step see the velocities v + h a.
  *
- * @param {Body} body @param {number} h s @param {(t: number) => void} lead as of `eulerStep`
+ * @param {Body} body @param {number} h s @param {(t: number, roundAt: number) => void} lead as of `eulerStep`
  */
 function verletStep(body, h, lead) {
   const { positions: x, velocities: v, accelerations: a, held } = body;
@@ -81,7 +83,7 @@ function verletStep(body, h, lead) {
     x[i] += h * (v[i] + 0.5 * h * a[i]);
     v[i] += h * a[i];
   }
-  lead(end);
+  lead(end, end);
   body.at(end);
   accelerateHere(body, h);
   for (let i = 0; i < x.length; i++) {
@@ -115,8 +117,8 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
   });
   const before = hands.map(({ mass }) => body.held[mass]);
   for (const { mass } of hands) body.held[mass] = 1;
-  const lead = (/** @type {number} */ t) => {
-    goRound(body, t);
+  const lead = (/** @type {number} */ t, /** @type {number} */ roundAt) => {
+    goRound(body, roundAt);
     const part = Math.min((t - start) / duration, 1);
     for (const way of ways) {
       x[way.i] = way.x + part * way.dx;
@@ -126,12 +128,13 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
     }
   };
   const step = METHODS[method];
-  lead(start);
+  lead(start, start);
   settle(body); // it may be beyond its limits where it was put
   if (method === "verlet") accelerateHere(body, h);
   for (let i = 1; i <= count; i++) {
     press(body, presses, h);
     step(body, h, lead);
+    body.stick(h);
     if (settle(body) && method === "verlet") accelerateHere(body, h);
   }
   hands.forEach(({ mass }, i) => {

@@ -1,0 +1,352 @@
+"""Friction that holds: tangential springs of walls and of contact, and what comes to rest by them."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import sim
+from sim import Integrator, LinearSpring, Mass, Scene, SceneError, Simulation
+from sim.forces.walls import NOWHERE
+from sim.methods.registry import METHODS
+from sim.physics import Physics
+from sim.scene.surroundings import Contact, Wall
+from sim.scene.types import Grips, Method
+from sim.store.files import decode_scene, encode_scene
+from studies.bench.heap import heap
+from tests.sim.arrays import Arrays
+from tests.sim.inside import same_state, system_of
+from tests.sim.touching import REPLACE, SOFT, crumpled, joined, line
+
+G, TURN = 1000.0, math.radians(30.0)
+DOWN = np.array((math.cos(TURN), math.sin(TURN)))
+HELD = REPLACE(SOFT, tangential_stiffness=900.0, restitution="constant")
+
+
+def block(friction: float, method: Method = "velocity_verlet", dt: float = 1e-3, speed: float = 0.0) -> Scene:
+    """Two masses on a spring, one behind the other at rest in a slope of 30 degrees; y points down."""
+    normal, depth = (math.sin(TURN), -math.cos(TURN)), math.sqrt(G * math.cos(TURN) / 8000.0)
+    start = -depth * np.array(normal)
+    return Scene(
+        name="block",
+        masses=tuple(
+            Mass(
+                position=tuple((start + way * DOWN).tolist()),
+                velocity=tuple((speed * DOWN).tolist()),
+            )
+            for way in (0.0, 30.0)
+        ),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=2000.0, damping=5.0, rest_length=30.0),),
+        gravity=(0.0, G),
+        air_friction=0.0,
+        walls=(Wall(point=(0.0, 0.0), normal=normal, friction=friction, tangential_hardness=5000.0),),
+        integrator=Integrator(method=method, dt=dt, tolerance=1e-3),
+    )
+
+
+def along(simulation: Simulation) -> float:
+    return float((simulation.positions @ DOWN).mean())
+
+
+STEPS = {"auto": 1.0 / 60.0, "rodas4": 1.0 / 60.0, "rodas5p": 1.0 / 60.0, "adams": 1.0 / 60.0}
+
+
+# ------------------------------------------------------------------------- a block on a slope
+@pytest.mark.parametrize("method", METHODS)
+def test_a_block_on_a_slope_stays_or_slides_as_coulomb_says(method: Method) -> None:
+    dt = STEPS.get(method, 1e-3)
+    held = Simulation(block(0.7, method, dt))
+    held.advance(3.0)
+    before = along(held)
+    held.advance(3.0)
+    # tan(30°) = 0.577: it holds, by a stretch of g sin / tangential_hardness, about which it has settled.
+    assert abs(along(held) - before) < 1e-5
+    assert np.abs(held.velocities).max() < 5e-3
+    grips = held.capture().grips
+    assert grips is not None
+    assert np.mean([row[2] for row in grips.walls]) == pytest.approx(G * math.sin(TURN) / 5000.0, rel=1e-3)
+
+    sliding = Simulation(block(0.2, method, dt))
+    sliding.advance(1.0)
+    before = float((sliding.velocities @ DOWN).mean())
+    sliding.advance(1.0)
+    gained = float((sliding.velocities @ DOWN).mean()) - before
+    assert gained == pytest.approx(G * (math.sin(TURN) - 0.2 * math.cos(TURN)), rel=1e-3)
+
+
+def test_a_block_does_not_move_in_an_hour_where_friction_without_springs_creeps() -> None:
+    scene = block(0.7, dt=2.5e-3)
+    held = Simulation(scene)
+    held.advance(5.0)
+    before = along(held)
+    held.advance(3600.0)
+    assert abs(along(held) - before) < 1e-9
+    creeping = Simulation(REPLACE(scene, walls=(REPLACE(scene.walls[0], tangential_hardness=0.0),)))
+    creeping.advance(5.0)
+    before = along(creeping)
+    creeping.advance(10.0)
+    assert along(creeping) - before > 50.0
+
+
+def test_a_block_that_slides_stops_where_coulomb_says_and_stays() -> None:
+    mu, speed = 0.9, 300.0
+    simulation = Simulation(block(mu, "rk4", 1e-4, speed))
+    start = along(simulation)
+    simulation.advance(2.0)
+    braked = G * (mu * math.cos(TURN) - math.sin(TURN))
+    assert along(simulation) - start == pytest.approx(speed**2 / (2.0 * braked), rel=5e-3)
+    assert np.abs(simulation.velocities).max() < 1e-6
+
+
+# ------------------------------------------------------------------------- energy
+@pytest.mark.parametrize("method", ["velocity_verlet", "rk4", "auto", "rodas5p", "generalized_alpha"])
+def test_the_balance_has_what_sticks_and_what_slides(method: Method) -> None:
+    simulation = Simulation(block(0.9, method, 1e-4, 300.0))
+    simulation.energy()
+    simulation.advance(2.0)
+    balance = simulation.energy()
+    way = G * (0.9 * math.cos(TURN) - math.sin(TURN))
+    lost = 2.0 * 0.9 * G * math.cos(TURN) * 300.0**2 / (2.0 * way)  # by both masses, of 1 kg
+    assert balance.friction == pytest.approx(-lost, rel=0.01)
+    assert abs(balance.residual) < 1e-3 * lost
+    stretch = G * math.sin(TURN) / 5000.0
+    pushed = 2.0 * 8000.0 * math.sqrt(G * math.cos(TURN) / 8000.0) ** 3 / 3.0
+    assert balance.walls - pushed == pytest.approx(2.0 * 0.5 * 5000.0 * stretch**2, rel=0.01)
+
+
+@pytest.mark.parametrize("method", ["auto", "rodas5p", "rk4", "velocity_verlet"])
+def test_the_balance_closes_where_bodies_touch(method: Method) -> None:
+    scene = crumpled("girder", 5, HELD, held=(2,))
+    simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=2e-5, tolerance=1e-8)))
+    simulation.energy()
+    worst = 0.0
+    for _ in range(10):
+        simulation.step(250)
+        worst = max(worst, abs(simulation.energy().residual))
+    balance = simulation.energy()
+    assert worst <= 1e-3 * (abs(balance.kinetic) + abs(balance.linear) + abs(balance.damping))
+    assert balance.friction < -100.0
+
+
+# ------------------------------------------------------------------------- history
+@pytest.mark.parametrize("method", ["velocity_verlet", "symplectic_euler", "rk4", "generalized_alpha"])
+def test_the_same_bits_however_a_run_is_cut(method: Method) -> None:
+    scene = REPLACE(crumpled("cloth", 6, HELD), walls=block(0.7).walls)
+    scene = REPLACE(scene, integrator=Integrator(method=method, dt=5e-4))
+    whole, cut = Simulation(scene), Simulation(scene)
+    whole.step(200)
+    for n in (1, 60, 7, 64, 68):
+        cut.step(n)
+    assert same_state(whole, cut)
+    assert whole.capture().grips == cut.capture().grips
+
+
+def test_what_sticks_goes_on_sticking_after_it_was_saved_and_restored() -> None:
+    scene = block(0.7)
+    held = Simulation(scene)
+    held.advance(3.0)
+    moment = held.capture()
+    at = held.positions
+    held.advance(1.0)
+    held.restore(moment)
+    held.advance(1.0)
+    assert np.abs(held.positions - at).max() < 1e-9
+    # As a file.
+    again = Simulation(decode_scene(encode_scene(REPLACE(scene, pose=moment_pose(held))), "block"))
+    again.advance(1.0)
+    assert np.abs(again.positions - at).max() < 1e-9
+    # With other numbers, and in another simulation.
+    held.replace(REPLACE(scene, air_friction=0.001))
+    held.advance(1.0)
+    other = Simulation(scene)
+    other.take_state(held)
+    other.advance(1.0)
+    assert np.abs(other.positions - at).max() < 1e-9
+    # Without its grips, it slides until they hold again.
+    pose = REPLACE(moment_pose(held), grips=None)
+    lost = Simulation(REPLACE(scene, pose=pose))
+    lost.advance(1.0)
+    assert np.abs(lost.positions - at).max() > 0.01
+
+
+def moment_pose(simulation: Simulation) -> sim.Pose:
+    pose = simulation.pose()
+    assert pose.grips is not None
+    return pose
+
+
+def test_going_on_twice_from_one_moment_gives_the_same_bits() -> None:
+    simulation = Simulation(REPLACE(crumpled("cloth", 6, HELD), integrator=Integrator(dt=1e-3)))
+    simulation.advance(0.2)
+    moment = simulation.capture()
+    assert moment.grips is not None
+    assert len(moment.grips.springs) > 3
+    ends = []
+    for _ in range(2):
+        simulation.restore(moment)
+        assert simulation.capture().grips == moment.grips
+        simulation.advance(0.1)
+        ends.append((simulation.positions, simulation.capture().grips))
+    assert np.array_equal(ends[0][0], ends[1][0])
+    assert ends[0][1] == ends[1][1]
+
+
+def test_a_wall_that_is_moved_holds_nothing_any_more() -> None:
+    scene = block(0.7)
+    held = Simulation(scene)
+    held.advance(1.0)
+    wall = scene.walls[0]
+    held.replace(REPLACE(scene, walls=(REPLACE(wall, point=(3.0, 0.0)),)))
+    assert held.capture().grips is None
+
+
+def test_grips_of_what_does_not_exist_are_refused() -> None:
+    held = Simulation(block(0.7))
+    held.advance(0.1)
+    pose = held.pose()
+    for grips, said in (
+        (Grips(walls=((1, 0, 0.1),)), r"pose.grips.walls\[0\]: wall 1 does not exist \(0..0\)"),
+        (Grips(springs=((0, 5, 0.1),)), r"pose.grips.springs\[0\]: mass 5 does not exist \(0..1\)"),
+    ):
+        with pytest.raises(SceneError, match=said):
+            Simulation(REPLACE(held.scene, pose=REPLACE(pose, grips=grips)))
+
+
+# ------------------------------------------------------------------------- beside the kernels
+def stuck(method: Method = "generalized_alpha") -> Arrays:
+    """A crumpled body some of whose parts stick to each other, and to a slope."""
+    wall = REPLACE(block(0.7).walls[0], point=(0.0, 10.0), hardness=50.0, tangential_hardness=40.0)
+    scene = REPLACE(crumpled("cloth", 6, HELD), walls=(wall,))
+    simulation = Simulation(REPLACE(scene, integrator=Integrator(method="rk4", dt=5e-4)))
+    simulation.step(60)
+    pose = moment_pose(simulation)
+    assert pose.grips is not None
+    assert len(pose.grips.springs) > 3
+    assert len(pose.grips.walls) > 3
+    return Arrays(REPLACE(scene, pose=pose, integrator=Integrator(method=method, dt=1e-3)))
+
+
+@pytest.mark.parametrize("method", ["rk4", "generalized_alpha"])
+def test_the_kernels_do_what_the_physics_in_numpy_says(method: Method) -> None:
+    arrays = stuck(method)
+    physics = Physics(arrays.body, arrays.state)
+    x, v = arrays.state.x + 1j * arrays.state.y, arrays.state.vx + 1j * arrays.state.vy
+    for _ in range(3):
+        expected = physics.accelerations(x, v)
+        flat = np.concatenate((expected.real, expected.imag))[arrays.here]
+        q, u = (np.concatenate((z.real, z.imag)) for z in (x, v))
+        found = arrays.accelerations(q, u)
+        assert np.abs(found - flat).max() <= 1e-11 * np.abs(flat).max()
+        x = x + 1e-3 * v  # as far as a step goes
+
+
+def test_numpy_moves_what_sticks_as_the_kernels_do(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sim.motion.simulation.is_ready", lambda names: False)
+    wall = REPLACE(block(0.7).walls[0], point=(0.0, 10.0), hardness=50.0, tangential_hardness=40.0)
+    scene = REPLACE(crumpled("girder", 3, HELD), walls=(wall,))
+    scene = REPLACE(scene, integrator=Integrator(method="symplectic_euler", dt=2e-4))
+    plain = Simulation(scene, wait=False)
+    plain.step(50)
+    assert plain.plain
+    monkeypatch.undo()
+    compiled = Simulation(scene)
+    compiled.step(50)
+    assert np.abs(plain.positions - compiled.positions).max() <= 1e-9
+    one, other = plain.capture().grips, compiled.capture().grips
+    assert one is not None
+    assert other is not None
+    assert [row[:2] for row in one.springs + one.walls] == [row[:2] for row in other.springs + other.walls]
+    stretches = [[row[2] for row in grips.springs + grips.walls] for grips in (one, other)]
+    assert stretches[0] == pytest.approx(stretches[1], abs=1e-9)
+    assert max(map(abs, stretches[0])) > 1e-3
+
+
+def test_the_matrix_is_that_of_the_forces() -> None:
+    arrays, g = stuck(), 150.0
+    by_place = arrays.derivative(by_velocity=False, step=1e-4)
+    by_speed = arrays.derivative(by_velocity=True, step=0.01)
+    expected = g * g * np.eye(len(by_place)) - g * by_speed - by_place
+    found = np.linalg.inv(arrays.inverse(g * g, g))
+    assert np.abs(found - expected).max() <= 1e-6 * np.abs(expected).max()
+
+
+@settings(max_examples=20, deadline=None)
+@given(
+    friction=st.floats(0.0, 3.0),
+    hardness=st.floats(1.0, 1e6),
+    speed=st.floats(-500.0, 500.0),
+    dt=st.sampled_from((1e-4, 1e-3, 1.0 / 60.0)),
+    method=st.sampled_from(("symplectic_euler", "velocity_verlet", "rk4")),
+)
+def test_no_stretch_is_more_than_friction_bears_and_no_step_makes_energy(
+    friction: float, hardness: float, speed: float, dt: float, method: Method
+) -> None:
+    scene = block(friction, method, dt, speed)
+    scene = REPLACE(
+        scene, gravity=(0.0, 0.0), linear_springs=(REPLACE(scene.linear_springs[0], stiffness=0.0),)
+    )
+    scene = REPLACE(
+        scene, walls=(REPLACE(scene.walls[0], tangential_hardness=hardness, restitution="constant"),)
+    )
+    simulation = Simulation(scene)
+    start = 0.5 * speed**2 + 8000.0 * math.sqrt(G * math.cos(TURN) / 8000.0) ** 3 / 3.0
+    for _ in range(100):
+        simulation.step()
+        assert 0.5 * float((simulation.velocities**2).sum(1).max()) <= 1.01 * start + 1e-9
+    walls = system_of(simulation).body.environment.walls
+    assert ((walls.place < NOWHERE) | (walls.stretch == 0.0)).all()
+
+
+def test_scenes_pay_only_for_tangential_springs_that_they_have() -> None:
+    for scene in (
+        REPLACE(block(0.7), walls=(Wall(point=(0.0, 0.0), normal=(0.0, -1.0)),)),
+        crumpled("cloth", 1),
+    ):
+        simulation = Simulation(scene)
+        simulation.step()
+        around = system_of(simulation).body.environment
+        assert around.walls.stretch.size == around.contact.held.size == 0
+        assert simulation.capture().grips is None
+
+
+# ------------------------------------------------------------------------- what comes to rest
+def test_a_mass_stays_on_a_tilted_rope_of_another_body() -> None:
+    at = np.array((120.0, 60.0))
+    rope = line((0.0, 0.0), (40.0, 20.0), 7, (0, 1, 2, 3, 4, 5, 6))
+    normal = np.array((20.0, -40.0)) / math.hypot(20.0, 40.0)
+    places = [at + 11.0 * normal + way * np.array((0.9, 0.45)) for way in (-30.0, 30.0)]
+    body = Scene(
+        name="two",
+        masses=tuple(Mass(position=tuple(place.tolist())) for place in places),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=2000.0, damping=20.0, rest_length=60.0),),
+    )
+    contact = Contact(
+        distance=12.0, stiffness=500.0, friction=0.8, restitution="constant", tangential_stiffness=2000.0
+    )
+    scene = joined(rope, body, contact=contact, gravity=(0.0, G), air_friction=0.0)
+    for friction, least, most in ((0.8, 0.0, 1e-4), (0.2, 30.0, 1e9)):
+        moving = REPLACE(scene, contact=REPLACE(contact, friction=friction))
+        simulation = Simulation(REPLACE(moving, integrator=Integrator(method="velocity_verlet", dt=5e-4)))
+        simulation.advance(2.0 if friction > 0.5 else 0.3)
+        before = simulation.positions
+        simulation.advance(0.4)
+        assert least <= np.abs(simulation.positions - before).max() <= most
+
+
+def test_a_heap_of_rings_comes_to_rest() -> None:
+    scene = REPLACE(heap(10), bodies=())
+    simulation = Simulation(REPLACE(scene, integrator=Integrator(method="velocity_verlet", dt=1.0 / 3840.0)))
+    simulation.advance(5.0)
+    assert float(np.sqrt((simulation.velocities**2).sum(1).mean())) < 0.1
+
+
+def test_files_of_before_are_as_they_were() -> None:
+    scene = sim.load_scene("pile")
+    assert scene.contact is not None
+    assert (scene.contact.restitution, scene.contact.tangential_stiffness) == ("viscous", 0.0)
+    assert "grips" not in msgspec.json.encode(Simulation(scene).pose()).decode().replace('"grips":null', "")
