@@ -32,6 +32,9 @@ SMALL = 8
 SMALLEST = 0.01
 """Area of a gas, as a fraction of its own area, below which its pressure grows linearly."""
 
+_THINNEST = 1e-3
+"""The least own area of a gas, as a fraction of the squared length around its loop; a circle has 0.08."""
+
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
 class Fillings(Table):
@@ -67,12 +70,15 @@ def new_fillings(scene: Scene, mass_index: Indices) -> Fillings:
     if not scene.fillings:
         return _NO_FILLINGS
     at = np.array([complex(*mass.position) for mass in scene.masses])
+    rest = {frozenset((s.a, s.b)): s.rest_length for s in scene.linear_springs}
     loops, rows = [], []
     for filling in scene.fillings:
         masses = list(filling.masses)
         area = polygon_area(at[masses])
         loops.append(mass_index[masses if area > 0.0 else masses[::-1]])
-        rows.append(_row(filling, abs(area)))
+        edges = zip(masses, masses[1:] + masses[:1], strict=True)
+        around = sum(max(abs(at[b] - at[a]), rest.get(frozenset((a, b)), 0.0)) for a, b in edges)
+        rows.append(_row(filling, abs(area), float(around)))
     return read_only(
         Fillings(
             start=np.cumsum([0, *map(len, loops)]).astype(np.int64),
@@ -82,13 +88,15 @@ def new_fillings(scene: Scene, mass_index: Indices) -> Fillings:
     )
 
 
-def _row(filling: Gas | Liquid, area: float) -> FillingRow:
+def _row(filling: Gas | Liquid, area: float, around: float) -> FillingRow:
+    """The row of a filling; area, px², and length around, px: of its loop."""
     size = filling.area if filling.area is not None else area
     if isinstance(filling, Liquid):
         return FillingRow(0.0, filling.bulk_modulus, 0.0, size)
-    # A gas whose area is tiny is the same as one at the loop's own area. Below a hundredth of its area, its
-    # pressure grows linearly, and no step could follow that within a hundredth of a tiny one.
-    larger = max(size, area)
+    # A gas whose area is tiny is the same as one at a larger area. Below a hundredth of its area, its
+    # pressure grows linearly, and no step could follow that within a hundredth of a tiny one: it would lead
+    # to where pressures are enormous, and energy would come from nowhere.
+    larger = max(size, area, _THINNEST * around * around)
     return FillingRow(1.0, filling.pressure * (size / larger), filling.outside, larger)
 
 

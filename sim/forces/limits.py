@@ -458,7 +458,8 @@ def settle(problem, q, v, to_q, to_v, h):
         problem: the tables.
         q, v: flat positions and velocities at its start.
         to_q, to_v: those at its end.
-        h: its length, s; 0 if what was between is not to be looked at, as under a fixed step.
+        h: its length, s; 0 if what was between is not to be looked at, as under a fixed step; negative if it
+            took no time, so that all elastic energy that goes is lost.
 
     Returns:
         Whether anything broke.
@@ -479,7 +480,10 @@ def settle(problem, q, v, to_q, to_v, h):
                 state.set_length[s] += moved
                 state.hardened[s] += limits.hardening[s] * abs(moved)
                 state.trial_tension[s] += stiffness * moved
-                balance.work.plastic -= (before + 0.5 * limits.hardening[s] * abs(moved)) * abs(moved)
+                mean = before + 0.5 * limits.hardening[s] * abs(moved)
+                if h < 0.0:
+                    mean += 0.5 * (stiffness + limits.hardening[s]) * abs(moved)
+                balance.work.plastic -= mean * abs(moved)
             state.rest_tension[s] = state.trial_tension[s]
         force = _trial_force(body, state, to_q, s)
         if abs(force) > limits.breaking[s] and state.broken[s] == 0.0:
@@ -517,6 +521,8 @@ def _settle_joint(problem, j, q, v, to_q, to_v, h):
             state.trial_angle[j] = state.torque_rest[j + 1]
             torque, energy, _ = terms(body.law, kept)
             lost = terms(body.law, limit)[1] - energy + torque * way
+            if h < 0.0:
+                lost = terms(body.law, limit + way)[1] - energy
             balance.work.plastic -= size * lengths * lost
         elif state.torque_rest[j + 1] != state.trial_angle[j]:
             _turn_rest(body, state, j, state.trial_angle[j])

@@ -117,8 +117,8 @@ class Gas(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True,
 
     Its pressure is pressure * area / A where the loop's area is A, so that it never vanishes. The force on
     the masses is the pressure, less that outside, times the gradient of A. Below a hundredth of the area,
-    or of the loop's own where that is larger, the pressure grows linearly, through an area of zero and
-    beyond: a long time step may arrive there.
+    or of the loop's own or a thousandth of the square of the length around it where that is larger, the
+    pressure grows linearly, through an area of zero and beyond: a long time step may arrive there.
 
     Attributes:
         masses: indices of the masses around the loop, in order, at least three.

@@ -96,11 +96,7 @@ def run_fallback(problem, drive, h, shortest, reach):
     run.step = alpha.last = alpha.older = 0.0
     run.current = False
     run.what = GOOD
-    if problem.settle != 0:
-        lost = balance.work.plastic + balance.work.broken
-        if settle(problem, integrator.old, integrator.old, 0.0):
-            run.what = CHANGED
-        lost -= balance.work.plastic + balance.work.broken
-        balance.work.fallbacks += energies(body, state, mass, q, v, parts) - after + lost
+    if settle(problem, integrator.old, integrator.old, -1.0):
+        run.what = CHANGED
     run.fallbacks += 1
     run.matrices += 1
