@@ -57,13 +57,13 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
     old, new = integrator.old, integrator.new
     number = last = 0
     most = 1 if balance.active or problem.settle != 0 or problem.stick != 0 else _MOST_AT_ONCE
-    # A body may be beyond its limits where it is put.
-    if run.time == run.origin and settle(problem, old, old, -1.0):
-        run.what = CHANGED
     if knows_a:
         ensure_acceleration(problem, drive)
     else:
         run.current = False
+    # A body may be beyond its limits where it is put.
+    if run.time == run.origin and settle(problem, old, old, -1.0):
+        run.what, run.current = CHANGED, False
     if fixed > 0.0:
         number = fixed_steps(problem, run.time)
         last = fixed_steps(problem, end)
