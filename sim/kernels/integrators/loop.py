@@ -59,7 +59,8 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
     most = 1 if balance.active or problem.settle != 0 or problem.stick != 0 else _MOST_AT_ONCE
     # A body may be beyond its limits where it is put.
     if run.time == run.origin and settle(problem, old, old, -1.0):
-        run.what = CHANGED
+        run.what, run.current = CHANGED, False
+        return
     if knows_a:
         ensure_acceleration(problem, drive)
     else:

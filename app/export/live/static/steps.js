@@ -129,7 +129,7 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
   };
   const step = METHODS[method];
   lead(start, start);
-  settle(body); // it may be beyond its limits where it was put
+  if (start === body.data.time) settle(body); // it may be beyond its limits where it was put
   if (method === "verlet") accelerateHere(body, h);
   for (let i = 1; i <= count; i++) {
     press(body, presses, h);
