@@ -56,7 +56,7 @@ from ..kernels.integrators.fallback import run_fallback
 from ..methods.registry import AUTO_METHODS, METHODS
 from ..methods.tableaux import RK4
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
-from ..scene.types import Scene
+from ..scene.types import Scene, is_damageable
 from .auto_costs import LONG, LOW_TOLERANCE, costs_of_steps, tolerance_factors
 from .stability import quick_limit
 
@@ -125,7 +125,7 @@ class Solver:
         wide = state.q.size
         self._info = info = METHODS[scene.integrator.method]
         tolerance = scene.integrator.tolerance * info.tolerance_factor
-        self._tolerance = max(tolerance * (_WITH_LIMITS if system.body.limits.present else 1.0), 1e-13)
+        self._tolerance = max(tolerance * (_WITH_LIMITS if is_damageable(scene) else 1.0), 1e-13)
         auto = self._info.name == "auto"
         remembers = self._info.name == "generalized_alpha" or (auto and system.body.masses >= LONG)
         past, kept = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
