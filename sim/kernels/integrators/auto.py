@@ -36,6 +36,20 @@ _LONG_STEP = 0.03
 the fifth root of the tolerance. Where the best method already gets as far in the computing time of such a
 step, the other methods are tried later."""
 
+_HOPE = 0.3
+"""Length of the steps of generalized-alpha, relative to `_LONG_STEP`, that they hardly exceed."""
+_DOUBT = 0.2
+"""Length of a step, relative to `_LONG_STEP`, above which an implicit method that would need such steps to be
+the fastest is tried later: the less likely it is, the more of the computing time must have gone by."""
+_PATIENCE = 5.0
+"""Computing time that goes by, relative to that of the trial, where steps of that full length are needed."""
+_FIRST = 0.5
+"""First step of a method, relative to the one with which it would be the fastest: it may grow from there,
+and shows soon if it may not."""
+
+MATRICES = 2.0
+"""Number of matrices that a step of generalized-alpha takes as a rule."""
+
 _SAFETY = 0.1
 """Factor of all tolerances while small errors grow quickly: where a joint is bent by more than 90 degrees
 from rest, beyond which its torque decreases, or where a spring is short."""
@@ -80,8 +94,11 @@ def next_turn(problem, end, whole_tolerance, left):
     spent = 0
     if auto.turn >= 0:
         tries = run.steps + run.rejected - auto.tried
-        _enter_turn(integrator, costs, auto.turn, tries, end)
-        spent = math.ceil(max(tries, 1) * costs[auto.turn])
+        price = max(tries, 1) * costs[auto.turn]
+        if auto.turn == ALPHA:  # its steps differ a lot
+            price = (run.matrices - auto.made) / MATRICES * costs[ALPHA]
+        _enter_turn(integrator, costs, auto.turn, tries, price, end)
+        spent = math.ceil(price)
         auto.turn = -1
         left -= spent
     if not (run.time < end and left > 0 and run.what == GOOD):
@@ -92,9 +109,10 @@ def next_turn(problem, end, whole_tolerance, left):
     if _near_singular(problem.body, problem.state, problem.state.q):
         tolerance *= _SAFETY
     auto.turn, auto.began = method, began
-    auto.tried = run.steps + run.rejected
+    auto.tried, auto.made = run.steps + run.rejected, run.matrices
     if auto.pace[method] < 0.0 and step <= 0.0 and method != VERLET:
-        step = min(4.0 * auto.step[VERLET], 0.5 * (end - began))
+        equal = auto.pace[VERLET] * costs[method] if method != ADAMS else 0.0
+        step = min(max(4.0 * auto.step[VERLET], _FIRST * equal), 0.5 * (end - began))
     if method == ALPHA and method != auto.last:
         alpha.steps = 0
         step *= _TAKING_OVER
@@ -104,8 +122,8 @@ def next_turn(problem, end, whole_tolerance, left):
 
 
 @kernel(fastmath=FAST)
-def _enter_turn(integrator, costs, method, tries, end):
-    """Update what is known of a method after a turn in which it tried `tries` steps."""
+def _enter_turn(integrator, costs, method, tries, price, end):
+    """Update what is known of a method after a turn in which it tried `tries` steps, at a `price`."""
     run, alpha, auto = integrator.run, integrator.alpha, integrator.auto
     went = run.time - auto.began
     fresh = auto.pace[method] < 0.0
@@ -119,7 +137,7 @@ def _enter_turn(integrator, costs, method, tries, end):
     auto.last = method
     if method == VERLET:
         auto.limited = integrator.verlet.limited / max(tries, 1)
-    pace = went / (max(tries, 1) * costs[method])
+    pace = went / max(price, 1.0)
     if run.what == STUCK and method != ROSENBROCK and costs[ROSENBROCK] > 0.0:
         run.what = GOOD  # another method may still find a step
         auto.step[method] = 0.0
@@ -128,7 +146,7 @@ def _enter_turn(integrator, costs, method, tries, end):
             auto.pace[ROSENBROCK] = -1.0
     elif method == ALPHA or fresh or begins:
         # Its steps have only begun to grow; and one bad turn is no reason to change the method.
-        pace = max(pace, run.step / costs[method])
+        pace = max(pace, run.step * max(tries, 1) / max(price, 1.0))
         before = auto.pace[method]
         auto.pace[method] = max(pace, (1.0 - _FILTER_RATE) * before + _FILTER_RATE * pace)
         if method == ALPHA and auto.pace[method] < before:
@@ -140,7 +158,7 @@ def _enter_turn(integrator, costs, method, tries, end):
         # The last step of a call is cut short; at best, it would have cost nothing.
         most = pace * tries / (tries - 1) if tries > 1 else math.inf
         auto.pace[method] = max(pace, min(auto.pace[method], most))
-    auto.work += tries * costs[method]
+    auto.work += price
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -165,8 +183,14 @@ def _whose_turn(auto, costs, long_step, held):
         auto.work = 0.0
         return ADAMS, _few(ADAMS)
     for method in range(1, CHOICES):
-        unknown = costs[method] > 0.0 and auto.pace[method] < 0.0 and pace * costs[method] < long_step
-        if unknown and (method != ADAMS or (worth and auto.work >= _MEASURED)):
+        if costs[method] == 0.0 or auto.pace[method] >= 0.0:
+            continue
+        hope = pace * costs[method] / (_HOPE * long_step if method == ALPHA else long_step)
+        if method == ADAMS:
+            may = hope < 1.0 and worth and auto.work >= _MEASURED
+        else:
+            may = hope < 1.0 and auto.work >= _PATIENCE * (hope - _DOUBT) * _few(method) * costs[method]
+        if may:
             auto.work = 0.0
             return method, _few(method)
     other = (best + 1 + auto.asked % (CHOICES - 1)) % CHOICES
