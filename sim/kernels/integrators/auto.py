@@ -38,7 +38,7 @@ step, the other methods are tried later."""
 
 _HOPE = 0.3
 """Length of the steps of generalized-alpha, relative to `_LONG_STEP`, that they hardly exceed."""
-_DOUBT = 0.2
+_DOUBT = 0.1
 """Length of a step, relative to `_LONG_STEP`, above which an implicit method that would need such steps to be
 the fastest is tried later: the less likely it is, the more of the computing time must have gone by."""
 _PATIENCE = 5.0
@@ -69,6 +69,12 @@ _IMPLICIT_TURN_STEPS = 12
 _LONG_TURN_STEPS = 256
 """Number of steps in a turn of Verlet where stability limits them, so that they hardly change."""
 
+_LONGEST = 2.2
+"""Length of the longest stable steps of Verlet, relative to `near_damped_limit`, or more."""
+
+_SAVED_AT_LIMIT = 0.25
+"""Part of the computing time of Verlet's steps that is saved where they are limited by stability."""
+
 _HELD = 0.2
 """Share of Verlet's steps that are limited by stability above which stability counts as the limit."""
 _MEASURED = 48.0
@@ -97,13 +103,17 @@ def next_turn(problem, end, whole_tolerance, left):
         price = max(tries, 1) * costs[auto.turn]
         if auto.turn == ALPHA:  # its steps differ a lot
             price = (run.matrices - auto.made) / MATRICES * costs[ALPHA]
+        elif auto.turn == VERLET:
+            price -= _SAVED_AT_LIMIT * integrator.verlet.limited
         _enter_turn(integrator, costs, auto.turn, tries, price, end)
         spent = math.ceil(price)
         auto.turn = -1
         left -= spent
     if not (run.time < end and left > 0 and run.what == GOOD):
         return -1, 0, 0.0, spent
-    method, limit = _whose_turn(auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited)
+    method, limit = _whose_turn(
+        auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited, _LONGEST * problem.near_damped_limit
+    )
     began, step = run.time, auto.step[method]
     tolerance = problem.tolerance_factor[method] * whole_tolerance
     if _near_singular(problem.body, problem.state, problem.state.q):
@@ -162,8 +172,15 @@ def _enter_turn(integrator, costs, method, tries, price, end):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _whose_turn(auto, costs, long_step, held):
-    """(method, number of steps that it may try); `held`: share of Verlet's steps limited by stability."""
+def _whose_turn(auto, costs, long_step, held, longest):
+    """(method, number of steps that it may try).
+
+    Args:
+        auto, costs: what is known of the methods.
+        long_step: length of long implicit steps, s, see `_LONG_STEP`.
+        held: share of Verlet's steps limited by stability.
+        longest: length that Verlet's steps hardly exceed, s, before they are known to be limited.
+    """
     if auto.pace[VERLET] < 0.0:
         return VERLET, _BEGINNING if costs[ALPHA] == 0.0 else _BEGINNING_OF_LONG
     best = VERLET
@@ -171,6 +188,7 @@ def _whose_turn(auto, costs, long_step, held):
         if auto.pace[method] > auto.pace[best]:
             best = method
     pace = auto.pace[best]
+    likely = min(pace, longest) if best == VERLET else pace
     # Where stability limits Verlet's steps, or a long body calls for an implicit method, it limits those of
     # Adams methods even more.
     worth = best != ALPHA and held <= _HELD
@@ -185,11 +203,15 @@ def _whose_turn(auto, costs, long_step, held):
     for method in range(1, CHOICES):
         if costs[method] == 0.0 or auto.pace[method] >= 0.0:
             continue
-        hope = pace * costs[method] / (_HOPE * long_step if method == ALPHA else long_step)
+        hope = likely * costs[method] / long_step
+        may = hope < 1.0
         if method == ADAMS:
-            may = hope < 1.0 and worth and auto.work >= _MEASURED
-        else:
-            may = hope < 1.0 and auto.work >= _PATIENCE * (hope - _DOUBT) * _few(method) * costs[method]
+            may = may and worth and auto.work >= _MEASURED
+        elif best == VERLET:
+            if method == ALPHA:
+                hope /= _HOPE
+            price = _few(method) * costs[method]
+            may = hope < 1.0 and auto.work >= _PATIENCE * (hope - _DOUBT) * price
         if may:
             auto.work = 0.0
             return method, _few(method)

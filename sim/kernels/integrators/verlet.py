@@ -22,7 +22,7 @@ add up."""
 _PAST = 0.25
 """Weight of the previous acceleration in the prediction of velocities near the stability limit."""
 
-_CAP_AFTER_FAILURE = 0.95
+_CAP_AFTER_FAILURE = 0.97
 """The remembered limit after a failed step, relative to that step."""
 _CAP_AFTER_OTHERS = 0.9
 """The same, relative to the limit before, if two failures in a row have confirmed that limit, and the step
@@ -31,7 +31,7 @@ before has left behind."""
 _SHORT_OF_CAP = 0.8
 _CAP_GROWTH = 1.003
 """Factor by which that limit rises again in every step,"""
-_HOLDS = 256
+_HOLDS = 512
 """once it has held for this number of steps, or at once if it is not confirmed."""
 _ALIKE = 0.1
 """How far the two steps that confirm it may differ."""
