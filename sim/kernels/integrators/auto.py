@@ -66,7 +66,7 @@ _TURN_STEPS = 64
 """Number of steps in a turn of an explicit method."""
 _IMPLICIT_TURN_STEPS = 12
 """Number of steps in a turn of an implicit method."""
-_LONG_TURN_STEPS = 256
+_LONG_TURN_STEPS = 512
 """Number of steps in a turn of Verlet where stability limits them, so that they hardly change."""
 
 _LONGEST = 2.2
@@ -254,4 +254,4 @@ def _near_singular(body, state, q):
 @kernel(forceinline=True)
 def _few(method):
     """Number of steps of a trial; methods with a history need more, as they begin with short steps."""
-    return 8 if method == VERLET else 12 if method == ALPHA else 24 if method == ADAMS else 4
+    return 8 if method == VERLET else 12 if method == ALPHA else 24 if method == ADAMS else 3

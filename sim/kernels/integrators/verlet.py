@@ -36,7 +36,7 @@ _HOLDS = 512
 _ALIKE = 0.1
 """How far the two steps that confirm it may differ."""
 
-_AT_ONCE = 16
+_AT_ONCE = 64
 """Number of steps of the length of the limit that are done at once while it is not rising."""
 _MARGIN = 0.7
 """How far a mass may move in them, by its speed before, relative to the distance with which a spring cannot
