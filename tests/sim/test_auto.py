@@ -45,7 +45,7 @@ def test_stiff_bodies_are_moved_by_implicit_methods() -> None:
     stats = effort_of("study-w4", 0.1)
     # Explicit ones have to take far shorter steps.
     assert stats.matrices > 50
-    assert stats.steps + stats.rejected < 200
+    assert stats.steps + stats.rejected < 600
 
 
 def test_where_accuracy_limits_steps_methods_of_high_order_are_turned_to() -> None:
@@ -86,7 +86,7 @@ def test_steps_of_damped_bodies_are_longer_than_textbook_verlet_bears(tolerance:
 def test_frame_by_frame_implicit_steps_are_judged_by_what_they_do_now(tolerance: float) -> None:
     """Each frame cuts one short; going by the first frame, Verlet would be gone on with for ever."""
     scene = sim.load_scene("study-w3")
-    springs = tuple(msgspec.structs.replace(s, stiffness=16.0 * s.stiffness) for s in scene.linear_springs)
+    springs = tuple(msgspec.structs.replace(s, stiffness=100.0 * s.stiffness) for s in scene.linear_springs)
     integrator = Integrator(dt=1.0 / 60.0, tolerance=tolerance)
     scene = msgspec.structs.replace(scene, bodies=(), linear_springs=springs, integrator=integrator)
     simulation = Simulation(scene)
@@ -97,7 +97,7 @@ def test_frame_by_frame_implicit_steps_are_judged_by_what_they_do_now(tolerance:
         assert simulation.step() == 1
     framed = simulation.stats()
     assert framed.matrices > 40
-    assert framed.forces < 3 * whole.forces
+    assert framed.work < 2 * whole.work
 
 
 @pytest.mark.parametrize("tolerance", [10.0, 0.1])

@@ -271,7 +271,8 @@ class Phase(Table):
 class Trial(Record):
     """One step that is tried, see `integrators.loop`."""
 
-    h: float  # its length, s
+    h: float  # its length, s; of each, if several are done at once
+    start: float  # the time from which it leads, s; of the last one
     end: float  # the time that it leads to, s
     far: float  # its largest coordinate, px; infinite where unknown, as are the next two
     fast: float  # its largest velocity component, px/s

@@ -41,7 +41,7 @@ _HOPE = 0.3
 _DOUBT = 0.1
 """Length of a step, relative to `_LONG_STEP`, above which an implicit method that would need such steps to be
 the fastest is tried later: the less likely it is, the more of the computing time must have gone by."""
-_PATIENCE = 5.0
+_PATIENCE = 3.0
 """Computing time that goes by, relative to that of the trial, where steps of that full length are needed."""
 _FIRST = 0.5
 """First step of a method, relative to the one with which it would be the fastest: it may grow from there,
@@ -200,6 +200,7 @@ def _whose_turn(auto, costs, long_step, held, longest):
             return best, _BEGINNING
         auto.work = 0.0
         return ADAMS, _few(ADAMS)
+    waits = False
     for method in range(1, CHOICES):
         if costs[method] == 0.0 or auto.pace[method] >= 0.0:
             continue
@@ -212,6 +213,7 @@ def _whose_turn(auto, costs, long_step, held, longest):
                 hope /= _HOPE
             price = _few(method) * costs[method]
             may = hope < 1.0 and auto.work >= _PATIENCE * (hope - _DOUBT) * price
+            waits = waits or (hope < 1.0 and not may)
         if may:
             auto.work = 0.0
             return method, _few(method)
@@ -229,7 +231,7 @@ def _whose_turn(auto, costs, long_step, held, longest):
         auto.asked += 1
     if best != ALPHA and auto.last == ALPHA:
         return best, _few(best)  # what is known of it is out of date
-    if best == VERLET and held > _HELD:
+    if best == VERLET and held > _HELD and not waits:
         return best, _LONG_TURN_STEPS
     return best, _TURN_STEPS if best in (VERLET, ADAMS) else _IMPLICIT_TURN_STEPS
 

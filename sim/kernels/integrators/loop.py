@@ -47,7 +47,8 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             error in tolerances; a step above 1 is not kept. It may go less far (`trial.h`, `trial.end`), and
             may report what it knows of `new` (`trial.far`, `trial.fast`, `trial.moved`), which saves time. It
             may also do up to `trial.most` steps of h seconds at once, and say so (`trial.count`,
-            `trial.end`).
+            `trial.end`). With an energy balance, `control` then accounts for all but the last
+            (`trial.start`), if the step is good.
         control: kernel(problem, drive, old, new, h, tolerance, error, good), called after a step was judged
             and before it is kept. Returns the step to try next; see `steps.step_after`.
         equal_steps: number of steps before the end that are made equally long; see `fitting_step`.
@@ -57,7 +58,9 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
     run, trial, fixed = integrator.run, integrator.trial, problem.fixed
     old, new = integrator.old, integrator.new
     number = last = 0
-    most = 1 if balance.active or problem.settle != 0 or problem.stick != 0 else _MOST_AT_ONCE
+    # With an energy balance, methods with a fixed step do one at a time, which gives the same bits.
+    accounts = balance.active and fixed > 0.0
+    most = 1 if accounts or problem.settle != 0 or problem.stick != 0 else _MOST_AT_ONCE
     # A body may be beyond its limits where it is put.
     if run.time == run.origin and settle(problem, old, old, -1.0):
         run.what = CHANGED
@@ -74,7 +77,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
     t, goal, is_whole = run.time, end, run.time == fixed_time(problem, number)
     tries, steps, swaps, shortest = 0, 0, 0, 0.0
     while tries < attempts and t < end and run.what == GOOD:
-        trial.count = 1
+        trial.count, trial.start = 1, t
         if fixed > 0.0:
             goal = fixed_time(problem, number + 1)
             h = fixed if is_whole else goal - t
@@ -115,7 +118,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             if not knows_a:
                 accelerate(problem, new.q, new.v, new.a)
             scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
-            accumulate(problem, drive, t, new.q, new.v, new.a, h)
+            accumulate(problem, drive, trial.start, new.q, new.v, new.a, h)
             if drive.moving:
                 act_as(body, state, drive, trial.end, scale, shift)
         stick(problem, old.q, new.q, new.v)

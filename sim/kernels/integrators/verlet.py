@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
-from ..core.drive import drive_to
-from ..core.shared import accelerate
-from ..core.tables import SPARE
+from ..core.drive import act_as, drive_to, lead_to
+from ..core.shared import accelerate, accumulate
+from ..core.tables import CONTROL_SCALE, CONTROL_SHIFT, SPARE
 from ..engine.bits import from_bits, size_bits
 from ..engine.jit import FAST, kernel
 from ..engine.lanes import eight_at_a_time
 from .loop import advance
-from .steps import BOTH_ENDS, HOPELESS, SHORTEST_SPAN, SURE, first_step, shortest_of, step_after
+from .steps import (
+    BOTH_ENDS,
+    HOPELESS,
+    SHORTEST_SPAN,
+    SURE,
+    first_step,
+    replace_state,
+    shortest_of,
+    step_after,
+)
 
 _ERROR_AT_CAP = 0.8
 """Largest error, in tolerances, that a step of the length of the remembered limit may be expected to make."""
@@ -142,12 +151,44 @@ def _steps_at_limit(problem, drive, old, new, t, h, tolerance, count):
     return error if error < HOPELESS else HOPELESS
 
 
+@kernel(fastmath=FAST)
+def _account_for_steps(problem, drive, old, new, h):
+    """Do the same steps once more, and add their work to the energy balance, but for the last one's.
+
+    It leads `old` to where the last one starts.
+    """
+    body, state, integrator = problem.body, problem.state, problem.integrator
+    trial, rows = integrator.trial, integrator.rows
+    middle, q, v, before, a, end_v = rows[4], rows[5], rows[6], rows[7], rows[8], rows[9]
+    scale, shift, t = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT], trial.start
+    _begin_leaps(old.q, old.v, old.a, rows[integrator.verlet.row], h, q, v, middle)
+    for j in range(1, q.size - SPARE):
+        before[j] = old.a[j]
+    for done in range(1, trial.count):
+        trial.start = t + done * h
+        if drive.moving:
+            drive_to(body, state, drive, trial.start, q, v)
+        accelerate(problem, q, v, a)
+        for j in range(1, q.size - SPARE):
+            end_v[j] = middle[j] + 0.5 * h * a[j]
+        lead_to(drive, trial.start, q, end_v)
+        accumulate(problem, drive, t + (done - 1) * h, q, end_v, a, h)
+        replace_state(old.q, old.v, old.a, q, end_v, a)
+        _leap(before, a, h, q, v, middle)
+        before, a = a, before
+    accelerate(problem, new.q, new.v, a)  # for what else is asked about the springs at the end
+    if drive.moving:
+        act_as(body, state, drive, trial.end, scale, shift)
+
+
 @kernel(forceinline=True, fastmath=FAST)
 def _control(problem, drive, old, new, h, tolerance, error, good):
     """See `advance`."""
     integrator, planned = problem.integrator, problem.integrator.run.step
     trial, verlet = integrator.trial, integrator.verlet
     failures, cap = trial.failures, verlet.cap
+    if good and trial.count > 1 and problem.balance.active:
+        _account_for_steps(problem, drive, old, new, h)
     if good:
         verlet.row = 1 - verlet.row
     if problem.fixed > 0.0:
