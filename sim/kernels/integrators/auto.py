@@ -103,10 +103,10 @@ def next_turn(problem, end, whole_tolerance, left):
         price = max(tries, 1) * costs[auto.turn]
         if auto.turn == ALPHA:  # its steps differ a lot
             price = (run.matrices - auto.made) / MATRICES * costs[ALPHA]
-        elif auto.turn == VERLET:
+        spent = math.ceil(price)
+        if auto.turn == VERLET:
             price -= _SAVED_AT_LIMIT * integrator.verlet.limited
         _enter_turn(integrator, costs, auto.turn, tries, price, end)
-        spent = math.ceil(price)
         auto.turn = -1
         left -= spent
     if not (run.time < end and left > 0 and run.what == GOOD):
