@@ -42,6 +42,9 @@ prefers explicit methods unless their steps are very short."""
 _IN_NETS, _ELSEWHERE = (2.8, 2.0), (5.0, 4.0)
 """ns of a spring and of a joint, where they are in runs and where they are not."""
 
+_SURROUNDINGS, _LIMITS = 12.0, 35.0
+"""ns of a mass, where anything acts besides springs and joints, and where springs may yield or break."""
+
 
 def tolerance_factors(scene: Scene, methods: list[MethodInfo], low: bool) -> Floats:
     """(CHOICES,) the tolerance of each method as a part of the scene's, see `Problem.tolerance_factor`.
@@ -78,7 +81,9 @@ def costs_of_steps(body: Body, matrix: Matrix, low: bool) -> Floats:
         by_spring, by_joint = _IN_NETS if body.net.present and not body.joint_damped else _ELSEWHERE
         force = by_spring * body.springs + by_joint * body.joints + 2.0 * n
     touching = 20.0 * body.springs if body.environment.contact.present else 0.0
-    force += touching
+    force += touching + n * (
+        (_SURROUNDINGS if body.environment.present else 0.0) + (_LIMITS if body.limits.present else 0.0)
+    )
     later = matrix.row_start[1:] - matrix.diagonal - 1
     products = float((later * (later + 1)).sum())
     factors = 300.0 + 45.0 * body.springs + 50.0 * body.joints + 3.6 * products

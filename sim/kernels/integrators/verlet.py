@@ -58,13 +58,15 @@ def run_verlet(problem, drive, end, tolerance, attempts):
 
     Forces that depend on velocities use v + h a for those at the end of the step. This is of second order,
     but under damping its stability limit is lower than that of symplectic Euler, see `sim.motion.stability`.
-    Under error control, steps of at least `near_limit` use v + h (3 a + b) / 4, where b is the acceleration
-    before a. This is also of second order, with larger errors and Euler's limit. Shorter steps are held to a
-    part of the tolerance.
+    Under error control, steps of at least `near_damped_limit` use v + h (3 a + b) / 4, where b is the
+    acceleration before a. This is also of second order, with larger errors and Euler's limit. Shorter steps
+    are held to a part of the tolerance.
 
     The error of a step is estimated as h² |a' - a| / 12. Near the stability limit this estimate stays small
     and then rises suddenly, so a failed step is remembered as a limit, which then rises slowly. If the next
     step fails as well, at half the length, that is due to the vibration that is left, and not to the limit.
+    Two limits in a row that are alike confirm each other; then the limit is held for a while, and many steps
+    are done at once.
     """
     advance(problem, drive, end, tolerance, attempts, _begin, _step, _control, 2.0, True)
 
