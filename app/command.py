@@ -19,7 +19,7 @@ Settings = Annotated[
         "angular_stiffness, angular_damping, rest_length_scale, rest_angle, gravity, air_friction, masses, "
         "dt, tolerance, template; tempo; wind_speed, wind_direction, turbulence; wall_friction, bounciness; "
         "contact_distance, contact_stiffness, contact_friction; gas_pressure, liquid_stiffness; strength, "
-        "yield_force; and force_law and method, which are names",
+        "yield_force; and force_law, method, restitution and grip, which are names",
     ),
 ]
 

@@ -40,6 +40,9 @@ FOREMOST = (
 SOLVER_DIALS = ("dt", "tolerance")
 """Settings whose sliders stand in the Solver tab."""
 
+TOUCH_CHOICES = ("restitution", "grip")
+"""Choices whose lists stand below the sliders of the body."""
+
 
 def foremost(applicable: list[Setting]) -> list[Setting]:
     """Of the settings that a scene has, the two that make most of it."""
@@ -111,7 +114,7 @@ class Panel:
         self._controls = controls = page.controls
         self._sliders: list[SliderBox] = []
         self._body: list[Any] = []
-        self._shown: tuple[list[Setting], tuple[str, ...]] | None = None
+        self._shown: tuple[list[Setting], list[str], tuple[str, ...]] | None = None
         self._notes: list[_MixedNote] = []
         self._templates: list[viser.GuiDropdownHandle[str]] = []
         self._choices: list[ChoiceBox] = []
@@ -180,10 +183,11 @@ class Panel:
         if self._solver is not None:
             self._solver.build()
         applicable = [setting for setting in settings_of(scene) if _has_dial(setting, scene)]
+        touching = [key for key in TOUCH_CHOICES if CHOICES[key].applies(scene)]
         of_lesson = self.lesson.controls if self.lesson is not None else ()
-        if self._shown == (applicable, of_lesson):
+        if self._shown == (applicable, touching, of_lesson):
             return
-        self._shown = applicable, of_lesson
+        self._shown = applicable, touching, of_lesson
         for slider_box in self._sliders:
             slider_box.retire()
         for part in (*self._notes, *self._body):  # a folder goes after what is in it
@@ -197,19 +201,25 @@ class Panel:
             known = {setting.key: setting for setting in applicable}
             self._add_controls(self.lesson.tab, [known[key] for key in of_lesson if key in known])
             with self.lesson.tab:
-                for order, key in enumerate((key for key in of_lesson if key in CHOICES), start=30):
-                    choice = ChoiceBox(self._page, key, order)
-                    self._choices.append(choice)
-                    self._body.append(choice.handle)
+                self._add_choices([key for key in of_lesson if key in CHOICES], 30)
         foremost = self._foremost(applicable)
         self._add_controls(self.play_tab, foremost)
         if "body" in self._controls and self.play_tab is not None:
             others = [s for s in applicable if s not in foremost and s.key not in SOLVER_DIALS]
-            self._add_numbers(self.play_tab, others, moves=bool(applicable))
+            self._add_numbers(self.play_tab, others, touching, moves=bool(applicable))
         self._add_controls(self._solver_tab, [s for s in applicable if s.key in SOLVER_DIALS])
 
-    def _add_numbers(self, tab: viser.GuiTabHandle, others: list[Setting], moves: bool) -> None:
-        """The other sliders of the body, in a folder of the Play tab; `moves`: whether it has any slider."""
+    def _add_numbers(
+        self, tab: viser.GuiTabHandle, others: list[Setting], touching: list[str], moves: bool
+    ) -> None:
+        """The other sliders of the body, and lists, in a folder of the Play tab.
+
+        Args:
+            tab: the Play tab.
+            others: what the sliders set.
+            touching: keys of the choices that there are, of what the body touches.
+            moves: whether it has any slider.
+        """
         gui = self._client.gui
         with tab:
             if not moves:
@@ -221,6 +231,7 @@ class Panel:
             folder = gui.add_folder("All numbers", order=LAST + 3)
         with folder:
             self._add_sliders(folder, others)
+            self._add_choices(touching, LAST - 2)
             own_values = self._page.button(
                 "Scene's own values",
                 viser.Icon.RESTORE,
@@ -263,6 +274,13 @@ class Panel:
         slider_box = SliderBox(self._client, setting, value, post, self._page.notify, order)
         self._sliders.append(slider_box)
         self._body += [slider_box.slider, slider_box.box]
+
+    def _add_choices(self, keys: list[str], order: float) -> None:
+        """Lists of choices, one below the other."""
+        for place, key in enumerate(keys):
+            choice = ChoiceBox(self._page, key, order + place)
+            self._choices.append(choice)
+            self._body.append(choice.handle)
 
     def _add_templates(self, order: float) -> None:
         names = tuple(f"{angle}°" for angle in TEMPLATES)

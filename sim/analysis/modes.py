@@ -200,6 +200,7 @@ class Modes:
             moment.time,
             moment.step_count,
             moment.damage,
+            moment.grips,
         )
 
     def supports(self, mode: int) -> tuple[Indices, Floats, float] | None:

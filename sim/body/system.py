@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import NamedTuple, TypeVar
+from typing import Generic, NamedTuple, TypeVar
 
 import msgspec
 import numpy as np
@@ -237,26 +237,29 @@ def _spans(sizes: tuple[tuple[int, int], ...]) -> tuple[int, list[tuple[int, int
 _Arrays = TypeVar("_Arrays", bound=Table)
 
 
-def _in_a_slab(kind: type[_Arrays], sizes: Mapping[str, tuple[int, int]], page_offset: int) -> _Arrays:
-    """A table of arrays that lie in a slab; `sizes`: of each field, see there."""
-    table, begins, spans, room = _first_of(kind, tuple(sizes.items()), page_offset)
-    block, start = _block(room, page_offset)
-    way = address_of(block) + 8 * start - begins
-    return table.moved(way, {name: block[start + a : start + b] for name, a, b in spans})
+class _Layout(Generic[_Arrays]):
+    """Where the arrays of a table lie in a slab: one of the tables, from which all others follow.
 
+    Args:
+        kind: of the table; all of its fields are arrays.
+        sizes: of each field, as of `slab`.
+        page_offset: likewise.
+    """
 
-@lru_cache(maxsize=64)
-def _first_of(
-    kind: type[_Arrays], sizes: tuple[tuple[str, tuple[int, int]], ...], page_offset: int
-) -> tuple[_Arrays, int, list[tuple[str, int, int]], int]:
-    """A table in a slab, from which others follow; where its slab begins; the name and the span of each
-    array; and the numbers that the slab has."""
-    names, of_each = zip(*sizes, strict=True)
-    room, spans = _spans(of_each)
-    arrays = slab(of_each, page_offset)
-    begins = address_of(arrays[0]) - 8 * spans[0][0]
-    named = [(name, *span) for name, span in zip(names, spans, strict=True)]
-    return kind.empty().replaced(**dict(zip(names, arrays, strict=True))), begins, named, room
+    def __init__(self, kind: type[_Arrays], sizes: Mapping[str, tuple[int, int]], page_offset: int) -> None:
+        of_each = tuple(sizes.values())
+        self._page_offset = page_offset
+        self._room, spans = _spans(of_each)
+        self._spans = [(name, *span) for name, span in zip(sizes, spans, strict=True)]
+        arrays = slab(of_each, page_offset)
+        self._begins = address_of(arrays[0]) - 8 * spans[0][0]
+        self._first = kind.empty().replaced(**dict(zip(sizes, arrays, strict=True)))
+
+    def made(self) -> _Arrays:
+        """A table with new arrays, all zero."""
+        block, start = _block(self._room, self._page_offset)
+        way = address_of(block) + 8 * start - self._begins
+        return self._first.moved(way, {name: block[start + a : start + b] for name, a, b in self._spans})
 
 
 def slots_of(body: Body) -> int:
@@ -274,28 +277,33 @@ def _slots_for(masses: int, chained: int) -> int:
 def new_state(system: System) -> State:
     """A state with room for the system's masses; `Simulation` fills it."""
     body = system.body
-    slots = slots_of(body)
-    joints = body.torque_size.size
-    damageable = body.limits.present
+    springs, joints = (body.springs, body.joints) if body.limits.present else (0, 0)
+    layout = _layout_of_state(slots_of(body), body.stiffness.size, body.torque_size.size, springs, joints)
+    state = layout.made()
+    state.controls[0] = 1.0
+    return state
+
+
+@lru_cache(maxsize=16)
+def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: int) -> _Layout[State]:
+    """The layout for arrays of springs and of joints with some room; `springs` and `joints` may yield."""
     sizes = {
         "q": (2 * slots, 1),
         "v": (2 * slots, 1),
         "controls": (2, 0),
-        "rest_tension": (body.stiffness.size, 1),
-        "torque_cos": (joints, 1),
-        "torque_sin": (joints, 1),
-        "torque_rest": (joints, 0),
+        "rest_tension": (room, 1),
+        "torque_cos": (torques, 1),
+        "torque_sin": (torques, 1),
+        "torque_rest": (torques, 0),
         "clock": (1, 0),
-        "set_length": (body.springs if damageable else 0, 0),
-        "set_angle": (body.joints if damageable else 0, 0),
-        "hardened": (body.springs if damageable else 0, 0),
-        "trial_tension": (body.springs if damageable else 0, 0),
-        "trial_angle": (body.joints if damageable else 0, 0),
-        "broken": (body.springs if damageable else 0, 0),
+        "set_length": (springs, 0),
+        "set_angle": (joints, 0),
+        "hardened": (springs, 0),
+        "trial_tension": (springs, 0),
+        "trial_angle": (joints, 0),
+        "broken": (springs, 0),
     }
-    state = _in_a_slab(State, {field: sizes.get(field, (slots, 1)) for field in State.fields}, page_offset=0)
-    state.controls[0] = 1.0
-    return state
+    return _Layout(State, {field: sizes.get(field, (slots, 1)) for field in State.fields}, page_offset=0)
 
 
 def rest_lengths(body: Body, state: State) -> Floats:
@@ -337,12 +345,7 @@ def refresh(body: Body, state: State) -> None:
 def new_scratch(system: System) -> Scratch:
     """Scratch arrays for the system."""
     room = max(system.body.stiffness.size, system.body.joints) + 3
-    first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # where loops over springs and masses start
-    # An offset behind that of the arrays of a short chain's `State`.
-    scratch = _in_a_slab(
-        Scratch, {field: (room, first.get(field, 0)) for field in _VECTORS}, page_offset=2560
-    )
-    net = system.body.net
+    scratch, net = _layout_of_scratch(room).made(), system.body.net
     if not net.present:
         return scratch
     return scratch.replaced(
@@ -350,6 +353,13 @@ def new_scratch(system: System) -> Scratch:
         joint_rows=np.zeros((3, net.joints.room)),
         vectors=np.zeros((3, 2 * net.gap + room)),
     )
+
+
+@lru_cache(maxsize=16)
+def _layout_of_scratch(room: int) -> _Layout[Scratch]:
+    first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # where loops over springs and masses start
+    # An offset behind that of the arrays of a short chain's `State`.
+    return _Layout(Scratch, {field: (room, first.get(field, 0)) for field in _VECTORS}, page_offset=2560)
 
 
 class _Wiring(NamedTuple):

@@ -117,7 +117,9 @@ def carried(edit: Edit, moment: Moment) -> Moment:
         if edit.shift is not None:
             rows[:2] += edit.shift
     damage = _carried_damage(moment.damage, edit.springs, edit.joints)
-    return dataclasses.replace(moment, scene=scene, rows=rows, damage=damage)
+    # What touches after parts have come or gone is held anew.
+    grips = None if edit.moves_parts else moment.grips
+    return dataclasses.replace(moment, scene=scene, rows=rows, damage=damage, grips=grips)
 
 
 def _carried_damage(damage: Damage | None, springs: Map, joints: Map) -> Damage | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..kernels.core.tables import ADAMS, ALPHA, CHOICES, ROSENBROCK, VERLET, Body, Floats, Matrix
+from ..kernels.integrators.auto import MATRICES
 from ..methods.registry import MethodInfo
 from ..scene.types import Scene
 
@@ -17,8 +18,10 @@ LONG = 200
 _COARSEST = 1e-3
 """Largest tolerance of Rosenbrock methods under `auto`, as a fraction of the body's size: their error
 estimates are too optimistic for long steps on stiff bodies."""
+_COARSEST_ALPHA = 0.004
+"""The same of generalized-alpha: with a larger one its steps are hardly longer."""
 _FINER = 0.03
-"""Smallest factor of the tolerance that results from this."""
+"""Smallest factor of the tolerance that results from these."""
 
 _LARGEST = 0.01
 """Largest tolerance of all methods under `auto`, as a fraction of the body's size: with a larger one,
@@ -36,6 +39,9 @@ _ITERATIONS = 10.0, 0.05
 """Iterations for a linear system with contact that `auto` expects, and how many more for each spring: it then
 prefers explicit methods unless their steps are very short."""
 
+_IN_NETS, _ELSEWHERE = (2.8, 2.0), (5.0, 4.0)
+"""ns of a spring and of a joint, where they are in runs and where they are not."""
+
 
 def tolerance_factors(scene: Scene, methods: list[MethodInfo], low: bool) -> Floats:
     """(CHOICES,) the tolerance of each method as a part of the scene's, see `Problem.tolerance_factor`.
@@ -52,7 +58,8 @@ def tolerance_factors(scene: Scene, methods: list[MethodInfo], low: bool) -> Flo
         *(spring.rest_length for spring in scene.linear_springs),
     )
     tolerance = scene.integrator.tolerance
-    tolerance_factor[ROSENBROCK] *= min(max(_COARSEST * size / tolerance, _FINER), 1.0)
+    for method, coarsest in ((ROSENBROCK, _COARSEST), (ALPHA, _COARSEST_ALPHA)):
+        tolerance_factor[method] *= min(max(coarsest * size / tolerance, _FINER), 1.0)
     return tolerance_factor * min(max(_LARGEST * size, _SENSIBLE) / tolerance, 1.0)
 
 
@@ -68,20 +75,21 @@ def costs_of_steps(body: Body, matrix: Matrix, low: bool) -> Floats:
     n = body.masses
     force = 3.3 * n
     if not (body.chain or body.ring):
-        force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
+        by_spring, by_joint = _IN_NETS if body.net.present and not body.joint_damped else _ELSEWHERE
+        force = by_spring * body.springs + by_joint * body.joints + 2.0 * n
     touching = 20.0 * body.springs if body.environment.contact.present else 0.0
     force += touching
     later = matrix.row_start[1:] - matrix.diagonal - 1
     products = float((later * (later + 1)).sum())
-    factors = 100.0 + 20.0 * body.springs + 40.0 * body.joints + 3.6 * products
-    blocks = 1.3 * matrix.column.size
+    factors = 300.0 + 45.0 * body.springs + 50.0 * body.joints + 3.6 * products
+    blocks = 2.6 * matrix.column.size
     if touching:  # each solution takes some iterations, see `linear.contact`
         blocks = (_ITERATIONS[0] + _ITERATIONS[1] * body.springs) * (blocks + 2.0 * touching)
     stages = 6 if low else 8
     costs = np.zeros(CHOICES)
     costs[VERLET] = 60.0 + force
-    costs[ADAMS] = 80.0 + 2.0 * force + 4.0 * n
-    costs[ROSENBROCK] = factors + stages * (force + 2.0 * blocks + 4.0 * n)
+    costs[ADAMS] = 80.0 + 2.0 * force + n
+    costs[ROSENBROCK] = factors + stages * (150.0 + force + 2.0 * blocks + 4.0 * n)
     if low and n >= LONG:
-        costs[ALPHA] = 1.2 * (factors + force + 2.0 * blocks) + 16.0 * n
+        costs[ALPHA] = MATRICES * (factors + 1.4 * (force + 2.0 * blocks) + 10.0 * n)
     return costs / costs[VERLET]

@@ -27,7 +27,7 @@ from ..methods.tableaux import RK4
 from ..scene.columns import column
 from ..scene.numbers import MAX_COORDINATE, RUNAWAY_SPEED
 from ..scene.parts import AngularSpring, LinearSpring
-from ..scene.types import Scene, is_muscular, is_surrounded
+from ..scene.types import Scene, is_loaded, is_muscular, is_surrounded
 from ..scene.validate import validate
 from .divergence import Divergence
 from .simulation import Simulation
@@ -186,10 +186,12 @@ _Ends = tuple[int, ...]
 
 _A, _B = attrgetter("a"), attrgetter("b")
 _LIMITS = {
-    LinearSpring: (attrgetter("strength"), attrgetter("yield_force")),
-    AngularSpring: (attrgetter("yield_torque"),),
+    LinearSpring: attrgetter("strength", "yield_force"),
+    AngularSpring: attrgetter("yield_torque"),
 }
 """What a spring or a joint bears; None for any load."""
+_NO_LIMITS = {LinearSpring: {(None, None)}, AngularSpring: {None}}
+"""The same of parts that bear any load."""
 
 
 class _Shape(NamedTuple):
@@ -208,8 +210,7 @@ class _Shapes:
     found of a tuple of parts is kept by its id, as long as the scenes of a call keep it alive."""
 
     def __init__(self) -> None:
-        self._pairs: dict[int, _Ends] = {}
-        self._lasting: dict[int, bool] = {}
+        self._known: dict[int, _Ends | None] = {}
 
     def of(self, scene: Scene) -> _Shape | None:
         """The shape of a valid scene; None where it is to be moved alone, see the module."""
@@ -222,26 +223,20 @@ class _Shapes:
             or (scene.pose is not None and scene.pose.damage is not None)
             or any(anchor.circle is not None for anchor in scene.anchors)
             or len(scene.anchors) == len(scene.masses)
-            or not (self._lasts(springs) and self._lasts(joints))
+            or (spring_ends := self._ends(springs)) is None
+            or (joint_ends := self._ends(joints)) is None
             or is_muscular(scene)
         ):
             return None
-        n = len(scene.masses)
-        return _Shape(integrator.method, integrator.dt, law, n, self._ends(springs), self._ends(joints))
+        return _Shape(integrator.method, integrator.dt, law, len(scene.masses), spring_ends, joint_ends)
 
-    def _ends(self, parts: tuple[Any, ...]) -> _Ends:
-        found = self._pairs.get(id(parts))
-        if found is None:
-            found = self._pairs[id(parts)] = (*map(_A, parts), *map(_B, parts))
-        return found
-
-    def _lasts(self, parts: tuple[Any, ...]) -> bool:
-        """Whether none of some springs or joints yields or breaks."""
-        found = self._lasting.get(id(parts))
-        if found is None:
-            of = _LIMITS.get(type(parts[0]), ()) if parts else ()
-            found = self._lasting[id(parts)] = all(set(map(limit, parts)) == {None} for limit in of)
-        return found
+    def _ends(self, parts: tuple[Any, ...]) -> _Ends | None:
+        """The ends of some springs or joints; None where one of them yields or breaks."""
+        key = id(parts)
+        if key not in self._known:
+            lasts = not parts or set(map(_LIMITS[type(parts[0])], parts)) == _NO_LIMITS[type(parts[0])]
+            self._known[key] = (*map(_A, parts), *map(_B, parts)) if lasts else None
+        return self._known[key]
 
 
 def _side_by_side(scenes: Sequence[Scene], shape: _Shape, steps: int, every: int | None) -> list[Run | None]:
@@ -263,7 +258,7 @@ def _side_by_side(scenes: Sequence[Scene], shape: _Shape, steps: int, every: int
     inverse_mass = free * (1.0 / masses("mass"))
     air = np.array([0.0 if scene.wind else scene.air_friction for scene in scenes])[:, None]
     gravity = np.array([scene.gravity for scene in scenes])[:, None, :] * free[:, :, None]
-    if any(mass.force for scene in scenes for mass in scene.masses):
+    if any(map(is_loaded, scenes)):
         loads = np.array([[mass.force or (0.0, 0.0) for mass in scene.masses] for scene in scenes])
         gravity = gravity + inverse_mass[:, :, None] * loads
     positions, velocities = _starts(scenes, n)

@@ -58,7 +58,7 @@ from ..methods.tableaux import RK4
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene, is_damageable
 from .auto_costs import LONG, LOW_TOLERANCE, costs_of_steps, tolerance_factors
-from .stability import quick_limit
+from .stability import damped_limit, quick_limit
 
 _ROWS, _ALPHA_ROWS = 20, 4
 """Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
@@ -67,7 +67,11 @@ _NO_BALANCE = EnergyBalance.empty().replaced(work=Work())
 """Of all solvers that keep none; nobody reads what is entered into it."""
 
 _NEAR_LIMIT = 0.6
-"""Step, as a fraction of the stability limit, from which it counts as near the limit."""
+"""Step, as a fraction of the stability limit without damping, from which it counts as near the limit."""
+_NEAR_DAMPED_LIMIT = 0.9
+"""The same as a fraction of velocity Verlet's limit, where damping makes that much lower."""
+_LEAST_DAMPED_LIMIT = 1e-7
+"""Where that limit is lower, s, the velocities of such steps could be anything within the tolerance."""
 
 _WITH_LIMITS = 0.3
 """Tolerance of methods with error control where something yields or breaks, as a fraction of the scene's: the
@@ -324,6 +328,8 @@ class Solver:
         addresses = {name: ENTRY_POINTS[name].address if name in called else 0 for name in BY_ADDRESS}
         if body.limits.present:
             addresses["accelerations"] = ENTRY_POINTS["yielding_accelerations"].address
+        near = _NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0
+        damped = _NEAR_DAMPED_LIMIT * damped_limit(self.system, surroundings=False)
         self._problem = Problem(
             body=body,
             state=self.state,
@@ -333,7 +339,8 @@ class Solver:
             balance=self.balance,
             **addresses,
             fixed=0.0 if info.adaptive else integrator.dt,
-            near_limit=_NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0,
+            near_limit=near,
+            near_damped_limit=min(near, max(damped, _LEAST_DAMPED_LIMIT)),
             explicit=own if isinstance(own, Tableau) else RK4,
             implicit=rosenbrock,
             adams=adams,

@@ -325,12 +325,25 @@ def quick_limit(system: System) -> float:
     return 2.0 / np.sqrt(fastest) if fastest > 0.0 else np.inf
 
 
-def damped_limit(system: System) -> float:
-    """Like `quick_limit`, for velocity Verlet with damping, and with contact, a medium and the ground: the
-    smallest root of dt² k + 4 dt c = 4, s."""
+def damped_limit(system: System, surroundings: bool = True) -> float:
+    """Like `quick_limit`, for velocity Verlet with damping: the smallest root of dt² k + 4 dt c = 4, s.
+
+    Args:
+        system: the tables.
+        surroundings: whether contact, a medium and the ground count, too.
+    """
     body = system.body
     k = _row_sums(system, body.stiffness, body.joint_stiffness)
     c = _row_sums(system, body.damping, body.torque_damping[1 : body.joints + 1])
+    if surroundings:
+        _add_surroundings(system, k, c)
+    with np.errstate(divide="ignore"):
+        return float((2.0 / (c + np.sqrt(c * c + k))).min())
+
+
+def _add_surroundings(system: System, k: Floats, c: Floats) -> None:
+    """Add what contact, a medium and the ground do to the row sums."""
+    body = system.body
     contact = body.environment.contact
     if contact.present:  # of a mass that is on a spring, as deep as it can be
         free = np.where(system.held, 0.0, system.inverse_mass)
@@ -340,8 +353,6 @@ def damped_limit(system: System) -> float:
     if len(resistance.rows):
         most = most_resisted(resistance, np.stack((body.spring_a, body.spring_b), 1), body.rest_length)
         c += most[1 : body.masses + 1] * np.where(system.held, 0.0, system.inverse_mass)
-    with np.errstate(divide="ignore"):
-        return float((2.0 / (c + np.sqrt(c * c + k))).min())
 
 
 def _row_sums(system: System, of_spring: Floats, of_joint: Floats) -> Floats:

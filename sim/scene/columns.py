@@ -18,6 +18,10 @@ from numpy.typing import NDArray
 MOST = 12
 """Tuples of parts whose arrays are kept: those of some versions of a body, or of some bodies."""
 
+LONG = 100
+"""Number of parts from which on arrays of other parts are looked through for what is the same: with fewer, it
+is as soon made anew."""
+
 Parts = tuple[Any, ...]
 _Arrays = dict[tuple[str, type], NDArray[Any]]
 
@@ -42,6 +46,8 @@ def ends(parts: Parts) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
 
 def has_any(parts: Parts, field: str) -> bool:
     """Whether any part has a number in a field that may be without one."""
+    if len(parts) < LONG:  # sooner than to make an array that nothing else asks for
+        return not {None}.issuperset(map(attrgetter(field), parts))
     return not np.isnan(column(parts, field)).all()
 
 
@@ -49,7 +55,7 @@ def _column(parts: Parts, field: str, dtype: type) -> NDArray[Any]:
     parts = tuple(parts)  # itself, unless it is a list, which may change
     found = _kept.pop(id(parts), None)  # threads that do the same make an array twice at worst
     if found is None:
-        found = parts, _inherited(parts)
+        found = parts, _inherited(parts) if len(parts) >= LONG else {}
         for oldest in list(_kept)[: max(0, len(_kept) - MOST + 1)]:
             _kept.pop(oldest, None)
     _kept[id(parts)] = found

@@ -22,7 +22,7 @@ from ..scene.columns import has_any
 from ..scene.parts import Beat
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
-from ..scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
+from ..scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Restitution, Wall, Wind
 from ..scene.types import (
     AngularSpring,
     ForceLaw,
@@ -37,6 +37,7 @@ from ..scene.types import (
 from ..scene.validate import validate
 from .numbers import Access, at, largest, replaced, wind_direction, wind_speed, with_wind
 from .recipes import Setting, keys_of_recipe, recipe_settings, turned
+from .touch import holds, touched, with_grip, with_restitution
 
 TEMPLATES: tuple[int, ...] = get_args(Template)
 """The tutorial's eight rest angles, degrees."""
@@ -414,6 +415,22 @@ CHOICES: dict[str, Choice] = {
         replaced("force_law"),
         _has_joints,
     ),
+    "restitution": Choice(
+        "restitution",
+        "Bounces",
+        {"viscous": "slow ones lose least", "constant": "all lose alike"},
+        lambda scene: touched(scene)[0].restitution,
+        with_restitution,
+        lambda scene: _has_walls(scene) or _has_contact(scene),
+    ),
+    "grip": Choice(
+        "grip",
+        "Friction at rest",
+        {"creeps": "creeps", "holds": "holds"},
+        lambda scene: "holds" if holds(scene) else "creeps",
+        lambda scene, name: with_grip(scene, name == "holds"),
+        lambda scene: _has_walls(scene) or _has_contact(scene),
+    ),
     "method": Choice(
         "method",
         "Integrator",
@@ -426,6 +443,7 @@ CHOICES: dict[str, Choice] = {
 """The choices, by their keys."""
 
 assert set(CHOICES["force_law"].options) == set(get_args(ForceLaw))
+assert set(CHOICES["restitution"].options) == set(get_args(Restitution))
 
 
 def setting_keys() -> frozenset[str]:

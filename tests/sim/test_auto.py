@@ -9,7 +9,9 @@ import pytest
 import sim
 from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
 from sim.motion.simulation import SolverStats
-from sim.scene.types import ForceLaw
+from sim.motion.stability import largest_step
+from sim.scene.makers import fine_rope
+from sim.scene.types import Circle, ForceLaw
 from tests.sim.amplification import dynamics, radius
 from tests.sim.bodies import LAWS
 
@@ -43,7 +45,7 @@ def test_stiff_bodies_are_moved_by_implicit_methods() -> None:
     stats = effort_of("study-w4", 0.1)
     # Explicit ones have to take far shorter steps.
     assert stats.matrices > 50
-    assert stats.steps + stats.rejected < 200
+    assert stats.steps + stats.rejected < 600
 
 
 def test_where_accuracy_limits_steps_methods_of_high_order_are_turned_to() -> None:
@@ -83,8 +85,11 @@ def test_steps_of_damped_bodies_are_longer_than_textbook_verlet_bears(tolerance:
 @pytest.mark.parametrize("tolerance", [0.5, 0.8, 1.0])
 def test_frame_by_frame_implicit_steps_are_judged_by_what_they_do_now(tolerance: float) -> None:
     """Each frame cuts one short; going by the first frame, Verlet would be gone on with for ever."""
+    scene = sim.load_scene("study-w3")
+    springs = tuple(msgspec.structs.replace(s, stiffness=100.0 * s.stiffness) for s in scene.linear_springs)
     integrator = Integrator(dt=1.0 / 60.0, tolerance=tolerance)
-    simulation = Simulation(msgspec.structs.replace(sim.load_scene("study-w3"), integrator=integrator))
+    scene = msgspec.structs.replace(scene, bodies=(), linear_springs=springs, integrator=integrator)
+    simulation = Simulation(scene)
     assert simulation.step(60) == 60
     whole = simulation.stats()
     simulation.reset()
@@ -92,7 +97,28 @@ def test_frame_by_frame_implicit_steps_are_judged_by_what_they_do_now(tolerance:
         assert simulation.step() == 1
     framed = simulation.stats()
     assert framed.matrices > 40
-    assert framed.forces < 3 * whole.forces
+    assert framed.work < 2 * whole.work
+
+
+@pytest.mark.parametrize("tolerance", [10.0, 0.1])
+@pytest.mark.parametrize("name", ["net", "led rope"])
+def test_where_stability_limits_all_steps_hardly_more_is_done_than_by_the_longest_stable_ones(
+    name: str, tolerance: float
+) -> None:
+    """Whatever the tolerance: trials of other methods, and of longer steps, are few."""
+    if name == "net":
+        scene = sim.cloth(
+            columns=10, rows=10, width=270.0, height=270.0, diagonals=False, stiffness=2e7, damping=300.0,
+            mass=0.2, air_friction=0.0,
+        )  # fmt: skip
+        scene = msgspec.structs.replace(scene, bodies=(), angular_springs=())
+    else:
+        scene = fine_rope(60, circle=Circle(radius=20.0, frequency=1.0, ramp=0.1), joints=False)
+    simulation = Simulation(
+        msgspec.structs.replace(scene, integrator=Integrator(dt=1.0, tolerance=tolerance))
+    )
+    assert simulation.step() == 1
+    assert simulation.stats().work < 1.3 / largest_step(scene, "symplectic_euler")
 
 
 @pytest.mark.parametrize("tolerance", [0.1, 10.0, 1e3])

@@ -12,6 +12,12 @@ from sim.scene import columns
 from sim.scene.columns import column, ends, has_any, vectors
 
 
+@pytest.fixture(autouse=True)
+def long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As if the few parts of these tests were many."""
+    monkeypatch.setattr(columns, "LONG", 0)
+
+
 def spring(a: int, b: int, stiffness: float, strength: float | None = None) -> sim.LinearSpring:
     return sim.LinearSpring(a=a, b=b, stiffness=stiffness, rest_length=1.0, strength=strength)
 

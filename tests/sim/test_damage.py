@@ -71,6 +71,16 @@ def test_a_spring_breaks_at_its_strength(method: Method) -> None:
 
 
 @pytest.mark.parametrize("method", METHODS)
+def test_a_spring_that_is_put_beyond_its_strength_never_pulls(method: Method) -> None:
+    scene = flung(method=method, strength=20_000.0)
+    far = (scene.masses[0], REPLACE(scene.masses[1], position=(150.0, 0.0)))
+    simulation = Simulation(REPLACE(scene, masses=far))
+    simulation.advance(0.01)
+    assert simulation.damage is not None
+    assert simulation.velocities[1] == pytest.approx([1000.0, 0.0], abs=1e-6)
+
+
+@pytest.mark.parametrize("method", METHODS)
 def test_a_spring_that_is_strong_enough_does_not_break(method: Method) -> None:
     # Its largest force is sqrt(2 k E) = 31623.
     whole, plain = Simulation(flung(method=method, strength=33_000.0)), Simulation(flung(method=method))

@@ -13,6 +13,7 @@ import sim
 from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
 from sim.body.system import joint_stiffness
 from sim.methods.registry import METHODS
+from sim.scene.surroundings import Contact, Wall
 from sim.settings import (
     CHOICES,
     SETTINGS,
@@ -151,7 +152,9 @@ def test_whole_numbers_and_templates() -> None:
 
 # ------------------------------------------------------------------------- choices
 def test_a_choice_is_made_and_read_back() -> None:
-    scene = load_scene("ring")
+    contact = Contact(distance=12.0, stiffness=4000.0)
+    wall = Wall(point=(0.0, 900.0), normal=(0.0, -1.0))
+    scene = REPLACE(load_scene("ring"), contact=contact, walls=(wall,))
     for key, choice in CHOICES.items():
         assert choice.read(scene) in choice.options
         for value in choice.options:
@@ -163,11 +166,32 @@ def test_a_choice_is_made_and_read_back() -> None:
             assert set_choice(changed, key, choice.read(scene)) == scene
     assert set_choice(scene, "force_law", "angle").force_law == "angle"
     assert set_choice(scene, "method", "rk4").integrator == REPLACE(scene.integrator, method="rk4")
+    constant = set_choice(scene, "restitution", "constant")
+    assert constant.walls == (REPLACE(wall, restitution="constant"),)
+    assert constant.contact == REPLACE(contact, restitution="constant")
+
+
+def test_what_is_touched_has_choices_of_its_own() -> None:
+    pile, ring = load_scene("pile"), load_scene("ring")
+    for key in ("restitution", "grip"):
+        assert CHOICES[key].applies(pile)
+        assert not CHOICES[key].applies(ring)
+
+
+def test_friction_that_holds_brings_a_pile_to_rest() -> None:
+    speeds = []
+    for name in ("creeps", "holds"):
+        scene = set_choice(set_choice(load_scene("pile"), "restitution", "constant"), "grip", name)
+        simulation = Simulation(scene)
+        simulation.advance(10.0)
+        speeds.append(float(np.sqrt((simulation.velocities**2).sum(1).mean())))
+    creeping, held = speeds
+    assert held < 0.1 * creeping
 
 
 def test_wrong_choices_are_refused() -> None:
     for key, value, sentence in (
-        ("law", "angle", "law: there is no such choice; there are force_law, method"),
+        ("law", "angle", "law: there is no such choice; there are force_law, restitution, grip, method"),
         ("force_law", "cosine", "force_law: 'cosine' is not one of tutorial, conservative, angle"),
         ("method", "leapfrog", "method: 'leapfrog' is not one of auto, symplectic_euler"),
         ("method", "", "method: '' is not one of"),

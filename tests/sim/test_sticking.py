@@ -12,6 +12,8 @@ from hypothesis import strategies as st
 
 import sim
 from sim import Integrator, LinearSpring, Mass, Scene, SceneError, Simulation
+from sim.edit.build import pin, remove
+from sim.edit.edit import Selection, carried
 from sim.forces.walls import NOWHERE
 from sim.methods.registry import METHODS
 from sim.physics import Physics
@@ -119,6 +121,17 @@ def test_the_balance_has_what_sticks_and_what_slides(method: Method) -> None:
     assert balance.walls - pushed == pytest.approx(2.0 * 0.5 * 5000.0 * stretch**2, rel=0.01)
 
 
+@pytest.mark.parametrize("method", ["velocity_verlet", "rk4", "auto", "rodas5p", "generalized_alpha"])
+def test_the_balance_gets_back_what_springs_keep(method: Method) -> None:
+    simulation = Simulation(block(0.7, method, 1e-4))
+    start = simulation.energy().walls
+    simulation.advance(2.0)
+    balance = simulation.energy()
+    kept = 5000.0 * (G * math.sin(TURN) / 5000.0) ** 2  # by both
+    assert balance.walls - start == pytest.approx(kept, rel=0.02)
+    assert abs(balance.residual) < 0.01 * kept
+
+
 @pytest.mark.parametrize("method", ["auto", "rodas5p", "rk4", "velocity_verlet"])
 def test_the_balance_closes_where_bodies_touch(method: Method) -> None:
     scene = crumpled("girder", 5, HELD, held=(2,))
@@ -203,6 +216,17 @@ def test_a_wall_that_is_moved_holds_nothing_any_more() -> None:
     wall = scene.walls[0]
     held.replace(REPLACE(scene, walls=(REPLACE(wall, point=(3.0, 0.0)),)))
     assert held.capture().grips is None
+
+
+def test_an_edit_that_takes_parts_away_leaves_no_grips_of_others() -> None:
+    held = Simulation(block(0.7))
+    held.advance(1.0)
+    moment = held.capture()
+    assert (
+        carried(remove(held.scene, Selection(frozenset((0,)), frozenset(), frozenset())), moment).grips
+        is None
+    )
+    assert carried(pin(held.scene, (0,), True), moment).grips == moment.grips
 
 
 def test_grips_of_what_does_not_exist_are_refused() -> None:

@@ -271,7 +271,8 @@ class Phase(Table):
 class Trial(Record):
     """One step that is tried, see `integrators.loop`."""
 
-    h: float  # its length, s
+    h: float  # its length, s; of each, if several are done at once
+    start: float  # the time from which it leads, s; of the last one
     end: float  # the time that it leads to, s
     far: float  # its largest coordinate, px; infinite where unknown, as are the next two
     fast: float  # its largest velocity component, px/s
@@ -279,7 +280,8 @@ class Trial(Record):
     part: float  # what of it is to be tried instead, as something turns round or breaks after that; or 1
     failures: int  # number of steps refused since the last good one
     number: int  # of fixed steps before it
-    most: int  # number of fixed steps that may be done at once
+    most: int  # number of steps that may be done at once
+    rest: float  # time that is left until the end of the run, s; unused with a fixed step
     count: int  # number that was done
 
 
@@ -289,6 +291,12 @@ class VerletState(Record):
     cap: float  # the largest step that seems to be stable, s
     limited: int  # number of steps in this call that were limited by stability
     row: int  # the row with the accelerations that predict velocities
+    failed: float  # the step that gave that limit, s
+    sure: bool  # the failure before gave about the same limit
+    since: int  # number of steps for which it has held
+    held: bool  # it determines the next step, and not the error
+    reach: float  # how far each mass may move before a spring could have turned too far, px; 0: unknown
+    speed: float  # the largest velocity component, px/s
 
 
 class AlphaState(Record):
@@ -338,6 +346,7 @@ class AutoState(Record):
     turn: int  # the method whose turn it is, or -1
     began: float  # time at which this turn began, s
     tried: int  # the number of steps that had been tried by then
+    made: int  # the number of matrices that had been made by then
     limited: float  # the share of steps in Verlet's last turn that were limited by stability
 
 
@@ -455,7 +464,8 @@ class Problem(Table):
     stick: int
     settle: int
     fixed: float  # the step, s, or 0 for error control
-    near_limit: float  # s; steps from here on count as near Verlet's stability limit
+    near_limit: float  # s; steps from here on count as near the stability limit, for a body without damping
+    near_damped_limit: float  # s; the same, with damping
     explicit: Tableau
     implicit: Rosenbrock
     adams: Adams

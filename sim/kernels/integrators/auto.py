@@ -36,6 +36,20 @@ _LONG_STEP = 0.03
 the fifth root of the tolerance. Where the best method already gets as far in the computing time of such a
 step, the other methods are tried later."""
 
+_HOPE = 0.3
+"""Length of the steps of generalized-alpha, relative to `_LONG_STEP`, that they hardly exceed."""
+_DOUBT = 0.1
+"""Length of a step, relative to `_LONG_STEP`, above which an implicit method that would need such steps to be
+the fastest is tried later: the less likely it is, the more of the computing time must have gone by."""
+_PATIENCE = 3.0
+"""Computing time that goes by, relative to that of the trial, where steps of that full length are needed."""
+_FIRST = 0.5
+"""First step of a method, relative to the one with which it would be the fastest: it may grow from there,
+and shows soon if it may not."""
+
+MATRICES = 2.0
+"""Number of matrices that a step of generalized-alpha takes as a rule."""
+
 _SAFETY = 0.1
 """Factor of all tolerances while small errors grow quickly: where a joint is bent by more than 90 degrees
 from rest, beyond which its torque decreases, or where a spring is short."""
@@ -52,8 +66,14 @@ _TURN_STEPS = 64
 """Number of steps in a turn of an explicit method."""
 _IMPLICIT_TURN_STEPS = 12
 """Number of steps in a turn of an implicit method."""
-_LONG_TURN_STEPS = 256
+_LONG_TURN_STEPS = 512
 """Number of steps in a turn of Verlet where stability limits them, so that they hardly change."""
+
+_LONGEST = 2.2
+"""Length of the longest stable steps of Verlet, relative to `near_damped_limit`, or more."""
+
+_SAVED_AT_LIMIT = 0.25
+"""Part of the computing time of Verlet's steps that is saved where they are limited by stability."""
 
 _HELD = 0.2
 """Share of Verlet's steps that are limited by stability above which stability counts as the limit."""
@@ -80,21 +100,29 @@ def next_turn(problem, end, whole_tolerance, left):
     spent = 0
     if auto.turn >= 0:
         tries = run.steps + run.rejected - auto.tried
-        _enter_turn(integrator, costs, auto.turn, tries, end)
-        spent = math.ceil(max(tries, 1) * costs[auto.turn])
+        price = max(tries, 1) * costs[auto.turn]
+        if auto.turn == ALPHA:  # its steps differ a lot
+            price = (run.matrices - auto.made) / MATRICES * costs[ALPHA]
+        spent = math.ceil(price)
+        if auto.turn == VERLET:
+            price -= _SAVED_AT_LIMIT * integrator.verlet.limited
+        _enter_turn(integrator, costs, auto.turn, tries, price, end)
         auto.turn = -1
         left -= spent
     if not (run.time < end and left > 0 and run.what == GOOD):
         return -1, 0, 0.0, spent
-    method, limit = _whose_turn(auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited)
+    method, limit = _whose_turn(
+        auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited, _LONGEST * problem.near_damped_limit
+    )
     began, step = run.time, auto.step[method]
     tolerance = problem.tolerance_factor[method] * whole_tolerance
     if _near_singular(problem.body, problem.state, problem.state.q):
         tolerance *= _SAFETY
     auto.turn, auto.began = method, began
-    auto.tried = run.steps + run.rejected
+    auto.tried, auto.made = run.steps + run.rejected, run.matrices
     if auto.pace[method] < 0.0 and step <= 0.0 and method != VERLET:
-        step = min(4.0 * auto.step[VERLET], 0.5 * (end - began))
+        equal = auto.pace[VERLET] * costs[method] if method != ADAMS else 0.0
+        step = min(max(4.0 * auto.step[VERLET], _FIRST * equal), 0.5 * (end - began))
     if method == ALPHA and method != auto.last:
         alpha.steps = 0
         step *= _TAKING_OVER
@@ -104,8 +132,8 @@ def next_turn(problem, end, whole_tolerance, left):
 
 
 @kernel(fastmath=FAST)
-def _enter_turn(integrator, costs, method, tries, end):
-    """Update what is known of a method after a turn in which it tried `tries` steps."""
+def _enter_turn(integrator, costs, method, tries, price, end):
+    """Update what is known of a method after a turn in which it tried `tries` steps, at a `price`."""
     run, alpha, auto = integrator.run, integrator.alpha, integrator.auto
     went = run.time - auto.began
     fresh = auto.pace[method] < 0.0
@@ -119,7 +147,7 @@ def _enter_turn(integrator, costs, method, tries, end):
     auto.last = method
     if method == VERLET:
         auto.limited = integrator.verlet.limited / max(tries, 1)
-    pace = went / (max(tries, 1) * costs[method])
+    pace = went / max(price, 1.0)
     if run.what == STUCK and method != ROSENBROCK and costs[ROSENBROCK] > 0.0:
         run.what = GOOD  # another method may still find a step
         auto.step[method] = 0.0
@@ -128,7 +156,7 @@ def _enter_turn(integrator, costs, method, tries, end):
             auto.pace[ROSENBROCK] = -1.0
     elif method == ALPHA or fresh or begins:
         # Its steps have only begun to grow; and one bad turn is no reason to change the method.
-        pace = max(pace, run.step / costs[method])
+        pace = max(pace, run.step * max(tries, 1) / max(price, 1.0))
         before = auto.pace[method]
         auto.pace[method] = max(pace, (1.0 - _FILTER_RATE) * before + _FILTER_RATE * pace)
         if method == ALPHA and auto.pace[method] < before:
@@ -140,12 +168,19 @@ def _enter_turn(integrator, costs, method, tries, end):
         # The last step of a call is cut short; at best, it would have cost nothing.
         most = pace * tries / (tries - 1) if tries > 1 else math.inf
         auto.pace[method] = max(pace, min(auto.pace[method], most))
-    auto.work += tries * costs[method]
+    auto.work += price
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _whose_turn(auto, costs, long_step, held):
-    """(method, number of steps that it may try); `held`: share of Verlet's steps limited by stability."""
+def _whose_turn(auto, costs, long_step, held, longest):
+    """(method, number of steps that it may try).
+
+    Args:
+        auto, costs: what is known of the methods.
+        long_step: length of long implicit steps, s, see `_LONG_STEP`.
+        held: share of Verlet's steps limited by stability.
+        longest: length that Verlet's steps hardly exceed, s, before they are known to be limited.
+    """
     if auto.pace[VERLET] < 0.0:
         return VERLET, _BEGINNING if costs[ALPHA] == 0.0 else _BEGINNING_OF_LONG
     best = VERLET
@@ -153,6 +188,7 @@ def _whose_turn(auto, costs, long_step, held):
         if auto.pace[method] > auto.pace[best]:
             best = method
     pace = auto.pace[best]
+    likely = min(pace, longest) if best == VERLET else pace
     # Where stability limits Verlet's steps, or a long body calls for an implicit method, it limits those of
     # Adams methods even more.
     worth = best != ALPHA and held <= _HELD
@@ -164,9 +200,21 @@ def _whose_turn(auto, costs, long_step, held):
             return best, _BEGINNING
         auto.work = 0.0
         return ADAMS, _few(ADAMS)
+    waits = False
     for method in range(1, CHOICES):
-        unknown = costs[method] > 0.0 and auto.pace[method] < 0.0 and pace * costs[method] < long_step
-        if unknown and (method != ADAMS or (worth and auto.work >= _MEASURED)):
+        if costs[method] == 0.0 or auto.pace[method] >= 0.0:
+            continue
+        hope = likely * costs[method] / long_step
+        may = hope < 1.0
+        if method == ADAMS:
+            may = may and worth and auto.work >= _MEASURED
+        elif best == VERLET:
+            if method == ALPHA:
+                hope /= _HOPE
+            price = _few(method) * costs[method]
+            may = hope < 1.0 and auto.work >= _PATIENCE * (hope - _DOUBT) * price
+            waits = waits or (hope < 1.0 and not may)
+        if may:
             auto.work = 0.0
             return method, _few(method)
     other = (best + 1 + auto.asked % (CHOICES - 1)) % CHOICES
@@ -183,7 +231,7 @@ def _whose_turn(auto, costs, long_step, held):
         auto.asked += 1
     if best != ALPHA and auto.last == ALPHA:
         return best, _few(best)  # what is known of it is out of date
-    if best == VERLET and held > _HELD:
+    if best == VERLET and held > _HELD and not waits:
         return best, _LONG_TURN_STEPS
     return best, _TURN_STEPS if best in (VERLET, ADAMS) else _IMPLICIT_TURN_STEPS
 
@@ -208,4 +256,4 @@ def _near_singular(body, state, q):
 @kernel(forceinline=True)
 def _few(method):
     """Number of steps of a trial; methods with a history need more, as they begin with short steps."""
-    return 8 if method == VERLET else 12 if method == ALPHA else 24 if method == ADAMS else 4
+    return 8 if method == VERLET else 12 if method == ALPHA else 24 if method == ADAMS else 3

@@ -27,7 +27,7 @@ from .steps import (
 )
 
 _MOST_AT_ONCE = 64
-"""Number of fixed steps that may be done between two checks of the state. If a check fails, they are done
+"""Number of steps that may be done between two checks of the state. If a check fails, fixed ones are done
 again one at a time, so that a body that runs away stops at its last good state."""
 
 
@@ -46,7 +46,9 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             t + h, evaluating forces with held masses and keys where they are then (`drive_to`). Returns the
             error in tolerances; a step above 1 is not kept. It may go less far (`trial.h`, `trial.end`), and
             may report what it knows of `new` (`trial.far`, `trial.fast`, `trial.moved`), which saves time. It
-            may also do up to `trial.most` fixed steps at once, and say so (`trial.count`, `trial.end`).
+            may also do up to `trial.most` steps of h seconds at once, and say so (`trial.count`,
+            `trial.end`). With an energy balance, `control` then accounts for all but the last
+            (`trial.start`), if the step is good.
         control: kernel(problem, drive, old, new, h, tolerance, error, good), called after a step was judged
             and before it is kept. Returns the step to try next; see `steps.step_after`.
         equal_steps: number of steps before the end that are made equally long; see `fitting_step`.
@@ -56,15 +58,16 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
     run, trial, fixed = integrator.run, integrator.trial, problem.fixed
     old, new = integrator.old, integrator.new
     number = last = 0
-    most = 1 if balance.active or problem.settle != 0 or problem.stick != 0 else _MOST_AT_ONCE
-    # A body may be beyond its limits where it is put.
-    if run.time == run.origin and settle(problem, old, old, -1.0):
-        run.what, run.current = CHANGED, False
-        return
+    # With an energy balance, methods with a fixed step do one at a time, which gives the same bits.
+    accounts = balance.active and fixed > 0.0
+    most = 1 if accounts or problem.settle != 0 or problem.stick != 0 else _MOST_AT_ONCE
     if knows_a:
         ensure_acceleration(problem, drive)
     else:
         run.current = False
+    # A body may be beyond its limits where it is put.
+    if run.time == run.origin and settle(problem, old, old, -1.0):
+        run.what, run.current = CHANGED, False
     if fixed > 0.0:
         number = fixed_steps(problem, run.time)
         last = fixed_steps(problem, end)
@@ -74,7 +77,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
     t, goal, is_whole = run.time, end, run.time == fixed_time(problem, number)
     tries, steps, swaps, shortest = 0, 0, 0, 0.0
     while tries < attempts and t < end and run.what == GOOD:
-        trial.count = 1
+        trial.count, trial.start = 1, t
         if fixed > 0.0:
             goal = fixed_time(problem, number + 1)
             h = fixed if is_whole else goal - t
@@ -83,6 +86,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         else:
             h = fitting_step(t, end, run.step, equal_steps)
             trial.end = goal if h == goal - t else t + h
+            trial.most, trial.rest = min(most, attempts - tries), end - t
         trial.h, trial.far, trial.fast, trial.moved = h, math.inf, math.inf, math.inf
         trial.part = 1.0
         scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
@@ -95,10 +99,10 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             lead_to(drive, trial.end, new.q, new.v)
             trial.far = math.inf
         good = error <= 1.0 and _is_acceptable(problem, old, new, h, tolerance, shortest)
-        tries += trial.count if good else 1
+        tries += trial.count if good or fixed == 0.0 else 1
         if not good and drive.moving:  # the step has set them to a later time
             act_as(body, state, drive, t, scale, shift)
-        if not good and trial.count > 1:
+        if not good and trial.count > 1 and fixed > 0.0:
             most, tries = 1, tries - 1  # one at a time, up to the last good state
             continue
         if trial.part < 1.0:
@@ -114,7 +118,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             if not knows_a:
                 accelerate(problem, new.q, new.v, new.a)
             scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
-            accumulate(problem, drive, t, new.q, new.v, new.a, h)
+            accumulate(problem, drive, trial.start, new.q, new.v, new.a, h)
             if drive.moving:
                 act_as(body, state, drive, trial.end, scale, shift)
         stick(problem, old.q, new.q, new.v)

@@ -29,10 +29,10 @@ round very quickly, error per unit step would require impractically short steps.
 _SHORTEST_TURN = 1e-7
 """Length of a step, s, below which springs may turn by any angle."""
 
-_SURE = 0.6
+SURE = 0.6
 """Movement of both ends of a spring together, as a fraction of its length, below which it cannot have turned
 by 60 degrees."""
-_BOTH_ENDS = 2.83
+BOTH_ENDS = 2.83
 """Largest movement of both ends together if no coordinate changes by more than 1: 2 sqrt(2), rounded up."""
 
 HOPELESS = 1e30
@@ -90,7 +90,7 @@ def rotation_ok(body, state, q, to_q, step, moved, shortest):
         moved: largest change of a coordinate in the step, px.
         shortest: length of the shortest spring at the start, px, or less.
     """
-    return _BOTH_ENDS * moved < _SURE * shortest or all_rotations_ok(body, state, q, to_q, step)
+    return BOTH_ENDS * moved < SURE * shortest or all_rotations_ok(body, state, q, to_q, step)
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -1,0 +1,56 @@
+"""How bodies bounce on all that they touch, walls and each other, and whether friction holds them there."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from ..scene.columns import column
+from ..scene.surroundings import Contact, Wall
+from ..scene.types import Scene
+
+_LEAST_GRAVITY = 1000.0
+"""px/s², by which the stiffness of tangential springs is chosen where there is less."""
+
+
+def touched(scene: Scene) -> list[Wall | Contact]:
+    """The walls of a scene, and its contact, if it has any."""
+    return [*scene.walls, *([scene.contact] if scene.contact else [])]
+
+
+def with_restitution(scene: Scene, restitution: Any) -> Scene:
+    """The scene with one restitution, see `Wall`, everywhere."""
+    replace = msgspec.structs.replace
+    walls = tuple(replace(wall, restitution=restitution) for wall in scene.walls)
+    contact = replace(scene.contact, restitution=restitution) if scene.contact else None
+    return replace(scene, walls=walls, contact=contact)
+
+
+def holds(scene: Scene) -> bool:
+    """Whether friction holds on anything that is touched."""
+    on_walls = any(wall.tangential_hardness for wall in scene.walls)
+    return on_walls or bool(scene.contact and scene.contact.tangential_stiffness)
+
+
+def with_grip(scene: Scene, grips: bool) -> Scene:
+    """The scene with friction that holds everywhere, or nowhere.
+
+    A tangential spring is as stiff as the push under the weight of a mass: from k d² = m g follows
+    2 k d = 2 sqrt(k m g), with the median mass m of the scene; for walls, which push each mass by its own
+    mass m H d², it is 2 sqrt(H g) m.
+    """
+    replace = msgspec.structs.replace
+    gravity = max(math.hypot(*scene.gravity), _LEAST_GRAVITY) if grips else 0.0
+    weight = gravity * float(np.median(column(scene.masses, "mass")))
+
+    def of_wall(wall: Wall) -> Wall:
+        return replace(wall, tangential_hardness=2.0 * math.sqrt(wall.hardness * gravity))
+
+    def of_contact(contact: Contact) -> Contact:
+        return replace(contact, tangential_stiffness=2.0 * math.sqrt(contact.stiffness * weight))
+
+    contact = of_contact(scene.contact) if scene.contact else None
+    return replace(scene, walls=tuple(map(of_wall, scene.walls)), contact=contact)
