@@ -182,6 +182,25 @@ def test_yielding_is_of_second_order_and_its_balance_is_too(method: Method) -> N
     assert slope(steps, residuals) >= 1.8
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_what_is_beyond_its_limit_where_it_is_put_yields_or_breaks_at_once(method: Method) -> None:
+    # Stretched by 20 px, of which 10 are elastic; from there it swings as a spring of 110 px.
+    scene = flung(speed=0.0, method=method, yield_force=10_000.0)
+    far = (scene.masses[0], REPLACE(scene.masses[1], position=(120.0, 0.0)))
+    simulation = Simulation(REPLACE(scene, masses=far))
+    simulation.energy()
+    simulation.advance(0.05)
+    assert simulation.damage is not None
+    assert simulation.damage.set_lengths[0] == pytest.approx(10.0, rel=1e-9)
+    # Of an energy of 200 000, 50 000 is left.
+    balance = simulation.energy()
+    assert balance.plastic == pytest.approx(-150_000.0, rel=1e-9)
+    assert abs(balance.residual) <= (0.05 if METHODS[method].order == 1 else 2e-3) * 50_000.0
+    broken = Simulation(REPLACE(scene, masses=far, linear_springs=flung(strength=1e4).linear_springs))
+    broken.advance(0.05)
+    assert broken.positions[1, 0] == pytest.approx(120.0, abs=1e-9)
+
+
 def test_a_squeezed_spring_keeps_some_length() -> None:
     scene = flung(speed=-1500.0, yield_force=100.0)
     simulation = Simulation(REPLACE(scene, integrator=Integrator(method="auto", dt=1e-3, tolerance=0.1)))
