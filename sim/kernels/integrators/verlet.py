@@ -31,14 +31,16 @@ add up."""
 _PAST = 0.25
 """Weight of the previous acceleration in the prediction of velocities near the stability limit."""
 
-_CAP_AFTER_FAILURE = 0.97
+_CAP_AFTER_FAILURE = 0.93
 """The remembered limit after a failed step, relative to that step."""
+_CAP_CONFIRMED = 0.97
+"""The same where that confirms the limit."""
 _CAP_AFTER_OTHERS = 0.9
 """The same, relative to the limit before, if two failures in a row have confirmed that limit, and the step
 was shorter than `_SHORT_OF_CAP` times it, or is the third in a row that fails: it shows what the failure
 before has left behind."""
 _SHORT_OF_CAP = 0.8
-_CAP_GROWTH = 1.003
+_CAP_GROWTH = 1.002
 """Factor by which that limit rises again in every step,"""
 _HOLDS = 512
 """once it has held for this number of steps, or at once if it is not confirmed."""
@@ -201,8 +203,9 @@ def _control(problem, drive, old, new, h, tolerance, error, good):
             cap = max(_CAP_AFTER_FAILURE * h, _CAP_AFTER_OTHERS * cap)
             verlet.since = _HOLDS
         elif failures != 1:
-            cap = _CAP_AFTER_FAILURE * h
-            verlet.sure = failures == 0 and abs(h - verlet.failed) < _ALIKE * h
+            alike = failures == 0 and abs(h - verlet.failed) < _ALIKE * h
+            verlet.sure = alike and h >= problem.near_damped_limit  # shorter ones fail for other reasons
+            cap = (_CAP_CONFIRMED if verlet.sure else _CAP_AFTER_FAILURE) * h
             verlet.since, verlet.failed = 0 if verlet.sure else _HOLDS, h
         verlet.cap = cap
         return min(step_after(integrator, planned, h, max(error, 2.0), 2, False, failures > 0), cap)
