@@ -392,9 +392,10 @@ def test_nothing_of_a_scene_is_code_in_a_program(tmp_path: Path) -> None:
         scene = changed(LOOSE, title=text[:60], name=text[:60], view=sim.View(unit=text[:8]))
         hostile = moved_by_programs(body_of(scene), tmp_path, 3)
         assert all((one == other).all() for one, other in zip(plainly, hostile, strict=True))
-        head = (tmp_path / "body.mjs").read_text().partition("*/")[0]
+        head = (tmp_path / "body.mjs").read_text().partition("\n/**")[0]
         assert head.isascii()
-        assert all(line.startswith("//") or not line for line in head.splitlines()[:-1])
+        assert "a module" in head
+        assert all(line.startswith("//") or not line for line in head.splitlines())
         for name in ("body.c", "body.py"):
             bytes_ = (tmp_path / name).read_bytes()
             assert all(byte == 10 or 32 <= byte < 127 for byte in bytes_)
