@@ -47,7 +47,7 @@ from .term import Floats, Vectors
 REFERENCE_SPEED = 1000.0
 """Speed, px/s, at which a mass hits a wall to leave it with the bounciness of the wall."""
 
-_CALM = 0.03
+_CALM = 0.06
 """Speed below which the push is damped as by a dashpot, in parts of sqrt(k w) d^(3/2): so small that what
 rolls loses speed, too, and so large that it hardly makes the equations stiffer than bodies are."""
 _LEAST_BOUNCE = 0.1

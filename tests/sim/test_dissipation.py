@@ -86,7 +86,7 @@ def test_the_balance_closes_at_any_damping(name: str, key: str) -> None:
             simulation.step(7)
         balance = simulation.energy()
         put_in = abs(first.gravity - balance.gravity) + first.linear + first.angular
-        assert abs(balance.residual) < 0.05 * (put_in + balance.kinetic), damping
+        assert abs(balance.residual) < 0.08 * (put_in + balance.kinetic), damping
 
 
 @pytest.mark.parametrize("friction", [5.0, 100.0])
