@@ -419,7 +419,7 @@ def test_a_body_keeps_its_shape_in_one_step_of_undo() -> None:
     scene = page.do(Act("keep"))
     assert page.session.versions.undoable == "keep this shape"
     page.frames(60, commands.Play(True))
-    assert np.abs(page.session.simulation.positions - before).max() < 1e-3
+    assert np.abs(page.session.simulation.positions - before).max() < 2e-3  # of a tolerance of 0.1
     assert page.do(commands.Play(False), commands.Undo()).linear_springs != scene.linear_springs
 
 
@@ -431,7 +431,7 @@ def test_in_motion_it_stops_where_it_is_and_starts_there() -> None:
     page.do(Act("keep"))
     assert np.abs(page.session.simulation.velocities).max() == 0.0
     page.frames(60, commands.Play(True))
-    assert np.abs(page.session.simulation.positions - there).max() < 1e-3
+    assert np.abs(page.session.simulation.positions - there).max() < 2e-3  # of a tolerance of 0.1
     page.frames(1, commands.Play(False), commands.Reset())
     assert np.abs(page.session.simulation.positions - there).max() < 1e-9
 

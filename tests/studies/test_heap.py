@@ -28,12 +28,13 @@ def test_what_is_measured_is_printed(monkeypatch: pytest.MonkeyPatch) -> None:
     assert isinstance(console.file, io.StringIO)
     rows = console.file.getvalue().splitlines()[-len(bench.METHODS) :]
     assert [float(row.split()[0]) for row in rows] == [24.0] * 3
-    assert all(float(row.split()[-2]) > 0.0 for row in rows)
+    assert all(float(row.split()[-3]) > 0.0 and float(row.split()[-1]) > 0.0 for row in rows)
 
 
 def test_every_frame_is_timed() -> None:
     scene = msgspec.structs.replace(bench.heap(1), integrator=bench.METHODS["Euler, 0.26 ms"])
-    best, tried = bench.times(scene, 5, 2)
+    best, tried, speed = bench.times(scene, 5, 2)
     assert len(best) == 5
     assert min(best) > 0.0
     assert tried == 5 * 64
+    assert speed == pytest.approx(1000.0 * 5.0 / 60.0, rel=0.01)  # it still falls
