@@ -18,14 +18,12 @@ LONG = 200
 _COARSEST = 1e-3
 """Largest tolerance of Rosenbrock methods under `auto`, as a fraction of the body's size: their error
 estimates are too optimistic for long steps on stiff bodies."""
-_COARSEST_ALPHA = 0.004
-"""The same of generalized-alpha: with a larger one its steps are hardly longer."""
 _FINER = 0.03
-"""Smallest factor of the tolerance that results from these."""
+"""Smallest factor of the tolerance that results from this."""
 
-_LARGEST = 0.01
+_LARGEST = 0.004
 """Largest tolerance of all methods under `auto`, as a fraction of the body's size: with a larger one,
-velocities of light masses would be arbitrary."""
+velocities of light masses would be arbitrary, and steps hardly longer."""
 _SENSIBLE = 0.1
 """Tolerance, px, that is always allowed."""
 
@@ -61,9 +59,9 @@ def tolerance_factors(scene: Scene, methods: list[MethodInfo], low: bool) -> Flo
         *(spring.rest_length for spring in scene.linear_springs),
     )
     tolerance = scene.integrator.tolerance
-    for method, coarsest in ((ROSENBROCK, _COARSEST), (ALPHA, _COARSEST_ALPHA)):
-        tolerance_factor[method] *= min(max(coarsest * size / tolerance, _FINER), 1.0)
-    return tolerance_factor * min(max(_LARGEST * size, _SENSIBLE) / tolerance, 1.0)
+    largest = min(max(_LARGEST * size, _SENSIBLE), tolerance)
+    tolerance_factor[ROSENBROCK] *= min(max(_COARSEST * size / largest, _FINER), 1.0)
+    return tolerance_factor * (largest / tolerance)
 
 
 def costs_of_steps(body: Body, matrix: Matrix, low: bool) -> Floats:
