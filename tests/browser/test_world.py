@@ -115,3 +115,16 @@ def test_the_panel_has_sliders_only_for_what_there_is(open_page: OpenPage) -> No
     desk.type_in("Wind speed", "50")
     desk.until(lambda: sim.settings.SETTINGS["wind_speed"].read(desk.session.scene) == 50.0, "it is set")
     assert desk.simulation.time >= time  # the motion has gone on
+
+
+def test_how_bodies_bounce_and_hold_is_chosen_where_they_touch_something(open_page: OpenPage) -> None:
+    desk = open_page("pile")
+    assert desk.control("Friction at rest").input_value() == "creeps"
+    desk.choose("Friction at rest", "holds")
+    desk.until(lambda: desk.session.scene.walls[0].tangential_hardness > 0.0, "friction holds on walls")
+    assert desk.session.scene.contact is not None
+    assert desk.session.scene.contact.tangential_stiffness > 0.0
+    desk.choose("Bounces", "all lose alike")
+    desk.until(lambda: desk.session.scene.walls[0].restitution == "constant", "all speeds lose alike")
+    desk.tell(commands.Open(sim.load_scene("ring")))
+    desk.until(lambda: desk.control("Bounces").count() == 0, "a ring touches nothing")
