@@ -15,7 +15,7 @@ from ..kernels.core.tables import Body, State
 from ..kernels.engine.jit import FUSED, kernel
 from ..near import near_pairs, nearest_points
 from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
-from .contact_pairs import add_at_pair, direction_of, friction_on, pair_at
+from .contact_pairs import add_at_pair, direction_of, friction_on, lost_in, pair_at
 from .push import friction_slopes, push_slopes, pushes_and_frictions, softened_for, time_to_deepest
 from .term import Floats, Term, Vectors
 
@@ -140,11 +140,6 @@ def _add_power(body, state, balance, q, v, part):
 
 
 # ------------------------------------------------------------------------- derivatives
-@kernel(forceinline=True)
-def _lost(contact):
-    return contact.damping, contact.hysteresis, contact.calm
-
-
 TOUCHING_G, TOUCHING_DEFINITE, TOUCHING_PAIRS = 0, 1, 2
 """In `Matrix.touching`: factor of the derivatives by velocities, 1/s, whether what could make the matrix
 indefinite is left out, and the number of pairs that touch."""
@@ -197,9 +192,7 @@ def _change_of(contact, pair, change, g, definite):
     push, friction, per_square = pair.push, pair.friction, pair.per_square
     spring = contact.tangential, contact.resisting
     square = ex * ex + ey * ey
-    by_depth, by_speed = push_slopes(
-        contact.stiffness, (contact.damping, contact.hysteresis, contact.calm), contact.distance - r, speed
-    )
+    by_depth, by_speed = push_slopes(contact.stiffness, lost_in(contact), contact.distance - r, speed)
     coefficient = friction_on(contact, square)
     most = coefficient * push
     held, stiff, stuck = friction_slopes(most, contact.slip_speed, spring, pair.along, pair.stretch)
@@ -246,12 +239,7 @@ def _drag_of(contact, pair, change):
     """
     dx, dy, fx, fy = change
     nx, ny, lx, ly = pair.nx, pair.ny, pair.lx, pair.ly
-    _, by_speed = push_slopes(
-        contact.stiffness,
-        (contact.damping, contact.hysteresis, contact.calm),
-        contact.distance - pair.r,
-        pair.speed,
-    )
+    _, by_speed = push_slopes(contact.stiffness, lost_in(contact), contact.distance - pair.r, pair.speed)
     more, slide = by_speed * (nx * dx + ny * dy), nx * dy - ny * dx - (fx * lx + fy * ly)
     coefficient = friction_on(contact, pair.ex * pair.ex + pair.ey * pair.ey)
     held, _, stuck = friction_slopes(

@@ -244,7 +244,7 @@ def pair_at(body, w, s, m, q, v):
         gripped, stretch = _stretch_of(contact, s, m, (t, r, nx, ny, ex, ey, per_square))
         tangential, _ = softened((contact.tangential, contact.resisting), h, mobility_along)
     push, friction, elastic = push_and_friction(
-        contact.stiffness, (contact.damping, contact.hysteresis, contact.calm),
+        contact.stiffness, lost_in(contact),
         friction_on(contact, ex * ex + ey * ey), contact.slip_speed, (contact.tangential, contact.resisting),
         h, mobility, mobility_along, contact.distance - r, speed, along, stretch,
     )  # fmt: skip
@@ -280,6 +280,12 @@ def direction_of(pair):
     ahead, beside = pair.nx * pair.ex + pair.ny * pair.ey, pair.ex * pair.ny - pair.ey * pair.nx
     factor = math.sqrt(pair.ex * pair.ex + pair.ey * pair.ey) * pair.per_square
     return ahead * factor, beside * factor
+
+
+@kernel(forceinline=True)
+def lost_in(contact):
+    """How the push of contact loses energy, see `push.Lost`."""
+    return contact.damping, contact.hysteresis, contact.calm
 
 
 @kernel(forceinline=True, fastmath=FUSED)
