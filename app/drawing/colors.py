@@ -57,12 +57,6 @@ def plain(color: Rgb) -> NDArray[np.uint8]:
     return np.rint(np.clip(color, 0.0, 255.0)).astype(np.uint8)
 
 
-def sent_one(color: Rgb) -> tuple[int, int, int]:
-    """As `sent`, for a single colour of a whole node."""
-    red, green, blue = (int(part) for part in sent(color))
-    return red, green, blue
-
-
 def blend(a: Rgb, b: Rgb, part: NDArray[np.float64]) -> Rgb:
     """(n, 3) colours, `part` (n,) of the way from a to b."""
     return a + (b - a) * part[:, None]

@@ -9,7 +9,6 @@ import pytest
 import sim
 from sim.body.system import build_system
 from studies.speed import random_study
-from studies.speed.fragile_bodies import KINDS, fragile_body
 from studies.speed.random_bodies import random_body
 from studies.speed.random_study import (
     GROWTHS,
@@ -19,6 +18,7 @@ from studies.speed.random_study import (
     shares_by_tolerance,
 )
 from tests.amount import part_of
+from tests.studies.fragile_bodies import KINDS, fragile_body
 from tests.studies.results import some_body
 
 

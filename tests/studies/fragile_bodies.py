@@ -9,8 +9,7 @@ from msgspec.structs import replace
 
 import sim
 from sim import Anchor, LinearSpring, Mass, Scene
-
-from .random_bodies import random_body
+from studies.speed.random_bodies import random_body
 
 KINDS = ("springs yield", "joints yield", "springs break", "springs break under a touch")
 
