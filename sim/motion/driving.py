@@ -9,7 +9,7 @@ import numpy as np
 
 from ..body.system import System
 from ..forces.all import TERMS
-from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, Drive, State
+from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, Drive, Lead, State
 from ..scene.numbers import MAX_SPEED
 from ..scene.types import Circle, Scene
 from .drag import NO_MOTION, NO_MOTIONS, HandMotions
@@ -73,9 +73,7 @@ class Driver:
             )
             # Under the tutorial's law, the damping treats a directly led mass as being at rest.
             seen = 1.0 if m in motions else self._hand
-            rows.append((x - ox, y - oy, vx, vy, *motion[2:], seen, radius, omega, ramp))
-        columns = np.array(rows, float).reshape(-1, 12).T.copy()
-        names = ("x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "hand", "radius", "omega", "ramp")
+            rows.append(Lead(x - ox, y - oy, vx, vy, *motion[2:], seen, radius, omega, ramp))
         return Drive(
             moving=bool(indices) or pressed or self._timed,
             pressed=pressed,
@@ -83,11 +81,11 @@ class Driver:
             start=t,
             duration=duration if targets else math.inf,
             mass=np.array(indices, np.int64),
+            rows=np.array(rows, float).reshape(-1, len(Lead._fields)),
             scale=float(state.controls[CONTROL_SCALE]),
             shift=float(state.controls[CONTROL_SHIFT]),
             growth=float(growth),
             turn=float(turn),
-            **dict(zip(names, columns, strict=True)),
         )
 
 

@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from ..body.system import System, refresh
-from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN, Drive, State
+from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN, Drive, Lead, State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
 from ..physics import Physics, Vectors, euler_step, verlet_step
@@ -136,22 +136,19 @@ class PlainSolver:
             round_at = t
         since = t - drive.start
         led = min(since, drive.duration)
-        speed, acceleration, jerk = (
-            drive.vx + 1j * drive.vy,
-            drive.ax + 1j * drive.ay,
-            drive.jx + 1j * drive.jy,
-        )
-        fade = np.exp(-round_at / drive.ramp)
-        turn = np.exp(1j * drive.omega * (round_at - drive.ramp * (1.0 - fade)))
+        lead = Lead(*drive.rows.T)
+        speed, acceleration, jerk = lead.vx + 1j * lead.vy, lead.ax + 1j * lead.ay, lead.jx + 1j * lead.jy
+        fade = np.exp(-round_at / lead.ramp)
+        turn = np.exp(1j * lead.omega * (round_at - lead.ramp * (1.0 - fade)))
         # i r - i r exp(ip) = r (sin p, 1 - cos p), see `Circle`.
-        circle = 1j * drive.radius * (1.0 - turn)
+        circle = 1j * lead.radius * (1.0 - turn)
         x[drive.mass] = (
-            drive.x + 1j * drive.y + circle
+            lead.x + 1j * lead.y + circle
             + led * (speed + led * (0.5 * acceleration + led / 6.0 * jerk))
         )  # fmt: skip
         v[drive.mass] = (
-            drive.hand * (speed + since * (acceleration + 0.5 * since * jerk))
-            + drive.radius * drive.omega * (1.0 - fade) * turn
+            lead.hand * (speed + since * (acceleration + 0.5 * since * jerk))
+            + lead.radius * lead.omega * (1.0 - fade) * turn
         )  # fmt: skip
         if drive.timed:
             self._state.clock[0] = t

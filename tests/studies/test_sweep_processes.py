@@ -15,11 +15,11 @@ from tests.studies.sweeping import numbers_of, rows_of
 
 GRID = (
     *("--set", "method=rk4", "--set", "dt=2e-5", "--set", "masses=8"),
-    *("--vary", "gravity=200..2000:4", "--vary", "rest_angle=-20,0,20,30,40,50"),
+    *("--vary", "gravity=200..2000:4", "--vary", "rest_angle=-20,20,50"),
     *("--measure", "sag", "--measure", "energy_residual", "--measure", "stretch", "--measure", "error"),
     *("--duration", "0.4"),
 )
-"""A sweep of 24 runs that takes so long that one can get in between."""
+"""A sweep of 12 runs that takes so long that one can get in between."""
 
 
 def command(out: Path, *more: str) -> list[str]:
@@ -60,14 +60,14 @@ def test_a_sweep_that_was_interrupted_ends_with_the_same_table(undisturbed: byte
     assert process.returncode == 130, said
     assert "Traceback" not in said
     before = numbers_of(out)
-    assert 1 <= len(before) < 24
+    assert 1 <= len(before) < 12
     assert len(rows_of(out)) == len(before)
     done = subprocess.run(command(out, "--jobs", "2"), capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert numbers_of(out)[: len(before)] == before
-    assert sorted(numbers_of(out)) == list(range(24))
+    assert sorted(numbers_of(out)) == list(range(12))
     assert (out / "table.csv").read_bytes() == undisturbed
-    assert undisturbed.count(b"\n") == 25
+    assert undisturbed.count(b"\n") == 13
 
 
 # ------------------------------------------------------------------------- a cluster
@@ -83,7 +83,7 @@ def swept_by(cluster: Cluster, out: Path, rows: int, doomed: subprocess.Popen[st
         wait_for_rows(out / "sweep.jsonl", rows, process)
         assert doomed.poll() is None
         doomed.kill()
-        assert len(numbers_of(out)) < 24
+        assert len(numbers_of(out)) < 12
         said, _ = process.communicate(timeout=PATIENCE)
     finally:
         process.kill()
@@ -100,11 +100,11 @@ def test_a_sweep_bears_the_loss_of_its_scheduler_and_of_a_worker(undisturbed: by
     assert "the same command goes on" in sentence
     assert "Traceback" not in said
     before = numbers_of(out)
-    assert 2 <= len(before) < 24
+    assert 2 <= len(before) < 12
     assert len(rows_of(out)) == len(before)
     with cluster(tmp_path / "second") as second, second.another_worker():
         status, said = swept_by(second, out, len(before) + 2, second.worker)
     assert status == 0, said
     assert numbers_of(out)[: len(before)] == before
-    assert sorted(numbers_of(out)) == list(range(24))
+    assert sorted(numbers_of(out)) == list(range(12))
     assert (out / "table.csv").read_bytes() == undisturbed

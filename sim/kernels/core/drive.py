@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ..engine.jit import kernel
-from .tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN
+from .tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN, Lead
 from .waves import wave
 
 
@@ -82,12 +82,20 @@ def circle_at(t, radius, omega, ramp):
 
 
 @kernel(forceinline=True)
-def hand_speed(drive, i, t):
-    """The velocity at time t with which the i-th mass of the drive is led by hand, px/s."""
-    since = t - drive.start
+def lead_of(drive, i):
+    """How the i-th mass of the drive is led."""
+    row = drive.rows[i]
+    return Lead(
+        row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8], row[9], row[10], row[11]
+    )
+
+
+@kernel(forceinline=True)
+def hand_speed(lead, since):
+    """The velocity with which a mass is led by hand, so many seconds after the start, px/s."""
     return (
-        drive.vx[i] + since * (drive.ax[i] + 0.5 * since * drive.jx[i]),
-        drive.vy[i] + since * (drive.ay[i] + 0.5 * since * drive.jy[i]),
+        lead.vx + since * (lead.ax + 0.5 * since * lead.jx),
+        lead.vy + since * (lead.ay + 0.5 * since * lead.jy),
     )
 
 
@@ -155,13 +163,13 @@ def lead(drive, t, round_at, q, v):
     # A hand must not go beyond its target because of rounding in the time.
     since = min(t - drive.start, drive.duration)
     for i in range(drive.mass.size):
-        m = drive.mass[i]
-        x = drive.x[i] + since * (drive.vx[i] + since * (0.5 * drive.ax[i] + since / 6.0 * drive.jx[i]))
-        y = drive.y[i] + since * (drive.vy[i] + since * (0.5 * drive.ay[i] + since / 6.0 * drive.jy[i]))
-        vx, vy = hand_speed(drive, i, t)
-        vx, vy = vx * drive.hand[i], vy * drive.hand[i]
-        if drive.radius[i] > 0.0:
-            dx, dy, du, dv = circle_at(round_at, drive.radius[i], drive.omega[i], drive.ramp[i])
+        m, by = drive.mass[i], lead_of(drive, i)
+        x = by.x + since * (by.vx + since * (0.5 * by.ax + since / 6.0 * by.jx))
+        y = by.y + since * (by.vy + since * (0.5 * by.ay + since / 6.0 * by.jy))
+        vx, vy = hand_speed(by, t - drive.start)
+        vx, vy = vx * by.hand, vy * by.hand
+        if by.radius > 0.0:
+            dx, dy, du, dv = circle_at(round_at, by.radius, by.omega, by.ramp)
             x, y, vx, vy = x + dx, y + dy, vx + du, vy + dv
         q[m], q[slots + m] = x, y
         v[m], v[slots + m] = vx, vy

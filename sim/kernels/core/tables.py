@@ -10,7 +10,7 @@ padded likewise. A padding mass never moves, and a padding spring exerts no forc
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..engine.table import Floats, Indices, Record, Rows, Table
 
@@ -224,22 +224,28 @@ class Drive(Table):
     start: float  # time at the start of the call, s
     duration: float  # s until masses that are led straight reach their targets; infinite if there are none
     mass: Indices  # (M,) slots of the masses
-    x: Floats  # (M,) px, where each is at the start, without its circle
-    y: Floats
-    vx: Floats  # (M,) px/s, at the start
-    vy: Floats
-    ax: Floats  # (M,) px/s², at the start
-    ay: Floats
-    jx: Floats  # (M,) px/s³, constant
-    jy: Floats
-    hand: Floats  # (M,) 0 where the damping treats a dragged mass as being at rest, 1 elsewhere
-    radius: Floats  # (M,) px, of its circle; 0 where there is none
-    omega: Floats  # (M,) angular frequency, 1/s
-    ramp: Floats  # (M,) time constant, s
+    rows: Rows  # (M, 12), a `Lead` each
     scale: float  # of rest lengths at the start
     shift: float  # of rest angles at the start, degrees
     growth: float  # rate of the logarithm of the scale of rest lengths, 1/s
     turn: float  # rate of the rest angles, degrees/s
+
+
+class Lead(NamedTuple):
+    """How a held mass is led."""
+
+    x: float  # px, where it is at the start, without its circle
+    y: float
+    vx: float  # px/s, at the start
+    vy: float
+    ax: float  # px/s², at the start
+    ay: float
+    jx: float  # px/s³, constant
+    jy: float
+    hand: float  # 0 where the damping treats a dragged mass as being at rest, 1 elsewhere
+    radius: float  # px, of its circle; 0 where there is none
+    omega: float  # angular frequency, 1/s
+    ramp: float  # time constant, s
 
 
 class Run(Record):

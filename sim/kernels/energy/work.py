@@ -10,7 +10,7 @@ from ...forces.limits import yield_at
 from ...forces.muscles import power_of_muscles
 from ...forces.springs import spring_forces, spring_power_of_keys
 from ...forces.walls import gather_others, mark_quick, work_of_quick
-from ..core.drive import drive_to, hand_speed
+from ..core.drive import drive_to, hand_speed, lead_of
 from ..core.shared import accelerate
 from ..engine.jit import FAST, kernel
 from .dissipation import gather_dampers, taken_away
@@ -107,10 +107,10 @@ def _add_powers(problem, drive, t, h, q, v):
     for j in range(v.size):
         true[j] = v[j]
     for i in range(drive.mass.size):  # in `v`, the velocity of a mass that is led may be zero
-        m = drive.mass[i]
-        ux, uy = hand_speed(drive, i, t)
-        true[m] += (1.0 - drive.hand[i]) * ux
-        true[slots + m] += (1.0 - drive.hand[i]) * uy
+        m, lead = drive.mass[i], lead_of(drive, i)
+        ux, uy = hand_speed(lead, t - drive.start)
+        true[m] += (1.0 - lead.hand) * ux
+        true[slots + m] += (1.0 - lead.hand) * uy
     if body.limits.present:
         yield_at(body, state, q)
     if drive.mass.size > 0:

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...forces.chain import is_chain_like
-from ..core.drive import drive_to
+from ..core.drive import drive_to, lead_of
 from ..core.shared import accelerate
 from ..core.tables import SPARE
 from ..core.vectors import from_to
@@ -137,8 +137,9 @@ def first_step(integrator, drive, tolerance):
     """A first step, s: the time in which the accelerations move a mass by about the tolerance."""
     h = math.sqrt(tolerance / max(max_abs(integrator.a), 1e-9))
     for i in range(drive.mass.size):
-        if drive.radius[i] > 0.0:
-            h = min(h, 0.25 * drive.ramp[i])
+        lead = lead_of(drive, i)
+        if lead.radius > 0.0:
+            h = min(h, 0.25 * lead.ramp)
     return h
 
 
