@@ -23,6 +23,7 @@ from app.export.live.live import live_html
 from app.export.live.program import javascript_program
 from sim.settings import set_value
 from sim.store.files import list_scenes
+from tests.amount import NIGHT, part_of
 from tests.page.check import FOLDER, NODE
 from tests.sim.fuzzing import wild_scene, wild_world, with_muscles
 
@@ -97,8 +98,9 @@ def test_the_limit_of_the_step_is_that_of_the_solver() -> None:
 
 def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() -> None:
     """But for those that run away, and those in which the last digit of a coordinate grows to be seen."""
+    seeds = part_of(range(60), 5)  # of both methods, with muscles and without
     scenes = []
-    for seed in range(60):
+    for seed in seeds:
         rng = np.random.default_rng(seed)
         scene = wild_world(wild_scene(rng), rng)
         if seed % 3 == 0:
@@ -107,7 +109,7 @@ def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() 
         dt = max(1e-6, min(scene.integrator.dt, 2e-4))
         scenes.append(replace(scene, integrator=replace(scene.integrator, dt=dt)))
     compared = broke = 0
-    for seed, (scene, script) in enumerate(zip(scenes, by_script(scenes, 100), strict=True)):
+    for seed, scene, script in zip(seeds, scenes, by_script(scenes, 100), strict=True):
         simulation, shaken = moved(scene, 100), sim.Simulation(scene)
         moment = shaken.capture()
         noise = 1e-15 * np.random.default_rng(seed).normal(size=moment.rows.shape)
@@ -125,8 +127,8 @@ def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() 
         broke += bool(broken)
         if damage is not None and damage.set_lengths:
             assert script["setLength"] == pytest.approx(np.array(damage.set_lengths), abs=1e-9), seed
-    assert compared >= 40
-    assert broke >= 10
+    assert compared >= (40 if NIGHT else 4)
+    assert broke >= (10 if NIGHT else 1)
 
 
 def test_what_sticks_sticks_as_in_the_solver() -> None:
