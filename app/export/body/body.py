@@ -57,7 +57,7 @@ class Body:
         joints: (J, 2) linear springs of each joint.
         joint_stiffness, joint_damping, rest_angle: (J,) kg/s², kg/s, degrees.
         broken: (S,) whether a linear spring is broken.
-        walls: (W, 8) rows as in `sim.forces.walls`.
+        walls: (W, 12) rows as in `sim.forces.walls`.
         wind: of the mean wind, px/s.
         gusts: whether the wind has gusts.
         loops: gases and liquids.

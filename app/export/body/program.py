@@ -16,6 +16,7 @@ import numpy as np
 
 import sim
 from sim.errors import InputError
+from sim.forces.walls import WallRow
 from sim.methods.registry import METHODS
 from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import ForceLaw, Method, is_damageable, shown_name
@@ -32,6 +33,10 @@ _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ01234567
 """What is left of a user's text in a comment: nothing that could end the comment or mean anything in it."""
 
 _DIRECTIVE = re.compile(r" *# (?P<word>ifdef (?P<asked>\w+)|else|endif)")
+
+_HYSTERESIS, _GRIP = WallRow._fields.index("hysteresis"), WallRow._fields.index("tangential")
+"""Columns of a wall's row from which on only some programs need them: those of what a constant restitution
+loses, and those of tangential springs."""
 
 LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
 """The force laws that programs are written for."""
@@ -61,14 +66,6 @@ class Plan:
         if contact is not None and contact.distance > 0.0 and len(body.ends):
             lacks["contact_distance"] = "contact of bodies"
         check_law(body)
-        if any(wall.tangential_hardness > 0.0 for wall in body.scene.walls):
-            raise InputError(
-                "a program cannot do walls with tangential springs; set tangential_hardness to 0 to have one"
-            )
-        if any(wall.restitution == "constant" for wall in body.scene.walls):
-            raise InputError(
-                "a program cannot do walls with a constant restitution; make it viscous to have one"
-            )
         if lacks:
             raise InputError(
                 f"a program cannot do {' and '.join(lacks.values())}; set {' and '.join(lacks)} to 0 to have "
@@ -104,6 +101,9 @@ class Plan:
             "LOADS": bool(body.loads),
             "FILLINGS": bool(body.loops),
             "WALLS": len(body.walls) > 0,
+            "HYSTERESIS": bool(body.walls[:, _HYSTERESIS].any()),
+            "GRIPS": bool(body.walls[:, _GRIP].any()),
+            "GRIPPED": bool(self._gripped()),
             "CIRCLES": bool(body.circles),
             "STRETCHED": bool(body.spring_muscles),
             "BENT": bool(body.joint_muscles),
@@ -128,11 +128,17 @@ class Plan:
             springs.append(body.damping)
         if has["HAS_JOINT_DAMPING"]:
             joints.append(body.joint_damping)
-        columns = {"MASSES": masses, "SPRINGS": springs, "JOINTS": joints, "WALLS": [*body.walls.T[:8]]}
+        walls = [*body.walls.T[:_HYSTERESIS]]
+        if has["HAS_HYSTERESIS"]:
+            walls += [*body.walls.T[_HYSTERESIS:_GRIP]]
+        if has["HAS_GRIPS"]:
+            walls += [*body.walls.T[_GRIP:]]
+        columns = {"MASSES": masses, "SPRINGS": springs, "JOINTS": joints, "WALLS": walls}
         return {
             **{name: list(zip(*(c.tolist() for c in table), strict=True)) for name, table in columns.items()},
             "LOADS": [(mass, *map(float, force)) for mass, force in body.loads.items()],
             "RESISTED": self._resisted(),
+            "GRIPPED": self._gripped(),
             "CIRCLES": [
                 (mass, *place, circle.radius, circle.frequency, circle.ramp)
                 for mass, (circle, place) in body.circles.items()
@@ -146,6 +152,11 @@ class Plan:
                 for j, muscle in body.joint_muscles.items()
             ],
         }
+
+    def _gripped(self) -> list[tuple[float | int, ...]]:
+        """A row for each tangential spring between a wall and a mass: these, and its stretch, px."""
+        grips = self.body.moment.grips
+        return list(grips.walls) if grips is not None and self.body.walls[:, _GRIP].any() else []
 
     def _resisted(self) -> list[tuple[float | int, ...]]:
         """A row for each spring that a medium or the ground resists, with the weights that its ends bear."""

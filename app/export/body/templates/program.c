@@ -30,6 +30,7 @@
 #define GIVEN_FILLINGS { { 0 } }
 #define GIVEN_AROUND { 0 }
 #define GIVEN_WALLS { { 0 } }
+#define GIVEN_GRIPPED { { 0 } }
 #define GIVEN_CIRCLES { { 0 } }
 #define GIVEN_STRETCHED { { 0 } }
 #define GIVEN_BENT { { 0 } }
@@ -146,9 +147,32 @@ static const struct {
     double friction;
     double slip;      // slip speed, px/s
     double loss;      // how much harder masses are pushed that enter faster, s/px
+# ifdef HAS_HYSTERESIS
+    double hysteresis;  // how much harder they are pushed on the way in
+    double calm;        // from what speeds on, px^(-1/2)/s
+# endif
+# ifdef HAS_GRIPS
+    double grip;      // stiffness of tangential springs, by which friction holds, 1/s^2
+    double resist;    // damping of them, 1/s
+# endif
 } wall[] = GIVEN_WALLS;
 enum { WALLS = sizeof wall / sizeof *wall };
 
+# ifdef HAS_GRIPS
+static struct {
+    int holds;       // there is a tangential spring between this wall and this mass
+    double stretch;  // px
+    double place;    // where along the wall the mass was when it had this stretch, px
+} grip[WALLS][MASSES];
+# endif
+# ifdef HAS_GRIPPED
+static const struct {
+    int wall, mass;  // between which there is a tangential spring at the start
+    double stretch;  // px
+} gripped[] = GIVEN_GRIPPED;
+enum { GRIPPED = sizeof gripped / sizeof *gripped };
+
+# endif
 # endif
 # ifdef HAS_CIRCLES
 static const struct {
@@ -178,6 +202,72 @@ enum { STRETCHED = sizeof stretched / sizeof *stretched };
 static const Muscle bent[] = GIVEN_BENT;
 enum { BENT = sizeof bent / sizeof *bent };
 # endif
+
+# endif
+# ifdef HAS_GRIPS
+static double clamped(double value, double most) {
+    return fmin(fmax(value, -most), most);
+}
+
+// Where mass i is along wall k, px.
+static double place(int k, int i) {
+    return m[i].y * wall[k].nx - m[i].x * wall[k].ny;
+}
+
+// The stretch of the tangential spring between wall k and mass i, px.
+static double stretch(int k, int i) {
+    return grip[k][i].holds ? grip[k][i].stretch + place(k, i) - grip[k][i].place : 0.0;
+}
+
+// The stiffness of the tangential springs of wall k, softened so that a long step makes no energy.
+static double stiffness(int k) {
+    return wall[k].grip / pow(1.0 + pow(DT * DT * wall[k].grip, 4), 0.25);
+}
+
+# endif
+# ifdef HAS_WALLS
+// Whether mass i is inside wall k, and the push and the friction then, px/s^2. The push grows with
+// the square of the depth, softened so that a long step makes no energy.
+static int touches(int k, int i, double *push, double *rub) {
+    double nx = wall[k].nx, ny = wall[k].ny, hardness = wall[k].hardness;
+    double depth = (wall[k].x - m[i].x) * nx + (wall[k].y - m[i].y) * ny;
+    double out = m[i].vx * nx + m[i].vy * ny, along = m[i].vy * nx - m[i].vx * ny;
+    if (depth <= 0.0) return 0;
+    double elastic = hardness * depth * depth;
+    double power = pow(DT * (wall[k].loss * elastic + 4.0 * DT * hardness * depth), 4);
+    double gain = 1.0 - (wall[k].loss + 0.5 * DT / depth * power / (1.0 + power)) * out;
+# ifdef HAS_HYSTERESIS
+    double fast = pow(DT * wall[k].hysteresis * elastic, 4);
+    double slow = pow(pow(wall[k].calm * depth * sqrt(depth), 4) + fast, 0.25);
+    gain -= wall[k].hysteresis * tanh(out / (slow + 1e-300));
+# endif
+    *push = elastic * fmax(gain, 0.0) / pow(1.0 + power, 0.25);
+    double most = wall[k].friction * *push, slip = pow(pow(wall[k].slip, 4) + pow(DT * most, 4), 0.25);
+    *rub = most * tanh(along / slip);
+# ifdef HAS_GRIPS
+    if (wall[k].grip > 0.0) {
+        double resist = wall[k].resist / pow(1.0 + pow(2.0 * DT * wall[k].resist, 4), 0.25);
+        *rub = clamped(clamped(stiffness(k) * stretch(k, i), most) + resist * along, most);
+    }
+# endif
+    return 1;
+}
+
+# endif
+# ifdef HAS_GRIPS
+// After a step, notes the stretch of each tangential spring. What is more than friction bears has slid.
+static void stick(void) {
+    double push, rub;
+    for (int k = 0; k < WALLS; k++) {
+        if (wall[k].grip == 0.0) continue;
+        for (int i = 0; i < MASSES; i++) {
+            int holds = touches(k, i, &push, &rub);
+            if (holds) grip[k][i].stretch = clamped(stretch(k, i), wall[k].friction * push / stiffness(k));
+            grip[k][i].place = place(k, i);
+            grip[k][i].holds = holds;
+        }
+    }
+}
 
 # endif
 static void accelerate(void) {
@@ -310,19 +400,10 @@ static void accelerate(void) {
         ax[i] += GRAVITY_X, ay[i] += GRAVITY_Y;
 # endif
 # ifdef HAS_WALLS
-        // Walls push with the square of the depth, softened so that a long step makes no energy.
         for (int k = 0; k < WALLS; k++) {
-            double nx = wall[k].nx, ny = wall[k].ny, rough = wall[k].friction;
-            double depth = (wall[k].x - m[i].x) * nx + (wall[k].y - m[i].y) * ny;
-            double out = m[i].vx * nx + m[i].vy * ny, along = m[i].vy * nx - m[i].vx * ny;
-            if (depth <= 0.0) continue;
-            double push = wall[k].hardness * depth * depth;
-            double power = pow(DT * (wall[k].loss * push + 4.0 * DT * wall[k].hardness * depth), 4);
-            double loss = wall[k].loss + 0.5 * DT / depth * power / (1.0 + power);
-            push *= fmax(1.0 - loss * out, 0.0) / pow(1.0 + power, 0.25);
-            double slip = pow(pow(wall[k].slip, 4) + pow(DT * rough * push, 4), 0.25);
-            double rub = rough * push * tanh(along / slip);
-            ax[i] += push * nx + rub * ny, ay[i] += push * ny - rub * nx;
+            double push, rub;
+            if (!touches(k, i, &push, &rub)) continue;
+            ax[i] += push * wall[k].nx + rub * wall[k].ny, ay[i] += push * wall[k].ny - rub * wall[k].nx;
         }
 # endif
     }
@@ -389,10 +470,19 @@ static void step(void) {
 # ifdef HAS_CIRCLES
     lead(t);
 # endif
+# ifdef HAS_GRIPS
+    stick();
+# endif
 }
 
 int main(int count, char **words) {
     long steps = count > 1 ? atol(words[1]) : GIVEN_STEPS;
+# ifdef HAS_GRIPPED
+    for (int g = 0; g < GRIPPED; g++) {
+        int k = gripped[g].wall, i = gripped[g].mass;
+        grip[k][i].holds = 1, grip[k][i].stretch = gripped[g].stretch, grip[k][i].place = place(k, i);
+    }
+# endif
     for (long i = 0; i < steps; i++) step();
     for (int i = 0; i < MASSES; i++) printf("%.17g %.17g\n", m[i].x, m[i].y);
     return 0;

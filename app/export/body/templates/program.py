@@ -15,7 +15,8 @@ GIVEN_JOINTS = [(0, 0, 1.0, 1.0, 0.0, 0.0)]
 GIVEN_LOADS = [(0, 0.0, 0.0)]
 GIVEN_RESISTED = [(0, 1000.0, 1000.0)]
 GIVEN_FILLINGS = [(True, 1.0, 1.0, 1.0, [0])]
-GIVEN_WALLS = [(0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 1.0, 0.0)]
+GIVEN_WALLS = [(0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 1.0, 0.0, 0.5, 1.0, 1.0, 1.0)]
+GIVEN_GRIPPED = [(0, 0, 0.0)]
 GIVEN_CIRCLES = [(0, 0.0, 0.0, 1.0, 1.0, 1.0)]
 GIVEN_STRETCHED = [(0, 1.0, 0.1, 1.0, 0.0, 0)]
 GIVEN_BENT = [(0, 0.0, 0.1, 1.0, 0.0, 0)]
@@ -92,7 +93,24 @@ FILLINGS = GIVEN_FILLINGS
 # ifdef HAS_WALLS
 # Of each wall: a point and the unit vector to the free side, hardness (1/(px s^2)), friction, slip speed
 # (px/s), and how much harder masses are pushed that enter faster (s/px).
+# ifdef HAS_HYSTERESIS
+# Then how much harder they are pushed on the way in, and from what speeds on (px^(-1/2)/s).
+# endif
+# ifdef HAS_GRIPS
+# At the end, the stiffness and damping of the tangential springs by which friction holds (1/s^2, 1/s).
+# endif
 WALLS = GIVEN_WALLS
+# ifdef HAS_GRIPS
+# Of the tangential spring between each wall and each mass, its stretch, and where along the wall the mass was
+# when it had that stretch (px); NaN where there is none.
+STRETCH = np.zeros((len(WALLS), len(MASSES)))
+PLACE = np.full((len(WALLS), len(MASSES)), np.nan)
+# endif
+
+# endif
+# ifdef HAS_GRIPPED
+# A row for each tangential spring at the start: wall, mass, and stretch (px).
+GRIPPED = GIVEN_GRIPPED
 
 # endif
 # ifdef HAS_CIRCLES
@@ -115,6 +133,62 @@ BENT = np.array(GIVEN_BENT)
 # endif
 
 
+# ifdef HAS_GRIPS
+def softened(stiffness):
+    """The stiffness of tangential springs (1/s^2), so that a long step makes no energy."""
+    return stiffness / (1.0 + (DT * DT * stiffness) ** 4) ** 0.25
+
+
+def stretches(k, x):
+    """Of the tangential springs between a wall and each mass (px), and where along it the masses are (px)."""
+    nx, ny = WALLS[k][2:4]
+    place = x[:, 1] * nx - x[:, 0] * ny
+    return np.where(np.isnan(PLACE[k]), 0.0, STRETCH[k] + place - PLACE[k]), place
+
+
+# endif
+# ifdef HAS_WALLS
+def touch(k, x, v):
+    """How deep masses are inside a wall (px), and its push and friction (px/s^2).
+
+    The push grows with the square of the depth, softened so that a long step makes no energy.
+    """
+    px, py, nx, ny, hardness, friction, slip, loss = WALLS[k][:8]
+    depth = np.maximum((px - x[:, 0]) * nx + (py - x[:, 1]) * ny, 0.0)
+    out, along = v[:, 0] * nx + v[:, 1] * ny, v[:, 1] * nx - v[:, 0] * ny
+    power = (DT * (loss * hardness * depth**2 + 4.0 * DT * hardness * depth)) ** 4
+    gain = 1.0 - (loss + 0.5 * DT / np.maximum(depth, 1e-300) * power / (1.0 + power)) * out
+    # ifdef HAS_HYSTERESIS
+    hysteresis, calm = WALLS[k][8:10]
+    slow = ((calm * depth**1.5) ** 4 + (DT * hysteresis * hardness * depth**2) ** 4) ** 0.25
+    gain -= hysteresis * np.tanh(out / np.maximum(slow, 1e-300))
+    # endif
+    push = hardness * depth**2 * np.maximum(gain, 0.0) / (1.0 + power) ** 0.25
+    most = friction * push
+    rub = most * np.tanh(along / (slip**4 + (DT * most) ** 4) ** 0.25)
+    # ifdef HAS_GRIPS
+    stiffness, damping = WALLS[k][-2:]
+    if stiffness > 0.0:
+        resist = damping / (1.0 + (2.0 * DT * damping) ** 4) ** 0.25
+        held = np.clip(softened(stiffness) * stretches(k, x)[0], -most, most)
+        rub = np.clip(held + resist * along, -most, most)
+    # endif
+    return depth, push, rub
+
+
+# endif
+# ifdef HAS_GRIPS
+def stick(x, v):
+    """After a step, note the stretch of each tangential spring. What is more than friction bears has slid."""
+    for k, wall in enumerate(WALLS):
+        if wall[-2] > 0.0:
+            depth, push, _ = touch(k, x, v)
+            stretch, place = stretches(k, x)
+            most = wall[5] * push / softened(wall[-2])
+            STRETCH[k], PLACE[k] = np.clip(stretch, -most, most), np.where(depth > 0.0, place, np.nan)
+
+
+# endif
 def accelerations(x, v):
     """Of all masses, px/s^2."""
     force = np.zeros_like(x)
@@ -217,16 +291,8 @@ def accelerations(x, v):
     a += GRAVITY
     # endif
     # ifdef HAS_WALLS
-    # Walls push with the square of the depth, softened so that a long step makes no energy.
-    for px, py, nx, ny, hardness, friction, slip, loss in WALLS:
-        depth = np.maximum((px - x[:, 0]) * nx + (py - x[:, 1]) * ny, 0.0)
-        out, along = v[:, 0] * nx + v[:, 1] * ny, v[:, 1] * nx - v[:, 0] * ny
-        power = (DT * (loss * hardness * depth**2 + 4.0 * DT * hardness * depth)) ** 4
-        more = 0.5 * DT / np.maximum(depth, 1e-300) * power / (1.0 + power)
-        push = hardness * depth**2 * np.maximum(1.0 - (loss + more) * out, 0.0)
-        push /= (1.0 + power) ** 0.25
-        slips = (slip**4 + (DT * friction * push) ** 4) ** 0.25
-        rub = friction * push * np.tanh(along / slips)
+    for k, (_, _, nx, ny, *_) in enumerate(WALLS):
+        _, push, rub = touch(k, x, v)
         a += np.stack((push * nx + rub * ny, push * ny - rub * nx), 1)
     # endif
     # ifdef HAS_HELD
@@ -281,10 +347,17 @@ def step(x, v, t):
     # ifdef HAS_CIRCLES
     lead(x, v, t + DT)  # the step has moved them
     # endif
+    # ifdef HAS_GRIPS
+    stick(x, v)
+    # endif
 
 
 if __name__ == "__main__":
     x, v = MASSES[:, 0:2].copy(), MASSES[:, 2:4].copy()
+    # ifdef HAS_GRIPPED
+    for wall, mass, stretch in GRIPPED:
+        STRETCH[wall, mass], PLACE[wall, mass] = stretch, stretches(wall, x)[1][mass]
+    # endif
     steps = int(sys.argv[1]) if len(sys.argv) > 1 else GIVEN_STEPS
     for i in range(steps):
         step(x, v, GIVEN_START + i * DT)
