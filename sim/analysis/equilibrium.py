@@ -240,7 +240,7 @@ class Resting:
     def solve(self, b: Floats) -> Floats:
         """The solution with the last factors."""
         x = b.copy()
-        solve_matrix(self.tables, self.matrix, x)
+        solve_matrix(self.tables, self.state, self.matrix, x)
         return x
 
     def vectors(self, q: Floats) -> tuple[Floats, Floats]:

@@ -16,6 +16,7 @@ from ..forces.joints import LAWS, NO_JOINTS
 from ..forces.limits import NO_LIMITS, new_limits, without_broken
 from ..forces.muscles import NO_MUSCLES, new_muscles, waves
 from ..forces.nets import NO_NET, new_net, order_in_runs
+from ..forces.sticking import room_in_scratch, room_in_state, sticks
 from ..forces.term import read_only
 from ..kernels.core.roots import LEAST
 from ..kernels.core.tables import (
@@ -45,8 +46,13 @@ _ENDLESS = 1e30
 _BEHIND_RUNS = 7
 """Number of springs and joints behind the last one that loops over a run read."""
 
-_VECTORS = [name for name, field in Scratch.fields.items() if field.dimensions == 1]
-"""The fields of `Scratch` that are vectors."""
+
+def _vectors(table: type[Table]) -> list[str]:
+    """The fields of a table that are vectors of floats."""
+    return [name for name, field in table.fields.items() if field.dimensions == 1 and field.dtype == float]
+
+
+_STATE_VECTORS, _SCRATCH_VECTORS = _vectors(State), _vectors(Scratch)
 
 
 @dataclass(frozen=True)
@@ -242,7 +248,7 @@ class _Layout(Generic[_Arrays]):
 
     Args:
         kind: of the table; all of its fields are arrays.
-        sizes: of each field, as of `slab`.
+        sizes: of each field that lies there, as of `slab`; other arrays are empty.
         page_offset: likewise.
     """
 
@@ -281,7 +287,7 @@ def new_state(system: System) -> State:
     layout = _layout_of_state(slots_of(body), body.stiffness.size, body.torque_size.size, springs, joints)
     state = layout.made()
     state.controls[0] = 1.0
-    return state
+    return state.replaced(**room_in_state(body, state.slots)) if sticks(body) else state
 
 
 @lru_cache(maxsize=16)
@@ -303,7 +309,7 @@ def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: 
         "trial_angle": (joints, 0),
         "broken": (springs, 0),
     }
-    return _Layout(State, {field: sizes.get(field, (slots, 1)) for field in State.fields}, page_offset=0)
+    return _Layout(State, {field: sizes.get(field, (slots, 1)) for field in _STATE_VECTORS}, page_offset=0)
 
 
 def rest_lengths(body: Body, state: State) -> Floats:
@@ -346,20 +352,21 @@ def new_scratch(system: System) -> Scratch:
     """Scratch arrays for the system."""
     room = max(system.body.stiffness.size, system.body.joints) + 3
     scratch, net = _layout_of_scratch(room).made(), system.body.net
-    if not net.present:
-        return scratch
-    return scratch.replaced(
-        spring_rows=np.zeros((2, net.springs.room)),
-        joint_rows=np.zeros((3, net.joints.room)),
-        vectors=np.zeros((3, 2 * net.gap + room)),
-    )
+    if net.present:
+        scratch = scratch.replaced(
+            spring_rows=np.zeros((2, net.springs.room)),
+            joint_rows=np.zeros((3, net.joints.room)),
+            vectors=np.zeros((3, 2 * net.gap + room)),
+        )
+    return scratch.replaced(**room_in_scratch(system.body)) if sticks(system.body) else scratch
 
 
 @lru_cache(maxsize=16)
 def _layout_of_scratch(room: int) -> _Layout[Scratch]:
     first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # where loops over springs and masses start
+    sizes = {field: (room, first.get(field, 0)) for field in _SCRATCH_VECTORS}
     # An offset behind that of the arrays of a short chain's `State`.
-    return _Layout(Scratch, {field: (room, first.get(field, 0)) for field in _VECTORS}, page_offset=2560)
+    return _Layout(Scratch, sizes, page_offset=2560)
 
 
 class _Wiring(NamedTuple):

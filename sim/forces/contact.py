@@ -34,7 +34,7 @@ def _add_forces(body, state, scratch, q, v):
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
         for p in range(first, behind):
-            touches, pair = pair_at(body, state.inverse_mass, s, contact.member[p], q, v)
+            touches, pair = pair_at(body, state, state.inverse_mass, s, contact.member[p], q, v)
             if touches:
                 fx = pair.push * pair.nx + pair.friction * pair.ny
                 fy = pair.push * pair.ny - pair.friction * pair.nx
@@ -87,16 +87,17 @@ def energy_along_spring(body, state, q, s):
     if contact.tangential > 0.0:
         first, behind = pairs_of(body, s)
         for p in range(first, behind):
-            touches, pair = pair_at(body, state.inverse_mass, s, contact.member[p], q, state.v)
+            touches, pair = pair_at(body, state, state.inverse_mass, s, contact.member[p], q, state.v)
             if touches:
                 energy += 0.5 * pair.tangential * pair.stretch * pair.stretch
     return energy
 
 
 @kernel(internal=True, fastmath=FUSED)
-def stick_to_springs(body, state, q, v):
+def stick_to_springs(body, state, scratch, q, v):
     """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`."""
     contact, slots, count = body.environment.contact, q.size // 2, 0
+    masses, stretches = scratch.next_mass, scratch.next_stretch
     if not (contact.present and contact.tangential > 0.0):
         return
     update_pairs(body, q[:slots], q[slots:])
@@ -104,23 +105,23 @@ def stick_to_springs(body, state, q, v):
         first, behind = pairs_of(body, s)
         start = count
         for p in range(first, behind):
-            touches, pair = pair_at(body, state.inverse_mass, s, contact.member[p], q, v)
-            if touches and count < contact.next_mass.size:
+            touches, pair = pair_at(body, state, state.inverse_mass, s, contact.member[p], q, v)
+            if touches and count < masses.size:
                 most = (
                     friction_on(contact, pair.ex * pair.ex + pair.ey * pair.ey) * pair.push / pair.tangential
                 )
                 ahead, beside = direction_of(pair)
-                contact.next_mass[count] = pair.m
-                contact.next_held[count, 0] = min(max(pair.stretch, -most), most)
-                contact.next_held[count, 1] = pair.t
-                contact.next_held[count, 2], contact.next_held[count, 3] = ahead, beside
+                masses[count] = pair.m
+                stretches[count, 0] = min(max(pair.stretch, -most), most)
+                stretches[count, 1] = pair.t
+                stretches[count, 2], stretches[count, 3] = ahead, beside
                 count += 1
-        contact.held_start[s] = start  # no later spring needs what it was
-    contact.held_start[body.springs] = count
+        state.contact_start[s] = start  # no later spring needs what it was
+    state.contact_start[body.springs] = count
     for k in range(count):
-        contact.held_mass[k] = contact.next_mass[k]
+        state.contact_mass[k] = masses[k]
         for i in range(4):
-            contact.held[k, i] = contact.next_held[k, i]
+            state.contact_stretch[k, i] = stretches[k, i]
 
 
 @kernel(internal=True, fastmath=FUSED)
@@ -133,7 +134,7 @@ def _add_power(body, state, balance, q, v, part):
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
         for p in range(first, behind):
-            touches, pair = pair_at(body, state.inverse_mass, s, contact.member[p], q, v)
+            touches, pair = pair_at(body, state, state.inverse_mass, s, contact.member[p], q, v)
             if touches:
                 power += (pair.push - pair.elastic) * pair.speed - pair.friction * pair.along
     balance.work.walls += part * power
@@ -275,7 +276,7 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
         bb, ba = 4 * targets[4 * s], 4 * targets[4 * s + 1]
         ab, aa = 4 * targets[4 * s + 2], 4 * targets[4 * s + 3]
         for p in range(first, behind):
-            touches, pair = pair_at(body, state.inverse_mass, s, contact.member[p], q, v)
+            touches, pair = pair_at(body, state, state.inverse_mass, s, contact.member[p], q, v)
             if touches:
                 count += 1
                 t, u, mm = pair.t, 1.0 - pair.t, 4 * matrix.of_mass[pair.m]
@@ -296,7 +297,7 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
 
 
 @kernel(internal=True, fastmath=FUSED)
-def add_coupling(body, matrix, z, out):
+def add_coupling(body, state, matrix, z, out):
     """out += R z, with the blocks of a I - g Jv - Jx that join masses to springs, of the last factors."""
     contact, slots = body.environment.contact, z.size // 2
     q, v, w = matrix.touched[0], matrix.touched[1], matrix.touched[2]
@@ -305,7 +306,7 @@ def add_coupling(body, matrix, z, out):
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
         for p in range(first, behind):
-            touches, pair = pair_at(body, w, s, contact.member[p], q, v)
+            touches, pair = pair_at(body, state, w, s, contact.member[p], q, v)
             if touches:
                 m, a, b, t, u = pair.m, pair.a, pair.b, pair.t, 1.0 - pair.t
                 ax, ay, bx, by = z[a], z[slots + a], z[b], z[slots + b]
@@ -325,7 +326,7 @@ def _add_damping(body, state, q, v, z, factor, out):
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
         for p in range(first, behind):
-            touches, pair = pair_at(body, w, s, contact.member[p], q, v)
+            touches, pair = pair_at(body, state, w, s, contact.member[p], q, v)
             if touches:
                 m, a, b, t = pair.m, pair.a, pair.b, pair.t
                 ex, ey = z[b] - z[a], z[slots + b] - z[slots + a]
@@ -403,7 +404,7 @@ class ContactTwin:
 
     def __init__(self, body: Body, state: State) -> None:
         self._contact, self._step = body.environment.contact, body.environment.step
-        self._inverse_mass, self._ends = state.inverse_mass, np.stack((body.spring_a, body.spring_b), 1)
+        self._state, self._ends = state, np.stack((body.spring_a, body.spring_b), 1)
         self._masses = np.arange(1, body.masses + 1)
         self._at = np.full(state.inverse_mass.size, np.inf + 0j)
         self._pairs = np.zeros((4, 0), np.int64)
@@ -430,7 +431,7 @@ class ContactTwin:
         arm = 1j * spring * abs(gap) / square
         rate = (v[m] - v[a] - t * turning) * normal.conjugate()
         speed = rate - 1j * (turning * arm.conjugate()).real
-        free, tangent = self._inverse_mass, 1j * normal
+        free, tangent = self._state.inverse_mass, 1j * normal
         mobility = free[m] + (1.0 - t) ** 2 * free[a] + t**2 * free[b]
         mobility_along = (
             free[m] + free[a] * abs(arm - (1.0 - t) * tangent) ** 2 + free[b] * abs(arm + t * tangent) ** 2
@@ -448,15 +449,15 @@ class ContactTwin:
 
     def _stretches(self, pairs: NDArray[np.int64], t: Floats, gap: Vectors, spring: Vectors) -> Floats:
         """(k,) px, of tangential springs; 0 for pairs that have none yet."""
-        contact, stretch = self._contact, np.zeros(t.size)
-        if not contact.tangential or not t.size:
+        state, stretch = self._state, np.zeros(t.size)
+        if not self._contact.tangential or not t.size:
             return stretch
-        of_spring = np.repeat(np.arange(len(self._ends)), np.diff(contact.held_start))
-        known = of_spring * self._at.size + contact.held_mass[: of_spring.size]  # in ascending order
+        of_spring = np.repeat(np.arange(len(self._ends)), np.diff(state.contact_start))
+        known = of_spring * self._at.size + state.contact_mass[: of_spring.size]  # in ascending order
         keys = pairs[0] * self._at.size + pairs[1]
         k = np.searchsorted(known, keys)
         found = np.append(known, -1)[k] == keys
-        was, way = contact.held[k[found]], direction(gap, spring)[found]
+        was, way = state.contact_stretch[k[found]], direction(gap, spring)[found]
         # The sine of the angle by which n has turned relative to the spring, and the way along the spring.
         turned = ((was[:, 2] - 1j * was[:, 3]) * way).imag
         moved = np.copysign(abs(spring[found]), way.imag) * (t[found] - was[:, 1])
@@ -465,15 +466,15 @@ class ContactTwin:
 
     def stick(self, x: Vectors, v: Vectors) -> None:
         """`stick_to_springs`."""
-        contact = self._contact
+        contact, state = self._contact, self._state
         if not (contact.present and contact.tangential):
             return
         (s, m, a, b), t, normal, _, _, _, stretch, (stiffness, most) = self._pushed(x, v)
-        order = np.lexsort((m, s))[: contact.held_mass.size]
+        order = np.lexsort((m, s))[: state.contact_mass.size]
         way, bound = direction(normal, x[b] - x[a]), most / stiffness
         kept = np.stack((np.clip(stretch, -bound, bound), t, way.real, way.imag), 1)
-        contact.held_start[:] = np.searchsorted(s[order], np.arange(len(self._ends) + 1))
-        contact.held_mass[: order.size], contact.held[: order.size] = m[order], kept[order]
+        state.contact_start[:] = np.searchsorted(s[order], np.arange(len(self._ends) + 1))
+        state.contact_mass[: order.size], state.contact_stretch[: order.size] = m[order], kept[order]
 
     def energy(self, x: Vectors) -> float:
         """See `Twin`."""

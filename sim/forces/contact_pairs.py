@@ -30,7 +30,7 @@ import numpy as np
 
 from ..kernels.core.tables import padded
 from ..kernels.engine.jit import FUSED, kernel
-from ..kernels.engine.table import Floats, Indices, Rows, Table
+from ..kernels.engine.table import Floats, Indices, Table
 from ..near import near_pairs
 from ..scene.columns import column
 from ..scene.types import Scene
@@ -43,10 +43,10 @@ _MARGIN = 0.5
 """Margin of the list of pairs, as a fraction of the distance of contact or of a typical spring's length."""
 _TYPICAL = 1.5
 """Mobility of a pair, in those of the median mass, by which it is damped: that in the middle of a spring."""
-_HELD_ROOM = 8
-"""Room for tangential springs, likewise. Pairs that find none do without."""
 _ROOM = 64
 """Room in the list, in masses for each spring. If it does not suffice, finding pairs takes longer."""
+TANGENTIAL_ROOM = 8
+"""Room for tangential springs, likewise. Pairs that find none do without."""
 
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
@@ -54,7 +54,8 @@ class Contacts(Table):
     """S springs, B buckets. The arrays from `number` on change while a body moves; the others are read-only.
 
     The pairs that may touch are listed spring by spring, with the masses of each in ascending order. So sums
-    over them do not depend, even by rounding, on where the masses were when the list was made.
+    over them do not depend, even by rounding, on where the masses were when the list was made. The list is no
+    part of the state: it only saves finding again what follows from positions.
     """
 
     present: bool
@@ -72,12 +73,6 @@ class Contacts(Table):
     apart_start: Indices  # (S + 1,) where the masses of each spring start in `apart`
     apart: Indices  # slots of the masses that never touch a spring, ascending
     broken: Floats  # (S,) 1 for a spring that is broken and touches nothing any more, else 0
-    # What tangential springs remember, in the order of the list; a second copy is what the next is made in.
-    held_start: Indices  # (S + 1,) where those of each spring start
-    held_mass: Indices  # slots of masses
-    held: Rows  # (n, 4) stretch, px; t; n . e / |e|; e x n / |e|
-    next_mass: Indices
-    next_held: Rows
     # The list
     number: Floats  # (1,) the margin with which it was made, px; negative if there is none
     crowded: Indices  # (1,) 1 if it has no room for all pairs: those of a spring are then found when needed
@@ -119,7 +114,6 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
     damping, hysteresis, calm = lost
     tangential, resisting = tangential_spring(contact.tangential_stiffness, mobility)
     margin = max(_MARGIN * max(distance, float(np.median(np.abs(x[ends[:, 1]] - x[ends[:, 0]])))), 1e-3)
-    room = _HELD_ROOM * springs if contact.tangential_stiffness > 0.0 else 0
     pairs = _apart(x, np.sort(mass_index), ends, _APART * distance)
     return Contacts(
         present=True,
@@ -132,11 +126,6 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
         calm=calm,
         tangential=tangential,
         resisting=resisting,
-        held_start=np.zeros(springs + 1, np.int64),
-        held_mass=np.zeros(room, np.int64),
-        held=np.zeros((room, 4)),
-        next_mass=np.zeros(room, np.int64),
-        next_held=np.zeros((room, 4)),
         margin=margin,
         cell=2.0 * (distance + margin),
         apart_start=np.searchsorted(pairs[0], np.arange(springs + 1)),
@@ -208,10 +197,11 @@ class Pair(NamedTuple):
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def pair_at(body, w, s, m, q, v):
+def pair_at(body, state, w, s, m, q, v):
     """(whether mass m touches spring s, the pair that they are; of no meaning where they do not touch).
 
-    `w`: (slots,) inverse masses, 1/kg, which matter for explicit methods with a fixed step only.
+    Of the state, only tangential springs matter here. `w`: (slots,) inverse masses, 1/kg, which matter for
+    explicit methods with a fixed step only.
     """
     contact, h, slots = body.environment.contact, body.environment.step, q.size // 2
     a, b = body.spring_a[s], body.spring_b[s]
@@ -241,7 +231,7 @@ def pair_at(body, w, s, m, q, v):
         )
     gripped, stretch, tangential = False, 0.0, contact.tangential
     if tangential > 0.0:
-        gripped, stretch = _stretch_of(contact, s, m, (t, r, nx, ny, ex, ey, per_square))
+        gripped, stretch = _stretch_of(state, s, m, (t, r, nx, ny, ex, ey, per_square))
         tangential, _ = softened((contact.tangential, contact.resisting), h, mobility_along)
     push, friction, elastic = push_and_friction(
         contact.stiffness, lost_in(contact),
@@ -255,22 +245,23 @@ def pair_at(body, w, s, m, q, v):
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def _stretch_of(contact, s, m, where):
+def _stretch_of(state, s, m, where):
     """(whether the pair of spring s and mass m has a tangential spring, its stretch, px).
 
     `where`: t, r, n.x, n.y, e.x, e.y, 1 / |e|² of the pair.
     """
     t, r, nx, ny, ex, ey, per_square = where
-    for k in range(contact.held_start[s], contact.held_start[s + 1]):
-        if contact.held_mass[k] == m:
+    kept = state.contact_stretch
+    for k in range(state.contact_start[s], state.contact_start[s + 1]):
+        if state.contact_mass[k] == m:
             length = math.sqrt(ex * ex + ey * ey)
             ahead, beside = (
                 (nx * ex + ny * ey) * (length * per_square),
                 (ex * ny - ey * nx) * (length * per_square),
             )
-            turned = contact.held[k, 2] * beside - contact.held[k, 3] * ahead
-            way = r * turned - math.copysign(length, beside) * (t - contact.held[k, 1])
-            return True, contact.held[k, 0] + way
+            turned = kept[k, 2] * beside - kept[k, 3] * ahead
+            way = r * turned - math.copysign(length, beside) * (t - kept[k, 1])
+            return True, kept[k, 0] + way
     return False, 0.0
 
 

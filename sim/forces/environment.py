@@ -48,7 +48,7 @@ def new_environment(
         mass=mass,
         air=new_air(scene),
         resistance=new_resistance(scene, ends, mass),
-        walls=new_walls(scene, slots),
+        walls=new_walls(scene),
         fillings=new_fillings(scene, mass_index),
         contact=new_contacts(scene, mass_index, ends, slots),
     )

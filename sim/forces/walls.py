@@ -37,12 +37,10 @@ _QUICKLY = 4.0
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
 class Walls(Table):
-    """W walls. What tangential springs remember changes while a body moves; the rows are read-only."""
+    """W walls."""
 
     rows: Rows  # (W, 12), a `WallRow` each
-    # Of the tangential spring between each wall and each mass; (W, 0) where no wall has any.
-    stretch: Rows  # (W, slots) px, at the end of the last step
-    place: Rows  # (W, slots) where along the wall the mass was then, px; `NOWHERE` if it was not inside
+    tangential: bool  # any wall has tangential springs
 
 
 class WallRow(NamedTuple):
@@ -63,22 +61,17 @@ class WallRow(NamedTuple):
 
 
 NOWHERE = 1e300
-"""The place along a wall of a mass that has no tangential spring there."""
+"""In `State.wall_place`, the place of a mass that has no tangential spring there."""
 
-_NO_WALLS = read_only(
-    Walls(rows=np.zeros((0, len(WallRow._fields))), stretch=np.zeros((0, 0)), place=np.zeros((0, 0)))
-)
+_NO_WALLS = read_only(Walls(rows=np.zeros((0, len(WallRow._fields))), tangential=False))
 
 
-def new_walls(scene: Scene, slots: int) -> Walls:
-    """The table of a valid scene, for states with so many slots."""
+def new_walls(scene: Scene) -> Walls:
+    """The table of a valid scene."""
     if not scene.walls:
         return _NO_WALLS
     rows = np.array([_row(wall) for wall in scene.walls], float).reshape(-1, len(WallRow._fields))
-    rows.setflags(write=False)
-    width = slots if any(wall.tangential_hardness for wall in scene.walls) else 0
-    stretch, place = np.zeros((len(rows), width)), np.full((len(rows), width), NOWHERE)
-    return Walls(rows=rows, stretch=stretch, place=place)
+    return read_only(Walls(rows=rows, tangential=any(wall.tangential_hardness for wall in scene.walls)))
 
 
 def _row(wall: Wall) -> WallRow:
@@ -115,13 +108,12 @@ def _depth_in(wall, x, y):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _stretch_at(body, wall, k, i, x, y):
+def _stretch_at(state, wall, k, i, x, y):
     """The stretch of the tangential spring between the k-th wall and mass i at (x, y), px; 0 without one."""
     if wall.tangential == 0.0:
         return 0.0
-    walls = body.environment.walls
-    place = walls.place[k, i]
-    return walls.stretch[k, i] + (y * wall.nx - x * wall.ny - place) if place < NOWHERE else 0.0
+    place = state.wall_place[k, i]
+    return state.wall_stretch[k, i] + (y * wall.nx - x * wall.ny - place) if place < NOWHERE else 0.0
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -153,7 +145,7 @@ def _add_forces(body, state, scratch, q, v):
         for i in range(1, body.masses + 1):
             depth = _depth_in(wall, q[i], q[slots + i])
             if depth > 0.0 and free[i] > 0.0:
-                stretch = _stretch_at(body, wall, k, i, q[i], q[slots + i])
+                stretch = _stretch_at(state, wall, k, i, q[i], q[slots + i])
                 push, friction, _, _ = _wall_push(wall, environment.step, depth, v[i], v[slots + i], stretch)
                 fx[i] += environment.mass[i] * (push * wall.nx + friction * wall.ny)
                 fy[i] += environment.mass[i] * (push * wall.ny - friction * wall.nx)
@@ -182,7 +174,7 @@ def energy_along_walls(body, state, q):
             stiffness, _ = softened(_spring(wall), environment.step, 1.0)
             for i in range(1, body.masses + 1):
                 if _depth_in(wall, q[i], q[slots + i]) > 0.0 and state.inverse_mass[i] > 0.0:
-                    stretch = _stretch_at(body, wall, k, i, q[i], q[slots + i])
+                    stretch = _stretch_at(state, wall, k, i, q[i], q[slots + i])
                     energy += 0.5 * environment.mass[i] * stiffness * stretch * stretch
     return energy
 
@@ -190,8 +182,8 @@ def energy_along_walls(body, state, q):
 @kernel(fastmath=FAST)
 def stick_to_walls(body, state, q, v):
     """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`."""
-    walls, h, slots = body.environment.walls, body.environment.step, q.size // 2
-    for k in range(walls.rows.shape[0]):
+    rows, h, slots = body.environment.walls.rows, body.environment.step, q.size // 2
+    for k in range(rows.shape[0]):
         wall = _wall(body, k)
         if wall.tangential > 0.0:
             stiffness, _ = softened(_spring(wall), h, 1.0)
@@ -199,13 +191,13 @@ def stick_to_walls(body, state, q, v):
                 x, y = q[i], q[slots + i]
                 depth = _depth_in(wall, x, y)
                 if depth > 0.0 and state.inverse_mass[i] > 0.0:
-                    stretch = _stretch_at(body, wall, k, i, x, y)
+                    stretch = _stretch_at(state, wall, k, i, x, y)
                     push, _, _, _ = _wall_push(wall, h, depth, v[i], v[slots + i], stretch)
                     most = wall.friction * push / stiffness
-                    walls.stretch[k, i] = min(max(stretch, -most), most)
-                    walls.place[k, i] = y * wall.nx - x * wall.ny
+                    state.wall_stretch[k, i] = min(max(stretch, -most), most)
+                    state.wall_place[k, i] = y * wall.nx - x * wall.ny
                 else:
-                    walls.stretch[k, i], walls.place[k, i] = 0.0, NOWHERE
+                    state.wall_stretch[k, i], state.wall_place[k, i] = 0.0, NOWHERE
 
 
 # ------------------------------------------------------------------------- the balance
@@ -220,7 +212,7 @@ def _add_power(body, state, balance, q, v, part):
             depth = _depth_in(wall, q[i], q[slots + i])
             if depth > 0.0 and state.inverse_mass[i] > 0.0:
                 vx, vy = v[i], v[slots + i]
-                stretch = _stretch_at(body, wall, k, i, q[i], q[slots + i])
+                stretch = _stretch_at(state, wall, k, i, q[i], q[slots + i])
                 push, friction, elastic, along = _wall_push(wall, environment.step, depth, vx, vy, stretch)
                 rubbing = friction * along if quick.shape[0] == 0 or quick[k, i] == 0.0 else 0.0
                 power += environment.mass[i] * ((push - elastic) * (vx * wall.nx + vy * wall.ny) - rubbing)
@@ -253,7 +245,7 @@ def mark_quick(body, inverse_mass, q0, q1, h, quick):
 
 
 @kernel(fastmath=FAST)
-def gather_others(body, q, v, a, part, quick):
+def gather_others(body, state, q, v, a, part, quick):
     """Add, weighted by `part`, the power along each wall of all forces but its friction, kg px²/s³.
 
     Args:
@@ -269,7 +261,7 @@ def gather_others(body, q, v, a, part, quick):
                 x, y, vx, vy = q[i], q[slots + i], v[i], v[slots + i]
                 depth, along, friction = _depth_in(wall, x, y), vy * wall.nx - vx * wall.ny, 0.0
                 if depth > 0.0:
-                    stretch = _stretch_at(body, wall, k, i, x, y)
+                    stretch = _stretch_at(state, wall, k, i, x, y)
                     _, friction, _, _ = _wall_push(wall, environment.step, depth, vx, vy, stretch)
                 others = a[slots + i] * wall.nx - a[i] * wall.ny + friction
                 quick[k, slots + i] += part * environment.mass[i] * others * along
@@ -292,9 +284,9 @@ def work_of_quick(body, v0, v1, h, quick):
 
 # ------------------------------------------------------------------------- derivatives
 @kernel(forceinline=True)
-def _has_grip(body, wall, k, i):
+def _has_grip(state, wall, k, i):
     """Whether there is a tangential spring between the k-th wall and mass i."""
-    return wall.tangential > 0.0 and body.environment.walls.place[k, i] < NOWHERE
+    return wall.tangential > 0.0 and state.wall_place[k, i] < NOWHERE
 
 
 @kernel(fastmath=FAST)
@@ -346,8 +338,8 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
             depth = _depth_in(wall, q[m], q[slots + m])
             if depth > 0.0 and state.inverse_mass[m] > 0.0:
                 stretch, gripped = (
-                    _stretch_at(body, wall, k, m, q[m], q[slots + m]),
-                    _has_grip(body, wall, k, m),
+                    _stretch_at(state, wall, k, m, q[m], q[slots + m]),
+                    _has_grip(state, wall, k, m),
                 )
                 by_q, by_v = _wall_derivatives(wall, depth, v[m], v[slots + m], stretch, gripped, definite)
                 d = 4 * matrix.diagonal[i]
@@ -363,7 +355,7 @@ def _add_damping(body, state, q, v, z, factor, out):
         for m in range(1, body.masses + 1):
             depth = _depth_in(wall, q[m], q[slots + m])
             if depth > 0.0 and w[m] > 0.0:
-                stretch = _stretch_at(body, wall, k, m, q[m], q[slots + m])
+                stretch = _stretch_at(state, wall, k, m, q[m], q[slots + m])
                 _, block = _wall_derivatives(wall, depth, v[m], v[slots + m], stretch, False, False)
                 share = factor * w[m] * mass[m]
                 out[m] += share * (block[0] * z[m] + block[1] * z[slots + m])
@@ -425,15 +417,15 @@ class WallsTwin:
                 )  # fmt: skip
                 most = wall.friction * push / softened_for(wall[10:], self._step, 1.0)[0]
                 inside = (depth > 0.0) & (self._state.inverse_mass > 0.0)
-                self._walls.stretch[k] = np.where(inside, np.clip(stretch, -most, most), 0.0)
-                self._walls.place[k] = np.where(inside, (x * normal.conjugate()).imag, NOWHERE)
+                self._state.wall_stretch[k] = np.where(inside, np.clip(stretch, -most, most), 0.0)
+                self._state.wall_place[k] = np.where(inside, (x * normal.conjugate()).imag, NOWHERE)
 
     def _stretch(self, k: int, wall: WallRow, x: Vectors) -> Floats:
         """The stretch of each tangential spring, px; 0 without one."""
         if not wall.tangential:
             return np.zeros(x.size)
-        place, here = self._walls.place[k], x.imag * wall.nx - x.real * wall.ny
-        return np.where(place < NOWHERE, self._walls.stretch[k] + (here - place), 0.0)
+        place, here = self._state.wall_place[k], x.imag * wall.nx - x.real * wall.ny
+        return np.where(place < NOWHERE, self._state.wall_stretch[k] + (here - place), 0.0)
 
     def _depths(self, x: Vectors) -> Iterator[tuple[WallRow, Floats, complex]]:
         """Each wall, how deep each mass is in it, px, or 0, and its normal."""

@@ -105,7 +105,6 @@ class PlainSolver:
             else:
                 x, v, a = verlet_step(self._physics, x, v, a, h, lead)
             lead(x, v)  # the step has moved them
-            self._physics.stick(x, v)
             self.work += 1
             what = self._verdict(x, v)
             if what != guard.GOOD:
@@ -113,6 +112,7 @@ class PlainSolver:
                 refresh(self._body, state)
                 self._keep(x, v, None)
                 return what if self._euler else guard.GOOD
+            self._physics.stick(x, v)
             self.time = t
         if self.time > until - 1e-9 * span:
             self.time = until

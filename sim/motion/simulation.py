@@ -11,6 +11,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from ..body.grips import grips_of, put_grips
 from ..body.stable_spring import clamp_stiffness
 from ..body.system import (
     System,
@@ -25,7 +26,6 @@ from ..body.system import (
 from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
 from ..forces.limits import without_broken
-from ..forces.sticking import grips_of, put_grips, sticks
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, Indices, State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
@@ -154,7 +154,7 @@ class Simulation:
             positions=tuple((x, y) for x, y in self.positions.tolist()),
             velocities=tuple((x, y) for x, y in self.velocities.tolist()),
             damage=self.damage,
-            grips=self._grips(),
+            grips=grips_of(self._state, self._system),
         )
 
     @property
@@ -426,7 +426,8 @@ class Simulation:
         rows = self._rows()
         if self._hands.grabbed:
             rows[2:, list(self._hands.grabbed)] = 0.0
-        return Moment(self._scene, scale, shift, rows, self.time, self.step_count, self.damage, self._grips())
+        grips = grips_of(self._state, self._system)
+        return Moment(self._scene, scale, shift, rows, self.time, self.step_count, self.damage, grips)
 
     def restore(self, moment: Moment) -> None:
         """Back to a moment of this scene, or of another: settings, rest lengths and angles, motion and time.
@@ -453,7 +454,7 @@ class Simulation:
             other: the other one.
             shift: (4, n) px and px/s by which x, y, vx and vy of the free masses are to differ; None for 0.
         """
-        rows, damage, grips = other._rows(), other.damage, other._grips()
+        rows, damage, grips = other._rows(), other.damage, grips_of(other._state, other._system)
         if self._lacks_room_for(damage):
             self._install(self._scene, damage)
         self._adopt(rows, damage, grips)
@@ -478,7 +479,7 @@ class Simulation:
             self.reset()
             return
         time, steps, rows, damage = self.time, self.step_count, self._rows(), self.damage
-        grips = self._grips()
+        grips = grips_of(self._state, self._system)
         if grips is not None and not same_walls(self._scene, scene):
             grips = msgspec.structs.replace(grips, walls=())
         hands, tracker = self._hands, self._tracker
@@ -525,21 +526,14 @@ class Simulation:
             field.take(index, out=row, mode="clip")
         return rows
 
-    def _grips(self) -> Grips | None:
-        """The tangential springs by which friction holds; None where there are none."""
-        if not sticks(self._body):
-            return None
-        return grips_of(self._body, self._system.mass_order, self._system.spring_order)
-
     def _adopt(self, rows: NDArray[np.float64], damage: Damage | None, grips: Grips | None) -> None:
-        """Fill in the state from what `_rows`, `damage` and `_grips` give."""
+        """Fill in the state from what `_rows`, `damage` and `grips_of` give."""
         state, index = self._state, self._system.vector_index.T
         state.q[:] = state.v[:] = 0.0  # the padding, too
         state.q[index], state.v[index] = rows[:2], rows[2:]
         if self._body.limits.present:
             put_damage(state, self._system, damage)
-        if sticks(self._body):
-            put_grips(self._body, state, self._system.mass_index, self._system.spring_order, grips)
+        put_grips(state, self._system, grips)
 
     @contextmanager
     def _by_hand(self) -> Iterator[None]:

@@ -67,6 +67,7 @@ CAUSES = (
 
 _COPIED = (
     "q", "v", "controls", "clock", "inverse_mass", "set_length", "set_angle", "hardened", "broken",
+    "wall_stretch", "wall_place", "contact_start", "contact_mass", "contact_stretch",
 )  # fmt: skip
 """What a look takes over from the state; the rest follows from it."""
 _FIRST_SIZE = 40

@@ -114,7 +114,7 @@ class Arrays:
         """Solve with the last factors, for numbers of all of `here`."""
         flat = np.zeros_like(self.q)
         flat[self.here] = right
-        solve_matrix(self.body, self.matrix, flat)
+        solve_matrix(self.body, self.state, self.matrix, flat)
         assert not np.delete(flat, self.here).any()  # the padding stays as it is
         return flat[self.here]
 

@@ -3,26 +3,32 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from typing import Any
 
 import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 import sim
 from sim import Integrator, LinearSpring, Mass, Scene, SceneError, Simulation
 from sim.edit.build import pin, remove
 from sim.edit.edit import Selection, carried
+from sim.forces.contact_pairs import Contacts
 from sim.forces.walls import NOWHERE
+from sim.kernels.engine.table import Table
 from sim.methods.registry import METHODS
+from sim.motion.stability import finished
 from sim.physics import Physics
 from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Grips, Method
 from sim.store.files import decode_scene, encode_scene
 from studies.bench.heap import heap
 from tests.sim.arrays import Arrays
-from tests.sim.inside import same_state, system_of
+from tests.sim.inside import same_state, system_of, take_over
 from tests.sim.touching import REPLACE, SOFT, crumpled, joined, line
 
 G, TURN = 1000.0, math.radians(30.0)
@@ -241,18 +247,114 @@ def test_grips_of_what_does_not_exist_are_refused() -> None:
             Simulation(REPLACE(held.scene, pose=REPLACE(pose, grips=grips)))
 
 
+# ------------------------------------------------------------------------- where it is kept
+def on_slope(shape: str, seed: int) -> Scene:
+    """A crumpled body parts of which get stuck to each other, and to a slope."""
+    wall = REPLACE(block(0.7).walls[0], point=(0.0, 10.0), hardness=50.0, tangential_hardness=40.0)
+    return REPLACE(crumpled(shape, seed, HELD), walls=(wall,))
+
+
+def begun(method: Method, dt: float = 5e-4) -> Simulation:
+    """Such a body, once some of it is stuck."""
+    simulation = Simulation(REPLACE(on_slope("cloth", 6), integrator=Integrator(method=method, dt=dt)))
+    simulation.advance(0.03)
+    grips = simulation.capture().grips
+    assert grips is not None
+    assert min(len(grips.springs), len(grips.walls)) > 3
+    return simulation
+
+
+def constants(table: Table, name: str = "") -> Iterator[tuple[str, NDArray[Any]]]:
+    """The arrays of a table and of the tables in it, but the list of the pairs that may touch."""
+    fields = list(table.fields)
+    if isinstance(table, Contacts):
+        fields = fields[: fields.index("number")]
+    for field in fields:
+        value = getattr(table, field)
+        if isinstance(value, Table):
+            yield from constants(value, f"{name}.{field}")
+        elif isinstance(value, np.ndarray):
+            yield f"{name}.{field}", value
+
+
+@pytest.mark.parametrize("plain", [False, True])
+@pytest.mark.parametrize("method", ["velocity_verlet", "generalized_alpha"])
+def test_no_step_writes_to_the_tables_of_the_body(
+    method: Method, plain: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if plain:
+        monkeypatch.setattr("sim.motion.simulation.is_ready", lambda names: False)
+    scene = REPLACE(on_slope("cloth", 6), integrator=Integrator(method=method, dt=5e-4))
+    simulation = Simulation(scene, wait=not plain)
+    body = system_of(simulation).body
+    before = {name: array.copy() for name, array in constants(body)}
+    assert len(before) > 30
+    simulation.advance(0.03)
+    assert simulation.plain == plain
+    assert simulation.capture().grips is not None
+    assert system_of(simulation).body is body
+    for name, array in constants(body):
+        assert np.array_equal(array, before[name]), name
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_two_simulations_go_on_from_one_state_with_the_same_bits(method: Method) -> None:
+    one = begun(method)
+    other = Simulation(one.scene)
+    take_over(other, one)
+    assert other.capture().grips == one.capture().grips
+    for simulation in (one, other):
+        simulation.advance(0.03)
+    assert same_state(one, other)
+    assert one.capture().grips == other.capture().grips
+
+
+def test_a_copy_of_the_state_stays_as_it_is() -> None:
+    simulation = begun("velocity_verlet")
+    system, state = simulation.tables
+    copy = state.copied()
+    x, v = copy.x + 1j * copy.y, copy.vx + 1j * copy.vy
+    physics = Physics(system.body, copy)
+    forces, energies = physics.forces(x, v), physics.energies(x)
+    assert np.array_equal(Physics(system.body, state).forces(x, v), forces)
+    simulation.advance(0.03)
+    assert np.array_equal(physics.forces(x, v), forces)
+    assert physics.energies(x) == energies
+
+
+def test_an_estimate_of_the_stable_step_is_about_the_state_in_which_it_began() -> None:
+    scene = block(0.7, dt=1e-3)
+    one, other = (Simulation(scene) for _ in range(2))
+    for simulation in (one, other):
+        simulation.advance(1.0)
+    look = one.stability_in_parts()
+    next(look)
+    one.restore(Simulation(scene).capture())  # where nothing is stuck yet
+    assert finished(look) == other.stability()
+
+
+@pytest.mark.parametrize("plain", [False, True])
+def test_a_step_that_is_refused_leaves_no_trace(plain: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    if plain:
+        monkeypatch.setattr("sim.motion.simulation.is_ready", lambda names: False)
+    simulation = Simulation(block(0.7, "symplectic_euler"), wait=not plain)
+    simulation.advance(0.1)
+    assert simulation.plain == plain
+    before = simulation.capture().grips
+    monkeypatch.setattr("sim.motion.stepping.RUNAWAY_SPEED", 0.0)
+    simulation._stepper.begin_anew()
+    simulation.step()
+    assert simulation.divergence is not None
+    assert simulation.capture().grips == before
+
+
 # ------------------------------------------------------------------------- beside the kernels
 def stuck(method: Method = "generalized_alpha") -> Arrays:
     """A crumpled body some of whose parts stick to each other, and to a slope."""
-    wall = REPLACE(block(0.7).walls[0], point=(0.0, 10.0), hardness=50.0, tangential_hardness=40.0)
-    scene = REPLACE(crumpled("cloth", 6, HELD), walls=(wall,))
-    simulation = Simulation(REPLACE(scene, integrator=Integrator(method="rk4", dt=5e-4)))
-    simulation.step(60)
-    pose = moment_pose(simulation)
-    assert pose.grips is not None
-    assert len(pose.grips.springs) > 3
-    assert len(pose.grips.walls) > 3
-    return Arrays(REPLACE(scene, pose=pose, integrator=Integrator(method=method, dt=1e-3)))
+    simulation = begun("rk4")
+    return Arrays(
+        REPLACE(simulation.scene, pose=moment_pose(simulation), integrator=Integrator(method=method, dt=1e-3))
+    )
 
 
 @pytest.mark.parametrize("method", ["rk4", "generalized_alpha"])
@@ -271,9 +373,7 @@ def test_the_kernels_do_what_the_physics_in_numpy_says(method: Method) -> None:
 
 def test_numpy_moves_what_sticks_as_the_kernels_do(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sim.motion.simulation.is_ready", lambda names: False)
-    wall = REPLACE(block(0.7).walls[0], point=(0.0, 10.0), hardness=50.0, tangential_hardness=40.0)
-    scene = REPLACE(crumpled("girder", 3, HELD), walls=(wall,))
-    scene = REPLACE(scene, integrator=Integrator(method="symplectic_euler", dt=2e-4))
+    scene = REPLACE(on_slope("girder", 3), integrator=Integrator(method="symplectic_euler", dt=2e-4))
     plain = Simulation(scene, wait=False)
     plain.step(50)
     assert plain.plain
@@ -322,8 +422,8 @@ def test_no_stretch_is_more_than_friction_bears_and_no_step_makes_energy(
     for _ in range(100):
         simulation.step()
         assert 0.5 * float((simulation.velocities**2).sum(1).max()) <= 1.01 * start + 1e-9
-    walls = system_of(simulation).body.environment.walls
-    assert ((walls.place < NOWHERE) | (walls.stretch == 0.0)).all()
+    _, state = simulation.tables
+    assert ((state.wall_place < NOWHERE) | (state.wall_stretch == 0.0)).all()
 
 
 def test_scenes_pay_only_for_tangential_springs_that_they_have() -> None:
@@ -333,8 +433,9 @@ def test_scenes_pay_only_for_tangential_springs_that_they_have() -> None:
     ):
         simulation = Simulation(scene)
         simulation.step()
-        around = system_of(simulation).body.environment
-        assert around.walls.stretch.size == around.contact.held.size == 0
+        _, state = simulation.tables
+        for array in (state.wall_stretch, state.wall_place, state.contact_start, state.contact_stretch):
+            assert array.size == 0
         assert simulation.capture().grips is None
 
 

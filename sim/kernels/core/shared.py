@@ -23,7 +23,7 @@ BY_ADDRESS = {
     "accelerations": types.void(_BODY, _STATE, _SCRATCH, FLOATS, FLOATS, FLOATS),
     "accumulate_work": types.void(_PROBLEM, _DRIVE, _FLOAT, FLOATS, FLOATS, FLOATS, _FLOAT),
     "factorise_matrix": types.boolean(_BODY, _STATE, _MATRIX, FLOATS, FLOATS, _FLOAT, _FLOAT, types.boolean),
-    "solve_matrix": types.void(_BODY, _MATRIX, FLOATS),
+    "solve_matrix": types.void(_BODY, _STATE, _MATRIX, FLOATS),
     "add_damping_product": types.void(_BODY, _STATE, FLOATS, FLOATS, FLOATS, _FLOAT, FLOATS),
     "no_tunnelling": types.boolean(_BODY, FLOATS, FLOATS),
     "part_to_try": _FLOAT(_PROBLEM, *[FLOATS] * 5, _FLOAT, _FLOAT),
@@ -65,7 +65,7 @@ def factorise(problem, q, v, a, g, definite):
 @kernel(inline="always")
 def solve(problem, b):
     """`linear.implicit.solve_matrix` of the problem's body."""
-    _solve_matrix(problem.solve_matrix, problem.body, problem.matrix, b)
+    _solve_matrix(problem.solve_matrix, problem.body, problem.state, problem.matrix, b)
 
 
 @kernel(inline="always")

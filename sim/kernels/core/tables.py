@@ -108,6 +108,14 @@ class State(Table):
     trial_tension: Floats  # (S,) kg px/s²
     trial_angle: Floats  # (J,) radians
     broken: Floats  # (S,) 1 for a spring that is broken, else 0
+    # Tangential springs as they were at the end of the last step, see `forces.sticking`; empty where there
+    # are none. Those between W walls and masses:
+    wall_stretch: Rows  # (W, slots) px
+    wall_place: Rows  # (W, slots) where along the wall the mass was, px; `forces.walls.NOWHERE` without one
+    # Those of contact, by the spring that is touched, then by the mass that touches it:
+    contact_start: Indices  # (S + 1,) where those of each spring start; after the last one is only room
+    contact_mass: Indices  # slots of the masses
+    contact_stretch: Rows  # (n, 4) stretch, px; t; n . e / |e|; e x n / |e|: see `forces.contact_pairs`
 
     @property
     def slots(self) -> int:
@@ -160,6 +168,9 @@ class Scratch(Table):
     vectors: Rows  # (3, gap + S padded + gap) vectors of the springs, px, and their lengths
     spring_rows: Rows  # (2, room) force on the b end of each spring, kg px/s²
     joint_rows: Rows  # (3, room) of each joint, its `torque_cos`, `torque_sin` and `torque_size`
+    # Where the next of a state's `contact_mass` and `contact_stretch` are made.
+    next_mass: Indices
+    next_stretch: Rows
 
 
 CONTROL_SCALE = 0

@@ -90,7 +90,7 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
         _add_powers(problem, drive, t + u * h, _WEIGHTS[i] * h, q, v)
         if any_quick:
             accelerate(problem, q, v, a)
-            gather_others(body, q, v, a, _WEIGHTS[i], quick)
+            gather_others(body, state, q, v, a, _WEIGHTS[i], quick)
         gather_dampers(body, q, v, _WEIGHTS[i], balance.dampers)
     if any_quick:
         balance.work.walls += work_of_quick(body, state.v, v1, h, quick)

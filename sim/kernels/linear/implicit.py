@@ -38,9 +38,9 @@ def factorise_matrix(body, state, matrix, q, v, a, g, definite):
 
 
 @kernel(fastmath=FAST)
-def solve_matrix(body, matrix, b):
+def solve_matrix(body, state, matrix, b):
     """Solve with the last factors, in place; b is a flat vector, x of every slot, then y."""
-    solve_with_contact(body, matrix, b)
+    solve_with_contact(body, state, matrix, b)
     fillings = matrix.bordered.size
     for k in range(fillings):
         matrix.corrections[fillings, k] = dot(body.masses, matrix.borders[k], b)
@@ -70,7 +70,7 @@ def _border(body, state, matrix, q):
     borders, small, count = matrix.borders, matrix.corrections, matrix.bordered.size
     for k in range(count):
         write_area_product(body, state, matrix.bordered[k], q, borders[k], borders[count + k])
-        solve_with_contact(body, matrix, borders[count + k])
+        solve_with_contact(body, state, matrix, borders[count + k])
     for i in range(count):
         for k in range(count):
             small[i, k] = dot(body.masses, borders[i], borders[count + k]) + (1.0 if i == k else 0.0)

@@ -24,7 +24,7 @@ _CYCLES = 4
 
 
 @kernel(internal=True, fastmath=FAST)
-def solve_with_contact(body, matrix, b):
+def solve_with_contact(body, state, matrix, b):
     """Like `sparse.solve_sparse`, with all of contact."""
     solve_sparse(body, matrix, b)
     if not body.environment.contact.present or matrix.touching[TOUCHING_PAIRS] == 0.0:
@@ -43,7 +43,7 @@ def solve_with_contact(body, matrix, b):
             for j in range(b.size):
                 space[0, j] = right[j]
         else:
-            _couple(body, matrix, x, space[0])
+            _couple(body, state, matrix, x, space[0])
             solve_sparse(body, matrix, space[0])
             for j in range(b.size):
                 space[0, j] = right[j] - x[j] - space[0, j]
@@ -57,7 +57,7 @@ def solve_with_contact(body, matrix, b):
         while steps < most and abs(rest[steps]) > _ACCURACY * whole:
             k = steps
             new = space[k + 1]
-            _couple(body, matrix, space[k], new)
+            _couple(body, state, matrix, space[k], new)
             solve_sparse(body, matrix, new)
             for j in range(b.size):
                 new[j] += space[k, j]
@@ -96,8 +96,8 @@ def solve_with_contact(body, matrix, b):
 
 
 @kernel(fastmath=FAST)
-def _couple(body, matrix, z, out):
+def _couple(body, state, matrix, z, out):
     """out = R z."""
     for j in range(out.size):
         out[j] = 0.0
-    add_coupling(body, matrix, z, out)
+    add_coupling(body, state, matrix, z, out)
