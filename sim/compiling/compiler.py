@@ -13,7 +13,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -69,6 +69,15 @@ class EntryPoint:
     def load(self) -> None:
         """Load its machine code from the disk, or compile it."""
         self.kernel.compile(self.signature)
+
+    @cached_property
+    def call(self) -> Callable[..., Any]:
+        """Its machine code, which is loaded by now, as a function for Python.
+
+        It takes arguments of exactly its signature. The kernel itself would look up their types in every call,
+        in more time than a step of a short body takes.
+        """
+        return self.kernel.overloads[self.signature].entry_point
 
     @cached_property
     def address(self) -> int:

@@ -51,7 +51,6 @@ from ..kernels.core.tables import (
 )
 from ..kernels.energy.dissipation import DAMPER_ROWS
 from ..kernels.integrators import guard
-from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.fallback import run_fallback
 from ..methods.registry import AUTO_METHODS, METHODS
 from ..methods.tableaux import RK4
@@ -65,6 +64,13 @@ _ROWS, _ALPHA_ROWS = 20, 4
 
 _NO_BALANCE = EnergyBalance.empty().replaced(work=Work())
 """Of all solvers that keep none; nobody reads what is entered into it."""
+
+_TIME, _WHAT, _STEPS, _REJECTED = map(Run.place, ("time", "what", "steps", "rejected"))
+"""Where a run's numbers are in its words."""
+
+_NEXT_TURN = ENTRY_POINTS["next_turn"]
+_OF_AUTO = [ENTRY_POINTS[method.kernel.py_func.__name__] for method in AUTO_METHODS]
+"""The kernels of the methods that `auto` chooses from."""
 
 _NEAR_LIMIT = 0.6
 """Step, as a fraction of the stability limit without damping, from which it counts as near the limit."""
@@ -152,6 +158,9 @@ class Solver:
             adams=AdamsState(past=rows[past:kept]),
             auto=AutoState(step=np.zeros(CHOICES), pace=np.zeros(CHOICES)),
         )
+        run = self.integrator.run
+        self._wholes, self._floats = run.wholes, run.floats
+        self._own = None if info.kernel is None else ENTRY_POINTS[info.kernel.py_func.__name__]
         self._forget_turns()
         # The blocks of memory in which these arrays lie, each of which is cleared at once.
         self._memory = [block for block in (room.base, new_q.base, scratch.lx.base) if block is not None]
@@ -261,31 +270,31 @@ class Solver:
         self.system = system
         refresh(system.body, self.state)
 
-    def go_on(self, until: float, drive: Drive, attempts: int) -> bool:
+    def go_on(self, until: float, drive: Drive, attempts: int) -> int:
         """As `run`, where nothing comes in between.
 
         Returns:
-            Whether it got there. If not, `run` has to be called with what is left of the attempts.
+            -1 if it got there. If not, what is left of the attempts, with which `run` has to be called.
         """
+        before = self.work
         self._run(until, drive, attempts)
-        run = self.integrator.run
-        return run.what == guard.GOOD and run.time == until
+        if self._wholes[_WHAT] == guard.GOOD and self._floats[_TIME] == until:
+            return -1
+        return max(0, before + attempts - self.work)
 
     def _run(self, until: float, drive: Drive, attempts: int) -> None:
         """Like `run`, without fallback steps."""
-        info = self._info
-        if info.kernel is not None:
-            run = self.integrator.run
-            before = run.steps + run.rejected
-            problem = self._problem or self._bind(info.implicit)
-            info.kernel(problem, drive, until, self._tolerance, attempts)
-            self.work += run.steps + run.rejected - before
+        if self._own is not None:
+            numbers, problem = self._wholes, self._problem or self._bind(self._info.implicit)
+            before = numbers[_STEPS] + numbers[_REJECTED]
+            self._own.call(problem, drive, until, self._tolerance, attempts)
+            self.work += numbers[_STEPS] + numbers[_REJECTED] - before
             return
         if self._missing:
             self._take_in()
         problem, left = self._problem or self._bind(False), attempts
         while True:
-            index, limit, of_turn, spent = next_turn(problem, until, self._tolerance, left)
+            index, limit, of_turn, spent = _NEXT_TURN.call(problem, until, self._tolerance, left)
             left -= spent
             self.work += spent
             if index < 0:
@@ -296,7 +305,7 @@ class Solver:
             if index not in self._fetched:
                 self._fetched.add(index)
                 self._fetch(needed_by(method.name))
-            method.kernel(problem, drive, until, of_turn, limit)
+            _OF_AUTO[index].call(problem, drive, until, of_turn, limit)
 
     def _bind(self, implicit: bool) -> Problem:
         """Make the table of all tables; `implicit`: with what linear systems need."""

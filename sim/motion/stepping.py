@@ -88,7 +88,8 @@ class Stepper:
         self._led: Targets = {}
         self._kept: Drive | None = None  # the drive of the last call, unless it had targets or hands
         self._presses = NO_PRESSES  # the keys in it
-        self._steady: Drive | None = None  # it, where nothing but the body changed in the last call
+        # The solver and that drive, where nothing but the body changed in the last call.
+        self._steady: tuple[Solver, Drive] | None = None
         self.steps = 0
         self._origin = (
             0.0,
@@ -131,14 +132,14 @@ class Stepper:
             -1 if it got there. Otherwise the attempts that are left for `step`, which has to be called, and
             goes on from where the body is now.
         """
-        drive, solver = self._steady, self.solver
-        if drive is None or not isinstance(solver, Solver):
+        if self._steady is None:
             return attempts
-        last = solver.work + attempts
-        if solver.go_on(self._after(steps), drive, attempts):
+        solver, drive = self._steady
+        time, begun = self._origin
+        left = solver.go_on(time + (self.steps - begun + steps) * self._dt, drive, attempts)
+        if left < 0:
             self.steps += steps
-            return -1
-        return max(0, last - solver.work)
+        return left
 
     def step(
         self, steps: int, hands: Hands, presses: Presses, all_held: bool, attempts: int = UNLIMITED
@@ -170,8 +171,9 @@ class Stepper:
                 what = self._halt(until, drive, min(_HALTS * steps, attempts), attempts)
             else:
                 what = solver.run(until, drive, attempts)
-                if drive is self._kept and presses is NO_PRESSES and not all_held:
-                    self._steady = drive
+                settled = drive is self._kept and presses is NO_PRESSES and not all_held
+                if settled and isinstance(solver, Solver):
+                    self._steady = solver, drive
         time = solver.time
         if targets and time == until:
             self._put(targets)

@@ -220,6 +220,25 @@ class Record(_Block):
             super().__init__(**values)  # which says what is wrong
         self._fill(bytearray(self._bytes), values)
 
+    @classmethod
+    def place(cls, name: str) -> int:
+        """Where `wholes` and `floats` have a number."""
+        return cls.fields[name].start
+
+    @property
+    def wholes(self) -> memoryview:
+        """All words of the record as integers.
+
+        To read one in it takes a third of the time of an attribute; so for what is read after each step of a
+        short body.
+        """
+        return self.__dict__["_wholes"]
+
+    @property
+    def floats(self) -> memoryview:
+        """All words of the record as floats, likewise."""
+        return self.__dict__["_floats"]
+
     def clear(self) -> None:
         """Set all numbers to zero."""
         words = self.__dict__["_wholes"]
