@@ -46,7 +46,7 @@ def sticks(body: Body) -> bool:
 
 
 def room_in_state(body: Body, slots: int) -> dict[str, NDArray[Any]]:
-    """The arrays of a state with so many slots that tangential springs need, by name; none of them holds."""
+    """The arrays for tangential springs in a state with so many slots, by name; there is no spring yet."""
     walls, found = body.environment.walls, {}
     if walls.tangential:
         shape = len(walls.rows), slots

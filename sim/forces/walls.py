@@ -37,7 +37,7 @@ _QUICKLY = 4.0
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
 class Walls(Table):
-    """W walls."""
+    """Read-only. W walls."""
 
     rows: Rows  # (W, 12), a `WallRow` each
     tangential: bool  # any wall has tangential springs

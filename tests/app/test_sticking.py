@@ -1,4 +1,4 @@
-"""Friction that holds, in a session: what springs remember comes back by looking back, undo, logs and files."""
+"""Friction that holds, in a session: what springs remember comes back by looking back, undo and logs."""
 
 from __future__ import annotations
 

@@ -79,7 +79,7 @@ class Body(Table):
 
 
 class State(Table):
-    """Mutable: positions and velocities, and what keys and dragging change while a body moves.
+    """Mutable: positions and velocities, what keys and dragging change while a body moves, and its memory.
 
     Vectors are flat: x of every slot, then y of every slot. There is no mass in the first slot of either
     half, nor in the last `SPARE` ones. Loops over a flat vector skip these slots at its two ends, so that
