@@ -15,6 +15,7 @@ from ..kernels.core.tables import Body, State
 from ..kernels.engine.jit import FUSED, kernel
 from ..near import near_pairs, nearest_points
 from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
+from .contact_batch import add_in_batches
 from .contact_pairs import add_at_pair, direction_of, friction_on, lost_in, pair_at
 from .push import friction_slopes, push_slopes, pushes_and_frictions, softened_for, time_to_deepest
 from .term import Floats, Term, Vectors
@@ -31,6 +32,9 @@ def _add_forces(body, state, scratch, q, v):
     if not contact.present:
         return
     update_pairs(body, q[:slots], q[slots:])
+    if contact.tangential == 0.0:
+        add_in_batches(body, state, scratch, q, v)
+        return
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
         for p in range(first, behind):

@@ -30,7 +30,7 @@ import numpy as np
 
 from ..kernels.core.tables import padded
 from ..kernels.engine.jit import FUSED, kernel
-from ..kernels.engine.table import Floats, Indices, Table
+from ..kernels.engine.table import Floats, Indices, Rows, Table
 from ..near import near_pairs
 from ..scene.columns import column
 from ..scene.types import Scene
@@ -47,6 +47,9 @@ _ROOM = 64
 """Room in the list, in masses for each spring. If it does not suffice, finding pairs takes longer."""
 TANGENTIAL_ROOM = 8
 """Room for tangential springs, likewise. Pairs that find none do without."""
+BATCH = 256
+"""Number of pairs whose forces are computed together, a multiple of eight: what is kept of them stays in the
+first cache."""
 
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
@@ -84,6 +87,11 @@ class Contacts(Table):
     bucket: Indices  # (n,) slots of masses
     column: Indices  # (slots,) the cell of each mass
     row: Indices
+    # Pairs whose forces are computed together, see `contact_batch`
+    batch_mass: Indices  # (B,) slots of the mass and of the ends of the spring
+    batch_a: Indices
+    batch_b: Indices
+    batch_force: Rows  # (5, B) F.x, F.y, G.x, G.y, kg px/s²; t
 
 
 _NO_CONTACTS = Contacts.empty()
@@ -140,6 +148,10 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
         bucket=np.zeros(n, np.int64),
         column=np.zeros(slots, np.int64),
         row=np.zeros(slots, np.int64),
+        batch_mass=np.zeros(BATCH, np.int64),
+        batch_a=np.zeros(BATCH, np.int64),
+        batch_b=np.zeros(BATCH, np.int64),
+        batch_force=np.zeros((5, BATCH)),
     )
 
 
@@ -282,8 +294,14 @@ def lost_in(contact):
 @kernel(forceinline=True, fastmath=FUSED)
 def friction_on(contact, square):
     """The coefficient of friction on a spring with the squared length `square`."""
-    whole = contact.distance * contact.distance
-    return contact.friction * (square / whole) if square < whole else contact.friction
+    return friction_coefficient(contact.friction, contact.distance, square)
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def friction_coefficient(friction, distance, square):
+    """The same for the coefficient `friction` of contact with the distance `distance`."""
+    whole = distance * distance
+    return friction * (square * (1.0 / whole)) if square < whole else friction
 
 
 @kernel(forceinline=True, fastmath=FUSED)

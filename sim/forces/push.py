@@ -40,6 +40,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.core.tanhs import tanh
 from ..kernels.engine.jit import FUSED, kernel
 from ..scene.surroundings import Restitution
 from .term import Floats, Vectors
@@ -77,15 +78,17 @@ def push_and_friction(
     elastic = stiffness * depth * depth
     gain = 1.0 - damping * speed
     if hysteresis > 0.0:
-        slow = calm * depth * math.sqrt(depth)
         if h > 0.0:
-            slow = math.sqrt(math.sqrt(slow**4 + (h * mobility * hysteresis * elastic) ** 4))
-        gain -= hysteresis * math.tanh(speed / (slow + 1e-300))
+            fourth = (calm * depth) ** 4 * (depth * depth)
+            slow = math.sqrt(math.sqrt(fourth + (h * mobility * hysteresis * elastic) ** 4))
+        else:
+            slow = calm * depth * math.sqrt(depth)
+        gain -= hysteresis * tanh(speed / (slow + 1e-300))
     if h == 0.0:
         push = max(elastic * gain, 0.0)
         return push, _rubbing(friction * push, slip_speed, tangential, along, stretch), elastic
     power = (h * mobility * (damping * elastic + 4.0 * h * stiffness * depth)) ** 4
-    gain -= CALMING * h * speed * (power / depth) / (1.0 + power)
+    gain -= CALMING * h * speed * (power / (depth * (1.0 + power)))
     push = max(elastic * gain, 0.0) / math.sqrt(math.sqrt(1.0 + power))
     most, tangential = friction * push, softened(tangential, h, mobility_along)
     slip_speed = math.sqrt(math.sqrt(slip_speed**4 + (h * mobility_along * most) ** 4))
@@ -107,7 +110,7 @@ def _rubbing(most, slip_speed, tangential, along, stretch):
     """Friction, of which `most` is the largest."""
     stiffness, damping = tangential
     if stiffness == 0.0:
-        return most * math.tanh(along / slip_speed)
+        return most * tanh(along / slip_speed)
     elastic = min(max(stiffness * stretch, -most), most)
     return min(max(elastic + damping * along, -most), most)
 
@@ -120,7 +123,7 @@ def friction_slopes(most, slip_speed, tangential, along, stretch):
     """
     stiffness, damping = tangential
     if stiffness == 0.0:
-        held = math.tanh(along / slip_speed)
+        held = tanh(along / slip_speed)
         return held, 0.0, most * (1.0 - held * held) / slip_speed
     elastic, by_most, by_stretch = stiffness * stretch, 0.0, stiffness
     if abs(elastic) >= most:
@@ -161,7 +164,7 @@ def push_slopes(stiffness, lost, depth, speed):
     gain, slope, steeper = 1.0 - damping * speed, damping, 0.0
     if hysteresis > 0.0:
         slow = calm * depth * math.sqrt(depth) + 1e-300
-        part = math.tanh(speed / slow)
+        part = tanh(speed / slow)
         gain -= hysteresis * part
         left = hysteresis * (1.0 - part * part) / slow
         slope, steeper = slope + left, 1.5 * left * speed

@@ -8,6 +8,7 @@ import pytest
 import sim
 from sim import Integrator, Mass, Scene, Simulation
 from sim.body.system import build_system
+from sim.forces.contact_pairs import BATCH
 from sim.methods.registry import METHODS
 from sim.motion.stability import damped_limit
 from sim.physics import Physics
@@ -68,6 +69,27 @@ def test_the_kernels_do_what_the_physics_in_numpy_says(shape: str, method: Metho
         flat = np.concatenate((expected.real, expected.imag))[arrays.here]
         found = arrays.accelerations(arrays.q, arrays.v)
         assert np.abs(found - flat).max() <= 1e-12 * np.abs(flat).max()
+
+
+@pytest.mark.parametrize("rings", [10, 47])
+@pytest.mark.parametrize("method", ["rk4", "symplectic_euler"])
+def test_many_pairs_are_pushed_like_a_few(method: Method, rings: int) -> None:
+    rng = np.random.default_rng(rings)
+    bodies = []
+    for i in range(rings):
+        velocity = tuple(rng.normal(0.0, 50.0, 2).tolist())
+        bodies.append(ring((21.0 * (i % 7), 19.0 * (i // 7)), 12.0, 12, velocity))
+    scene = joined(*bodies, contact=CONSTANT, integrator=Integrator(method=method, dt=1e-3))
+    arrays = Arrays(scene)
+    pairs = len(nearer(arrays, arrays.q, CONSTANT.distance))
+    assert (2 * BATCH if rings > 10 else BATCH // 4) < pairs
+    assert pairs % 8 != 0  # the last batch is filled up
+    expected = Physics(arrays.body, arrays.state).accelerations(
+        arrays.state.x + 1j * arrays.state.y, arrays.state.vx + 1j * arrays.state.vy
+    )
+    flat = np.concatenate((expected.real, expected.imag))[arrays.here]
+    found = arrays.accelerations(arrays.q, arrays.v)
+    assert np.abs(found - flat).max() <= 1e-12 * np.abs(flat).max()
 
 
 @pytest.mark.parametrize("shape", ["girder", "cloth", "ring"])

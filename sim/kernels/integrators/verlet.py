@@ -62,7 +62,8 @@ def run_verlet(problem, drive, end, tolerance, attempts):
     but under damping its stability limit is lower than that of symplectic Euler, see `sim.motion.stability`.
     Under error control, steps of at least `near_damped_limit` use v + h (3 a + b) / 4, where b is the
     acceleration before a. This is also of second order, with larger errors and Euler's limit. Shorter steps
-    are held to a part of the tolerance.
+    are held to a part of the tolerance. Where there is contact, all steps use it: contact may damp much more
+    than `near_damped_limit` accounts for.
 
     The error of a step is estimated as h² |a' - a| / 12. Near the stability limit this estimate stays small
     and then rises suddenly, so a failed step is remembered as a limit, which then rises slowly. If the next
@@ -104,7 +105,8 @@ def _step(problem, drive, old, new, t, h, tolerance):
         drive_to(problem.body, problem.state, drive, t + h, new.q, new.v)
     accelerate(problem, new.q, new.v, new.a)
     integrator.run.forces += 1
-    past = _PAST if near else 0.0
+    lags = near or (problem.fixed == 0.0 and problem.no_tunnelling != 0)
+    past = _PAST if lags else 0.0
     change, far, fast, moved = _correct(old.q, old.v, old.a, new.a, 0.5 * h, past, new.q, new.v, next_slope)
     trial.far, trial.fast, trial.moved = from_bits(far), from_bits(fast), from_bits(moved)
     if problem.fixed > 0.0:
