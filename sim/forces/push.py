@@ -88,8 +88,9 @@ def push_and_friction(
         push = max(elastic * gain, 0.0)
         return push, _rubbing(friction * push, slip_speed, tangential, along, stretch), elastic
     power = (h * mobility * (damping * elastic + 4.0 * h * stiffness * depth)) ** 4
-    gain -= CALMING * h * speed * (power / (depth * (1.0 + power)))
-    push = max(elastic * gain, 0.0) / math.sqrt(math.sqrt(1.0 + power))
+    less = 1.0 / (1.0 + power)
+    push = stiffness * depth * (depth * gain - CALMING * h * speed * power * less)
+    push = max(push, 0.0) * math.sqrt(math.sqrt(less))
     most, tangential = friction * push, softened(tangential, h, mobility_along)
     slip_speed = math.sqrt(math.sqrt(slip_speed**4 + (h * mobility_along * most) ** 4))
     return push, _rubbing(most, slip_speed, tangential, along, stretch), elastic

@@ -39,7 +39,7 @@ def heap(rings: int) -> Scene:
         x, y = (middle + rng.uniform(-2.0, 2.0, 2)).tolist()
         ring = sim.Polygon(
             sides=_MASSES, circumradius=_RADIUS, center=(x, y), mass=0.1,
-            stiffness=3000.0, damping=1.0, angular_stiffness=2000.0, angular_damping=5.0,
+            stiffness=12000.0, damping=20.0, angular_stiffness=2000.0, angular_damping=5.0,
         )  # fmt: skip
         bodies.append(ring)
     box = ((0.0, 0.0), (0.0, -1.0)), ((0.0, 0.0), (1.0, 0.0)), ((30.0 * abreast + 10.0, 0.0), (-1.0, 0.0))
@@ -50,7 +50,7 @@ def heap(rings: int) -> Scene:
             gravity=(0.0, 1000.0),
             walls=tuple(Wall(point=point, normal=normal, restitution="constant") for point, normal in box),
             contact=Contact(
-                distance=4.0, stiffness=300.0, friction=0.4, bounciness=0.3, restitution="constant"
+                distance=4.0, stiffness=2000.0, friction=0.4, bounciness=0.3, restitution="constant"
             ),
         )
     )

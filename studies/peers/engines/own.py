@@ -27,7 +27,7 @@ BEYOND = (1.02, 1.1, 1.2, 1.5, 2.0, 3.0, 4.0, 8.0, 16.0, 32.0)
 FREE = tuple(60.0 * 2.0**i for i in range(8))
 """Steps a second of methods that are always stable."""
 
-HEAP_STEPS = (960.0, 1920.0, 3840.0, 7680.0)
+HEAP_STEPS = (960.0, 1440.0, 1920.0, 3840.0, 7680.0)
 """Steps a second of methods with a fixed step, of heaps."""
 
 ATTEMPTS = 400_000
