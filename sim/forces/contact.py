@@ -32,18 +32,7 @@ def _add_forces(body, state, scratch, q, v):
     if not contact.present:
         return
     update_pairs(body, q[:slots], q[slots:])
-    if contact.tangential == 0.0:
-        add_in_batches(body, state, scratch, q, v)
-        return
-    for s in range(body.springs):
-        first, behind = pairs_of(body, s)
-        for p in range(first, behind):
-            touches, pair = pair_at(body, state, state.inverse_mass, s, contact.member[p], q, v)
-            if touches:
-                fx = pair.push * pair.nx + pair.friction * pair.ny
-                fy = pair.push * pair.ny - pair.friction * pair.nx
-                force = fx, fy, pair.friction * pair.lx, pair.friction * pair.ly
-                add_at_pair(pair, (1.0, 1.0, 1.0), force, (scratch.fx, scratch.fy))
+    add_in_batches(body, state, scratch, q, v)
 
 
 # ------------------------------------------------------------------------- energy and balance

@@ -14,13 +14,13 @@ import numpy as np
 from ..kernels.engine.jit import FUSED, kernel
 from ..kernels.engine.lanes import eight_at_a_time, whole_eights
 from .broad_phase import meeting, pairs_of, segment
-from .contact_pairs import BATCH, friction_coefficient, lost_in
+from .contact_pairs import BATCH, friction_coefficient, lost_in, stretch_since
 from .push import push_and_friction
 
 
 @kernel(internal=True, fastmath=FUSED)
 def add_in_batches(body, state, scratch, q, v):
-    """Add the forces of contact without tangential springs; the list of pairs must be up to date."""
+    """Add the forces of all pairs that touch; the list of pairs must be up to date."""
     contact, slots, count = body.environment.contact, q.size // 2, 0
     x, y, near = q[:slots], q[slots:], contact.distance * contact.distance
     mass, ends_a, ends_b = contact.batch_mass, contact.batch_a, contact.batch_b
@@ -30,11 +30,14 @@ def add_in_batches(body, state, scratch, q, v):
         line = segment(x, y, a, b)
         while first < behind:
             until = min(behind, first + BATCH - count)
+            began = count
             for p in range(np.uint64(first), np.uint64(until)):
                 m, k = np.uint64(contact.member[p]), np.uint64(count)
                 _, dx, dy = meeting(line, x[m], y[m])
                 mass[k], ends_a[k], ends_b[k] = m, a, b
                 count += 1 if dx * dx + dy * dy < near else 0
+            if contact.tangential > 0.0:
+                _find_kept(contact, state, s, began, count)
             first = until
             if count == BATCH:
                 _add_batch(body, state, scratch, q, v, count)
@@ -44,16 +47,35 @@ def add_in_batches(body, state, scratch, q, v):
 
 
 @kernel(internal=True, fastmath=FUSED)
+def _find_kept(contact, state, s, began, count):
+    """Note what the tangential springs of spring s have kept, for its pairs from `began` on in the batch."""
+    kept, rows = state.contact_stretch, contact.batch_stretch
+    for k in range(began, count):
+        rows[5, k] = 0.0
+        for i in range(state.contact_start[s], state.contact_start[s + 1]):
+            if state.contact_mass[i] == contact.batch_mass[k]:
+                rows[5, k] = 1.0
+                for j in range(4):
+                    rows[1 + j, k] = kept[i, j]
+
+
+@kernel(internal=True, fastmath=FUSED)
 def _add_batch(body, state, scratch, q, v, count):
     contact, slots = body.environment.contact, q.size // 2
     mass, ends_a, ends_b, force = contact.batch_mass, contact.batch_a, contact.batch_b, contact.batch_force
+    stretch = contact.batch_stretch
     for k in range(count, whole_eights(count)):
         mass[k], ends_a[k], ends_b[k] = mass[0], ends_a[0], ends_b[0]
+    if contact.tangential > 0.0:
+        _stretches_in_batch(
+            whole_eights(count), q[:slots], q[slots:], mass, ends_a, ends_b,
+            stretch[1], stretch[2], stretch[3], stretch[4], stretch[5], stretch[0],
+        )  # fmt: skip
     _forces_in_batch(
         whole_eights(count),
         (contact.distance, contact.stiffness, contact.friction, contact.slip_speed, body.environment.step),
-        lost_in(contact),
-        state.inverse_mass, q[:slots], q[slots:], v[:slots], v[slots:], mass, ends_a, ends_b,
+        lost_in(contact), (contact.tangential, contact.resisting),
+        state.inverse_mass, q[:slots], q[slots:], v[:slots], v[slots:], mass, ends_a, ends_b, stretch[0],
         force[0], force[1], force[2], force[3], force[4],
     )  # fmt: skip
     fx, fy = scratch.fx, scratch.fy
@@ -69,7 +91,25 @@ def _add_batch(body, state, scratch, q, v, count):
 
 
 @kernel(noalias=True, fastmath=FUSED)
-def _forces_in_batch(count, law, lost, w, x, y, vx, vy, mass, ends_a, ends_b, fx, fy, gx, gy, ts):
+def _stretches_in_batch(count, x, y, mass, ends_a, ends_b, was, was_t, was_ahead, was_beside, there, stretch):
+    """The stretch of the tangential spring of each pair of a batch, px; 0 without one."""
+    eight_at_a_time()
+    for k in range(whole_eights(count)):
+        m, a, b = np.uint64(mass[k]), np.uint64(ends_a[k]), np.uint64(ends_b[k])
+        line = segment(x, y, a, b)
+        t, dx, dy = meeting(line, x[m], y[m])
+        _, _, ex, ey, per_square = line
+        r = math.sqrt(dx * dx + dy * dy)
+        per_r = 1.0 / (r + 1e-300)
+        row, where = (was[k], was_t[k], was_ahead[k], was_beside[k]), (t, r, dx * per_r, dy * per_r)
+        now = stretch_since(row, (*where, ex, ey, per_square))
+        stretch[k] = now if there[k] > 0.0 else 0.0
+
+
+@kernel(noalias=True, fastmath=FUSED)
+def _forces_in_batch(
+    count, law, lost, tangential, w, x, y, vx, vy, mass, ends_a, ends_b, stretch, fx, fy, gx, gy, ts
+):
     """F, G and t of each pair of a batch, of which the number is a multiple of eight."""
     eight_at_a_time()
     distance, stiffness, friction, slip_speed, h = law
@@ -93,7 +133,7 @@ def _forces_in_batch(count, law, lost, w, x, y, vx, vy, mass, ends_a, ends_b, fx
         )
         push, rubbing, _ = push_and_friction(
             stiffness, lost, friction_coefficient(friction, distance, ex * ex + ey * ey), slip_speed,
-            (0.0, 0.0), h, mobility, mobility_along, distance - r, speed, along, 0.0,
+            tangential, h, mobility, mobility_along, distance - r, speed, along, stretch[k],
         )  # fmt: skip
         fx[k], fy[k] = push * nx + rubbing * ny, push * ny - rubbing * nx
         gx[k], gy[k], ts[k] = rubbing * lx, rubbing * ly, t

@@ -92,6 +92,9 @@ class Contacts(Table):
     batch_a: Indices
     batch_b: Indices
     batch_force: Rows  # (5, B) F.x, F.y, G.x, G.y, kg px/s²; t
+    batch_stretch: (
+        Rows  # (6, B) of tangential springs: now, px; a row of `State.contact_stretch`; 1 if there is one
+    )
 
 
 _NO_CONTACTS = Contacts.empty()
@@ -152,6 +155,7 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
         batch_a=np.zeros(BATCH, np.int64),
         batch_b=np.zeros(BATCH, np.int64),
         batch_force=np.zeros((5, BATCH)),
+        batch_stretch=np.zeros((6, BATCH)),
     )
 
 
@@ -262,19 +266,22 @@ def _stretch_of(state, s, m, where):
 
     `where`: t, r, n.x, n.y, e.x, e.y, 1 / |e|² of the pair.
     """
-    t, r, nx, ny, ex, ey, per_square = where
     kept = state.contact_stretch
     for k in range(state.contact_start[s], state.contact_start[s + 1]):
         if state.contact_mass[k] == m:
-            length = math.sqrt(ex * ex + ey * ey)
-            ahead, beside = (
-                (nx * ex + ny * ey) * (length * per_square),
-                (ex * ny - ey * nx) * (length * per_square),
-            )
-            turned = kept[k, 2] * beside - kept[k, 3] * ahead
-            way = r * turned - math.copysign(length, beside) * (t - kept[k, 1])
-            return True, kept[k, 0] + way
+            return True, stretch_since((kept[k, 0], kept[k, 1], kept[k, 2], kept[k, 3]), where)
     return False, 0.0
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def stretch_since(was, where):
+    """The stretch of a tangential spring, px; `was`: a row of `State.contact_stretch`, `where`: as above."""
+    t, r, nx, ny, ex, ey, per_square = where
+    stretch, was_t, was_ahead, was_beside = was
+    length = math.sqrt(ex * ex + ey * ey)
+    ahead, beside = (nx * ex + ny * ey) * (length * per_square), (ex * ny - ey * nx) * (length * per_square)
+    turned = was_ahead * beside - was_beside * ahead
+    return stretch + r * turned - math.copysign(length, beside) * (t - was_t)
 
 
 @kernel(forceinline=True, fastmath=FUSED)
