@@ -71,19 +71,27 @@ def test_the_kernels_do_what_the_physics_in_numpy_says(shape: str, method: Metho
         assert np.abs(found - flat).max() <= 1e-12 * np.abs(flat).max()
 
 
+@pytest.mark.parametrize("contact", [CONSTANT, REPLACE(CONSTANT, tangential_stiffness=2000.0)])
 @pytest.mark.parametrize("rings", [10, 47])
 @pytest.mark.parametrize("method", ["rk4", "symplectic_euler"])
-def test_many_pairs_are_pushed_like_a_few(method: Method, rings: int) -> None:
+def test_many_pairs_are_pushed_like_a_few(method: Method, rings: int, contact: Contact) -> None:
     rng = np.random.default_rng(rings)
     bodies = []
     for i in range(rings):
         velocity = tuple(rng.normal(0.0, 50.0, 2).tolist())
         bodies.append(ring((21.0 * (i % 7), 19.0 * (i // 7)), 12.0, 12, velocity))
-    scene = joined(*bodies, contact=CONSTANT, integrator=Integrator(method=method, dt=1e-3))
+    scene = joined(*bodies, contact=contact, integrator=Integrator(method=method, dt=1e-3))
     arrays = Arrays(scene)
-    pairs = len(nearer(arrays, arrays.q, CONSTANT.distance))
-    assert (2 * BATCH if rings > 10 else BATCH // 4) < pairs
-    assert pairs % 8 != 0  # the last batch is filled up
+    pairs = sorted(nearer(arrays, arrays.q, contact.distance))
+    assert (2 * BATCH if rings > 10 else BATCH // 4) < len(pairs)
+    assert len(pairs) % 8 != 0  # the last batch is filled up
+    if contact.tangential_stiffness:
+        springs, masses = np.array(pairs[1::2]).T  # every other has a tangential spring
+        state, count, way = arrays.state, springs.size, rng.uniform(0.0, 2.0 * np.pi, springs.size)
+        state.contact_start[:] = np.searchsorted(springs, np.arange(arrays.body.springs + 1))
+        state.contact_mass[:count] = masses
+        kept = rng.normal(0.0, 0.1, count), rng.uniform(0.0, 1.0, count), np.cos(way), np.sin(way)
+        state.contact_stretch[:count] = np.stack(kept, 1)
     expected = Physics(arrays.body, arrays.state).accelerations(
         arrays.state.x + 1j * arrays.state.y, arrays.state.vx + 1j * arrays.state.vy
     )
