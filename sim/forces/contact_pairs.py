@@ -94,7 +94,7 @@ class Contacts(Table):
     batch_force: Rows  # (5, B) F.x, F.y, G.x, G.y, kg px/s²; t
 
 
-_NO_CONTACTS = Contacts.empty()
+NO_CONTACTS = Contacts.empty()
 
 
 def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -> Contacts:
@@ -113,7 +113,7 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
     """
     contact, springs, n = scene.contact, len(ends), len(scene.masses)
     if contact is None or contact.distance == 0.0 or not springs:
-        return _NO_CONTACTS
+        return NO_CONTACTS
     distance = contact.distance
     x = np.zeros(slots, complex)
     x[mass_index] = [complex(*mass.position) for mass in scene.masses]

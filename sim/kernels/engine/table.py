@@ -14,7 +14,7 @@ from __future__ import annotations
 import ctypes
 import inspect
 from collections.abc import Iterator
-from typing import Any, ClassVar, NamedTuple, Self, dataclass_transform
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, dataclass_transform
 
 import numpy as np
 from llvmlite import ir
@@ -85,7 +85,6 @@ class _Block:
 
     mutable: ClassVar[bool] = False
     _bytes: ClassVar[int]  # of the block
-    _places: ClassVar[list[int]]  # where the addresses of arrays are kept, as in `_Field`
     numbers: ClassVar[tuple[str, ...]]  # of a record: names of the fields that are numbers
     _starts: ClassVar[list[int]]  # where these are kept, as in `_Field`
     _others: ClassVar[set[str]]  # names of all other fields
@@ -108,7 +107,6 @@ class _Block:
                 cls.fields[name] = _Field(start, type_, is_float=kind == "float")
                 start += 1
         cls._bytes = _ITEM * start
-        cls._places = [field.start for field in cls.fields.values() if field.dtype is not None]
         cls.numba_type = TableType(cls.__name__, cls.mutable)
         cls._numba_type_ = cls.numba_type  # numba checks this attribute before it calls `typeof_impl`
         _CLASSES[cls.__name__] = cls
@@ -120,7 +118,13 @@ class _Block:
 
     def _fill(self, block: bytearray, values: dict[str, Any]) -> None:
         """Take over values, and write them into a block that has all others."""
-        wholes, floats, fields = memoryview(block).cast("q"), memoryview(block).cast("d"), self.fields
+        wholes, floats = memoryview(block).cast("q"), memoryview(block).cast("d")
+        self.__dict__.update(_wholes=wholes, _floats=floats, _address=ctypes.addressof(_AT(block)))
+        self._write(values)
+
+    def _write(self, values: dict[str, Any]) -> None:
+        """Take over values, and write them into the block."""
+        wholes, floats, fields = self.__dict__["_wholes"], self.__dict__["_floats"], self.fields
         for name, value in values.items():
             start, _, dtype, dimensions, is_float = fields[name]
             if dtype is not None:
@@ -133,12 +137,54 @@ class _Block:
                 floats[start] = value
             else:
                 wholes[start] = value.address() if isinstance(value, _Block) else int(value)
-        address = ctypes.addressof(_AT(block))
-        self.__dict__.update(values, _wholes=wholes, _floats=floats, _address=address)
+        self.__dict__.update(values)
+
+    @classmethod
+    def placed(
+        cls,
+        wholes: memoryview[int],
+        floats: memoryview[float],
+        address: int,
+        values: dict[str, Any],
+        room: Floats,
+        spans: dict[str, tuple[int, int, int]],
+    ) -> Self:
+        """A table whose words are in memory already, see `body.layout`.
+
+        Args:
+            wholes, floats: the words, as integers and as floats.
+            address: of the words.
+            values: of all fields but numbers of records and the arrays in `room`.
+            room: where these arrays are. They are made when they are first asked for.
+            spans: of each, its first number and the one behind its last, and the length of its rows, or 0.
+        """
+        table = object.__new__(cls)
+        values.update(_wholes=wholes, _floats=floats, _address=address, _later=(room, spans))
+        table.__dict__.update(values)
+        return table
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> NDArray[Any]:
+            """An array of a table that is `placed`."""
+            room, spans = self.__dict__.get("_later", (None, ()))
+            if name not in spans:
+                raise AttributeError(f"{type(self).__name__} has no {name}")
+            begin, end, width = spans[name]
+            array = self.__dict__[name] = room[begin:end].reshape(-1, width) if width else room[begin:end]
+            return array
 
     def address(self) -> int:
         """The address of the block."""
         return self.__dict__["_address"]
+
+    def words(self) -> list[int]:
+        """What is in the block, as integers."""
+        return self.__dict__["_wholes"].tolist()
+
+    def fill_in(self, **values: Any) -> None:
+        """Enter values into a table that nobody has used yet."""
+        self._write(values)
 
     @classmethod
     def empty(cls) -> Self:
@@ -173,26 +219,6 @@ class Table(_Block):
         copy = object.__new__(type(self))
         copy.__dict__.update(self.__dict__)
         copy._fill(bytearray(self.__dict__["_wholes"]), changes)
-        return copy
-
-    def moved(self, way: int, arrays: dict[str, NDArray[Any]]) -> Self:
-        """A copy of the table whose arrays are others of the same sizes, `way` bytes after its own.
-
-        It takes a tenth of the time of a new table.
-
-        Args:
-            way: for all arrays the same, as they lie in one block of memory.
-            arrays: those of all fields that are arrays and have elements.
-        """
-        copy = object.__new__(type(self))
-        block = bytearray(self.__dict__["_wholes"])
-        wholes = memoryview(block).cast("q")
-        for start in self._places:
-            wholes[start] += way
-        address = ctypes.addressof(_AT(block))
-        copy.__dict__.update(
-            self.__dict__, _wholes=wholes, _floats=memoryview(block).cast("d"), _address=address, **arrays
-        )
         return copy
 
     def copied(self) -> Self:
@@ -254,7 +280,12 @@ class Record(_Block):
 
 def _unchanging(name: str) -> property:
     """An array or a table of a record, as an attribute in Python."""
-    return property(lambda record: record.__dict__[name])
+
+    def value(record: Any) -> Any:
+        values = record.__dict__
+        return values[name] if name in values else record.__getattr__(name)
+
+    return property(value)
 
 
 def _number(field: _Field) -> property:
