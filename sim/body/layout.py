@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from ..kernels.engine.table import Floats, Record, Table, address_of
+from ..kernels.engine.table import Floats, Memory, Part, Record, Table, address_of
 
 _PAGE = 4096
 """Bytes; loads wait for stores whose addresses differ by a multiple of that."""
@@ -51,26 +51,6 @@ def _spans(sizes: tuple[tuple[int, int], ...]) -> tuple[int, list[tuple[int, int
 _Made = TypeVar("_Made", bound=Table)
 
 
-class _Part(NamedTuple):
-    """A table of a `Layout`.
-
-    Attributes:
-        kind: its class.
-        begin, end: its words in those of all.
-        same: what is the same in all copies, by name.
-        tables: the number of each table in it, by name.
-        arrays: of each array in the block, its first number and the one behind its last, and the length of
-            its rows, or 0; by name.
-    """
-
-    kind: type[Table] | type[Record]
-    begin: int
-    end: int
-    same: dict[str, Any]
-    tables: dict[str, int]
-    arrays: dict[str, tuple[int, int, int]]
-
-
 class Layout(Generic[_Made]):
     """Makes tables like one that there is, with arrays of their own, all zero, in a fifth of the time.
 
@@ -89,61 +69,53 @@ class Layout(Generic[_Made]):
         assert block is not None, "it is a part of the slab"
         self._room, self._page_offset = block.size - _PAGE // _ITEM, page_offset
         self._begins = address_of(block) + (page_offset - address_of(block)) % _PAGE
-        self._parts: list[_Part] = []
-        self._known: dict[int, int] = {}  # the number of each part, by its address
+        self._parts: list[Part] = []
         words: list[int] = []
-        self._add(first, words)
+        self._add(first, words, {})
         self._words = np.array(words, np.int64)
         self._own = address_of(self._words)
-        # One where a word is an address in the block, or of another part.
+        # One where a word is an address in the block, or of another table.
         self._of_arrays, self._of_tables = np.zeros((2, len(words)), np.int64)
         for part in self._parts:
-            fields = part.kind.fields
-            self._of_arrays[[part.begin + fields[name].start for name in part.arrays]] = 1
-            at = [part.begin + fields[name].start for name in part.tables]
-            self._of_tables[at] = 1
-            self._words[at] = [self._own + _ITEM * self._parts[i].begin for i in part.tables.values()]
+            for name, field in part.fields.items():
+                at = part.begin + part.kind.fields[name].start
+                if isinstance(field, int):
+                    self._of_tables[at] = 1
+                    self._words[at] = self._own + _ITEM * self._parts[field].begin
+                else:
+                    self._of_arrays[at] = 1
 
-    def _add(self, table: Any, words: list[int]) -> int:
-        """Add a table and those in it; its number."""
-        if table.address() in self._known:
-            return self._known[table.address()]
+    def _add(self, table: Any, words: list[int], known: dict[int, int]) -> int:
+        """Add a table and those in it; its number. `known`: the numbers of tables, by their addresses."""
+        if table.address() in known:
+            return known[table.address()]
         same: dict[str, Any] = {}
-        tables: dict[str, int] = {}
-        arrays: dict[str, tuple[int, int, int]] = {}
+        fields: dict[str, tuple[int, int, int] | int] = {}
         for name, field in table.fields.items():
             value = getattr(table, name)
             if isinstance(value, np.ndarray):
                 begin = (address_of(value) - self._begins) // _ITEM
                 if value.size and 0 <= begin < self._room:
-                    arrays[name] = begin, begin + value.size, value.shape[1] if field.dimensions == 2 else 0
+                    fields[name] = begin, begin + value.size, value.shape[1] if field.dimensions == 2 else 0
                 else:
                     same[name] = value
             elif isinstance(value, (Table, Record)):
-                tables[name] = self._add(value, words)
+                fields[name] = self._add(value, words, known)
             elif isinstance(table, Table):
                 same[name] = value  # those of a record are in its words alone
         begin = len(words)
         words += table.words()
-        self._parts.append(_Part(type(table), begin, len(words), same, tables, arrays))
-        self._known[table.address()] = len(self._parts) - 1
+        self._parts.append(Part(type(table), begin, len(words), same, fields))
+        known[table.address()] = len(self._parts) - 1
         return len(self._parts) - 1
 
     def made(self) -> _Made:
         """A table with new arrays."""
-        block, start = _block(self._room, self._page_offset)
-        room = block[start : start + self._room]
-        words = self._words + self._of_arrays * (address_of(block) + _ITEM * start - self._begins)
-        address = address_of(words)
+        block = np.zeros(self._room + _PAGE // _ITEM)
+        address = address_of(block)
+        way = (self._page_offset - address) % _PAGE
+        room = block[way // _ITEM : way // _ITEM + self._room]
+        words = self._words + self._of_arrays * (address + way - self._begins)
         if len(self._parts) > 1:
-            words += self._of_tables * (address - self._own)
-        made: list[Any] = []
-        wholes = words.data
-        floats = wholes.cast("B").cast("d")
-        for kind, begin, end, same, tables, arrays in self._parts:
-            values = same.copy()
-            for name, number in tables.items():
-                values[name] = made[number]
-            here = wholes[begin:end], floats[begin:end], address + _ITEM * begin
-            made.append(kind.placed(*here, values, room, arrays))
-        return made[-1]
+            words += self._of_tables * (address_of(words) - self._own)
+        return Memory(room, words, self._parts).of(len(self._parts) - 1)

@@ -170,13 +170,11 @@ class Solver:
         layout = _layout(wide, PAST if auto or info.name == "adams" else 0, _ALPHA_ROWS if remembers else 0)
         self.integrator = layout.made()
         self.integrator.old.fill_in(q=state.q, v=state.v)
-        run = self.integrator.run
+        memory, run = self.integrator.memory, self.integrator.run
         run.farthest, run.fastest = MAX_COORDINATE, MAX_SPEED if info.adaptive else RUNAWAY_SPEED
+        self._memory, self._words, self._first_words = memory.room, memory.words, memory.words.copy()
         self._wholes, self._floats = run.wholes, run.floats
         self._own = None if info.kernel is None else ENTRY_POINTS[info.kernel.py_func.__name__]
-        self._forget_turns()
-        # The blocks of memory in which these arrays lie, each of which is cleared at once.
-        self._memory = [block for block in (self.integrator.a.base, scratch.lx.base) if block is not None]
         self.balance = _NO_BALANCE
         self._matrix: Matrix | None = None
         self._problem: Problem | None = None
@@ -219,17 +217,16 @@ class Solver:
 
         Nothing of them is left, not even in scratch, which loops over padding read.
         """
-        integrator, run = self.integrator, self.integrator.run
-        for block in self._memory:
-            block.fill(0.0)
+        run = self.integrator.run
+        fastest = run.fastest
+        self._memory.fill(0.0)
+        self.scratch.memory.room.fill(0.0)
+        self._words[:] = self._first_words
         if self._matrix is not None:
             clear_factors(self._matrix)
-        for record in (integrator.verlet, integrator.alpha, integrator.adams):
-            record.clear()
-        self._forget_turns()
-        farthest, fastest = run.farthest, run.fastest
-        run.clear()
-        run.time, run.origin, run.farthest, run.fastest = time, time, farthest, fastest
+        run.time, run.origin, run.fastest = time, time, fastest
+        if self._own is None:
+            self._forget_turns()
 
     def _forget_turns(self) -> None:
         """Forget what `auto` has learnt of its methods."""

@@ -139,40 +139,20 @@ class _Block:
                 wholes[start] = value.address() if isinstance(value, _Block) else int(value)
         self.__dict__.update(values)
 
-    @classmethod
-    def placed(
-        cls,
-        wholes: memoryview[int],
-        floats: memoryview[float],
-        address: int,
-        values: dict[str, Any],
-        room: Floats,
-        spans: dict[str, tuple[int, int, int]],
-    ) -> Self:
-        """A table whose words are in memory already, see `body.layout`.
-
-        Args:
-            wholes, floats: the words, as integers and as floats.
-            address: of the words.
-            values: of all fields but numbers of records and the arrays in `room`.
-            room: where these arrays are. They are made when they are first asked for.
-            spans: of each, its first number and the one behind its last, and the length of its rows, or 0.
-        """
-        table = object.__new__(cls)
-        values.update(_wholes=wholes, _floats=floats, _address=address, _later=(room, spans))
-        table.__dict__.update(values)
-        return table
-
     if not TYPE_CHECKING:
 
-        def __getattr__(self, name: str) -> NDArray[Any]:
-            """An array of a table that is `placed`."""
-            room, spans = self.__dict__.get("_later", (None, ()))
-            if name not in spans:
+        def __getattr__(self, name: str) -> Any:
+            """An array or a table in one that is `Memory.table`, made when it is first asked for."""
+            memory, part = self.__dict__.get("_made_of", (None, None))
+            if memory is None or name not in part.fields:
                 raise AttributeError(f"{type(self).__name__} has no {name}")
-            begin, end, width = spans[name]
-            array = self.__dict__[name] = room[begin:end].reshape(-1, width) if width else room[begin:end]
-            return array
+            value = self.__dict__[name] = memory.of(part.fields[name])
+            return value
+
+    @property
+    def memory(self) -> Memory:
+        """The memory of a table that a `Layout` has made."""
+        return self.__dict__["_made_of"][0]
 
     def address(self) -> int:
         """The address of the block."""
@@ -197,6 +177,59 @@ class _Block:
         for name in self.fields:
             if isinstance(value := getattr(self, name), np.ndarray):
                 yield name, value
+
+
+class Part(NamedTuple):
+    """A table in a `Memory`.
+
+    Attributes:
+        kind: its class.
+        begin, end: its words in those of all.
+        same: values that all copies of the memory share, by name.
+        fields: of each array in `Memory.room`, its first number and the one behind its last, and the length
+            of its rows, or 0; of each table, its number among all; by name.
+    """
+
+    kind: type[_Block]
+    begin: int
+    end: int
+    same: dict[str, Any]
+    fields: dict[str, tuple[int, int, int] | int]
+
+
+class Memory:
+    """What tables that are copied together are made of; each when it is first asked for.
+
+    Args:
+        room: the arrays of all of them.
+        words: the words of all of them.
+        parts: the tables.
+
+    Attributes:
+        room, words: these.
+    """
+
+    def __init__(self, room: Floats, words: Indices, parts: list[Part]) -> None:
+        self.room, self.words, self._parts = room, words, parts
+        self._wholes, self._address = words.data, address_of(words)
+        self._floats = self._wholes.cast("B").cast("d")
+
+    def of(self, field: tuple[int, int, int] | int) -> Any:
+        """An array or a table, see `Part.fields`."""
+        if isinstance(field, int):
+            part = self._parts[field]
+            kind, begin, end, same, _ = part
+            table = object.__new__(kind)
+            table.__dict__.update(
+                same,
+                _wholes=self._wholes[begin:end],
+                _floats=self._floats[begin:end],
+                _address=self._address + _ITEM * begin,
+                _made_of=(self, part),
+            )
+            return table
+        begin, end, width = field
+        return self.room[begin:end].reshape(-1, width) if width else self.room[begin:end]
 
 
 def address_of(array: NDArray[Any]) -> int:
