@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Generic, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 import msgspec
 import numpy as np
@@ -30,10 +30,13 @@ from ..kernels.core.tables import (
     State,
     padded,
 )
-from ..kernels.engine.table import Table, address_of
+from ..kernels.engine.table import Table
 from ..methods.registry import METHODS
-from ..scene.columns import column, ends, vectors
+from ..scene.columns import column, columns, ends, vectors
 from ..scene.types import Damage, Integrator, Scene, is_damageable, is_loaded, is_surrounded
+from .layout import Layout, slab
+
+_Made = TypeVar("_Made", bound=Table)
 
 _SOFT_IN_TOLERANCES = 0.02
 """Softening length of springs under an adaptive method, in tolerances; see `Body.softening`."""
@@ -105,12 +108,14 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
     mass_order, mass_index = wiring.mass_order, wiring.mass_index
     body = _body(scene, wiring, damageable)
     held = np.zeros(n, np.bool_)
-    held[mass_index[[anchor.mass for anchor in scene.anchors]] - 1] = True
+    for anchor in scene.anchors:
+        held[mass_index[anchor.mass] - 1] = True
     if scene.pose is not None:
         positions, velocities = np.array(scene.pose.positions), np.array(scene.pose.velocities)
     else:
         positions, velocities = vectors(scene.masses, "position"), vectors(scene.masses, "velocity")
-    start = np.concatenate((positions, velocities), 1).T[:, mass_order]
+    start = np.empty((4, n))
+    start[:2], start[2:] = positions[mass_order].T, velocities[mass_order].T
     start[2:, held] = 0.0
     return System(
         body=body,
@@ -121,7 +126,7 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
         joint_order=wiring.joint_order,
         inverse_mass=1.0 / column(scene.masses, "mass")[mass_order],
         held=held,
-        start=np.ascontiguousarray(start),
+        start=start,
         loads=_loads(scene, mass_order),
     )
 
@@ -208,66 +213,6 @@ def _joint_stiffness(scene: Scene) -> Floats:
     return column(scene.angular_springs, "stiffness") * factor
 
 
-def slab(sizes: Sequence[tuple[int, int]], page_offset: int) -> list[Floats]:
-    """Zeroed arrays, one after another in one block of memory.
-
-    Each is given as (count, first): its length, and the index of the element to align to 64 bytes because
-    loops start there.
-
-    The speed of a short chain depends on how its arrays are aligned: a vector that crosses a cache line is
-    slower to load, and a load waits for a store whose address differs by a multiple of 4096 bytes. Left to
-    chance, run times differ by a fifth. The block starts `page_offset` bytes after such a multiple.
-    """
-    room, spans = _spans(tuple(sizes))
-    block, start = _block(room, page_offset)
-    return [block[start + begin : start + end] for begin, end in spans]
-
-
-def _block(room: int, page_offset: int) -> tuple[Floats, int]:
-    """Zeros, and the index from which on there is room for so many; see `slab`."""
-    block = np.zeros(room + 512)
-    return block, (page_offset - address_of(block)) % 4096 // 8
-
-
-@lru_cache(maxsize=64)
-def _spans(sizes: tuple[tuple[int, int], ...]) -> tuple[int, list[tuple[int, int]]]:
-    """The numbers that a slab has, and the first and the last of each array in it."""
-    spans, start = [], 0
-    for count, first in sizes:
-        begin = start + (-first) % 8
-        spans.append((begin, begin + count))
-        start += -(-(first % 8 + count + 8) // 8) * 8
-    return start, spans
-
-
-_Arrays = TypeVar("_Arrays", bound=Table)
-
-
-class _Layout(Generic[_Arrays]):
-    """Where the arrays of a table lie in a slab: one of the tables, from which all others follow.
-
-    Args:
-        kind: of the table; all of its fields are arrays.
-        sizes: of each field that lies there, as of `slab`; other arrays are empty.
-        page_offset: likewise.
-    """
-
-    def __init__(self, kind: type[_Arrays], sizes: Mapping[str, tuple[int, int]], page_offset: int) -> None:
-        of_each = tuple(sizes.values())
-        self._page_offset = page_offset
-        self._room, spans = _spans(of_each)
-        self._spans = [(name, *span) for name, span in zip(sizes, spans, strict=True)]
-        arrays = slab(of_each, page_offset)
-        self._begins = address_of(arrays[0]) - 8 * spans[0][0]
-        self._first = kind.empty().replaced(**dict(zip(sizes, arrays, strict=True)))
-
-    def made(self) -> _Arrays:
-        """A table with new arrays, all zero."""
-        block, start = _block(self._room, self._page_offset)
-        way = address_of(block) + 8 * start - self._begins
-        return self._first.moved(way, {name: block[start + a : start + b] for name, a, b in self._spans})
-
-
 def slots_of(body: Body) -> int:
     """The number of slots of a body's states."""
     return _slots_for(body.masses, body.stiffness.size if body.chain or body.ring else 0)
@@ -291,7 +236,7 @@ def new_state(system: System) -> State:
 
 
 @lru_cache(maxsize=16)
-def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: int) -> _Layout[State]:
+def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: int) -> Layout[State]:
     """The layout for arrays of springs and of joints with some room; `springs` and `joints` may yield."""
     sizes = {
         "q": (2 * slots, 1),
@@ -309,7 +254,14 @@ def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: 
         "trial_angle": (joints, 0),
         "broken": (springs, 0),
     }
-    return _Layout(State, {field: sizes.get(field, (slots, 1)) for field in _STATE_VECTORS}, page_offset=0)
+    return _layout(State, {field: sizes.get(field, (slots, 1)) for field in _STATE_VECTORS}, page_offset=0)
+
+
+def _layout(kind: type[_Made], sizes: Mapping[str, tuple[int, int]], page_offset: int) -> Layout[_Made]:
+    """The layout of a table that has nothing but arrays, some of them empty; arguments as of `slab`."""
+    arrays = slab(list(sizes.values()), page_offset)
+    first = kind.empty().replaced(**dict(zip(sizes, arrays, strict=True)))
+    return Layout(first, arrays, page_offset)
 
 
 def rest_lengths(body: Body, state: State) -> Floats:
@@ -337,13 +289,17 @@ def refresh(body: Body, state: State) -> None:
     """Recompute what depends on the scale of rest lengths, the shift of rest angles, and the clock."""
     springs, joints = slice(body.springs), slice(1, body.joints + 1)
     state.rest_tension[springs] = body.stiffness[springs] * rest_lengths(body, state)
+    if not body.joints:
+        if body.limits.present:
+            state.trial_tension[:] = state.rest_tension[springs]
+        return
     rest = np.radians(rest_angles(body, state))
     state.torque_rest[joints] = rest
     state.torque_cos[joints] = body.joint_stiffness * np.cos(rest)
     state.torque_sin[joints] = body.joint_stiffness * np.sin(rest)
     if body.limits.present:
         state.trial_tension[:], state.trial_angle[:] = state.rest_tension[springs], rest
-    if body.ring and body.joints:
+    if body.ring:
         state.torque_cos[0] = state.torque_cos[body.joints]
         state.torque_sin[0] = state.torque_sin[body.joints]
 
@@ -362,11 +318,11 @@ def new_scratch(system: System) -> Scratch:
 
 
 @lru_cache(maxsize=16)
-def _layout_of_scratch(room: int) -> _Layout[Scratch]:
+def _layout_of_scratch(room: int) -> Layout[Scratch]:
     first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # where loops over springs and masses start
     sizes = {field: (room, first.get(field, 0)) for field in _SCRATCH_VECTORS}
     # An offset behind that of the arrays of a short chain's `State`.
-    return _Layout(Scratch, sizes, page_offset=2560)
+    return _layout(Scratch, sizes, page_offset=2560)
 
 
 class _Wiring(NamedTuple):
@@ -544,9 +500,8 @@ def _body(scene: Scene, wiring: _Wiring, damageable: bool) -> Body:
     stiffness, damping, rest, torque_size, softenings = slab(
         [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
     )
-    stiffness[:count] = column(springs, "stiffness")[order]
-    damping[:count] = column(springs, "damping")[order]
-    rest[:count] = column(springs, "rest_length")[order]
+    of_springs = columns(springs, "stiffness", "damping", "rest_length")
+    stiffness[:count], damping[:count], rest[:count] = of_springs[:, order]
     softening = _softening(scene)
     # The loop around a ring visits its first spring twice.
     softenings[:], softenings[: count + ring] = _ENDLESS, max(softening, LEAST)
@@ -568,8 +523,8 @@ def _body(scene: Scene, wiring: _Wiring, damageable: bool) -> Body:
         "torque_damping": torque_damping,
     }
     body = wiring.body.replaced(
-        damped=bool(damping.any()),
-        joint_damped=bool(torque_damping.any()),
+        damped=np.count_nonzero(damping) > 0,  # in a tenth of the time of `any`
+        joint_damped=np.count_nonzero(torque_damping) > 0,
         law=LAWS[scene.force_law].code if held else NO_JOINTS,
         softening=softening,
         limits=new_limits(scene, order, wiring.joint_order) if damageable else NO_LIMITS,

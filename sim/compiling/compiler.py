@@ -74,8 +74,8 @@ class EntryPoint:
     def call(self) -> Callable[..., Any]:
         """Its machine code, which is loaded by now, as a function for Python.
 
-        It takes arguments of exactly its signature. The kernel itself would look up their types in every call,
-        in more time than a step of a short body takes.
+        It takes arguments of exactly its signature. The kernel itself would look up their types in every
+        call, in more time than a step of a short body takes.
         """
         return self.kernel.overloads[self.signature].entry_point
 

@@ -63,13 +63,13 @@ def new_air(scene: Scene) -> Air:
     """The table of a valid scene."""
     wind = scene.wind
     if wind is None or not is_windy(scene):
-        return _still_air(scene.air_friction)
+        return still_air(scene.air_friction)
     x, y = wind.velocity
     return read_only(Air(friction=scene.air_friction, moves=True, wind_x=x, wind_y=y, waves=_waves(wind)))
 
 
 @lru_cache(maxsize=16)
-def _still_air(friction: float) -> Air:
+def still_air(friction: float) -> Air:
     """The table of a scene without wind. Those of all scenes of one friction are the same."""
     waves = np.zeros((0, len(Wave._fields)))
     return read_only(Air(friction=friction, moves=False, wind_x=0.0, wind_y=0.0, waves=waves))

@@ -97,7 +97,7 @@ class Contacts(Table):
     )
 
 
-_NO_CONTACTS = Contacts.empty()
+NO_CONTACTS = Contacts.empty()
 
 
 def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -> Contacts:
@@ -116,7 +116,7 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
     """
     contact, springs, n = scene.contact, len(ends), len(scene.masses)
     if contact is None or contact.distance == 0.0 or not springs:
-        return _NO_CONTACTS
+        return NO_CONTACTS
     distance = contact.distance
     x = np.zeros(slots, complex)
     x[mass_index] = [complex(*mass.position) for mass in scene.masses]

@@ -58,7 +58,7 @@ class FillingRow(NamedTuple):
     area: float  # px², its own
 
 
-_NO_FILLINGS = read_only(
+NO_FILLINGS = read_only(
     Fillings(
         start=np.zeros(1, np.int64), loop=np.zeros(0, np.int64), rows=np.zeros((0, len(FillingRow._fields)))
     )
@@ -68,7 +68,7 @@ _NO_FILLINGS = read_only(
 def new_fillings(scene: Scene, mass_index: Indices) -> Fillings:
     """The table of a valid scene; `mass_index`: (n,) the slot of each of its masses."""
     if not scene.fillings:
-        return _NO_FILLINGS
+        return NO_FILLINGS
     at = np.array([complex(*mass.position) for mass in scene.masses])
     rest = {frozenset((s.a, s.b)): s.rest_length for s in scene.linear_springs}
     loops, rows = [], []

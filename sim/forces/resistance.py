@@ -53,7 +53,7 @@ class ResistanceRow(NamedTuple):
     slip: float  # px/s, see above; 0 in a medium
 
 
-_NO_RESISTANCE = read_only(Resistance(rows=np.zeros((0, len(ResistanceRow._fields)))))
+NO_RESISTANCE = read_only(Resistance(rows=np.zeros((0, len(ResistanceRow._fields)))))
 
 
 def new_resistance(scene: Scene, ends: Indices, mass: Floats) -> Resistance:
@@ -66,8 +66,8 @@ def new_resistance(scene: Scene, ends: Indices, mass: Floats) -> Resistance:
     """
     medium, ground = scene.medium, scene.ground
     if not (medium or ground):
-        return _NO_RESISTANCE
-    rows = _NO_RESISTANCE.rows
+        return NO_RESISTANCE
+    rows = NO_RESISTANCE.rows
     none = np.zeros(len(ends))
     if medium:
         row = ResistanceRow(0.5, 0.0, 0.0, medium.across, medium.along, medium.along, 0.0)

@@ -63,13 +63,13 @@ class WallRow(NamedTuple):
 NOWHERE = 1e300
 """In `State.wall_place`, the place of a mass that has no tangential spring there."""
 
-_NO_WALLS = read_only(Walls(rows=np.zeros((0, len(WallRow._fields))), tangential=False))
+NO_WALLS = read_only(Walls(rows=np.zeros((0, len(WallRow._fields))), tangential=False))
 
 
 def new_walls(scene: Scene) -> Walls:
     """The table of a valid scene."""
     if not scene.walls:
-        return _NO_WALLS
+        return NO_WALLS
     rows = np.array([_row(wall) for wall in scene.walls], float).reshape(-1, len(WallRow._fields))
     return read_only(Walls(rows=rows, tangential=any(wall.tangential_hardness for wall in scene.walls)))
 

@@ -233,16 +233,18 @@ class Hands:
             held = held.copy()
             held[system.mass_index[list(self.grabbed)] - 1] = True
         free = np.where(held, 0.0, 1.0)
+        inverse_mass = free * system.inverse_mass
         state.v.reshape(2, -1)[:, masses] *= free
-        state.inverse_mass[masses] = free * system.inverse_mass
-        still = 0.0 if scene.wind else scene.air_friction  # the friction of wind is in the surroundings
-        state.air[masses] = state.inverse_mass[masses] * still
-        state.gx[masses] = free * scene.gravity[0]
-        state.gy[masses] = free * scene.gravity[1]
-        if system.loads is not None:
-            state.gx[masses] += state.inverse_mass[masses] * system.loads[0]
-            state.gy[masses] += state.inverse_mass[masses] * system.loads[1]
-        return bool(held.all())
+        state.inverse_mass[masses] = inverse_mass
+        # The state is of this scene alone, so what is zero in it is so from the start.
+        if scene.air_friction and not scene.wind:  # the friction of wind is in the surroundings
+            state.air[masses] = inverse_mass * scene.air_friction
+        for k, (array, gravity) in enumerate(((state.gx, scene.gravity[0]), (state.gy, scene.gravity[1]))):
+            if system.loads is not None:
+                array[masses] = free * gravity + inverse_mass * system.loads[k]
+            elif gravity:
+                array[masses] = free * gravity
+        return np.count_nonzero(free) == 0
 
     def settle(self, ended: bool) -> None:
         """After a call, forget the hands that have arrived, and the targets if the call came to its end."""

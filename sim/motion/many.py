@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.system import slab
+from ..body.layout import slab
 from ..errors import InputError, SceneError
 from ..forces.joints import LAWS, NO_JOINTS, SINE_LAWS
 from ..kernels.core.tables import Tableau

@@ -414,8 +414,7 @@ class Simulation:
     def reset(self) -> None:
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
         pose = self._scene.pose
-        start = self._system.start[:, self._system.mass_index - 1]
-        self._adopt(start, pose.damage if pose else None, pose.grips if pose else None)
+        self._adopt(self._system.start, pose.damage if pose else None, pose.grips if pose else None, True)
         self._owed = 0.0
         self._hands.clear()
         self._restart(0.0, 0)
@@ -526,11 +525,17 @@ class Simulation:
             field.take(index, out=row, mode="clip")
         return rows
 
-    def _adopt(self, rows: NDArray[np.float64], damage: Damage | None, grips: Grips | None) -> None:
-        """Fill in the state from what `_rows`, `damage` and `grips_of` give."""
-        state, index = self._state, self._system.vector_index.T
-        state.q[:] = state.v[:] = 0.0  # the padding, too
-        state.q[index], state.v[index] = rows[:2], rows[2:]
+    def _adopt(
+        self, rows: NDArray[np.float64], damage: Damage | None, grips: Grips | None, in_slots: bool = False
+    ) -> None:
+        """Fill in the state from what `_rows`, `damage` and `grips_of` give.
+
+        `in_slots`: whether the rows are in the order of the slots, and not in the scene's.
+        """
+        state, here = self._state, slice(1, self._body.masses + 1) if in_slots else self._system.mass_index
+        for vector, of_masses in ((state.q, rows[:2]), (state.v, rows[2:])):
+            vector.fill(0.0)  # the padding, too
+            vector.reshape(2, -1)[:, here] = of_masses
         if self._body.limits.present:
             put_damage(state, self._system, damage)
         put_grips(state, self._system, grips)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
+from ..body.layout import Layout, slab
 from ..body.sparsity import NO_MATRIX, clear_factors, new_matrix
-from ..body.system import System, refresh, slab
+from ..body.system import System, refresh
 from ..compiling.compiler import (
     ENTRY_POINTS,
     FOR_DAMAGE,
@@ -61,6 +63,8 @@ from .stability import damped_limit, quick_limit
 
 _ROWS, _ALPHA_ROWS = 20, 4
 """Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
+_ROWS_OFFSET = 2560 // 8
+"""Where they begin in a page of 512 numbers; see `body.layout.slab`."""
 
 _NO_BALANCE = EnergyBalance.empty().replaced(work=Work())
 """Of all solvers that keep none; nobody reads what is entered into it."""
@@ -111,6 +115,30 @@ class SolverStats:
     work: int = 0
 
 
+@lru_cache(maxsize=16)
+def _layout(wide: int, past: int, alpha: int) -> Layout[IntegratorState]:
+    """The layout for flat vectors of some length, and so many rows of `AdamsState` and of `AlphaState`."""
+    # Rows lie in another part of a page than `new`, which has three vectors and some room behind each.
+    new = 3 * (wide + 16)
+    gap = (_ROWS_OFFSET - new - 16) % 512 + 8
+    count = 1 + _ROWS + past + alpha
+    arrays = slab([(wide, 1)] * 3 + [(gap, 0), (count * wide, 1)], page_offset=0)
+    rows = arrays[4].reshape(-1, wide)  # a whole number of cache lines each
+    first = IntegratorState(
+        a=rows[0],
+        old=Phase(q=np.zeros(0), v=np.zeros(0), a=rows[0]),  # of each state its own
+        new=Phase(q=arrays[0], v=arrays[1], a=arrays[2]),
+        rows=rows[1 : 1 + _ROWS],
+        run=Run(),
+        trial=Trial(),
+        verlet=VerletState(),
+        alpha=AlphaState(rows=rows[1 + _ROWS + past :]),
+        adams=AdamsState(past=rows[1 + _ROWS : 1 + _ROWS + past]),
+        auto=AutoState(step=arrays[3][:CHOICES], pace=arrays[3][CHOICES : 2 * CHOICES]),
+    )
+    return Layout(first, arrays, page_offset=0)
+
+
 class Solver:
     """The tables of a body, and the methods that move it.
 
@@ -135,35 +163,18 @@ class Solver:
         wide = state.q.size
         self._info = info = METHODS[scene.integrator.method]
         tolerance = scene.integrator.tolerance * info.tolerance_factor
-        self._tolerance = max(tolerance * (_WITH_LIMITS if is_damageable(scene) else 1.0), 1e-13)
+        yields = system.body.limits.present and is_damageable(scene)
+        self._tolerance = max(tolerance * (_WITH_LIMITS if yields else 1.0), 1e-13)
         auto = self._info.name == "auto"
         remembers = self._info.name == "generalized_alpha" or (auto and system.body.masses >= LONG)
-        past, kept = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
-        count = kept + (_ALPHA_ROWS if remembers else 0)
-        (room,) = slab([(count * wide, 1)], page_offset=2560)
-        new_q, new_v, new_a = slab([(wide, 1)] * 3, page_offset=0)
-        rows = room.reshape(-1, wide)  # a whole number of cache lines each
-        self.integrator = IntegratorState(
-            a=rows[0],
-            old=Phase(q=state.q, v=state.v, a=rows[0]),
-            new=Phase(q=new_q, v=new_v, a=new_a),
-            rows=rows[1:past],
-            run=Run(
-                farthest=MAX_COORDINATE,
-                fastest=MAX_SPEED if self._info.adaptive else RUNAWAY_SPEED,
-            ),
-            trial=Trial(),
-            verlet=VerletState(),
-            alpha=AlphaState(rows=rows[kept:]),
-            adams=AdamsState(past=rows[past:kept]),
-            auto=AutoState(step=np.zeros(CHOICES), pace=np.zeros(CHOICES)),
-        )
-        run = self.integrator.run
+        layout = _layout(wide, PAST if auto or info.name == "adams" else 0, _ALPHA_ROWS if remembers else 0)
+        self.integrator = layout.made()
+        self.integrator.old.fill_in(q=state.q, v=state.v)
+        memory, run = self.integrator.memory, self.integrator.run
+        run.farthest, run.fastest = MAX_COORDINATE, MAX_SPEED if info.adaptive else RUNAWAY_SPEED
+        self._memory, self._words, self._first_words = memory.room, memory.words, memory.words.copy()
         self._wholes, self._floats = run.wholes, run.floats
         self._own = None if info.kernel is None else ENTRY_POINTS[info.kernel.py_func.__name__]
-        self._forget_turns()
-        # The blocks of memory in which these arrays lie, each of which is cleared at once.
-        self._memory = [block for block in (room.base, new_q.base, scratch.lx.base) if block is not None]
         self.balance = _NO_BALANCE
         self._matrix: Matrix | None = None
         self._problem: Problem | None = None
@@ -206,17 +217,16 @@ class Solver:
 
         Nothing of them is left, not even in scratch, which loops over padding read.
         """
-        integrator, run = self.integrator, self.integrator.run
-        for block in self._memory:
-            block.fill(0.0)
+        run = self.integrator.run
+        fastest = run.fastest
+        self._memory.fill(0.0)
+        self.scratch.memory.room.fill(0.0)
+        self._words[:] = self._first_words
         if self._matrix is not None:
             clear_factors(self._matrix)
-        for record in (integrator.verlet, integrator.alpha, integrator.adams):
-            record.clear()
-        self._forget_turns()
-        farthest, fastest = run.farthest, run.fastest
-        run.clear()
-        run.time, run.origin, run.farthest, run.fastest = time, time, farthest, fastest
+        run.time, run.origin, run.fastest = time, time, fastest
+        if self._own is None:
+            self._forget_turns()
 
     def _forget_turns(self) -> None:
         """Forget what `auto` has learnt of its methods."""

@@ -14,7 +14,7 @@ from __future__ import annotations
 import ctypes
 import inspect
 from collections.abc import Iterator
-from typing import Any, ClassVar, NamedTuple, Self, dataclass_transform
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, dataclass_transform
 
 import numpy as np
 from llvmlite import ir
@@ -85,7 +85,6 @@ class _Block:
 
     mutable: ClassVar[bool] = False
     _bytes: ClassVar[int]  # of the block
-    _places: ClassVar[list[int]]  # where the addresses of arrays are kept, as in `_Field`
     numbers: ClassVar[tuple[str, ...]]  # of a record: names of the fields that are numbers
     _starts: ClassVar[list[int]]  # where these are kept, as in `_Field`
     _others: ClassVar[set[str]]  # names of all other fields
@@ -108,7 +107,6 @@ class _Block:
                 cls.fields[name] = _Field(start, type_, is_float=kind == "float")
                 start += 1
         cls._bytes = _ITEM * start
-        cls._places = [field.start for field in cls.fields.values() if field.dtype is not None]
         cls.numba_type = TableType(cls.__name__, cls.mutable)
         cls._numba_type_ = cls.numba_type  # numba checks this attribute before it calls `typeof_impl`
         _CLASSES[cls.__name__] = cls
@@ -120,7 +118,13 @@ class _Block:
 
     def _fill(self, block: bytearray, values: dict[str, Any]) -> None:
         """Take over values, and write them into a block that has all others."""
-        wholes, floats, fields = memoryview(block).cast("q"), memoryview(block).cast("d"), self.fields
+        wholes, floats = memoryview(block).cast("q"), memoryview(block).cast("d")
+        self.__dict__.update(_wholes=wholes, _floats=floats, _address=ctypes.addressof(_AT(block)))
+        self._write(values)
+
+    def _write(self, values: dict[str, Any]) -> None:
+        """Take over values, and write them into the block."""
+        wholes, floats, fields = self.__dict__["_wholes"], self.__dict__["_floats"], self.fields
         for name, value in values.items():
             start, _, dtype, dimensions, is_float = fields[name]
             if dtype is not None:
@@ -133,12 +137,34 @@ class _Block:
                 floats[start] = value
             else:
                 wholes[start] = value.address() if isinstance(value, _Block) else int(value)
-        address = ctypes.addressof(_AT(block))
-        self.__dict__.update(values, _wholes=wholes, _floats=floats, _address=address)
+        self.__dict__.update(values)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            """An array or a table in one that is `Memory.table`, made when it is first asked for."""
+            memory, part = self.__dict__.get("_made_of", (None, None))
+            if memory is None or name not in part.fields:
+                raise AttributeError(f"{type(self).__name__} has no {name}")
+            value = self.__dict__[name] = memory.of(part.fields[name])
+            return value
+
+    @property
+    def memory(self) -> Memory:
+        """The memory of a table that a `Layout` has made."""
+        return self.__dict__["_made_of"][0]
 
     def address(self) -> int:
         """The address of the block."""
         return self.__dict__["_address"]
+
+    def words(self) -> list[int]:
+        """What is in the block, as integers."""
+        return self.__dict__["_wholes"].tolist()
+
+    def fill_in(self, **values: Any) -> None:
+        """Enter values into a table that nobody has used yet."""
+        self._write(values)
 
     @classmethod
     def empty(cls) -> Self:
@@ -151,6 +177,59 @@ class _Block:
         for name in self.fields:
             if isinstance(value := getattr(self, name), np.ndarray):
                 yield name, value
+
+
+class Part(NamedTuple):
+    """A table in a `Memory`.
+
+    Attributes:
+        kind: its class.
+        begin, end: its words in those of all.
+        same: values that all copies of the memory share, by name.
+        fields: of each array in `Memory.room`, its first number and the one behind its last, and the length
+            of its rows, or 0; of each table, its number among all; by name.
+    """
+
+    kind: type[_Block]
+    begin: int
+    end: int
+    same: dict[str, Any]
+    fields: dict[str, tuple[int, int, int] | int]
+
+
+class Memory:
+    """What tables that are copied together are made of; each when it is first asked for.
+
+    Args:
+        room: the arrays of all of them.
+        words: the words of all of them.
+        parts: the tables.
+
+    Attributes:
+        room, words: these.
+    """
+
+    def __init__(self, room: Floats, words: Indices, parts: list[Part]) -> None:
+        self.room, self.words, self._parts = room, words, parts
+        self._wholes, self._address = words.data, address_of(words)
+        self._floats = self._wholes.cast("B").cast("d")
+
+    def of(self, field: tuple[int, int, int] | int) -> Any:
+        """An array or a table, see `Part.fields`."""
+        if isinstance(field, int):
+            part = self._parts[field]
+            kind, begin, end, same, _ = part
+            table = object.__new__(kind)
+            table.__dict__.update(
+                same,
+                _wholes=self._wholes[begin:end],
+                _floats=self._floats[begin:end],
+                _address=self._address + _ITEM * begin,
+                _made_of=(self, part),
+            )
+            return table
+        begin, end, width = field
+        return self.room[begin:end].reshape(-1, width) if width else self.room[begin:end]
 
 
 def address_of(array: NDArray[Any]) -> int:
@@ -173,26 +252,6 @@ class Table(_Block):
         copy = object.__new__(type(self))
         copy.__dict__.update(self.__dict__)
         copy._fill(bytearray(self.__dict__["_wholes"]), changes)
-        return copy
-
-    def moved(self, way: int, arrays: dict[str, NDArray[Any]]) -> Self:
-        """A copy of the table whose arrays are others of the same sizes, `way` bytes after its own.
-
-        It takes a tenth of the time of a new table.
-
-        Args:
-            way: for all arrays the same, as they lie in one block of memory.
-            arrays: those of all fields that are arrays and have elements.
-        """
-        copy = object.__new__(type(self))
-        block = bytearray(self.__dict__["_wholes"])
-        wholes = memoryview(block).cast("q")
-        for start in self._places:
-            wholes[start] += way
-        address = ctypes.addressof(_AT(block))
-        copy.__dict__.update(
-            self.__dict__, _wholes=wholes, _floats=memoryview(block).cast("d"), _address=address, **arrays
-        )
         return copy
 
     def copied(self) -> Self:
@@ -254,7 +313,12 @@ class Record(_Block):
 
 def _unchanging(name: str) -> property:
     """An array or a table of a record, as an attribute in Python."""
-    return property(lambda record: record.__dict__[name])
+
+    def value(record: Any) -> Any:
+        values = record.__dict__
+        return values[name] if name in values else record.__getattr__(name)
+
+    return property(value)
 
 
 def _number(field: _Field) -> property:
