@@ -83,10 +83,9 @@ _WITH_LIMITS = 0.3
 """Tolerance of methods with error control where something yields or breaks, as a fraction of the scene's: the
 kinks of forces cause larger errors than is estimated for smooth ones. Found on random worlds."""
 _WITH_CONTACT = 0.1
-"""The same once more if masses may also lie on springs. Errors of a method are held to the tolerance by place,
-and those of speeds mostly cancel where a body vibrates. In a collision, which takes a few short steps, they do
-not: each leaves with a wrong speed, and collisions and breaks turn small errors into larger ones. Found on
-random worlds."""
+"""The same once more if masses may also lie on springs. Errors are held to the tolerance by place, and those
+of speeds mostly cancel where a body vibrates. In a collision, which takes a few short steps, they do not: each
+leaves with a wrong speed, and collisions and breaks turn small errors into larger ones."""
 
 FALLBACK_STEP = 1e-3
 """Length of a fallback step, s."""
