@@ -84,8 +84,8 @@ _WITH_LIMITS = 0.3
 kinks of forces cause larger errors than is estimated for smooth ones. Found on random worlds."""
 _WITH_CONTACT = 0.1
 """The same once more if masses may also lie on springs. Errors are held to the tolerance by place, and those
-of speeds mostly cancel where a body vibrates. In a collision, which takes a few short steps, they do not: each
-leaves with a wrong speed, and collisions and breaks turn small errors into larger ones."""
+of speeds mostly cancel where a body vibrates. In a collision, which takes a few short steps, they do not: it
+leaves a wrong speed, and collisions and breaks turn small errors into larger ones."""
 
 FALLBACK_STEP = 1e-3
 """Length of a fallback step, s."""

@@ -24,7 +24,7 @@ _SPAN = 5e-3
 an implicit method is meant to avoid following them."""
 _SHORT = 4.0
 """That span as a multiple of the step, at most, where anything yields or breaks. Else the speed that a short
-step may miss at a kink would be unbounded."""
+step may miss at a kink would be unbounded. With contact besides there is none: collisions are too short."""
 
 
 @kernel(fastmath=FAST)
@@ -83,7 +83,9 @@ def _step(problem, drive, old, new, t, h, tolerance):
             w[j] = g * x[j] - rest[j]
     integrator.run.matrices += 1
     integrator.run.forces += stages
-    span = min(_SPAN, _SHORT * h) if problem.part_to_try != 0 else _SPAN
+    span = _SPAN
+    if problem.part_to_try != 0:
+        span = min(_SPAN, _SHORT * h) if problem.no_tunnelling == 0 else h
     error = largest_sum(method.error, xs, stages, rest) / (max(h, span) * tolerance)
     if not error < HOPELESS:
         return HOPELESS
