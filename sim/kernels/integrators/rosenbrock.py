@@ -24,7 +24,7 @@ _SPAN = 5e-3
 an implicit method is meant to avoid following them."""
 _SHORT = 4.0
 """That span as a multiple of the step, at most, where anything yields or breaks. Else the speed that a short
-step may miss at a kink would be unbounded. With contact besides there is none: collisions are too short."""
+step may miss at a kink would be unbounded. With walls or contact there is none: collisions are too short."""
 
 
 @kernel(fastmath=FAST)
@@ -85,7 +85,8 @@ def _step(problem, drive, old, new, t, h, tolerance):
     integrator.run.forces += stages
     span = _SPAN
     if problem.part_to_try != 0:
-        span = min(_SPAN, _SHORT * h) if problem.no_tunnelling == 0 else h
+        collides = problem.no_tunnelling != 0 or body.environment.walls.rows.shape[0] > 0
+        span = h if collides else min(_SPAN, _SHORT * h)
     error = largest_sum(method.error, xs, stages, rest) / (max(h, span) * tolerance)
     if not error < HOPELESS:
         return HOPELESS
