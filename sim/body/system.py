@@ -253,6 +253,7 @@ def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: 
         "trial_tension": (springs, 0),
         "trial_angle": (joints, 0),
         "broken": (springs, 0),
+        "yields": (springs + joints + 1 if springs else 0, 0),
     }
     return _layout(State, {field: sizes.get(field, (slots, 1)) for field in _STATE_VECTORS}, page_offset=0)
 

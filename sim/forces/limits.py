@@ -173,17 +173,33 @@ def _turn_rest(body, state, j, rest):
 @kernel(fastmath=FAST)
 def yield_at(body, state, q):
     """Set rest lengths and rest angles to what they are if the step leads to positions q."""
-    limits = body.limits
+    limits, known = body.limits, state.yields[body.springs + body.joints] > 0.0
     for s in range(body.springs):
         if limits.yielding[s] < np.inf:
             force = _trial_force(body, state, q, s)
-            moved = _set_by(body, state, s, _beyond(body, state, s, force), force)
+            over = _beyond(body, state, s, force)
+            if known:
+                moved = math.copysign(1.0, force) * over if state.yields[s] > 0.0 else 0.0
+            else:
+                moved = _set_by(body, state, s, over, force)
             state.rest_tension[s] = state.trial_tension[s] + body.stiffness[s] * moved
     for j in range(body.joints):
         off, limit, kept, _ = _bent(body, state, q, j)
-        moved = off - math.copysign(kept, off) if abs(off) > limit else 0.0
+        on = state.yields[body.springs + j] > 0.0 if known else abs(off) > limit
+        moved = off - math.copysign(kept, off) if on else 0.0
         if moved != 0.0 or state.torque_rest[j + 1] != state.trial_angle[j]:
             _turn_rest(body, state, j, state.trial_angle[j] + moved)
+
+
+@kernel(forceinline=True)
+def hold_branches(body, state, held):
+    """Let what yields be what the last `add_yielding_derivatives` found, whatever the forces are, or not.
+
+    A difference quotient of the forces there would else be half of that of a spring that yields, and half of
+    one that does not.
+    """
+    if body.limits.present:
+        state.yields[body.springs + body.joints] = 1.0 if held else 0.0
 
 
 @kernel(fastmath=FAST)
@@ -197,6 +213,8 @@ def yielding_accelerations(body, state, scratch, q, v, a):
 @kernel(fastmath=FAST)
 def add_yielding_derivatives(body, state, matrix, q, v):
     """Add what yielding changes of the derivatives of forces to `matrix.blocks`, after `yield_at`.
+
+    What yields is noted in `State.yields`.
 
     A spring that yields has R' = k² / (k + H) by its length, so that its tension changes by
     k² / (k + H) u uᵀ, with the unit vector u.
@@ -212,20 +230,24 @@ def add_yielding_derivatives(body, state, matrix, q, v):
         u, w = from_to(v, body.spring_a[s], body.spring_b[s])
         beyond = _beyond(body, state, s, force)
         on = beyond > -_ON * limits.yielding[s] / (stiffness + limits.hardening[s])
+        state.yields[s] = -1.0
         if on and (beyond > 0.0 or (x * u + y * w) * force > 0.0):
             moved = _set_by(body, state, s, max(beyond, 0.0), force)
             if abs(moved) < beyond * (1.0 - _ON):
                 continue  # it cannot be squeezed any further
+            state.yields[s] = 1.0
             softer = stiffness * stiffness / (stiffness + limits.hardening[s])
             block = outer(softer / (x * x + y * y + body.softening), (x, y), (x, y))
             for k, sign in enumerate((1.0, -1.0, -1.0, 1.0)):
                 add_block(matrix.blocks, matrix.spring_target[4 * s + k], sign, block)
     for j in range(body.joints):
         off, limit, kept, lengths = _bent(body, state, q, j)
+        state.yields[body.springs + j] = -1.0
         if abs(off) < limit * (1.0 - _ON):
             continue
         if abs(off) <= limit and _opening(body, q, v, j)[0] * off <= 0.0:
             continue
+        state.yields[body.springs + j] = 1.0
         _add_yielding_joint(body, matrix, q, j, math.copysign(kept, off), body.torque_size[j + 1] * lengths)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from ..kernels.core.tables import ADAMS, ALPHA, CHOICES, ROSENBROCK, VERLET, Body, Floats, Matrix
 from ..kernels.integrators.auto import MATRICES
 from ..methods.registry import MethodInfo
-from ..scene.types import Scene
+from ..scene.types import Scene, is_damageable
 
 LOW_TOLERANCE = 3e-3
 """Tolerance, px, below which `auto` uses RODAS 5P instead of RODAS 4, and no generalized-alpha."""
@@ -28,7 +28,8 @@ _SENSIBLE = 0.1
 """Tolerance, px, that is always allowed."""
 
 _ADAMS_LOW = 0.5
-"""Factor of the tolerance of Adams methods under `auto`, for tolerances from `LOW_TOLERANCE` up."""
+"""Factor of the tolerance of Adams methods under `auto`, for tolerances from `LOW_TOLERANCE` up, and for all
+where anything yields or breaks: high orders are of no use at kinks."""
 _ADAMS_HIGH = 1.6
 """The same for smaller tolerances. Found by experiment, so that about the same share of random bodies ends
 within large and within small tolerances."""
@@ -53,7 +54,7 @@ def tolerance_factors(scene: Scene, methods: list[MethodInfo], low: bool) -> Flo
         low: whether the tolerance calls for methods of low order, see `LOW_TOLERANCE`.
     """
     tolerance_factor = np.array([method.tolerance_factor for method in methods])
-    tolerance_factor[ADAMS] *= _ADAMS_LOW if low else _ADAMS_HIGH
+    tolerance_factor[ADAMS] *= _ADAMS_LOW if low or is_damageable(scene) else _ADAMS_HIGH
     size = max(
         *np.ptp([mass.position for mass in scene.masses], axis=0),
         *(spring.rest_length for spring in scene.linear_springs),

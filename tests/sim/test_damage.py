@@ -16,7 +16,7 @@ import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene, SceneError, Simulation
 from sim.methods.registry import METHODS
 from sim.scene.surroundings import Contact
-from sim.scene.types import Damage, ForceLaw, Method
+from sim.scene.types import Circle, Damage, ForceLaw, Method
 from tests.amount import examples
 from tests.sim.bodies import LAWS, body
 from tests.sim.inside import same_state, solver_of
@@ -229,6 +229,36 @@ def test_errors_of_a_yielding_joint_fall_with_the_tolerance(method: Method) -> N
         ends.append(simulation.positions[2])
     assert np.hypot(*(ends[0] - ends[2])) <= 10.0 * 0.1
     assert np.hypot(*(ends[1] - ends[2])) <= 10.0 * 0.01
+
+
+@pytest.mark.parametrize("part", ["springs", "joints"])
+@pytest.mark.parametrize("method", ADAPTIVE)
+def test_errors_fall_with_the_tolerance_where_a_led_body_yields(method: Method, part: str) -> None:
+    of_springs: dict[str, Any] = {"yield_force": 4000.0} if part == "springs" else {}
+    of_joints: dict[str, Any] = {"yield_torque": 1e5} if part == "joints" else {}
+    scene = Scene(
+        name="led",
+        masses=tuple(Mass(position=(30.0 * i, 0.0)) for i in range(4)),
+        linear_springs=tuple(
+            LinearSpring(a=i, b=i + 1, stiffness=3e4, rest_length=30.0, damping=3.0, **of_springs)
+            for i in range(3)
+        ),
+        angular_springs=tuple(
+            AngularSpring(a=i, b=i + 1, stiffness=1000.0, damping=2.0, **of_joints) for i in range(2)
+        ),
+        anchors=(Anchor(mass=0, circle=Circle(radius=60.0, frequency=1.5, ramp=0.1)),),
+        gravity=(0.0, 1000.0),
+    )
+    runs: list[tuple[Method, float]] = [("adams", 1e-8), (method, 0.01), (method, 1e-4)]
+    ends = []
+    for by, tolerance in runs:
+        simulation = Simulation(REPLACE(scene, integrator=Integrator(method=by, dt=0.5, tolerance=tolerance)))
+        assert simulation.step(attempts=100_000) == 1
+        ends.append(simulation.positions)
+    assert simulation.damage is not None
+    assert any(simulation.damage.set_lengths) if part == "springs" else any(simulation.damage.set_angles)
+    assert np.abs(ends[1] - ends[0]).max() <= 2.0 * 0.01
+    assert np.abs(ends[2] - ends[0]).max() <= 3.0 * 1e-4
 
 
 @pytest.mark.parametrize("law", LAWS)

@@ -108,6 +108,9 @@ class State(Table):
     trial_tension: Floats  # (S,) kg px/s²
     trial_angle: Floats  # (J,) radians
     broken: Floats  # (S,) 1 for a spring that is broken, else 0
+    # For derivatives, see `forces.limits`: 1 where a spring, or behind them a joint, yields as time goes on,
+    # else -1; and at the end 1 where it does so whatever the force is, else 0.
+    yields: Floats  # (S + J + 1,)
     # Tangential springs as they were at the end of the last step, see `forces.sticking`; empty where there
     # are none. Those between W walls and masses:
     wall_stretch: Rows  # (W, slots) px

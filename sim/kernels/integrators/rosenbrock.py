@@ -6,6 +6,7 @@ Velocities are eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solv
 
 from __future__ import annotations
 
+from ...forces.limits import hold_branches
 from ..core.drive import act_at, drive_to
 from ..core.shared import accelerate, add_damping, factorise, solve
 from ..core.tables import ALPHA, SPARE
@@ -21,6 +22,9 @@ _MOST_STAGES = 8
 _SPAN = 5e-3
 """Any step may use at least the tolerance of this many seconds. Stiff motions decay within such a time, and
 an implicit method is meant to avoid following them."""
+_SHORT = 4.0
+"""That span as a multiple of the step, at most, where anything yields or breaks. Else the speed that a short
+step may miss at a kink would be unbounded. With walls or contact there is none: collisions are too short."""
 
 
 @kernel(fastmath=FAST)
@@ -79,7 +83,11 @@ def _step(problem, drive, old, new, t, h, tolerance):
             w[j] = g * x[j] - rest[j]
     integrator.run.matrices += 1
     integrator.run.forces += stages
-    error = largest_sum(method.error, xs, stages, rest) / (max(h, _SPAN) * tolerance)
+    span = _SPAN
+    if problem.part_to_try != 0:
+        collides = problem.no_tunnelling != 0 or body.environment.walls.rows.shape[0] > 0
+        span = h if collides else min(_SPAN, _SHORT * h)
+    error = largest_sum(method.error, xs, stages, rest) / (max(h, span) * tolerance)
     if not error < HOPELESS:
         return HOPELESS
     return error if regular else max(error, 2.0)
@@ -135,6 +143,7 @@ def _by_time(problem, drive, old, t, h, q, v, a, out):
     """
     body, state = problem.body, problem.state
     part = 1e-4 * h
+    hold_branches(body, state, True)
     for j in range(1, q.size - SPARE):
         q[j], v[j] = old.q[j], old.v[j]
         out[j] = 0.0
@@ -143,4 +152,5 @@ def _by_time(problem, drive, old, t, h, q, v, a, out):
         accelerate(problem, q, v, a)
         for j in range(1, q.size - SPARE):
             out[j] += sign * a[j] / (2.0 * part)
+    hold_branches(body, state, False)
     act_at(body, state, drive, t)
