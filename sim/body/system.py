@@ -11,6 +11,7 @@ from typing import NamedTuple, TypeVar
 import msgspec
 import numpy as np
 
+from ..forces.contact_batch import room_for_batches
 from ..forces.environment import Environment, new_environment
 from ..forces.joints import LAWS, NO_JOINTS
 from ..forces.limits import NO_LIMITS, new_limits, without_broken
@@ -315,7 +316,9 @@ def new_scratch(system: System) -> Scratch:
             joint_rows=np.zeros((3, net.joints.room)),
             vectors=np.zeros((3, 2 * net.gap + room)),
         )
-    return scratch.replaced(**room_in_scratch(system.body)) if sticks(system.body) else scratch
+    if system.body.environment.contact.present:
+        scratch = scratch.replaced(**room_for_batches(system.body), **room_in_scratch(system.body))
+    return scratch
 
 
 @lru_cache(maxsize=16)

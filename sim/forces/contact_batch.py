@@ -8,14 +8,29 @@ are added in the order of the list. No bit depends on which pairs are in a batch
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..kernels.core.tables import Body
 from ..kernels.engine.jit import FUSED, kernel
 from ..kernels.engine.lanes import eight_at_a_time, whole_eights
 from .broad_phase import meeting, pairs_of, segment
-from .contact_pairs import BATCH, friction_coefficient, lost_in, stretch_since
+from .contact_pairs import friction_coefficient, lost_in, stretch_since
 from .push import push_and_friction
+
+BATCH = 256
+"""Number of pairs whose forces are computed together, a multiple of eight: what is kept of them stays in the
+first cache."""
+
+
+def room_for_batches(body: Body) -> dict[str, NDArray[Any]]:
+    """The arrays of scratch that are needed here, by name; none for a body without contact."""
+    if not body.environment.contact.present:
+        return {}
+    slots = {name: np.zeros(BATCH, np.int64) for name in ("batch_mass", "batch_a", "batch_b")}
+    return {**slots, "batch_force": np.zeros((5, BATCH)), "batch_stretch": np.zeros((6, BATCH))}
 
 
 @kernel(internal=True, fastmath=FUSED)
@@ -23,7 +38,7 @@ def add_in_batches(body, state, scratch, q, v):
     """Add the forces of all pairs that touch; the list of pairs must be up to date."""
     contact, slots, count = body.environment.contact, q.size // 2, 0
     x, y, near = q[:slots], q[slots:], contact.distance * contact.distance
-    mass, ends_a, ends_b = contact.batch_mass, contact.batch_a, contact.batch_b
+    mass, ends_a, ends_b = scratch.batch_mass, scratch.batch_a, scratch.batch_b
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
         a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
@@ -37,7 +52,7 @@ def add_in_batches(body, state, scratch, q, v):
                 mass[k], ends_a[k], ends_b[k] = m, a, b
                 count += 1 if dx * dx + dy * dy < near else 0
             if contact.tangential > 0.0:
-                _find_kept(contact, state, s, began, count)
+                _find_kept(state, scratch, s, began, count)
             first = until
             if count == BATCH:
                 _add_batch(body, state, scratch, q, v, count)
@@ -47,13 +62,13 @@ def add_in_batches(body, state, scratch, q, v):
 
 
 @kernel(internal=True, fastmath=FUSED)
-def _find_kept(contact, state, s, began, count):
+def _find_kept(state, scratch, s, began, count):
     """Note what the tangential springs of spring s have kept, for its pairs from `began` on in the batch."""
-    kept, rows = state.contact_stretch, contact.batch_stretch
+    kept, rows = state.contact_stretch, scratch.batch_stretch
     for k in range(began, count):
         rows[5, k] = 0.0
         for i in range(state.contact_start[s], state.contact_start[s + 1]):
-            if state.contact_mass[i] == contact.batch_mass[k]:
+            if state.contact_mass[i] == scratch.batch_mass[k]:
                 rows[5, k] = 1.0
                 for j in range(4):
                     rows[1 + j, k] = kept[i, j]
@@ -62,8 +77,8 @@ def _find_kept(contact, state, s, began, count):
 @kernel(internal=True, fastmath=FUSED)
 def _add_batch(body, state, scratch, q, v, count):
     contact, slots = body.environment.contact, q.size // 2
-    mass, ends_a, ends_b, force = contact.batch_mass, contact.batch_a, contact.batch_b, contact.batch_force
-    stretch = contact.batch_stretch
+    mass, ends_a, ends_b, force = scratch.batch_mass, scratch.batch_a, scratch.batch_b, scratch.batch_force
+    stretch = scratch.batch_stretch
     for k in range(count, whole_eights(count)):
         mass[k], ends_a[k], ends_b[k] = mass[0], ends_a[0], ends_b[0]
     if contact.tangential > 0.0:

@@ -30,7 +30,7 @@ import numpy as np
 
 from ..kernels.core.tables import padded
 from ..kernels.engine.jit import FUSED, kernel
-from ..kernels.engine.table import Floats, Indices, Rows, Table
+from ..kernels.engine.table import Floats, Indices, Table
 from ..near import near_pairs
 from ..scene.columns import column
 from ..scene.types import Scene
@@ -47,9 +47,6 @@ _ROOM = 64
 """Room in the list, in masses for each spring. If it does not suffice, finding pairs takes longer."""
 TANGENTIAL_ROOM = 8
 """Room for tangential springs, likewise. Pairs that find none do without."""
-BATCH = 256
-"""Number of pairs whose forces are computed together, a multiple of eight: what is kept of them stays in the
-first cache."""
 
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
@@ -87,14 +84,6 @@ class Contacts(Table):
     bucket: Indices  # (n,) slots of masses
     column: Indices  # (slots,) the cell of each mass
     row: Indices
-    # Pairs whose forces are computed together, see `contact_batch`
-    batch_mass: Indices  # (B,) slots of the mass and of the ends of the spring
-    batch_a: Indices
-    batch_b: Indices
-    batch_force: Rows  # (5, B) F.x, F.y, G.x, G.y, kg px/s²; t
-    batch_stretch: (
-        Rows  # (6, B) of tangential springs: now, px; a row of `State.contact_stretch`; 1 if there is one
-    )
 
 
 NO_CONTACTS = Contacts.empty()
@@ -151,11 +140,6 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -
         bucket=np.zeros(n, np.int64),
         column=np.zeros(slots, np.int64),
         row=np.zeros(slots, np.int64),
-        batch_mass=np.zeros(BATCH, np.int64),
-        batch_a=np.zeros(BATCH, np.int64),
-        batch_b=np.zeros(BATCH, np.int64),
-        batch_force=np.zeros((5, BATCH)),
-        batch_stretch=np.zeros((6, BATCH)),
     )
 
 

@@ -8,7 +8,7 @@ import pytest
 import sim
 from sim import Integrator, Mass, Scene, Simulation
 from sim.body.system import build_system
-from sim.forces.contact_pairs import BATCH
+from sim.forces.contact_batch import BATCH
 from sim.methods.registry import METHODS
 from sim.motion.stability import damped_limit
 from sim.physics import Physics

@@ -174,6 +174,13 @@ class Scratch(Table):
     # Where the next of a state's `contact_mass` and `contact_stretch` are made.
     next_mass: Indices
     next_stretch: Rows
+    # Pairs that touch, whose forces are computed together, see `forces.contact_batch`; empty without contact.
+    batch_mass: Indices  # (B,) slots of the mass and of the ends of the spring
+    batch_a: Indices
+    batch_b: Indices
+    batch_force: Rows  # (5, B) F.x, F.y, G.x, G.y, kg px/s²; t
+    # Of tangential springs (6, B): now, px; a row of `State.contact_stretch`; 1 if there is one, else 0.
+    batch_stretch: Rows
 
 
 CONTROL_SCALE = 0
