@@ -135,5 +135,5 @@ def test_fragile_bodies_are_the_same_every_time_and_do_what_they_are_to_do() -> 
 def test_auto_keeps_to_large_tolerances_and_small_ones() -> None:
     bodies = [measure_body(seed) for seed in part_of(range(36), 3)]
     for found in shares_by_tolerance(bodies):
-        assert found.counted > 0.8 * len(bodies)
+        assert found.counted >= 0.75 * len(bodies)  # the others amplify errors, whatever the method
         assert found.within > 0.9  # one of them may be unlucky
