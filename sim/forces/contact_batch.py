@@ -17,7 +17,7 @@ from ..kernels.core.tables import Body
 from ..kernels.engine.jit import FUSED, kernel
 from ..kernels.engine.lanes import eight_at_a_time, whole_eights
 from .broad_phase import meeting, pairs_of, segment
-from .contact_pairs import friction_coefficient, lost_in, stretch_since
+from .contact_pairs import friction_coefficient, lost_in, mobilities, stretch_since
 from .push import push_and_friction
 
 BATCH = 256
@@ -139,13 +139,7 @@ def _forces_in_batch(
         turning_x, turning_y = vx[b] - vx[a], vy[b] - vy[a]
         to_x, to_y = vx[m] - vx[a] - t * turning_x, vy[m] - vy[a] - t * turning_y
         speed, along = to_x * nx + to_y * ny, to_y * nx - to_x * ny - (turning_x * lx + turning_y * ly)
-        u = 1.0 - t
-        mobility = w[m] + u * u * w[a] + t * t * w[b]
-        mobility_along = (
-            w[m]
-            + w[a] * ((lx + u * ny) * (lx + u * ny) + (ly - u * nx) * (ly - u * nx))
-            + w[b] * ((lx - t * ny) * (lx - t * ny) + (ly + t * nx) * (ly + t * nx))
-        )
+        mobility, mobility_along = mobilities((w[m], w[a], w[b]), t, (nx, ny), (lx, ly))
         push, rubbing, _ = push_and_friction(
             stiffness, lost, friction_coefficient(friction, distance, ex * ex + ey * ey), slip_speed,
             tangential, h, mobility, mobility_along, distance - r, speed, along, stretch[k],

@@ -222,13 +222,7 @@ def pair_at(body, state, w, s, m, q, v):
     speed, along = vx * nx + vy * ny, vy * nx - vx * ny - (wx * lx + wy * ly)
     mobility, mobility_along = 0.0, 0.0
     if h > 0.0:
-        u = 1.0 - t
-        mobility = w[m] + u * u * w[a] + t * t * w[b]
-        mobility_along = (
-            w[m]
-            + w[a] * ((lx + u * ny) * (lx + u * ny) + (ly - u * nx) * (ly - u * nx))
-            + w[b] * ((lx - t * ny) * (lx - t * ny) + (ly + t * nx) * (ly + t * nx))
-        )
+        mobility, mobility_along = mobilities((w[m], w[a], w[b]), t, (nx, ny), (lx, ly))
     gripped, stretch, tangential = False, 0.0, contact.tangential
     if tangential > 0.0:
         gripped, stretch = _stretch_of(state, s, m, (t, r, nx, ny, ex, ey, per_square))
@@ -242,6 +236,23 @@ def pair_at(body, state, w, s, m, q, v):
         m, a, b, t, r, nx, ny, ex, ey, per_square, vx, vy, wx, wy, lx, ly, speed, along,
         push, elastic, friction, gripped, stretch, tangential,
     )  # fmt: skip
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def mobilities(w, t, n, arm):
+    """The accelerations of a pair by a push of one and by friction of one, 1/kg.
+
+    Args:
+        w: inverse masses of the mass, a and b, 1/kg.
+        t, n, arm: t, n and L above.
+    """
+    (wm, wa, wb), (nx, ny), (lx, ly), u = w, n, arm, 1.0 - t
+    along = (
+        wm
+        + wa * ((lx + u * ny) * (lx + u * ny) + (ly - u * nx) * (ly - u * nx))
+        + wb * ((lx - t * ny) * (lx - t * ny) + (ly + t * nx) * (ly + t * nx))
+    )
+    return wm + u * u * wa + t * t * wb, along
 
 
 @kernel(forceinline=True, fastmath=FUSED)
