@@ -17,7 +17,7 @@ from app.session import commands
 from app.session.log import decode_log
 from app.session.notices import Notice
 from app.session.plots import Wish
-from app.wire.from_page import BeginStep, read
+from app.wire.from_page import BeginStep, Perform, read
 from app.wire.to_page import Lesson as LessonState
 from app.wire.to_page import LessonStep
 from sim.edit.build import add_mass
@@ -28,6 +28,7 @@ from sim.store.files import decode_scene, encode_scene
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 from tests.app.panels import page_of
+from tests.app.whole import WholePage
 
 QUESTION = Question(text="?", choices=("a", "b"), answer=1, because="so")
 
@@ -262,3 +263,20 @@ def test_a_step_of_a_lesson_that_was_made_since_begins_with_the_body_as_it_is(
     assert not told
     assert page.session.lesson_begun
     assert len(page.session.scene.masses) == masses == len(sim.load_scene("rope").masses) + 1
+
+
+def test_a_lesson_leaves_behind_what_was_before() -> None:
+    page = WholePage()
+    page.shown(Perform("plot"))
+    page.enter("Forces", True)
+    page.shown(commands.Open(sim.load_scene("lesson-laws")))
+    page.shown(BeginStep(0))
+    assert (page.gui["Forces"].value, page.gui["Torques"].value) == (False, True), "the step's own arrows"
+    page.shown(commands.Open(sim.load_scene("lesson-chaos")))
+    page.shown(BeginStep(1))
+    assert page.session.ghost is not None, "the second step of another lesson has a ghost"
+    page.shown(commands.Open(sim.load_scene("rod")))
+    assert page.session.ghost is None
+    assert "Lesson" not in page.gui
+    assert (page.gui["Forces"].value, page.gui["Torques"].value) == (True, False), "one's own arrows are back"
+    assert "joint0.angle" in page.gui.text(), "and one's own plot"

@@ -25,10 +25,12 @@ from app.session import commands
 from app.session.history import SPAN
 from app.session.notices import Notice
 from app.session.plots import MOST_PLOTS, Plot, Wish, curve
+from app.wire.from_page import Pick
 from sim.errors import InputError
 from tests.app.pages import SessionPage
 from tests.app.panels import page_of
 from tests.app.recording import agrees
+from tests.app.whole import WholePage
 
 
 class PlotPage(SessionPage):
@@ -462,3 +464,15 @@ def test_a_plot_of_a_lesson_says_nothing_where_nothing_swings() -> None:
     page.frames(3)
     assert "no regular swing" in plots.reading(page.plot, 10.0)
     assert plots.reading(page.plot, 10.0, "").endswith("></div>")
+
+
+def test_a_clicked_mass_with_its_joint_and_springs_can_be_plotted() -> None:
+    page = WholePage("rod")
+    for mass in (4, 999_999):  # a page can name any mass
+        page.shown(Pick(mass))
+        assert page.gui["Part"].options[:4] == ("joint3", "mass4", "spring3", "spring4")
+    page.enter("Part", "joint3")
+    page.enter("Quantity", "rate")
+    page.enter("Over", "joint3.angle")
+    page.enter("New plot")
+    assert "joint3.rate over joint3.angle" in page.gui.text()

@@ -6,7 +6,6 @@ import math
 import time
 from collections.abc import Callable
 from functools import partial
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -25,7 +24,7 @@ from sim.edit.tune import as_far_as_stable, damp_springs, with_numbers_of
 from sim.errors import InputError
 from sim.motion.stability import largest_step
 from tests.app.pages import SessionPage
-from tests.app.panels import Handle, page_of
+from tests.app.panels import Client, page_of
 
 SCENE = sim.load_scene("tutorial-3.3")
 EULER = sim.Integrator(method="symplectic_euler", dt=1e-3)
@@ -182,25 +181,18 @@ class WishPage(SessionPage):
     def __init__(self, scene: sim.Scene) -> None:
         fetch(FOR_FALLBACK)
         super().__init__(scene)
-        self.made: dict[str, Handle] = {}
         self.notices: list[Notice] = []
-        names = ("checkbox", "html", "button", "slider", "number", "command")
-        gui = SimpleNamespace(**{f"add_{name}": self._add for name in names})
-        client: Any = SimpleNamespace(gui=gui)
+        client: Any = Client()
+        self.made = client.gui
         self.panel = TuningPanel(page_of(self.session, client, notify=self.notices.append), 0.0)
         self.panel.build(True)
         self.frames(1, commands.Play(False))
         self.made["Tuning"].enter(True)
         self.settle()
 
-    def _add(self, label: str, *_: object, initial_value: object = None, **rest: Any) -> Handle:
-        handle = Handle(label=label, value=initial_value, content="", visible=rest.get("visible", True))
-        self.made[label] = handle
-        return handle
-
     @property
     def text(self) -> str:
-        return self.panel._table.content
+        return self.made.text()
 
     def settle(self) -> None:
         """Frames, as long as there is more to show."""
