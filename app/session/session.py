@@ -249,14 +249,14 @@ class Session:
         return (
             max(costs) > HEAVY_UNIT
             or is_large(self.simulation.scene)
-            or any(command.is_heavy for command in self._waiting())
+            or any(command.is_heavy for command in self.waiting)
         )
 
     @property
     def will_play(self) -> bool:
         """Whether the clock runs once the commands that wait are applied."""
         playing = self.playing
-        for command in self._waiting():
+        for command in self.waiting:
             playing = command.playing_after(playing)
         return playing
 
@@ -264,7 +264,8 @@ class Session:
         """Whether what a notice is about is still so."""
         return self.simulation.divergence is not None if about == "runaway" else self.refusal is not None
 
-    def _waiting(self) -> list[Command]:
+    @property
+    def waiting(self) -> list[Command]:
         """The commands that wait; handlers may be adding to them."""
         with self._lock:
             return [command for _, command in self._queue]

@@ -200,7 +200,7 @@ class WishPage(SessionPage):
 
     @property
     def text(self) -> str:
-        return self.panel._table.content
+        return self.made[""].content
 
     def settle(self) -> None:
         """Frames, as long as there is more to show."""
