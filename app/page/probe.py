@@ -30,6 +30,7 @@ class Probe:
         looks: how it looks.
         controls: names of those that it has; None for all.
         plots: those that are open.
+        plots_seen: whether its user looks at them, as far as the server knows.
         kept: what the browser was told to keep last; None if nothing was.
         owned: whether it is the page of this computer's owner.
         requests: how many of its requests wait for the ticker.
@@ -44,6 +45,7 @@ class Probe:
     looks: Looks
     controls: tuple[str, ...] | None
     plots: tuple[Wish, ...]
+    plots_seen: bool
     kept: KeptState | None
     owned: bool
     requests: int

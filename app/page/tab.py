@@ -213,6 +213,7 @@ class Tab:
             looks=page.looks,
             controls=page.controls.names,
             plots=self._measure.plots.wishes if self._measure is not None else (),
+            plots_seen=self._measure is not None and self._measure.plots.looked_at,
             kept=self._kept,
             owned=self._shelf.owned,
             requests=len(self._requests),
