@@ -12,6 +12,7 @@ from typing import Any
 from unittest.mock import MagicMock
 
 import msgspec
+import viser
 
 from app.page.page import Page
 from app.page.scenes.shelf import Shelf
@@ -175,6 +176,34 @@ class Client:
     def say(self, said: FromPage) -> None:
         """Say something, as the page's script does."""
         self._heard(1, SoftrodMessage(msgspec.json.encode(said).decode()))
+
+
+class Noted:
+    """A page's side of viser, of a server's own panel, that notes its controls as they are made.
+
+    Attributes:
+        made: the last control with each label.
+        charts: all of them.
+    """
+
+    def __init__(self, server: viser.ViserServer) -> None:
+        self.made: dict[str, Any] = {}
+        self.charts: list[viser.GuiUplotHandle] = []
+        self._server = server
+        self.atomic, self.gui = server.atomic, self
+
+    def __getattr__(self, name: str) -> Any:
+        add = getattr(self._server.gui, name)
+
+        def note(*arguments: Any, **options: Any) -> Any:
+            handle = add(*arguments, **options)
+            if isinstance(handle, viser.GuiUplotHandle):
+                self.charts.append(handle)
+            elif name != "add_html":
+                self.made[arguments[0]] = handle
+            return handle
+
+        return note
 
 
 def page_of(
