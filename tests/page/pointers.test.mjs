@@ -46,6 +46,10 @@ test("every finger has a mass of its own, and its own hand", () => {
   for (const mass of [0, 2]) point("up", at(mass), finger(mass));
   assert.deepEqual(done(), ["drop 0", "drop 2"]);
   assert.deepEqual(viewed, []);
+  // There is none for a second finger on the same mass.
+  for (const id of [1, 2]) point("down", at(3), finger(id));
+  assert.deepEqual(done(), ["grab 0 3"]);
+  for (const id of [1, 2]) point("up", at(3), finger(id));
 });
 
 test("a mass is taken hold of from beside it, by a finger from farther off than by a mouse", () => {
@@ -59,6 +63,18 @@ test("a mass is taken hold of from beside it, by a finger from farther off than 
   point("down", at(3), { button: 2 });
   assert.deepEqual(done(), []);
   point("up", at(3));
+  // A mouse shows that it is near enough.
+  for (const [x, near] of [[11, true], [13, false]]) {
+    point("move", at(3, x), { buttons: 0 });
+    assert.equal(document.documentElement.hasAttribute("data-softrod-near"), near);
+  }
+});
+
+test("a press on the canvas gives the keys back to the body", () => {
+  put("input").focus();
+  point("down", PAPER);
+  assert.equal(document.activeElement, document.body);
+  point("up", PAPER);
 });
 
 test("a thumb that rests keeps no other finger from a mass, and two fingers that come together are for the view", () => {
@@ -75,6 +91,12 @@ test("a thumb that rests keeps no other finger from a mass, and two fingers that
   point("down", at(3), finger(1));
   assert.deepEqual([done(), viewed], [[], [["down", 0], ["down", 1]]]);
   for (const id of [0, 1]) point("up", PAPER, finger(id));
+  // A tap is over, however soon the next finger comes.
+  point("down", PAPER, finger(0));
+  point("up", PAPER, finger(0));
+  point("down", at(3), finger(1));
+  assert.deepEqual(done(), ["grab 0 3"]);
+  point("up", at(3), finger(1));
 });
 
 test("a pen builds under a palm that rests, that comes before it and that comes beside it", () => {
@@ -106,7 +128,25 @@ test("a pen builds under a palm that rests, that comes before it and that comes 
   assert.ok(viewed.every(([, id]) => id === PEN.pointerId), `the view hears nothing of the palm: ${viewed}`);
 });
 
+test("a palm that comes just before the pen lets go of its mass, and a finger that came long before keeps it", () => {
+  for (const [before, has] of [[400, false], [600, true]]) {
+    point("down", at(3), finger(0));
+    pass(before);
+    point("down", at(0), PEN);
+    assert.deepEqual(done(), has ? ["grab 0 3", "grab 1 0"] : ["grab 0 3", "drop 0", "grab 0 0"], `${before} ms before`);
+    point("move", FAR, finger(0));
+    point("up", FAR, finger(0));
+    assert.deepEqual([done(), viewed], [has ? ["at", "drop 0"] : [], []]);
+    point("up", at(0), PEN);
+    heard();
+    pass(10_000);
+  }
+});
+
 test("a palm beside a pen takes no mass, until the pen has been away for a while", () => {
+  const button = put("button");
+  let pressed = 0;
+  button.addEventListener("pointerdown", () => (pressed += 1));
   point("down", at(0), PEN);
   point("down", at(3), finger(0));
   point("move", FAR, finger(0));
@@ -114,23 +154,29 @@ test("a palm beside a pen takes no mass, until the pen has been away for a while
   assert.deepEqual(done(), ["grab 0 0"]);
   point("up", at(0), PEN);
   point("up", FAR, finger(0));
-  heard();
+  point("down", PAPER, finger(0, { on: button }));
+  assert.equal(pressed, 1, "a finger beside the canvas is none");
+  point("up", PAPER, finger(0, { on: button }));
   for (const [since, has] of [[400, false], [600, true]]) {
+    heard();
+    pass(10_000);
     point("move", at(0), { ...PEN, buttons: 0 });
     pass(since);
     point("down", at(3), finger(0));
     assert.deepEqual(done(), has ? ["grab 0 3"] : [], `${since} ms after the pen`);
     point("up", at(3), finger(0));
-    heard();
-    pass(10_000);
   }
   // A pen that is down and says nothing any more is gone.
-  point("down", at(0), PEN);
-  pass(6000);
-  point("down", at(3), finger(0));
-  assert.deepEqual(done(), ["grab 0 0", "grab 1 3"]);
-  point("up", at(3), finger(0));
-  point("up", at(0), PEN);
+  for (const [since, has] of [[4000, false], [6000, true]]) {
+    heard();
+    pass(10_000);
+    point("down", at(0), PEN);
+    pass(since);
+    point("down", at(3), finger(0));
+    assert.deepEqual(done(), ["grab 0 0", ...(has ? ["grab 1 3"] : [])], `${since} ms after the pen`);
+    point("up", at(3), finger(0));
+    point("up", at(0), PEN);
+  }
 });
 
 test("a release that never reaches the page ends the drag where it was", () => {
@@ -192,4 +238,8 @@ test("the instruments give way to a mass under the pointer, and to nothing else"
     point("up", at(3, x), { on: ruler });
     heard();
   }
+  change({ on: true, tool: "build" });
+  point("down", at(3), { on: ruler });
+  assert.deepEqual(done(), [], "with a tool no mass is taken");
+  point("up", at(3), { on: ruler });
 });
