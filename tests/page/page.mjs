@@ -229,7 +229,7 @@ const storage = () => {
 };
 const globals = {
   window, document, Event, PointerEvent, KeyboardEvent, WheelEvent, MessageEvent, Element, HTMLElement, HTMLInputElement, SVGElement,
-  Node: Element, localStorage: storage(), sessionStorage: storage(), location: { search: "" },
+  Node: Element, DOMRect: class { left = 0; right = 0; }, localStorage: storage(), sessionStorage: storage(), location: { search: "" },
   requestAnimationFrame: (draw) => frames.push(draw),
   matchMedia: () => ({ matches: false }),
   getComputedStyle: () => ({ fontSize: "14px" }),
