@@ -37,7 +37,7 @@ class KeyboardEvent extends Event {}
 class WheelEvent extends Event {}
 class MessageEvent extends Event {}
 
-class Target {
+export class Target {
   listeners = [];
   addEventListener(type, call, options) {
     this.listeners.push({ type, call, capture: (options?.capture ?? options) === true });
