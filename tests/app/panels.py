@@ -127,19 +127,19 @@ class Gui:
         """Whether a control with that label can be seen."""
         return any(one.label == label and one.is_shown for one in self.there)
 
-    def labels(self, *kinds: str) -> list[str]:
+    def labels(self, *kinds: str, tab: str = "") -> list[str]:
         """Of the controls of some kinds that can be seen, in the order in which they were added."""
-        return [one.label for one in self.there if one.kind in kinds and one.is_shown]
+        seen = [one for one in self.there if one.kind in kinds and one.is_shown]
+        return [one.label for one in seen if not tab or one.is_in(self[tab])]
 
     def box(self, label: str) -> Handle:
         """The number box that comes after a setting's slider."""
         return self.there[self.there.index(self[label]) + 1]
 
-    def text(self) -> str:
+    def text(self, tab: str = "") -> str:
         """The texts that can be seen."""
-        return "\n".join(
-            one.content for one in self.there if one.kind in ("html", "markdown") and one.is_shown
-        )
+        seen = [one for one in self.there if one.kind in ("html", "markdown") and one.is_shown]
+        return "\n".join(one.content for one in seen if not tab or one.is_in(self[tab]))
 
 
 class Client:

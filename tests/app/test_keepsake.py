@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-import base64
 import json
-import zlib
 from typing import Any
 
 import numpy as np
 import pytest
 
 import sim
-from app.page.files import keeping, pasts
-from app.page.tab import Tab
+from app.page.files import pasts
 from app.session import commands, keepsakes, log
-from app.session.session import Session
-from app.wire.from_page import Part
 from tests.app.pages import SessionPage
 from tests.app.recording import agrees, busy_page
-from tests.app.whole import WholePage
 
 
 @pytest.fixture
@@ -154,27 +148,6 @@ def test_what_is_no_keepsake_is_refused(data: bytes) -> None:
 
 def test_a_joint_that_does_not_exist_is_the_last_one(page: SessionPage) -> None:
     assert resumed(changed(page.session.keepsake(), "wishes", "joint", value=500)).session.joint == 9
-
-
-def test_what_a_page_gives_back_while_its_panel_is_made_anew_is_not_lost(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    page = WholePage()
-    kept = keeping.encode(page.session.keepsake(), keeping.PLAIN, ())
-    letters = base64.b64encode(zlib.compress(kept)).decode()
-    rebuild = Tab._rebuild
-
-    def interrupted(tab: Tab, session: Session) -> None:
-        page.client.say(Part("resume", 1, 1, letters))
-        monkeypatch.undo()
-        rebuild(tab, session)
-
-    monkeypatch.setattr(Tab, "_rebuild", interrupted)
-    page.frames(1, commands.Open(sim.load_scene("lesson-hooke")))
-    assert "Lesson" in page.gui
-    page.shown()
-    assert page.scene.name == "tutorial-3.3"
-    assert "Lesson" not in page.gui
 
 
 # ------------------------------------------------------------------------- undo

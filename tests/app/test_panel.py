@@ -46,12 +46,8 @@ def test_only_controls_that_the_scene_can_use_are_there(
 ) -> None:
     page = WholePage("rod")
     page.shown(commands.Open(sim.load_scene(scene) if isinstance(scene, str) else scene))
-
-    def in_play(kind: str) -> list[str]:
-        return [one.label for one in page.gui.there if one.kind == kind and one.is_in(page.gui["Play"])]
-
-    assert sorted(in_play("slider")) == sorted(sliders)
-    assert sorted(in_play("dropdown")) == sorted(lists)
+    assert sorted(page.gui.labels("slider", tab="Play")) == sorted(sliders)
+    assert sorted(page.gui.labels("dropdown", tab="Play")) == sorted(lists)
     assert ("Every mass of this scene is held." in page.gui.text()) == (not sliders)
     assert ("rest angle up" in page.gui.text()) == pad
 

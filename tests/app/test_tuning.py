@@ -300,6 +300,32 @@ def test_a_step_that_is_borne_anyhow_changes_nothing() -> None:
     assert page.session.versions.undoable == ""
 
 
+def test_its_buttons_make_it_stable_and_damp_it_as_far_as_its_step_bears() -> None:
+    page = WishPage(SCENE)
+    session = page.session
+
+    def press(label: str, *before: commands.Command) -> str:
+        """What is to be undone then."""
+        page.frames(1, *before)
+        page.settle()
+        page.wish(label, math.nan)
+        return session.versions.undoable
+
+    stable, damp = "Make it stable at this time step", "Critically damp"
+    assert press(stable) == ""
+    assert (page.notices[-1].title, page.notices[-1].text[-20:]) == ("It is stable", "Nothing was changed.")
+    assert press(stable, commands.SetValue("dt", 0.008)) == "Made stable at 8 ms"
+    assert session.stability.limit > 0.008
+    page.frames(1, commands.Undo())
+    assert session.scene.linear_springs == SCENE.linear_springs
+    assert press(damp, commands.SetValue("dt", 0.0025)) == "Damped as far as 2.5 ms bears"
+    assert page.notices[-1].title == "Not critical yet"
+    page.frames(1, commands.Undo())
+    assert press(damp, commands.SetChoice("method", "auto")) == "Critically damped"
+    assert stable not in page.made, "a method that needs no help"
+    assert "damping ratio 1" in page.text
+
+
 def test_what_has_nothing_to_do_with_it_is_not_offered() -> None:
     page = WishPage(replace(ROD, gravity=(0.0, 0.0)))
     assert not page.made["Sag (px)"].visible

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from app.session import commands
+from tests.amount import part_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -25,35 +26,32 @@ def test_words_stand_beside_the_icons_where_there_is_room(open_page: OpenPage) -
     assert desk.button("Reset").is_visible()
 
 
-def test_an_arrow_leads_back_to_a_body_that_is_out_of_view(open_page: OpenPage) -> None:
-    desk = open_page()
-    arrow = desk.page.locator(".softrod-edge")
-    assert not arrow.is_visible()
-    for _ in range(3):
-        desk.drag((480.0, 300.0), (40.0, 300.0))
-    desk.until(lambda: arrow.is_visible(), "the arrow is there")
-    box = arrow.bounding_box()
-    assert box is not None
-    assert box["x"] < 60.0  # the body went to the left
-    arrow.click()
-    desk.until(lambda: not arrow.is_visible(), "the arrow is gone")
-    assert all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))
-
-
-def test_nothing_lies_over_that_arrow(open_page: OpenPage) -> None:
+def test_an_arrow_at_the_edge_leads_back_to_a_body_that_is_out_of_view(open_page: OpenPage) -> None:
+    """To the left, and above and below, beside what else lies there; with the tools open and without."""
     desk = open_page(size=(1100, 760))
     desk.tell(commands.Play(False))
-    for key, end in (("", (60.0, 10.0)), ("", (60.0, 560.0)), ("e", (60.0, 560.0)), ("", (60.0, 300.0))):
+    arrow = desk.page.locator(".softrod-edge")
+    assert not arrow.is_visible()
+    for key, start, end in (
+        ("", (600.0, 300.0), (20.0, 300.0)),
+        ("", (600.0, 650.0), (20.0, 10.0)),
+        ("", (600.0, 40.0), (20.0, 690.0)),
+        ("e", (600.0, 40.0), (20.0, 690.0)),
+    ):
         if key:
             desk.page.keyboard.press(key)
             desk.page.keyboard.press("h")
-        desk.page.keyboard.press("0")
-        for _ in range(3):
-            desk.drag((600.0, 250.0), end)
-        arrow = desk.page.locator(".softrod-edge")
-        desk.until(lambda arrow=arrow: arrow.is_visible(), "the arrow is there")
+        desk.page.mouse.move(*start)
+        desk.rest(3)
+        desk.page.mouse.down()
+        desk.lead(start, end, 4)
+        desk.page.mouse.up()
+        desk.until(lambda: arrow.is_visible(), "the arrow is there")
+        box = arrow.bounding_box()
+        assert box is not None and box["x"] < 60.0, "the body is to the left"
         arrow.click()  # it fails if something else is over it
-        desk.until(lambda arrow=arrow: not arrow.is_visible(), "the arrow is gone")
+        desk.until(lambda: not arrow.is_visible(), "the arrow is gone")
+        assert all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))
 
 
 def test_show_all_shows_a_body_that_has_left_the_scene_s_frame(open_page: OpenPage) -> None:
@@ -65,18 +63,6 @@ def test_show_all_shows_a_body_that_has_left_the_scene_s_frame(open_page: OpenPa
     assert not desk.uncovered(desk.place(0))
     desk.page.keyboard.press("0")
     desk.until(lambda: desk.uncovered(desk.place(0)), "all of it is in view")
-
-
-def test_ctrl_k_opens_the_palette_whatever_has_the_focus(open_page: OpenPage) -> None:
-    desk = open_page()
-    focused = desk.box("Rest angle"), desk.control("Follow pointer"), desk.button("Open anew")
-    for control in focused:
-        control.focus()
-        desk.page.keyboard.press("Control+k")
-        palette = desk.page.locator(".mantine-Spotlight-action")
-        desk.until(lambda palette=palette: palette.count() > 0, "the palette opens")
-        desk.page.keyboard.press("Escape")
-        desk.until(lambda palette=palette: palette.count() == 0, "the palette closes")
 
 
 def test_a_scene_is_opened_anew(open_page: OpenPage) -> None:
@@ -110,25 +96,24 @@ def is_seen(desk: Desk, names: str, count: int) -> bool:
 
 def test_on_a_low_screen_what_a_button_opens_is_whole(open_page: OpenPage) -> None:
     desk = open_page(size=(640, 360), phone=True)
-    for width, height, name, entries, count in (
-        (640, 360, "View", ".softrod-menu-list button", 6),
-        (640, 360, "Instruments", ".softrod-box-tools button", 3),
-        (568, 320, "View", ".softrod-menu-list button", 6),
-        (568, 320, "Instruments", ".softrod-box-tools button", 3),
-    ):
+    for width, height in part_of(((640, 360), (568, 320)), 2):
         desk.page.set_viewport_size({"width": width, "height": height})
-        desk.button(name).click()
-        desk.until(lambda names=entries, least=count: is_seen(desk, names, least), f"{name} is whole")
-        desk.page.keyboard.press("Escape")
+        for name, entries, count in (
+            ("View", ".softrod-menu-list button", 6),
+            ("Instruments", ".softrod-box-tools button", 3),
+        ):
+            desk.button(name).click()
+            desk.until(lambda names=entries, least=count: is_seen(desk, names, least), f"{name} is whole")
+            desk.page.keyboard.press("Escape")
 
 
-@pytest.mark.parametrize("sizes", [((844, 390), (683, 384)), ((390, 844), (360, 640))], ids=["wide", "tall"])
-def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(
-    open_page: OpenPage, sizes: tuple[tuple[int, int], ...]
-) -> None:
+SMALL_SCREENS = ((844, 390), (390, 844), (683, 384), (360, 640))
+
+
+def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(open_page: OpenPage) -> None:
+    sizes = part_of(SMALL_SCREENS, 2)  # one that is wide and one that is not
     desk = open_page(size=sizes[0], phone=True)
     desk.tell(commands.Play(False))
-    desk.dismiss("Software WebGL")
 
     def seen(names: str, count: int) -> bool:
         return is_seen(desk, names, count)

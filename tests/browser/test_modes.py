@@ -132,6 +132,8 @@ def test_what_touches_and_what_breaks_clicks_while_the_sound_is_on(open_page: Op
     assert CRACK not in page.evaluate("noises")
     desk.tell(commands.SetValue("strength", 1.0))
     until(page, lambda: CRACK in page.evaluate("noises"), "a spring breaks")
+    live = page.locator(".softrod-live")
+    until(page, lambda: "broken" in live.text_content(), "which screen readers are told, too")
     if sound.get_attribute("aria-pressed") == "true":
         page.keyboard.press("m")
         until(page, lambda: sound.get_attribute("aria-pressed") == "false", "the sound is off")

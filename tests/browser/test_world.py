@@ -6,7 +6,7 @@ import numpy as np
 
 import sim
 from app.session import commands
-from tests.app.worlds import GUSTS, balloon, chain_under_load
+from tests.app.worlds import GUSTS, balloon
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 

@@ -13,10 +13,10 @@
  * attempt has its time.
  */
 
-/** Milliseconds that an attempt has before another may take its place. */
-const PATIENCE = 8000;
 /** By what the times after which a page loses its patience are divided: a browser test may set it before the page begins. */
 const HURRY = Number(/** @type {any} */ (globalThis).__softrodHurry) || 1;
+/** Milliseconds that an attempt has before another may take its place. */
+const PATIENCE = 8000 / HURRY;
 /** Milliseconds between two looks, whether it is time for an attempt or for a sign of life. */
 const LOOK_EVERY = 1000 / HURRY;
 /** Milliseconds between two looks beyond which it was the page that stood still: a hidden page, a sleeping machine. */
