@@ -104,8 +104,8 @@ def test_a_joint_is_put_into_a_corner_and_turned_by_its_knob(open_page: OpenPage
     desk = paused(open_page)
     page = desk.page
     # To the right, and down from there; of the corner the inner side.
-    desk.tell(commands.Change(lambda moment, _: _longer(moment, 60.0, 0.0)))
-    desk.tell(commands.Change(lambda moment, _: _longer(moment, 0.0, 60.0)))
+    desk.tell(commands.Change(lambda moment, _: _extended(moment, 3, 60.0, 0.0)))
+    desk.tell(commands.Change(lambda moment, _: _extended(moment, 12, 0.0, 60.0)))
     becomes(desk, 14, 13, 10)
     tool(desk, "Joint")
     page.mouse.move(*desk.place(12))
@@ -121,7 +121,7 @@ def test_a_joint_is_put_into_a_corner_and_turned_by_its_knob(open_page: OpenPage
     assert abs(rest) == pytest.approx(90.0, abs=0.1)
     # Its knob turns it, with Shift by steps; a double click takes the present angle.
     tip = desk.place(12)
-    other = desk.place(13 if desk.session.scene.angular_springs[joint].b == 12 else 11)
+    other = desk.place(13 if desk.session.scene.angular_springs[joint].b == 12 else 3)
     toward = math.atan2(other[1] - tip[1], other[0] - tip[0])
     knob = (tip[0] + 58.0 * math.cos(toward), tip[1] + 58.0 * math.sin(toward))
     page.mouse.move(*knob)
@@ -139,11 +139,10 @@ def test_a_joint_is_put_into_a_corner_and_turned_by_its_knob(open_page: OpenPage
     desk.until(lambda: rests_at() == pytest.approx(rest, abs=0.1), "it rests at the present one")
 
 
-def _longer(moment: sim.Moment, dx: float, dy: float) -> Edit:
-    """One spring more at the rope's end."""
-    last = len(moment.scene.masses) - 1
-    x, y = moment.rows[:2, last].tolist()
-    return extend(moment.scene, last, (x + dx, y + dy), positions_of(moment))
+def _extended(moment: sim.Moment, mass: int, dx: float, dy: float) -> Edit:
+    """One spring more, from a mass to a new one."""
+    x, y = moment.rows[:2, mass].tolist()
+    return extend(moment.scene, mass, (x + dx, y + dy), positions_of(moment))
 
 
 def test_a_frame_selects_what_is_moved_pinned_and_cut_off(open_page: OpenPage) -> None:
