@@ -64,23 +64,6 @@ def test_everything_is_reached_with_the_tab_key_and_can_be_seen_to_be(open_page:
         assert name in reached
 
 
-def test_a_press_beside_a_mass_takes_hold_of_it(open_page: OpenPage) -> None:
-    desk = open_page()
-    desk.tell(commands.Play(False))
-    for off in ((9.0, 0.0), (-6.0, 7.0)):
-        x, y = desk.place(8)
-        desk.page.mouse.move(x + off[0], y + off[1])
-        desk.page.mouse.down()
-        desk.until(lambda: desk.session.hands.masses == (8,), "it is in hand")
-        desk.page.mouse.up()
-        desk.until(lambda: not desk.session.hands.masses, "and let go")
-    desk.page.mouse.move(x + 30.0, y)
-    desk.page.mouse.down()
-    desk.pause(0.2)
-    assert not desk.session.hands.masses
-    desk.page.mouse.up()
-
-
 def test_a_finger_beside_a_mass_takes_hold_of_it(open_page: OpenPage) -> None:
     desk = open_page(phone=True)
     desk.tell(commands.Play(False))

@@ -107,7 +107,7 @@ def test_on_a_low_screen_what_a_button_opens_is_whole(open_page: OpenPage) -> No
             desk.page.keyboard.press("Escape")
 
 
-SMALL_SCREENS = ((844, 390), (390, 844), (683, 384), (360, 640))
+SMALL_SCREENS = ((844, 390), (390, 844), (360, 640), (683, 384))
 
 
 def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(open_page: OpenPage) -> None:
@@ -156,7 +156,6 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
     desk.page.locator(".mantine-Spotlight-action").filter(has_text="Larger, for a projector").click()
     desk.until(lambda: desk.page.locator("html.softrod-projector").count() == 1, "all is larger")
     desk.page.locator(".mantine-Spotlight-content").wait_for(state="detached")
-    desk.dismiss("Software WebGL")
     desk.page.keyboard.press("g")
     desk.page.locator(".u-legend").wait_for()
     for tab in ("Play", "Measure", "Solver", "Share"):
@@ -191,7 +190,7 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
     assert canvas is not None and canvas["width"] > 1500.0
 
 
-@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
+@pytest.mark.parametrize("dark", part_of((False, True), 2))
 def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage, dark: bool) -> None:
     desk = open_page(size=(1000, 700))
     if dark:
