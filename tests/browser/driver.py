@@ -17,13 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Locator, Page
 
+import sim
 from app.page.tab import Tab
 from app.server.ticker import Ticker
 from app.session.commands import Command
 from app.session.session import Session
 from app.wire.to_page import PageState
 from tests.browser.between_frames import FRAME_LOCK, BetweenFrames
-from tests.browser.scripts import CAMERA, FORGET, FRAMES, HARDWARE, INSTANCES, PROJECT, ROUGH
+from tests.browser.scripts import BLANK, CAMERA, FORGET, FRAMES, HARDWARE, INSTANCES, PROJECT, ROUGH
 
 T = TypeVar("T")
 Point = tuple[float, float]
@@ -48,10 +49,19 @@ VISERS_ERRORS = (
 
 @dataclass
 class Served:
-    """A server that runs in the test's own process."""
+    """A server that runs in the test's own process.
+
+    Attributes:
+        url: its address.
+        ticker: what runs its pages.
+        scene: what a page shows first, where the server can be told; None where it has a scene of its own.
+        show_first: tells it.
+    """
 
     url: str
     ticker: Ticker
+    scene: sim.Scene | None = None
+    show_first: Callable[[sim.Scene], None] = lambda _: None
 
 
 @dataclass(frozen=True)
@@ -87,10 +97,17 @@ def until(page: Page, condition: Callable[[], T], what: str, limit: float = LIMI
         wait = min(2.0 * wait, 50.0)
 
 
-def rough_context(browser: Browser, **options: Any) -> BrowserContext:
-    """A browser profile of its own, made with Playwright's options, that draws no more than tests need."""
+def rough_context(browser: Browser, pixels: bool = False, **options: Any) -> BrowserContext:
+    """A browser profile of its own, made with Playwright's options, that draws no more than tests need.
+
+    Args:
+        browser: the browser.
+        pixels: whether the canvas is drawn; its rough pixels are asked for by few tests.
+        options: those of Playwright's `new_context`.
+    """
     context = browser.new_context(**options)
-    context.add_init_script(ROUGH)
+    context.add_init_script(ROUGH if pixels else f"{{{ROUGH}}} {{{BLANK}}}")
+    context.set_default_timeout(LIMIT * 1e3)
     return context
 
 
@@ -104,11 +121,13 @@ class Desk:
         frames: messages that the server sent, counted in WebSocket frames.
         beats: those among them that are signs of life and say nothing, counted apart.
         changed: whether a script of a test runs before the page's own, so that no other test may have it.
+        pixels: whether the canvas is drawn.
     """
 
-    def __init__(self, served: Served, context: BrowserContext) -> None:
+    def __init__(self, served: Served, context: BrowserContext, pixels: bool = False) -> None:
         self.served = served
         self.context = context
+        self.pixels = pixels
         self.page = context.new_page()
         self.errors: list[str] = []
         self.complaints: list[str] = []
@@ -147,6 +166,8 @@ class Desk:
     def open(self, path: str = "/") -> None:
         """Go to the page (or load it again), and wait until the body is drawn and can be used."""
         known = max([*self.served.ticker.tabs, self._client])
+        if self.served.scene is not None:
+            self.served.show_first(self.served.scene)
         self.page.goto(self.served.url + path)
         new = self.until(lambda: [c for c in list(self.served.ticker.tabs) if c > known], "the page connects")
         self._client = new[0]
@@ -159,6 +180,7 @@ class Desk:
         self.page.evaluate(FORGET)
         self.page.emulate_media(media="null", reduced_motion="null")
         self.page.goto("about:blank")
+        self.context.clear_cookies()
         size = self.page.viewport_size
         assert size is not None
         # Where no control is, and no mass.
@@ -291,6 +313,7 @@ class Desk:
 
         It is also saved in the artifacts, if given a name.
         """
+        assert self.pixels, "the canvas is drawn by open_page(pixels=True) alone"
         data = self.page.screenshot(style=None if marks else ".softrod-overlay { visibility: hidden }")
         if save is not None:
             ARTIFACTS.mkdir(exist_ok=True)

@@ -199,7 +199,7 @@ def test_a_click_on_a_mass_reads_out_its_joint(open_page: OpenPage) -> None:
 
 
 def test_the_page_can_be_dark(open_page: OpenPage) -> None:
-    desk = open_page()
+    desk = open_page(pixels=True)
     desk.tell(commands.Play(False))
     text = "() => getComputedStyle(document.querySelector('.softrod-hud')).color"
     light = desk.page.evaluate(text)

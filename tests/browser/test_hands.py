@@ -120,7 +120,7 @@ def test_a_free_mass_is_held_while_it_is_dragged_and_goes_free_after(open_page: 
 
 
 def test_a_demanding_body_s_hand_comes_after_the_pointer_and_says_so(open_page: OpenPage) -> None:
-    desk = open_page("study-w4")
+    desk = open_page("study-w4", pixels=True)
     assert desk.simulation.rate_limited
     assert "cannot follow" not in desk.hud()
     start = desk.place(0)

@@ -69,7 +69,7 @@ def test_how_fast_errors_grow_is_told_while_it_is_wanted(open_page: OpenPage) ->
 
 
 def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
-    desk = open_page("tutorial-3.3")
+    desk = open_page("tutorial-3.3", pixels=True)
     desk.show("Solver")
     desk.choose("Compare with", REFERENCE_LABEL)
     desk.until(lambda: desk.session.ghost is not None, "there is a ghost")

@@ -53,7 +53,7 @@ def test_a_spring_that_breaks_vanishes_and_comes_back_with_the_past(open_page: O
 
 
 def test_floor_and_filling_are_behind_the_body_at_any_zoom(open_page: OpenPage) -> None:
-    desk = open_page()
+    desk = open_page(pixels=True)
     desk.tell(commands.Play(False), commands.Open(balloon(liquid=True)))
     desk.until(lambda: path(desk, "wall") and path(desk, "liquid"), "floor and liquid are drawn")
     desk.wait_drawn()
