@@ -40,6 +40,12 @@ def charts(desk: Desk) -> list[dict[str, Any]]:
     return json.loads(desk.page.evaluate(CHARTS))
 
 
+def kept_plots(desk: Desk) -> tuple[Wish, ...]:
+    """The plots that the browser was told to keep."""
+    kept = desk.tab.probe().kept
+    return () if kept is None else kept.plots
+
+
 def options(desk: Desk, label: str) -> list[str]:
     """What a list offers."""
     desk.control(label).click()
@@ -118,7 +124,7 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     desk.until(lambda: desk.tab.probe().plots_seen, "and that it is")
 
     # It is there again after a reload, and gone when it is removed.
-    desk.until(lambda: desk.is_kept() and desk.tab.probe().kept.plots == (ANGLE,), "the page keeps it")
+    desk.until(lambda: kept_plots(desk) == (ANGLE,), "the page keeps it")
     desk.rest(3)
     desk.open()
     desk.until(lambda: desk.tab.probe().plots == (ANGLE,), "the plot is back")
