@@ -16,40 +16,6 @@ FORGET = """() => {
   localStorage.clear();
 }"""
 
-PROJECT = """points => {
-  const { camera, canvas, nodeRefFromName } = window.__viserMutable;
-  const box = canvas.getBoundingClientRect();
-  camera.updateMatrixWorld();
-  return points.map(([x, y, z]) => {
-    const p = camera.position.clone().set(x, y, z).applyMatrix4(nodeRefFromName[""].matrixWorld);
-    p.project(camera);
-    return [box.left + ((p.x + 1) / 2) * box.width, box.top + ((1 - p.y) / 2) * box.height];
-  });
-}"""
-
-INSTANCES = """name => {
-  let data = null;
-  window.__viserMutable.nodeRefFromName[name]?.traverse(node => {
-    if (node.isInstancedMesh && node.matricesTexture) {
-      data = Array.from(node.matricesTexture._data.slice(0, 16 * node.instancesCount));
-    }
-  });
-  return data;
-}"""
-
-CAMERA = """() => {
-  const { camera, cameraControl } = window.__viserMutable;
-  camera.updateMatrixWorld();
-  const target = cameraControl.getTarget(camera.position.clone());
-  return {
-    matrix: camera.matrixWorld.toArray(),
-    target: target.toArray(),
-    azimuth: cameraControl.azimuthAngle,
-    polar: cameraControl.polarAngle,
-    distance: cameraControl.distance,
-  };
-}"""
-
 FRAMES = """count => window.softrodFrames
   ? window.softrodFrames(count)
   : new Promise(done => {

@@ -205,7 +205,7 @@ def test_the_page_can_be_dark(open_page: OpenPage) -> None:
     light = desk.page.evaluate(text)
     for dark in (True, False):
         desk.view("Dark")
-        desk.until(lambda dark=dark: desk.tab._page.looks.dark == dark, "the switch is turned")
+        desk.until(lambda dark=dark: desk.tab.probe().looks.dark == dark, "the switch is turned")
         # A place with nothing but paper, one in the panel.
         x, y = (float(c) for c in desk.at([(100.0, 331.0)])[0])
         desk.until(

@@ -12,7 +12,7 @@ import sim
 from app.drawing.colors import palette
 from app.drawing.plan import Picture
 from app.drawing.sketch import Sketch
-from app.page.body.view import Canvas
+from app.page.body.view import kinds_of
 from app.session import commands
 from tests.amount import NIGHT
 from tests.browser.conftest import OpenPage
@@ -30,7 +30,7 @@ def one_of_each_kind() -> list[str]:
     kinds: dict[object, str] = {}
     for name in PRESETS:
         scene = sim.load_scene(name)
-        meshes = Canvas._kinds(Sketch(scene, palette("softrod", dark=False)))
+        meshes = kinds_of(Sketch(scene, palette("softrod", dark=False)))
         kinds.setdefault(tuple(meshes.items()), name)
     return list(kinds.values())
 
@@ -70,7 +70,7 @@ def test_every_kind_of_body_opens_and_is_drawn(open_page: OpenPage) -> None:
         assert_shown(desk)
         # viser 1.1.1 at times draws a new node once before its buffers are ready; after that all is well.
         desk.complaints.clear()
-        desk.page.evaluate("window.__viserMutable.requestRender()")
+        desk.page.evaluate("window.__softrod.render()")
         desk.rest(2)
         assert not desk.complaints
         start = Picture.at_start(scene).positions
@@ -86,7 +86,7 @@ def test_screenshots_show_the_whole_body(open_page: OpenPage, phone: bool) -> No
     for dark in (False,) if phone else (False, True):
         if dark:
             desk.view("Dark")
-            desk.until(lambda: desk.tab._page.looks.dark, "it is dark")
+            desk.until(lambda: desk.tab.probe().looks.dark, "it is dark")
             desk.show("Play")
         for name in SOME if phone or dark else SHOWN:
             desk.tell(commands.Open(sim.load_scene(name)), commands.DoSteps(400))

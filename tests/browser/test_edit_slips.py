@@ -45,7 +45,7 @@ def test_a_press_that_is_lost_leaves_nothing_behind(open_page: OpenPage) -> None
         if lost == "blur":
             page.evaluate("window.dispatchEvent(new Event('blur'))")
         elif lost == "capture":
-            page.evaluate("window.__viserMutable.canvas.releasePointerCapture(1)")
+            page.evaluate("window.__softrod.canvas().releasePointerCapture(1)")
             page.mouse.move(*beside(desk, 11, 62.0, 20.0))  # it is told before the next event
         else:
             # What a browser tells of a button that was let go in another window.
@@ -53,7 +53,7 @@ def test_a_press_that_is_lost_leaves_nothing_behind(open_page: OpenPage) -> None
                 """([clientX, clientY]) => {
                   const more = { pointerId: 1, pointerType: "mouse", isPrimary: true, bubbles: true };
                   const event = new PointerEvent("pointermove", { clientX, clientY, ...more });
-                  window.__viserMutable.canvas.dispatchEvent(event);
+                  window.__softrod.canvas().dispatchEvent(event);
                 }""",
                 list(beside(desk, 11, 70.0, 20.0)),
             )
@@ -89,7 +89,7 @@ def test_the_second_button_does_nothing_during_a_press(open_page: OpenPage) -> N
         """([clientX, clientY]) => {
           const more = { pointerType: "mouse", bubbles: true, cancelable: true };
           const event = new PointerEvent("contextmenu", { clientX, clientY, ...more });
-          window.__viserMutable.canvas.dispatchEvent(event);
+          window.__softrod.canvas().dispatchEvent(event);
         }""",
         list(desk.place(9)),
     )
@@ -162,7 +162,7 @@ def test_marks_go_with_the_pointer(open_page: OpenPage) -> None:
     desk.page.mouse.move(*beside(desk, 5, 40.0, 0.0))
     desk.until(lambda: mark(desk, "under"), "the place is marked")
     desk.page.evaluate(
-        "window.__viserMutable.canvas.dispatchEvent(new PointerEvent('pointerout', {bubbles: true}))"
+        "window.__softrod.canvas().dispatchEvent(new PointerEvent('pointerout', {bubbles: true}))"
     )
     desk.until(lambda: not mark(desk, "under"), "the mark is gone")
 

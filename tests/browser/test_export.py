@@ -50,7 +50,7 @@ def test_a_picture_has_the_body_and_all_that_lies_under_and_over_it(open_page: O
     assert started.value.suggested_filename == "Water balloon.png"
     image = np.asarray(Image.open(started.value.path()).convert("RGB")).astype(float)
     box = desk.page.evaluate(
-        "(({ width, height }) => [width, height])(__viserMutable.canvas.getBoundingClientRect())"
+        "(({ width, height }) => [width, height])(__softrod.canvas().getBoundingClientRect())"
     )
     assert image.shape[:2] == (2 * box[1], 2 * box[0])
 

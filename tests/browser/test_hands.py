@@ -71,7 +71,7 @@ def test_the_gizmo_moves_its_mass_freely_by_the_square_and_along_one_axis_by_an_
 ) -> None:
     desk = open_page()
     desk.view("Arrows at held masses")
-    desk.until(lambda: desk.tab._view._gizmos, "the gizmo is there")
+    desk.until(lambda: "/gizmos/0" in desk.tab.probe().nodes, "the gizmo is there")
     desk.rest(5)
     for grip, way, moved in (
         ((16.0, -16.0), (-120.0, 60.0), (-120.0, 60.0)),
@@ -116,7 +116,7 @@ def test_a_free_mass_is_held_while_it_is_dragged_and_goes_free_after(open_page: 
     desk.let_go()
     desk.until(lambda: not desk.session.hands.masses, "the mass is let go")
     desk.until(lambda: off(desk, 11, end) > 15.0, "the rope pulls it away")
-    assert not desk.simulation._hands.grabbed
+    assert not desk.simulation.grabbed
 
 
 def test_a_demanding_body_s_hand_comes_after_the_pointer_and_says_so(open_page: OpenPage) -> None:

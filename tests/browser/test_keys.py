@@ -114,12 +114,12 @@ def test_keys_are_not_held_in_a_text_nor_when_the_window_is_left_or_silent(
     # The page says nothing any more: its connection hangs, or its tab is frozen.
     hold(desk, "ArrowUp", "up")
     desk.page.evaluate(
-        "() => { window.spoke = __viserMutable.sendMessage; __viserMutable.sendMessage = () => {}; }"
+        "() => { window.spoke = Worker.prototype.postMessage; Worker.prototype.postMessage = () => {}; }"
     )
     desk.until(lambda: desk.simulation.keys == NOTHING, "a key of which nothing is heard is forgotten")
     assert_stays(desk)
     # Once it speaks again, the key is still down.
-    desk.page.evaluate("() => { __viserMutable.sendMessage = window.spoke; }")
+    desk.page.evaluate("() => { Worker.prototype.postMessage = window.spoke; }")
     desk.until(lambda: desk.simulation.keys == {"up"}, "the key is heard again")
     release(desk, "ArrowUp")
 
@@ -258,7 +258,7 @@ def test_the_view_menu_and_the_open_box_of_instruments_have_their_keys_to_themse
     press("End")
     press("Home")
     press("Space")
-    desk.until(lambda: desk.tab._page.looks.dark, "Space presses what has the focus")
+    desk.until(lambda: desk.tab.probe().looks.dark, "Space presses what has the focus")
     assert is_at("View") and not menu.is_visible()
     # A press anywhere else closes it, also on a mass; then the keys are the body's.
     desk.button("View").click()

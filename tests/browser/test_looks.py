@@ -211,7 +211,7 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
     desk = open_page(size=(1000, 700), pixels=True)
     if dark:
         desk.view("Dark")
-        desk.until(lambda: desk.tab._page.looks.dark, "it is dark")
+        desk.until(lambda: desk.tab.probe().looks.dark, "it is dark")
         desk.wait_drawn()
     desk.tell(commands.Play(False))
     desk.until(desk.clock_is_right, "the clock shows where it stands")

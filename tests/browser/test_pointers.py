@@ -90,7 +90,7 @@ def test_every_finger_drags_a_mass_of_its_own(open_page: OpenPage) -> None:
     board.lift(2)
     board.lift(10)
     desk.until(lambda: not desk.session.hands.masses, "all are let go")
-    assert not desk.simulation._hands.grabbed
+    assert not desk.simulation.grabbed
 
 
 def test_a_thumb_that_rests_keeps_no_other_finger_from_a_mass(open_page: OpenPage) -> None:
@@ -208,7 +208,7 @@ def test_a_release_that_never_reaches_the_page_ends_the_move_of_the_view(open_pa
     assert np.allclose(after.target, before.target)
 
 
-PRESS = """([x, y]) => window.__viserMutable.canvas.dispatchEvent(new PointerEvent("pointerdown", {
+PRESS = """([x, y]) => window.__softrod.canvas().dispatchEvent(new PointerEvent("pointerdown", {
   pointerId: 1, pointerType: "mouse", isPrimary: true, button: 0, buttons: 1,
   clientX: x, clientY: y, bubbles: true, cancelable: true,
 }))"""

@@ -55,11 +55,11 @@ def test_with_no_page_open_nothing_is_computed(open_page: OpenPage, serve: Serve
     blank = desk.context.new_page()
     desk.page.close()
     until(blank, lambda: not ticker.tabs, "the tab is gone")
-    until(blank, lambda: not ticker._wake.is_set(), "the ticker goes to sleep")
+    until(blank, lambda: ticker.asleep, "the ticker goes to sleep")
     steps = simulation.step_count
     blank.wait_for_timeout(400)
     assert simulation.step_count == steps
-    assert not ticker._wake.is_set()
+    assert ticker.asleep
     # It wakes up for the next one.
     again = open_page()
     again.until(lambda: again.simulation.step_count > 20, "the next page runs")
