@@ -210,7 +210,7 @@ def test_plots_that_nobody_sees_run_on_and_are_not_sent() -> None:
         panel.plots.looked_at = True
         panel.tick()
         assert chart.data[0][-1] == pytest.approx(page.session.simulation.time, abs=1e-3)
-        assert len(chart.data[0]) >= 30
+        assert np.diff(chart.data[0]).max() < 0.03, "no frame is missing"
     finally:
         server.stop()
 

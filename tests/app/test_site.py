@@ -280,10 +280,10 @@ def test_a_gallery_that_fails_on_the_way_leaves_the_old_one(
 
     opened = Path.open
 
-    def full(path: Path, *options: Any, **more: Any) -> Any:
-        if path.name == "index.html":
+    def full(path: Path, mode: str = "r", *options: Any, **more: Any) -> Any:
+        if path.name == "index.html" and "w" in mode:
             raise OSError(28, "No space left on device")
-        return opened(path, *options, **more)
+        return opened(path, mode, *options, **more)
 
     monkeypatch.setattr(Path, "open", full)
     for folder in (out, new, empty):

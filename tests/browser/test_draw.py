@@ -35,7 +35,7 @@ def one_of_each_kind() -> list[str]:
 
 
 def test_the_masses_are_drawn_where_the_solver_has_them(open_page: OpenPage) -> None:
-    desk = open_page()
+    desk = open_page(pixels=True)
     desk.tell(commands.Play(False), commands.SetValue("rest_angle", 20.0), commands.DoSteps(100))
     assert_shown(desk)
     before = desk.masses()
@@ -53,7 +53,7 @@ def test_the_masses_are_drawn_where_the_solver_has_them(open_page: OpenPage) -> 
 
 def test_every_kind_of_body_opens_and_is_drawn(open_page: OpenPage) -> None:
     """`tests/app/test_drawing.py` has where the parts of every preset are."""
-    desk = open_page()
+    desk = open_page(pixels=True)
     desk.tell(commands.Play(False))
     for name in part_of(one_of_each_kind(), 3):
         scene = sim.load_scene(name)
@@ -72,7 +72,7 @@ def test_every_kind_of_body_opens_and_is_drawn(open_page: OpenPage) -> None:
 
 @pytest.mark.parametrize("phone", [False, True], ids=["desktop", "phone"])
 def test_screenshots_show_the_whole_body(open_page: OpenPage, phone: bool) -> None:
-    desk = open_page(size=(390, 844) if phone else (1280, 760), phone=phone, smooth=NIGHT)
+    desk = open_page(size=(390, 844) if phone else (1280, 760), phone=phone, pixels=True, smooth=NIGHT)
     desk.tell(commands.Play(False))
     bodies = part_of(SOME if phone else SHOWN, 2)
     for name in bodies:

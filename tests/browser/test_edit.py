@@ -14,6 +14,7 @@ from app.session import commands
 from sim.edit.build import extend, positions_of
 from sim.edit.edit import Edit, Selection
 from sim.store import files
+from tests.amount import NIGHT
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, Point
 
@@ -34,7 +35,7 @@ def becomes(desk: Desk, masses: int, springs: int, joints: int) -> None:
 
 
 def paused(open_page: OpenPage, scene: str = "tutorial-3.3", size: tuple[int, int] = SMALL) -> Desk:
-    desk = open_page(scene, size=size)
+    desk = open_page(scene, size=size, pixels=NIGHT)
     desk.tell(commands.Play(False))
     return desk
 
@@ -176,7 +177,7 @@ def test_a_frame_selects_what_is_moved_pinned_and_cut_off(open_page: OpenPage) -
 
 def test_by_touch(open_page: OpenPage) -> None:
     """Fingers build, a long press selects, and two fingers move the view instead."""
-    desk = open_page(size=(390, 844), phone=True)
+    desk = open_page(size=(390, 844), phone=True, pixels=NIGHT)
     desk.tell(commands.Play(False))
     touch = desk.context.new_cdp_session(desk.page)
 

@@ -40,7 +40,7 @@ def download(desk: Desk, button: str) -> tuple[str, bytes]:
 
 
 def test_a_picture_has_the_body_and_all_that_lies_under_and_over_it(open_page: OpenPage) -> None:
-    desk = open_page("water-balloon")
+    desk = open_page("water-balloon", pixels=True)
     desk.tell(commands.DoSteps(150))
     desk.wait_drawn()
     desk.page.evaluate(_LAYER)
