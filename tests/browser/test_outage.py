@@ -107,40 +107,6 @@ def test_a_path_that_dies_is_noticed_and_replaced(led: tuple[Desk, Wire]) -> Non
     desk.until(lambda: desk.simulation.positions[0, 0] > 340.0, "a drag works")
 
 
-def test_a_stall_ends_the_drag_and_keeps_the_connection(led: tuple[Desk, Wire]) -> None:
-    desk, between = led
-    old = desk._client
-    desk.page.keyboard.down("ArrowRight")
-    start = desk.place(0)
-    desk.take(start)
-    desk.until(lambda: desk.session.hands.masses == (0,), "the mass is in hand")
-    between.held = True
-    desk.until(lambda: is_away(desk), "the page says so", limit=WITHIN)
-    desk.page.mouse.move(start[0] + 200.0, start[1])
-    desk.page.keyboard.press("r")
-    between.held = False
-    desk.until(lambda: not is_away(desk), "the page is back")
-    assert desk._client == old
-    desk.until(lambda: not desk.session.hands.masses, "the drag has ended")
-    desk.page.mouse.move(start[0] + 250.0, start[1])
-    desk.pause(0.5)
-    assert abs(desk.place(0)[0] - start[0]) < 20.0
-    assert desk.simulation.time > 0.5, "it was not reset"
-
-
-def test_a_page_at_rest_or_in_the_background_raises_no_alarm(open_page: OpenPage) -> None:
-    desk = open_page()
-    desk.tell(commands.Play(False))
-    # A page that did not run for an hour, as a hidden one may: the clock leaps, the looks come late.
-    desk.page.evaluate(
-        "() => { const real = performance.now.bind(performance); performance.now = () => real() + 3.6e6 }"
-    )
-    desk.until(lambda: desk.beats >= 2, "it hears from the server although nothing happens", limit=30.0)
-    assert not is_away(desk)
-    assert max(desk.served.ticker.tabs) == desk._client
-    assert desk.page.evaluate("!document.documentElement.hasAttribute('data-softrod-away')")
-
-
 @pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="no process can be stopped here")
 def test_a_server_that_stands_still_is_noticed_and_taken_up_again(browser: Browser) -> None:
     command = [sys.executable, "-u", "-m", "app", "tutorial-3.3", "--port", "0", "--no-open"]
@@ -184,25 +150,6 @@ STALL = """
   };
 """
 """What the page gives back after a reload takes its time, as on a slow way to the server."""
-
-
-def test_what_a_page_has_kept_is_not_lost_before_the_server_has_it(open_page: OpenPage) -> None:
-    desk = open_page(size=(720, 460))
-
-    def keeps(gravity: int) -> bool:
-        return desk.page.evaluate(f"sessionStorage.getItem('softrod')?.includes('{gravity}.0')")
-
-    desk.tell(commands.SetValue("gravity", 912.0))
-    desk.until(lambda: keeps(912), "the page keeps it")
-    desk.run_first(STALL)
-    desk.open()
-    desk.until(lambda: desk.tab._kept, "the server has its new session kept")
-    desk.rest(5)
-    assert keeps(912)
-    desk.page.evaluate("window.goOn()")
-    desk.until(lambda: desk.session.scene.gravity == (0.0, 912.0), "the server goes on with it")
-    desk.tell(commands.SetValue("gravity", 834.0))
-    desk.until(lambda: keeps(834), "the page keeps what comes after it")
 
 
 def test_what_the_page_gives_back_is_not_lost_with_a_panel(open_page: OpenPage) -> None:
