@@ -6,7 +6,6 @@ import numpy as np
 from playwright.sync_api import Browser
 
 from tests.browser.conftest import OpenPage, Serve
-from tests.browser.driver import until
 
 
 def test_two_tabs_are_separate_and_closing_one_in_a_drag_frees_it(open_page: OpenPage) -> None:
@@ -44,25 +43,6 @@ def test_two_tabs_are_separate_and_closing_one_in_a_drag_frees_it(open_page: Ope
     stopped = gone.step_count
     other.pause(0.3)
     assert gone.step_count == stopped
-
-
-def test_with_no_page_open_nothing_is_computed(open_page: OpenPage, serve: Serve) -> None:
-    ticker = serve("tutorial-3.3").ticker
-    desk = open_page()
-    simulation = desk.simulation
-    until(desk.page, lambda: simulation.step_count > 40, "it runs")
-    # A page of another kind, to wait on.
-    blank = desk.context.new_page()
-    desk.page.close()
-    until(blank, lambda: not ticker.tabs, "the tab is gone")
-    until(blank, lambda: not ticker._wake.is_set(), "the ticker goes to sleep")
-    steps = simulation.step_count
-    blank.wait_for_timeout(400)
-    assert simulation.step_count == steps
-    assert not ticker._wake.is_set()
-    # It wakes up for the next one.
-    again = open_page()
-    again.until(lambda: again.simulation.step_count > 20, "the next page runs")
 
 
 def test_a_page_that_it_does_not_know_says_so(browser: Browser, serve: Serve) -> None:
