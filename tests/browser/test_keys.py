@@ -168,55 +168,6 @@ def test_space_pauses_after_a_click_wherever_the_focus_is(open_page: OpenPage) -
     desk.page.keyboard.up("ArrowRight")
 
 
-def test_the_view_menu_and_the_open_box_of_instruments_have_their_keys_to_themselves(
-    open_page: OpenPage,
-) -> None:
-    desk = open_page()
-    press, menu = desk.page.keyboard.press, desk.page.get_by_role("menu")
-
-    def is_at(entry: str) -> bool:
-        return entry in desk.page.evaluate("document.activeElement.textContent")
-
-    def is_unmoved() -> bool:
-        return desk.session.playing and desk.simulation.rest_length_scale == 1.0
-
-    desk.button("View").click()
-    assert is_at("Dark")
-    press("ArrowDown")
-    assert is_at("Larger")
-    press("ArrowUp")
-    press("ArrowUp")
-    assert is_at("Help")
-    press("Escape")
-    assert not menu.is_visible()
-    desk.pause(0.2)
-    assert is_unmoved()
-    # By keys alone: the focus comes back to the button.
-    assert is_at("View")
-    press("Enter")
-    press("End")
-    press("Home")
-    press("Space")
-    desk.until(lambda: desk.tab._page.looks.dark, "Space presses what has the focus")
-    assert is_at("View") and not menu.is_visible()
-    # A press anywhere else closes it, also on a mass; then the keys are the body's.
-    desk.button("View").click()
-    assert menu.is_visible()
-    desk.take(desk.place(5))
-    desk.let_go()
-    assert not menu.is_visible()
-    assert is_unmoved()
-    desk.button("Instruments").click()
-    box = desk.page.get_by_role("group", name="Instruments")
-    assert box.is_visible()
-    press("Escape")
-    assert not box.is_visible()
-    desk.pause(0.2)
-    assert is_unmoved()
-    press("Escape")
-    desk.until(lambda: not desk.session.playing, "the next one pauses")
-
-
 def test_help_and_the_command_palette_list_the_keys(open_page: OpenPage) -> None:
     desk = open_page()
     desk.view("Help")
