@@ -8,6 +8,8 @@ from types import SimpleNamespace
 from typing import Any
 from unittest.mock import MagicMock
 
+import viser
+
 from app.page.page import Page
 from app.page.scenes.shelf import Shelf
 from app.page.viser.comma_switch import CommaSwitch
@@ -35,6 +37,34 @@ class Handle(SimpleNamespace):
         """As its user does."""
         self.value = value
         asyncio.run(self.handler(SimpleNamespace(client_id=1, target=self)))
+
+
+class Noted:
+    """A page's side of viser, of a server's own panel, that notes its controls as they are made.
+
+    Attributes:
+        made: the last control with each label.
+        charts: all of them.
+    """
+
+    def __init__(self, server: viser.ViserServer) -> None:
+        self.made: dict[str, Any] = {}
+        self.charts: list[viser.GuiUplotHandle] = []
+        self._server = server
+        self.atomic, self.gui = server.atomic, self
+
+    def __getattr__(self, name: str) -> Any:
+        add = getattr(self._server.gui, name)
+
+        def note(*arguments: Any, **options: Any) -> Any:
+            handle = add(*arguments, **options)
+            if isinstance(handle, viser.GuiUplotHandle):
+                self.charts.append(handle)
+            elif name != "add_html":
+                self.made[arguments[0]] = handle
+            return handle
+
+        return note
 
 
 def page_of(

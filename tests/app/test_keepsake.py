@@ -187,13 +187,12 @@ def test_of_a_scene_that_no_version_is_nothing_is_undone() -> None:
 
 
 def test_what_is_kept_for_pages_that_come_back_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pasts, "_pasts", {})
     page = SessionPage(sim.load_scene("tutorial-3.3"))
     page.frames(3, commands.SetValue("gravity", 500.0))
-    for number in range(2 * pasts.MOST_PAGES):
-        pasts.keep(f"{number:032x}", page.session.versions)
-    assert len(pasts._pasts) == pasts.MOST_PAGES
-    assert pasts.of(f"{2 * pasts.MOST_PAGES - 1:032x}") is not None
+    names = [f"{number:032x}" for number in range(2 * pasts.MOST_PAGES)]
+    for name in names:
+        pasts.keep(name, page.session.versions)
+    assert [name for name in names if pasts.of(name) is not None] == names[pasts.MOST_PAGES :]
     monkeypatch.setattr(pasts, "MOST_BYTES", 3 * page.session.versions.bytes)
     pasts.keep(32 * "c", page.session.versions)
-    assert len(pasts._pasts) == 3
+    assert [name for name in (*names, 32 * "c") if pasts.of(name) is not None] == [*names[-2:], 32 * "c"]

@@ -28,9 +28,11 @@ class Page(SessionPage):
     def __init__(self, scene: sim.Scene) -> None:
         super().__init__(scene)
         self.made: dict[str, Handle] = {}
+        self.numbers: list[Handle] = []
         self.notices: list[Notice] = []
         names = ("folder", "number", "checkbox", "button", "button_group")
         gui = SimpleNamespace(**{f"add_{name}": self._add for name in names})
+        gui.add_number = self._add_number
         client: Any = SimpleNamespace(gui=gui, atomic=nullcontext)
         self.panel = SelectionPanel(page_of(self.session, client, notify=self.notices.append))
         self.frames(1, commands.Play(False))
@@ -39,6 +41,10 @@ class Page(SessionPage):
         handle = Handle(label=label, value=initial_value, step=0.0, visible=rest.get("visible", True))
         self.made[label] = handle
         return handle
+
+    def _add_number(self, label: str, **options: Any) -> Handle:
+        self.numbers.append(self._add(label, **options))
+        return self.numbers[-1]
 
     def frames(self, count: int, *posts: commands.Command) -> None:
         for command in posts:
@@ -55,8 +61,7 @@ class Page(SessionPage):
 
     def shown(self) -> dict[str, object]:
         """What the boxes that are there show, by their labels."""
-        rows = [row._box for row in self.panel._rows]
-        return {row.label: row.value for row in rows if row.visible}
+        return {row.label: row.value for row in self.numbers if row.visible}
 
     def enter(self, label: str, value: object) -> None:
         self.made[label].enter(value)

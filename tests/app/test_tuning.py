@@ -184,14 +184,19 @@ class WishPage(SessionPage):
         super().__init__(scene)
         self.made: dict[str, Handle] = {}
         self.notices: list[Notice] = []
-        names = ("checkbox", "html", "button", "slider", "number", "command")
+        names = ("checkbox", "button", "slider", "number", "command")
         gui = SimpleNamespace(**{f"add_{name}": self._add for name in names})
+        gui.add_html = self._add_table
         client: Any = SimpleNamespace(gui=gui)
         self.panel = TuningPanel(page_of(self.session, client, notify=self.notices.append), 0.0)
         self.panel.build(True)
         self.frames(1, commands.Play(False))
         self.made["Tuning"].enter(True)
         self.settle()
+
+    def _add_table(self, content: str, **_: object) -> Handle:
+        self.table = Handle(content=content)
+        return self.table
 
     def _add(self, label: str, *_: object, initial_value: object = None, **rest: Any) -> Handle:
         handle = Handle(label=label, value=initial_value, content="", visible=rest.get("visible", True))
@@ -200,7 +205,7 @@ class WishPage(SessionPage):
 
     @property
     def text(self) -> str:
-        return self.panel._table.content
+        return self.table.content
 
     def settle(self) -> None:
         """Frames, as long as there is more to show."""

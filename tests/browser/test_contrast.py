@@ -47,7 +47,7 @@ def put_on(desk: Desk, look: str) -> None:
     """Have the page look like that; for a projector the colours are the same (`tests/app/test_styles.py`)."""
     if look == "dark":
         desk.view("Dark")
-        desk.until(lambda: desk.tab._page.looks.dark, "it is dark")
+        desk.until(lambda: desk.tab.probe().looks.dark, "it is dark")
 
 
 @pytest.mark.parametrize("look", part_of(("light", "dark"), 2))

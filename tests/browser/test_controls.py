@@ -199,13 +199,13 @@ def test_a_click_on_a_mass_reads_out_its_joint(open_page: OpenPage) -> None:
 
 
 def test_the_page_can_be_dark(open_page: OpenPage) -> None:
-    desk = open_page()
+    desk = open_page(pixels=True)
     desk.tell(commands.Play(False))
     text = "() => getComputedStyle(document.querySelector('.softrod-hud')).color"
     light = desk.page.evaluate(text)
     for dark in (True, False):
         desk.view("Dark")
-        desk.until(lambda dark=dark: desk.tab._page.looks.dark == dark, "the switch is turned")
+        desk.until(lambda dark=dark: desk.tab.probe().looks.dark == dark, "the switch is turned")
         # A place with nothing but paper, one in the panel.
         x, y = (float(c) for c in desk.at([(100.0, 331.0)])[0])
         desk.until(

@@ -12,7 +12,7 @@ import sim
 from app.drawing.colors import palette
 from app.drawing.plan import Picture
 from app.drawing.sketch import Sketch
-from app.page.body.view import Canvas
+from app.page.body.view import kinds_of
 from app.session import commands
 from tests.amount import NIGHT
 from tests.browser.conftest import OpenPage
@@ -30,13 +30,13 @@ def one_of_each_kind() -> list[str]:
     kinds: dict[object, str] = {}
     for name in PRESETS:
         scene = sim.load_scene(name)
-        meshes = Canvas._kinds(Sketch(scene, palette("softrod", dark=False)))
+        meshes = kinds_of(Sketch(scene, palette("softrod", dark=False)))
         kinds.setdefault(tuple(meshes.items()), name)
     return list(kinds.values())
 
 
 def test_the_masses_are_drawn_where_the_solver_has_them(open_page: OpenPage) -> None:
-    desk = open_page()
+    desk = open_page(pixels=True)
     desk.page.keyboard.down("ArrowRight")
     desk.until(lambda: abs(desk.simulation.rest_angles[0]) > 8.0, "the rope curls")
     desk.page.keyboard.up("ArrowRight")
@@ -58,7 +58,7 @@ def test_the_masses_are_drawn_where_the_solver_has_them(open_page: OpenPage) -> 
 
 def test_every_kind_of_body_opens_and_is_drawn(open_page: OpenPage) -> None:
     """`tests/app/test_drawing.py` has where the parts of every preset are."""
-    desk = open_page()
+    desk = open_page(pixels=True)
     desk.tell(commands.Play(False))
     for name in dict.fromkeys((*one_of_each_kind(), CHOSEN)):
         scene = sim.load_scene(name)
@@ -70,7 +70,7 @@ def test_every_kind_of_body_opens_and_is_drawn(open_page: OpenPage) -> None:
         assert_shown(desk)
         # viser 1.1.1 at times draws a new node once before its buffers are ready; after that all is well.
         desk.complaints.clear()
-        desk.page.evaluate("window.__viserMutable.requestRender()")
+        desk.page.evaluate("window.__softrod.render()")
         desk.rest(2)
         assert not desk.complaints
         start = Picture.at_start(scene).positions
@@ -81,12 +81,12 @@ def test_every_kind_of_body_opens_and_is_drawn(open_page: OpenPage) -> None:
 
 @pytest.mark.parametrize("phone", [False, True], ids=["desktop", "phone"])
 def test_screenshots_show_the_whole_body(open_page: OpenPage, phone: bool) -> None:
-    desk = open_page(size=(390, 844) if phone else (1280, 760), phone=phone, smooth=NIGHT)
+    desk = open_page(size=(390, 844) if phone else (1280, 760), phone=phone, pixels=True, smooth=NIGHT)
     desk.tell(commands.Play(False))
     for dark in (False,) if phone else (False, True):
         if dark:
             desk.view("Dark")
-            desk.until(lambda: desk.tab._page.looks.dark, "it is dark")
+            desk.until(lambda: desk.tab.probe().looks.dark, "it is dark")
             desk.show("Play")
         for name in SOME if phone or dark else SHOWN:
             desk.tell(commands.Open(sim.load_scene(name)), commands.DoSteps(400))

@@ -13,6 +13,7 @@ import sim
 from app.session import commands
 from sim.edit.edit import Selection
 from sim.store import files
+from tests.amount import NIGHT
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, Point
 from tests.browser.test_links import shared
@@ -34,7 +35,7 @@ def becomes(desk: Desk, masses: int, springs: int, joints: int) -> None:
 
 
 def paused(open_page: OpenPage, scene: str = "tutorial-3.3", size: tuple[int, int] = SMALL) -> Desk:
-    desk = open_page(scene, size=size)
+    desk = open_page(scene, size=size, pixels=NIGHT)
     desk.tell(commands.Play(False))
     return desk
 
@@ -157,7 +158,8 @@ def test_by_mouse(open_page: OpenPage) -> None:
     drag(desk, (middle[0] - 30.0, middle[1] - 5.0), (middle[0] + 30.0, middle[1] + 5.0))
     becomes(desk, 16, 15, 9)
     built = desk.session.simulation.capture().scene
-    desk.picture("edit-mouse.png")
+    if NIGHT:
+        desk.picture("edit-mouse.png")
     # Back to the very scene that it began with, by the button; and on again by keys.
     undo = page.locator(".softrod-edit").get_by_role("button", name="Undo", exact=True)
     for _ in range(len(desk.session.versions)):
@@ -174,7 +176,7 @@ def test_by_mouse(open_page: OpenPage) -> None:
 
 def test_by_touch(open_page: OpenPage) -> None:
     """Fingers build, a long press selects, and two fingers move the view instead."""
-    desk = open_page(size=(390, 844), phone=True)
+    desk = open_page(size=(390, 844), phone=True, pixels=NIGHT)
     desk.tell(commands.Play(False))
     touch = desk.context.new_cdp_session(desk.page)
 
@@ -217,7 +219,8 @@ def test_by_touch(open_page: OpenPage) -> None:
     middle = (np.array(desk.place(12)) + desk.place(13)) / 2.0
     stroke((middle[0] - 25.0, middle[1]), (middle[0] + 25.0, middle[1] + 3.0))
     becomes(desk, 14, 12, 10)
-    desk.picture("edit-touch.png")
+    if NIGHT:
+        desk.picture("edit-touch.png")
 
 
 def test_by_keys_alone(open_page: OpenPage) -> None:
@@ -282,7 +285,8 @@ def test_by_keys_alone(open_page: OpenPage) -> None:
     desk.until(lambda: len(desk.session.selection.masses) == masses, "all is selected")
     live = page.locator(".softrod-tell").filter(has_text="selected")
     desk.until(lambda: live.count() == 1, "a screen reader hears of it")
-    desk.picture("edit-keys.png")
+    if NIGHT:
+        desk.picture("edit-keys.png")
 
 
 def test_a_body_can_be_edited_while_it_runs(open_page: OpenPage) -> None:
@@ -385,7 +389,8 @@ def test_a_picture_to_draw_over_stays_in_the_browser(open_page: OpenPage, tmp_pa
     desk.until(lambda: box()[2] < 0.5 * wide, "it is smaller")
     page.get_by_label("Opacity").fill("0.8")
     desk.until(lambda: image.get_attribute("opacity") == "0.8", "it is stronger")
-    desk.picture("edit-picture.png")
+    if NIGHT:
+        desk.picture("edit-picture.png")
     # What is drawn over it is the body's, the picture is not.
     assert "image" not in files.encode_scene(desk.session.snapshot("x", with_pose=True)).decode()
     where = box()

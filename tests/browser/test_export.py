@@ -41,7 +41,7 @@ def download(desk: Desk, button: str) -> tuple[str, bytes]:
 
 
 def test_a_picture_has_the_body_and_all_that_lies_under_and_over_it(open_page: OpenPage) -> None:
-    desk = open_page("water-balloon")
+    desk = open_page("water-balloon", pixels=True)
     desk.tell(commands.DoSteps(150))
     desk.wait_drawn()
     desk.page.evaluate(_LAYER)
@@ -50,7 +50,7 @@ def test_a_picture_has_the_body_and_all_that_lies_under_and_over_it(open_page: O
     assert started.value.suggested_filename == "Water balloon.png"
     image = np.asarray(Image.open(started.value.path()).convert("RGB")).astype(float)
     box = desk.page.evaluate(
-        "(({ width, height }) => [width, height])(__viserMutable.canvas.getBoundingClientRect())"
+        "(({ width, height }) => [width, height])(__softrod.canvas().getBoundingClientRect())"
     )
     assert image.shape[:2] == (2 * box[1], 2 * box[0])
 

@@ -10,6 +10,8 @@ import pytest
 import sim
 from app.gate.gate import Gate
 from app.page.scenes import owner
+from app.wire.carrier import Mail
+from app.wire.to_page import OfferGallery, ShelfChanged
 from sim.store import files, own_scenes
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
@@ -156,10 +158,10 @@ def test_what_a_file_says_is_text(open_page: OpenPage) -> None:
 
 def test_a_scene_that_is_saved_as_the_gallery_opens_does_not_keep_it_shut(open_page: OpenPage) -> None:
     desk = open_page(size=SMALL)
-    gallery = desk.tab._answers.gallery
+    mail = Mail(desk.tab.client)
     with desk.tab.client.atomic():
-        gallery.offer()
-        gallery.changed()
+        mail.tell(OfferGallery(why=""))
+        mail.tell(ShelfChanged())
     desk.page.get_by_role("dialog", name="Scenes").locator(".softrod-card").first.wait_for()
 
 
@@ -188,7 +190,7 @@ def test_a_visitor_copies_the_owner_s_scenes_and_the_owner_s_key_makes_them_one_
     # The address that the terminal prints; the key does not stay in it.
     desk.open(f"/#owner={owner.key()}")
     assert "owner" not in desk.page.url
-    desk.until(lambda: desk.tab._shelf.owned, "the page is the owner's")
+    desk.until(lambda: desk.tab.probe().owned, "the page is the owner's")
     for _ in range(2):
         desk.gallery()
         assert desk.card("theirs").locator(".softrod-actions button").all_inner_texts() == [
@@ -198,5 +200,5 @@ def test_a_visitor_copies_the_owner_s_scenes_and_the_owner_s_key_makes_them_one_
         desk.page.get_by_role("button", name="Use in class theirs").click()
         assert desk.page.get_by_label("Command", exact=True).input_value() == "softrod class theirs"
         desk.open()  # the browser remembers it
-        desk.until(lambda: desk.tab._shelf.owned, "the page is still the owner's")
+        desk.until(lambda: desk.tab.probe().owned, "the page is still the owner's")
     own_scenes.trash_user_scene("theirs")

@@ -65,7 +65,7 @@ def test_the_gizmo_moves_its_mass_freely_by_the_square_and_along_one_axis_by_an_
 ) -> None:
     desk = open_page()
     desk.view("Arrows at held masses")
-    desk.until(lambda: desk.tab._view._gizmos, "the gizmo is there")
+    desk.until(lambda: "/gizmos/0" in desk.tab.probe().nodes, "the gizmo is there")
     desk.rest(5)
     for grip, way, moved in (
         ((16.0, -16.0), (-120.0, 60.0), (-120.0, 60.0)),

@@ -54,7 +54,7 @@ def test_a_link_made_in_one_page_opens_in_another(open_page: OpenPage) -> None:
     assert other.page.url.partition("?")[0] == other.served.url + "/"
     # It is there again after a reload, with what was done meanwhile.
     other.tell(commands.SetValue("gravity", 123.0))
-    other.until(lambda: other.tab._kept and other.tab._kept[0] == other.session.revision, "it is kept")
+    other.until(other.is_kept, "it is kept")
     other.rest(3)
     other.open()
     other.until(lambda: other.session.scene.gravity == (0.0, 123.0), "the reload goes on")
@@ -69,7 +69,7 @@ def test_a_link_made_in_one_page_opens_in_another(open_page: OpenPage) -> None:
 def test_a_link_goes_before_what_the_tab_had_kept(open_page: OpenPage) -> None:
     desk = open_page("ring", size=SMALL)
     for scene in (sim.load_scene("rod"), sim.load_scene("tutorial-3.1")):
-        desk.until(lambda: desk.tab._kept, "something is kept")
+        desk.until(lambda: desk.tab.probe().kept, "something is kept")
         desk.until(lambda: desk.page.evaluate(KEPT), "by the page")
         desk.open("/s#" + pack_scene(scene))
         desk.until(lambda: desk.session.scene == scene, "the link's scene is there")  # noqa: B023
@@ -80,7 +80,7 @@ def test_a_link_goes_before_what_the_tab_had_kept(open_page: OpenPage) -> None:
 def test_a_bad_link_is_one_sentence_and_changes_nothing(open_page: OpenPage) -> None:
     desk = open_page("ring", size=SMALL)
     desk.tell(commands.SetValue("gravity", 77.0))
-    desk.until(lambda: desk.tab._kept and desk.tab._kept[0] == desk.session.revision, "it is kept")
+    desk.until(desk.is_kept, "it is kept")
     desk.rest(3)
     scene, data = desk.session.scene, pack_scene(sim.rope())
     desk.open("/s#" + data[:-9])
@@ -122,10 +122,10 @@ def test_a_short_address_opens_the_scene_for_others_and_again_after_a_reload(ope
 
     other = open_page("ring", size=SMALL, path=phone.removeprefix(one.served.url))
     assert other.session.scene == scene
-    assert other.tab._page.controls.names == ("play", "rest_angle", "angular_stiffness")
+    assert other.tab.probe().controls == ("play", "rest_angle", "angular_stiffness")
     # What was done meanwhile is there again after a reload, and another address opens another scene.
     other.tell(commands.SetValue("gravity", 123.0))
-    other.until(lambda: other.tab._kept and other.tab._kept[0] == other.session.revision, "it is kept")
+    other.until(other.is_kept, "it is kept")
     other.until(lambda: "123" in (other.page.evaluate(KEPT) or ""), "by the page")
     other.open(phone.removeprefix(one.served.url))
     other.until(lambda: other.session.scene.gravity == (0.0, 123.0), "the reload goes on")

@@ -208,10 +208,10 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
 
 @pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
 def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage, dark: bool) -> None:
-    desk = open_page(size=(1000, 700))
+    desk = open_page(size=(1000, 700), pixels=True)
     if dark:
         desk.view("Dark")
-        desk.until(lambda: desk.tab._page.looks.dark, "it is dark")
+        desk.until(lambda: desk.tab.probe().looks.dark, "it is dark")
         desk.wait_drawn()
     desk.tell(commands.Play(False))
     desk.until(desk.clock_is_right, "the clock shows where it stands")
@@ -252,7 +252,7 @@ def test_the_bar_of_time_stays_above_the_panel_of_a_phone_while_that_is_scrolled
 
 
 def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: OpenPage) -> None:
-    desk = open_page("lesson-hooke", size=(1000, 700))
+    desk = open_page("lesson-hooke", size=(1000, 700), pixels=True)
     desk.page.locator(".uplot canvas").wait_for()
     desk.until(lambda: desk.page.locator(".softrod-reading").count() == 1, "the plot is drawn")
     title = desk.page.locator(".softrod-lesson h2").inner_text()
@@ -273,7 +273,7 @@ def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: O
 
 
 def test_what_is_said_over_the_body_covers_no_mass(open_page: OpenPage) -> None:
-    desk = open_page()
+    desk = open_page(pixels=True)
     desk.tell(commands.Play(False))
     desk.wait_drawn()
     word = desk.page.locator(".softrod-hud b")

@@ -6,7 +6,6 @@ from playwright.sync_api import Locator
 
 import sim
 from sim.scene.lesson import Goal, Question, Step
-from sim.store.files import decode_scene, user_path
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -171,7 +170,7 @@ def save(desk: Desk) -> None:
     desk.show("Share")
     desk.button("Save").click()
     desk.notice("saved as 'my lesson'")
-    saved = decode_scene(user_path("my lesson", desk.tab._shelf.folder).read_bytes(), "my lesson")
+    saved = sim.load_scene("my lesson")
     assert saved.lesson == desk.session.scene.lesson
 
 

@@ -30,8 +30,8 @@ def steps(desk: Desk) -> int:
 
 def let_pass(desk: Desk, seconds: float) -> None:
     """Set the session's clock on, as if so much time went by, s."""
-    clock = desk.session._clock
-    desk.session._clock = lambda: clock() + seconds
+    clock = desk.session.clock
+    desk.session.clock = lambda: clock() + seconds
 
 
 def test_a_number_is_set_whole_however_it_is_typed(open_page: OpenPage) -> None:

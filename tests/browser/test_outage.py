@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import os
-import re
 import signal
 import subprocess
 import sys
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Route, expect
+from playwright.sync_api import Browser, BrowserContext, expect
 
 from app.session import commands
-from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.conftest import DESKTOP, OpenPage, Serve
 from tests.browser.driver import Desk, Served, rough_context, until
 from tests.browser.wires import Wire, wire
@@ -28,18 +26,7 @@ HURRY = 4
 
 def hurry(context: BrowserContext) -> None:
     """Have the pages of a context lose their patience sooner."""
-
-    def faster(route: Route) -> None:
-        response = route.fetch()
-        text, count = re.subn(
-            r"(?<=const )(LOOK_EVERY|ASK_AFTER|SILENT_AFTER|GIVE_UP_AFTER) = ([\d_]+)",
-            lambda found: f"{found[1]} = {int(found[2]) // HURRY}",
-            response.text(),
-        )
-        assert count == 4
-        route.fulfill(response=response, body=text)
-
-    context.route("**/connection.js", faster)
+    context.add_init_script(f"window.__softrodHurry = {HURRY}")
 
 
 @pytest.fixture
@@ -66,14 +53,14 @@ def take_up(desk: Desk, known: int) -> None:
     new = desk.until(
         lambda: [c for c in list(desk.served.ticker.tabs) if c > known], "the page connects anew"
     )
-    desk._client = new[-1]
-    desk.until(lambda: desk.tab._session is not None, "the tab has its session")
+    desk.client = new[-1]
+    desk.until(lambda: desk.tab.session is not None, "the tab has its session")
 
 
 def test_a_path_that_dies_is_noticed_and_replaced(led: tuple[Desk, Wire]) -> None:
     desk, between = led
     desk.tell(commands.SetValue("gravity", 900.0))
-    desk.until(lambda: desk.tab._kept and desk.tab._kept[0] == desk.session.revision, "it is kept")
+    desk.until(desk.is_kept, "it is kept")
     desk.until(
         lambda: desk.page.evaluate("sessionStorage.getItem('softrod')?.includes('900')"), "by the page"
     )
@@ -81,7 +68,7 @@ def test_a_path_that_dies_is_noticed_and_replaced(led: tuple[Desk, Wire]) -> Non
     start = desk.place(0)
     desk.take(start)
     desk.until(lambda: desk.session.hands.masses == (0,), "the mass is in hand")
-    old = desk._client
+    old = desk.client
     between.mute = True
     desk.until(lambda: is_away(desk), "the page says so", limit=WITHIN)
     # Its clock stands, and what is pressed now is not done, neither now nor later.
@@ -137,31 +124,3 @@ def test_a_server_that_stands_still_is_noticed_and_taken_up_again(browser: Brows
         finally:
             os.kill(server.pid, signal.SIGCONT)
             server.terminate()
-
-
-STALL = """
-  const Real = CompressionStream;
-  const goesOn = new Promise(goOn => (window.goOn = goOn));
-  CompressionStream = class {
-    constructor(format) {
-      const waits = new TransformStream({ transform: (part, to) => goesOn.then(() => to.enqueue(part)) });
-      return { writable: waits.writable, readable: waits.readable.pipeThrough(new Real(format)) };
-    }
-  };
-"""
-"""What the page gives back after a reload takes its time, as on a slow way to the server."""
-
-
-def test_what_the_page_gives_back_is_not_lost_with_a_panel(open_page: OpenPage) -> None:
-    desk = open_page(size=(720, 460))
-    desk.tell(commands.SetValue("gravity", 913.0))
-    desk.until(
-        lambda: desk.page.evaluate("sessionStorage.getItem('softrod')?.includes('913.0')"), "it is kept"
-    )
-    desk.run_first(STALL)
-    desk.open()
-    with FRAME_LOCK:
-        desk.page.evaluate("window.goOn()")
-        desk.until(lambda: len(desk.tab._requests) > 0, "it comes to a panel that is about to go")
-        desk.tab._has_lesson, desk.tab._generation = True, -1
-    desk.until(lambda: desk.session.scene.gravity == (0.0, 913.0), "the server goes on with it")

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.page.measure.measure_panel import MeasurePanel
 from app.session import commands
 from app.session.plots import Wish
 from tests.browser.conftest import OpenPage
@@ -18,14 +17,13 @@ from tests.browser.driver import Desk
 ANGLE = Wish(("joint0.angle",))
 
 
-SEND = """text => window.__viserMutable.sendMessage({ type: "SoftrodMessage", text })"""
-CHARTS = """() => JSON.stringify(Object.values(window.__viserTestpoints?.uplots ?? {}).map(({ chart }) => ({
+CHARTS = """() => JSON.stringify(window.__softrod.charts().map((chart) => ({
   data: chart.data.map((column) => [...column]),
   low: chart.scales.y0?.min,
   high: chart.scales.y0?.max,
 })))"""
 
-ROOM = """() => Object.values(window.__viserTestpoints.uplots).map(({ chart }) => {
+ROOM = """() => window.__softrod.charts().map((chart) => {
   const pen = document.createElement("canvas").getContext("2d");
   pen.font = "12px system-ui, sans-serif";
   const edge = chart.bbox.left / devicePixelRatio + chart.valToPos(chart.scales.x.max, "x");
@@ -42,11 +40,20 @@ def charts(desk: Desk) -> list[dict[str, Any]]:
     return json.loads(desk.page.evaluate(CHARTS))
 
 
-def measures(desk: Desk) -> MeasurePanel:
-    """The Measure tab of the page."""
-    panel = desk.tab._measure
-    assert panel is not None
-    return panel
+def kept_plots(desk: Desk) -> tuple[Wish, ...]:
+    """The plots that the browser was told to keep."""
+    kept = desk.tab.probe().kept
+    return () if kept is None else kept.plots
+
+
+def options(desk: Desk, label: str) -> list[str]:
+    """What a list offers."""
+    desk.control(label).click()
+    offered = desk.page.get_by_role("option").and_(desk.page.locator(":visible"))
+    offered.first.wait_for()
+    found = offered.all_inner_texts()
+    desk.page.keyboard.press("Escape")
+    return found
 
 
 def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage) -> None:
@@ -96,11 +103,11 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     # With decimal commas, which the tab remembers.
     before = desk.page.evaluate(KEPT)
     desk.control("Decimal commas").check()
-    desk.until(lambda: desk.tab._page.commas.on, "tables have decimal commas")
-    desk.until(lambda: desk.tab._kept[1].commas, "the server has told the browser to keep that")
+    desk.until(lambda: desk.tab.probe().looks.commas, "tables have decimal commas")
+    desk.until(desk.is_kept, "the server has told the browser to keep that")
     desk.until(lambda: desk.page.evaluate(KEPT) != before, "and it does")
     desk.open()
-    desk.until(lambda: desk.tab._page.commas.on, "it is so after a reload")
+    desk.until(lambda: desk.tab.probe().looks.commas, "it is so after a reload")
     desk.show("Measure")
     assert desk.control("Decimal commas").is_checked()
     with desk.page.expect_download() as download:
@@ -112,18 +119,18 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
 
     # While nobody sees it, it is not sent.
     desk.show("Play")
-    desk.until(lambda: not measures(desk).plots.looked_at, "the page says that it is not seen")
+    desk.until(lambda: not desk.tab.probe().plots_seen, "the page says that it is not seen")
     desk.show("Measure")
-    desk.until(lambda: measures(desk).plots.looked_at, "and that it is")
+    desk.until(lambda: desk.tab.probe().plots_seen, "and that it is")
 
     # It is there again after a reload, and gone when it is removed.
-    desk.until(lambda: ANGLE in desk.tab._kept[2], "the page keeps it")
+    desk.until(lambda: kept_plots(desk) == (ANGLE,), "the page keeps it")
     desk.rest(3)
     desk.open()
-    desk.until(lambda: measures(desk).plots.wishes == (ANGLE,), "the plot is back")
+    desk.until(lambda: desk.tab.probe().plots == (ANGLE,), "the plot is back")
     desk.show("Measure")
     desk.button("Remove").click()
-    desk.until(lambda: not charts(desk) and not measures(desk).plots.wishes, "it is gone")
+    desk.until(lambda: not charts(desk) and not desk.tab.probe().plots, "it is gone")
 
 
 def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None:
@@ -133,15 +140,14 @@ def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None
     desk.wait_drawn()
     desk.take(desk.place(4))
     desk.let_go()
-    desk.until(lambda: "mass4" in measures(desk)._part.options, "the mass is offered")
-    assert measures(desk)._part.options[:4] == ("joint3", "mass4", "spring3", "spring4")
+    desk.until(lambda: desk.control("Part").input_value() == "joint3", "the mass is offered")
+    assert options(desk, "Part")[:4] == ["joint3", "mass4", "spring3", "spring4"]
     # A page can name any mass; one that is not there is not offered.
-    desk.page.evaluate(SEND, '{"do":"pick","mass":999999}')
+    desk.page.evaluate("window.__softrod.send({ do: 'pick', mass: 999999 })")
     desk.rest(10)
-    assert "mass4" in measures(desk)._part.options
+    assert "mass4" in options(desk, "Part")
     desk.choose("Part", "joint3")
     desk.choose("Quantity", "rate")
-    desk.until(lambda: "joint3.angle" in measures(desk)._over.options, "it can be plotted over the angle")
     desk.choose("Over", "joint3.angle")
     desk.button("New plot").click()
     phase = desk.page.get_by_role("img", name="joint3.rate over joint3.angle")
@@ -158,10 +164,19 @@ def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None
 
 
 MARKS = """([low, high]) => new Promise((done) => {
-  const { chart } = Object.values(window.__viserTestpoints.uplots)[0];
-  chart.setScale("y0", { min: low, max: high });
-  setTimeout(() => done(chart.axes.find(({ scale }) => scale === "y0")._values), 100);
+  const marks = new Map();
+  const pens = CanvasRenderingContext2D.prototype, write = pens.fillText;
+  pens.fillText = function (text, x, y) {
+    if (this.textAlign === "right") marks.set(y, text);
+    return write.call(this, text, x, y);
+  };
+  window.__softrod.charts()[0].setScale("y0", { min: low, max: high });
+  setTimeout(() => {
+    pens.fillText = write;
+    done([...marks.values()]);
+  }, 100);
 })"""
+"""What is written along the axis that goes upwards, which has its numbers to the left."""
 
 
 def test_the_marks_of_an_axis_tell_values_apart(open_page: OpenPage) -> None:

@@ -73,7 +73,7 @@ def test_every_finger_drags_a_mass_of_its_own_and_a_palm_beside_a_pen_none(open_
     for mass in (2, 10):
         board.lift(mass)
     desk.until(lambda: not desk.session.hands.masses, "all are let go")
-    assert not desk.simulation._hands.grabbed
+    assert not desk.simulation.grabbed
     board.point("mouseMoved", desk.place(3), False)
     board.point("mousePressed", desk.place(3), True)
     desk.until(lambda: desk.session.hands.masses == (3,), "the pen has a mass")

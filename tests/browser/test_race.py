@@ -53,6 +53,4 @@ def test_a_worm_races_against_a_walker(open_page: OpenPage) -> None:
     page.get_by_role("button", name="Leave").click()
     desk.until(lambda: session.rival is None, "the race is over")
     desk.until(lambda: page.locator(".softrod-race").is_hidden(), "so is its strip")
-    desk.until(
-        lambda: not page.evaluate("window.__viserMutable.nodeRefFromName['/rival/masses']"), "and the rival"
-    )
+    desk.until(lambda: not page.evaluate("window.__softrod.instances('/rival/masses')"), "and the rival")

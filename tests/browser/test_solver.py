@@ -69,7 +69,7 @@ def test_how_fast_errors_grow_is_told_while_it_is_wanted(open_page: OpenPage) ->
 
 
 def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
-    desk = open_page("tutorial-3.3")
+    desk = open_page("tutorial-3.3", pixels=True)
     desk.show("Solver")
     desk.choose("Compare with", REFERENCE_LABEL)
     desk.until(lambda: desk.session.ghost is not None, "there is a ghost")
@@ -110,7 +110,7 @@ def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
     desk.until(lambda: desk.control("Ghost's law").input_value() == "the same", "as its controls say")
     desk.choose("Compare with", "nothing")
     desk.until(lambda: desk.session.ghost is None, "the ghost is gone")
-    desk.until(lambda: "ghost" not in desk.tab._view._nodes, "and its picture, too")
+    desk.until(lambda: "/body/ghost" not in desk.tab.probe().nodes, "and its picture, too")
 
 
 def test_tuning_is_told_while_it_is_wanted_and_its_buttons_can_be_undone(open_page: OpenPage) -> None:

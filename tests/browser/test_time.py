@@ -97,7 +97,7 @@ def test_a_reload_comes_back_to_where_it_was(open_page: OpenPage) -> None:
     assert (desk.simulation.positions == where).all()
     assert sim.settings.SETTINGS["linear_stiffness"].read(desk.session.scene) == 7000.0
     assert not desk.session.playing
-    desk.until(lambda: desk.tab._page.looks.dark, "and the dark")
+    desk.until(lambda: desk.tab.probe().looks.dark, "and the dark")
     assert desk.viewed("Dark"), "its switch says so"
     assert_shows(desk, where)
     assert not desk.notices()
@@ -119,8 +119,8 @@ def test_a_server_that_is_started_anew_has_the_page_back(browser: Browser) -> No
             desk.until(lambda: desk.page.evaluate(kept) == time, "the browser keeps it")
         desk.page.get_by_text("Reconnecting").wait_for()
         _, served.ticker, _ = rest.enter_context(serving(scene, "127.0.0.1", port))
-        desk._client = desk.until(lambda: list(served.ticker.tabs), "the page connects by itself")[0]
-        desk.until(lambda: desk.tab._session is not None, "the tab has its session")
+        desk.client = desk.until(lambda: list(served.ticker.tabs), "the page connects by itself")[0]
+        desk.until(lambda: desk.tab.session is not None, "the tab has its session")
         desk.until(lambda: desk.simulation.time == time, "it is where it was")
         assert (desk.simulation.positions == where).all()
         assert_shows(desk, where)

@@ -53,7 +53,7 @@ def test_a_spring_that_breaks_vanishes_and_comes_back_with_the_past(open_page: O
 
 
 def test_floor_and_filling_are_behind_the_body_at_any_zoom(open_page: OpenPage) -> None:
-    desk = open_page()
+    desk = open_page(pixels=True)
     desk.tell(commands.Play(False), commands.Open(balloon(liquid=True)))
     desk.until(lambda: path(desk, "wall") and path(desk, "liquid"), "floor and liquid are drawn")
     desk.wait_drawn()
@@ -86,8 +86,7 @@ def test_floor_and_filling_are_behind_the_body_at_any_zoom(open_page: OpenPage) 
 def test_the_wind_drifts_with_the_clock_and_stands_for_those_who_want_it_so(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Play(False), commands.Open(balloon(wind=GUSTS, air_friction=0.01)))
-    desk.until(lambda: path(desk, "wind"), "the wind is drawn")
-    desk.wait_drawn()
+    desk.until(lambda: all(wind(desk)), "the wind is drawn")
     before = wind(desk)
     desk.pause(0.3)
     assert wind(desk) == before  # the clock stands

@@ -17,6 +17,7 @@ from sim.compiling.compiler import ENTRY_POINTS, Compiler, EntryPoint, is_ready,
 from sim.kernels.engine import kept
 from sim.methods.registry import METHODS
 from tests.amount import part_of
+from tests.sim.inside import hash_from
 
 ROOT = Path(sim.__file__).parent.parent
 QUICK = "next_turn"
@@ -105,22 +106,25 @@ def test_auto_begins_with_what_is_there_and_takes_the_others_in(monkeypatch: pyt
 
 
 # ------------------------------------------------------------------------- helpers
-def test_the_compiler_loads_what_was_wanted_first() -> None:
+def test_the_compiler_loads_what_was_wanted_first(monkeypatch: pytest.MonkeyPatch) -> None:
     for point in ENTRY_POINTS.values():
         point.load()  # so that the disk has it, or nothing can be kept there
+    loaded: list[str] = []
+    load = EntryPoint.load
+    monkeypatch.setattr(EntryPoint, "load", lambda point: (loaded.append(point.name), load(point))[1])
+    monkeypatch.setattr("sim.compiling.compiler.os.cpu_count", lambda: 1)
     compiler = Compiler()
     compiler.want(["run_alpha", "energies"])
-    assert compiler._waiting[:2] == ["run_alpha", "energies"]
     compiler.start()
     compiler.wait()
+    assert loaded[:2] == ["run_alpha", "energies"]
     assert compiler.progress == (len(ENTRY_POINTS), len(ENTRY_POINTS))
     assert is_ready(ENTRY_POINTS)
 
 
 COMPILE_ONE = f"""
 from sim.compiling.compiler import ENTRY_POINTS, Compiler
-compiler = Compiler()
-compiler._waiting = [{QUICK!r}]
+compiler = Compiler([{QUICK!r}])
 print(ENTRY_POINTS[{QUICK!r}].ready, end=" ")
 compiler.start()
 compiler.wait()
@@ -186,8 +190,7 @@ def sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     copy = tmp_path / "sim"
     shutil.copytree(ROOT / "sim", copy, ignore=shutil.ignore_patterns("__pycache__"))
     before = kept.source_hash("kernels.integrators.verlet")
-    monkeypatch.setattr(kept, "_SOURCES", copy)
-    kept.source_hash.cache_clear()
+    hash_from(copy, monkeypatch)
     assert kept.source_hash("kernels.integrators.verlet") == before
     yield copy
     kept.source_hash.cache_clear()

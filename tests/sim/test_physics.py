@@ -10,25 +10,18 @@ import pytest
 
 import sim
 from sim import Anchor, Circle, Integrator, Scene, Simulation
-from sim.motion.plain import PlainSolver
-from sim.motion.stepping import Stepper
 from sim.physics import Physics
 from sim.scene.types import ForceLaw, Method
 from tests.sim.bodies import SHAPES, body
 from tests.sim.fuzzing import with_muscles
-from tests.sim.inside import general
+from tests.sim.inside import by_numpy, general
 
 REPLACE = msgspec.structs.replace
 LAWS: tuple[ForceLaw, ...] = get_args(ForceLaw)
 
 
 def plain(scene: Scene) -> Simulation:
-    """A simulation that moves by NumPy and goes on doing so."""
-    simulation = Simulation(scene)
-    solver = PlainSolver(simulation._scene, simulation._system, simulation._state)
-    simulation._stepper = Stepper(simulation._scene, simulation._system, simulation._state, solver)
-    simulation.take_compiled = lambda: False  # type: ignore[method-assign]
-    return simulation
+    return by_numpy(Simulation(scene))
 
 
 def lively(shape: str, law: ForceLaw, method: Method, seed: int) -> Scene:
@@ -88,8 +81,8 @@ def test_muscles_by_numpy_are_those_of_the_kernels(method: Method) -> None:
 @pytest.mark.parametrize("shape", SHAPES)
 def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) -> None:
     simulation = Simulation(REPLACE(body(shape, law, 5), integrator=Integrator(method="symplectic_euler")))
-    state = simulation._state
-    physics = Physics(simulation._body, state)
+    system, state = simulation.tables
+    physics = Physics(system.body, state)
     x, still = state.x + 1j * state.y, np.zeros(state.slots, complex)
     forces = physics.forces(x, still)
     h = 1e-5
@@ -107,9 +100,9 @@ def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) ->
 @pytest.mark.parametrize("law", LAWS)
 def test_springs_and_joints_exert_no_force_and_no_torque_on_the_whole(law: ForceLaw) -> None:
     simulation = Simulation(body("girder", law, 1))
-    state = simulation._state
+    system, state = simulation.tables
     x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
-    physics = Physics(simulation._body, state)
+    physics = Physics(system.body, state)
     forces = physics.springs.forces(x, v) + physics.joints.forces(x, v)
     size = float(np.abs(forces).max())
     assert abs(forces.sum()) < 1e-12 * size

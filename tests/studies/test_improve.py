@@ -26,7 +26,7 @@ from tests.studies.improving import SWINGS, improved, rows_by_number, wanted_of
 @pytest.fixture(autouse=True)
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave out the figure, which takes longer than a search does."""
-    monkeypatch.setattr("studies.improve.improve._draw", lambda *_: None)
+    monkeypatch.setattr("studies.improve.improve.draw", lambda *_: None)
 
 
 def values_of(scene: sim.Scene, goal: str, duration: float = 4.0, settings: tuple[str, ...] = ()) -> tuple:

@@ -110,7 +110,7 @@ def test_a_solver_that_takes_too_long_or_fails_is_no_error(monkeypatch: pytest.M
     def broken(*_: object) -> None:
         raise ValueError("two\nlines")
 
-    contender._solve = broken  # type: ignore[assignment]
+    contender.solve = broken  # type: ignore[assignment]
     failed = contender.in_one_call()
     assert (failed.path, failed.failure) == (None, "two lines")
 

@@ -14,7 +14,7 @@ from rich.console import Console
 import sim
 from sim.errors import InputError
 from sim.store.files import encode_scene
-from studies.commands import _workers
+from studies.commands import who_computes
 from studies.sweep.folder import Folder, make_plan
 from studies.sweep.grid import make_grid, parse_axis
 from studies.sweep.measures import GAVE_UP, MEASURES, parse_measures
@@ -171,10 +171,10 @@ def test_with_one_process_each_run_is_kept_before_the_next(
     monkeypatch.setattr("studies.sweep.sweep.run_several", interrupted)
     grid, measures = make_grid(ROPE, ("method=auto",), ("gravity=100..900:9",)), parse_measures(("sag",))
     console = Console(file=io.StringIO())
-    assert sweep(grid, measures, 0.1, _workers(1, None), tmp_path, console) == 130
+    assert sweep(grid, measures, 0.1, who_computes(1, None), tmp_path, console) == 130
     assert numbers_of(tmp_path) == [0, 1, 2]
     monkeypatch.setattr("studies.sweep.sweep.run_several", run_several)
-    assert sweep(grid, measures, 0.1, _workers(1, None), tmp_path, console) == 0
+    assert sweep(grid, measures, 0.1, who_computes(1, None), tmp_path, console) == 0
     assert len(numbers_of(tmp_path)) == 9
 
 
