@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, expect
 
 from app.session import commands
-from tests.browser.conftest import DESKTOP, OpenPage, Serve
+from tests.browser.conftest import DESKTOP, Serve
 from tests.browser.driver import Desk, Served, rough_context, until
 from tests.browser.wires import Wire, wire
 
