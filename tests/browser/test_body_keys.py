@@ -1,8 +1,7 @@
-"""The body without a pointer that hits it: by keys alone, and by a finger or a mouse beside a mass."""
+"""The body by keys alone, and names for all controls."""
 
 from __future__ import annotations
 
-from app.session import commands
 from tests.browser.conftest import OpenPage
 
 
@@ -64,27 +63,6 @@ def test_everything_is_reached_with_the_tab_key_and_can_be_seen_to_be(open_page:
         assert name in reached
 
 
-def test_a_finger_beside_a_mass_takes_hold_of_it(open_page: OpenPage) -> None:
-    desk = open_page(phone=True)
-    desk.tell(commands.Play(False))
-    x, y = desk.place(8)
-    touch = desk.context.new_cdp_session(desk.page)
-
-    def send(kind: str, *points: tuple[float, float]) -> None:
-        places = [{"x": px, "y": py} for px, py in points]
-        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": places})
-
-    send("touchStart", (x + 22.0, y))
-    desk.until(lambda: desk.session.hands.masses == (8,), "the mass 22 px away is in hand")
-    before = desk.simulation.positions[8]
-    for i in range(1, 6):
-        send("touchMove", (x + 22.0 + 8.0 * i, y))
-        desk.rest(1)
-    desk.until(lambda: desk.simulation.positions[8][0] > before[0] + 20.0, "it comes with the finger")
-    send("touchEnd")
-    desk.until(lambda: not desk.session.hands.masses, "it is let go")
-
-
 def test_every_control_has_a_name(open_page: OpenPage) -> None:
     desk = open_page()
     unnamed = """() => {
@@ -99,28 +77,3 @@ def test_every_control_has_a_name(open_page: OpenPage) -> None:
     desk.show("Play")
     thumb = desk.page.get_by_role("slider", name="Linear stiffness")
     desk.until(lambda: thumb.get_attribute("aria-valuetext") == "10000", "not the power of ten")
-
-
-def test_space_presses_what_the_tab_key_has_reached(open_page: OpenPage) -> None:
-    desk = open_page()
-
-    def reach(selector: str) -> None:
-        for _ in range(60):
-            desk.page.keyboard.press("Tab")
-            if desk.page.evaluate("s => document.activeElement.matches(s)", selector):
-                return
-        raise AssertionError(f"the Tab key never comes to {selector}")
-
-    reach("input[type=checkbox]")
-    desk.page.keyboard.press("Space")
-    desk.until(lambda: desk.session.follow, "the switch is turned")
-    assert desk.session.playing
-    desk.pause(0.3)  # until the server has shown what it made of it
-    desk.page.keyboard.press("Space")
-    desk.until(lambda: not desk.session.follow, "and back")
-    reach("[data-softrod-key=right]")
-    desk.page.keyboard.down("Space")
-    desk.until(lambda: "right" in desk.simulation.keys, "the pad holds")
-    desk.page.keyboard.up("Space")
-    desk.until(lambda: not desk.simulation.keys, "and lets go")
-    assert desk.session.playing

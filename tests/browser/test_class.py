@@ -294,15 +294,22 @@ def test_on_a_phone_a_pupil_comes_in_by_letters_and_answers_by_touch(school: Sch
     expect(phone.locator(".softrod-task")).to_have_text("You are in. It begins soon.")
     go(Phase.ASK)
     grip = phone.locator(".softrod-own-ghost circle")
+    predict = phone.get_by_role("button", name="It will be there")
     expect(grip).to_have_count(1)
-    box = grip.bounding_box()
-    assert box is not None
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    phone.mouse.move(x, y)
-    phone.mouse.down()
-    phone.mouse.move(x, y + 30.0, steps=4)
-    phone.mouse.up()
-    phone.get_by_role("button", name="It will be there").tap()
+
+    def is_dragged() -> bool:
+        """Once the view has made room for the card."""
+        box = grip.bounding_box()
+        assert box is not None
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        phone.mouse.move(x, y)
+        phone.mouse.down()
+        phone.mouse.move(x, y + 30.0, steps=4)
+        phone.mouse.up()
+        return predict.is_enabled()
+
+    until(phone, is_dragged, "the pale body is dragged")
+    predict.tap()
     phone.get_by_role("button", name="at 240").tap()
     until(phone, lambda: room.given(0, 0, Ghost) and room.bars(0, 0) == [0, 1], "both have come")
     school.stands_out("ask")

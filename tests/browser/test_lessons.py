@@ -111,7 +111,7 @@ def test_what_was_answered_is_told_and_known_after_a_reload_and_another_scene(op
     begins(desk, second)
     desk.tell(commands.SetValue("gravity", 1234.0))
     desk.until(lambda: "1234" in (desk.page.evaluate("sessionStorage.softrod") or ""), "the page keeps it")
-    desk.page.reload()
+    desk.open()
     desk.until(lambda: second.title in words(desk), "the same step is shown")
     press(desk, "Back")
     desk.until(lambda: "The answer is: 100 px." in words(desk), "what was answered is still known")

@@ -40,7 +40,8 @@ def test_a_worm_races_against_a_walker(open_page: OpenPage) -> None:
     said = page.locator(".softrod-race-says")
     desk.until(lambda: f"after {rival.seconds:.1f} s" in said.inner_text(), "it says who is ahead")
     _, theirs = rival.ways(session.simulation)
-    assert page.locator(".softrod-race-theirs output").inner_text() == f"{theirs:.0f} px"
+    output = page.locator(".softrod-race-theirs output")
+    desk.until(lambda: output.inner_text() == f"{theirs:.0f} px", "and how far each is")
     page.get_by_role("button", name="Leave").click()
     desk.until(lambda: session.rival is None, "the race is over")
     desk.until(lambda: page.locator(".softrod-race").is_hidden(), "so is its strip")

@@ -6,7 +6,7 @@ import numpy as np
 
 import sim
 from app.session import commands
-from tests.app.worlds import GUSTS, balloon
+from tests.app.worlds import GUSTS, balloon, chain_under_load
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -33,6 +33,15 @@ def color(desk: Desk, place: tuple[float, float]) -> np.ndarray:
     """The colour that most of the surroundings of a place of the scene have."""
     x, y = (round(float(c)) for c in desk.at([place])[0])
     return np.median(desk.picture(marks=False)[y - 6 : y + 7, x - 6 : x + 7].reshape(-1, 3), axis=0)
+
+
+def test_what_breaks_and_is_whole_again_is_told_to_screen_readers(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Open(chain_under_load()))
+    desk.until(lambda: "1 spring broken" in live(desk), "the load breaks one")
+    assert "1 spring broken" in desk.hud()
+    desk.tell(commands.GoTo(0.02))
+    desk.until(lambda: "No springs broken" in live(desk), "back in time none is")
 
 
 def test_floor_and_filling_are_behind_the_body_at_any_zoom(open_page: OpenPage) -> None:

@@ -34,7 +34,6 @@ class Event {
 }
 class PointerEvent extends Event {}
 class KeyboardEvent extends Event {}
-class WheelEvent extends Event {}
 class MessageEvent extends Event {}
 
 export class Target {
@@ -64,15 +63,13 @@ export class Target {
 }
 
 // ------------------------------------------------------------------------- elements
-const kebab = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-const TOKEN = /([\w-]+)|\.([\w-]+)|#([\w-]+)|\[([\w-]+)(?:(\^?)="?([^"\]]*)"?)?\]|:not\(([^)]+)\)|:([\w-]+)/g;
+const TOKEN = /([\w-]+)|\.([\w-]+)|\[([\w-]+)(?:(\^?)="?([^"\]]*)"?)?\]|:not\(([^)]+)\)|:([\w-]+)/g;
 
 /** Whether an element is one of a compound of a selector, such as `input[type=text]:focus-visible`. */
 function isOne(element, compound) {
-  return [...compound.matchAll(TOKEN)].every(([, tag, name, id, attribute, begins, value, not, state]) => {
+  return [...compound.matchAll(TOKEN)].every(([, tag, name, attribute, begins, value, not, state]) => {
     if (tag) return element.localName === tag;
     if (name) return element.classList.contains(name);
-    if (id) return element.id === id;
     if (not) return !isOne(element, not);
     if (state) return document.activeElement === element && (state === "focus" || byKeys);
     const has = element.getAttribute(attribute);
@@ -87,7 +84,7 @@ class Element extends Target {
   text = "";
   box = { left: 0, top: 0, right: 0, bottom: 0, width: 0, height: 0 };
   style = { setProperty() {} };
-  dataset = new Proxy({}, { get: (_, name) => this.getAttribute(`data-${kebab(name)}`) ?? undefined });
+  dataset = Object.defineProperty({}, "softrodKey", { get: () => this.getAttribute("data-softrod-key") });
   classList = {
     contains: (name) => this.className.split(" ").includes(name),
     toggle: (name, on = !this.classList.contains(name)) =>
@@ -106,7 +103,6 @@ class Element extends Target {
   removeAttribute = (name) => this.attributes.delete(name);
   toggleAttribute = (name, on) => (on ? this.setAttribute(name, "") : this.removeAttribute(name));
   append = (...children) => children.forEach((child) => this.insertBefore(child));
-  prepend = this.append;
   insertBefore(child) {
     child.remove();
     child.parentElement = this;
@@ -181,26 +177,11 @@ class Element extends Target {
     if (captured.delete(id)) this.dispatchEvent(new PointerEvent("lostpointercapture", { pointerId: id, bubbles: true }));
   }
 }
-const REFLECTED = ["id", "type", "role", "title", "tabIndex", "className", "ariaLabel", "ariaPressed", "ariaExpanded", "ariaChecked", "ariaHasPopup"];
-for (const name of REFLECTED) {
-  const attribute = { className: "class", tabIndex: "tabindex", ariaHasPopup: "aria-haspopup" }[name] ?? kebab(name);
-  Object.defineProperty(Element.prototype, name, {
-    get() {
-      return this.getAttribute(attribute) ?? (name.startsWith("aria") ? null : "");
-    },
-    set(value) {
-      this.setAttribute(attribute, value);
-    },
-  });
+const reflect = (name, get, set) => Object.defineProperty(Element.prototype, name, { get, set });
+for (const [name, attribute] of [["className", "class"], ["type", "type"], ["ariaLabel", "aria-label"], ["ariaExpanded", "aria-expanded"]]) {
+  reflect(name, function () { return this.getAttribute(attribute) ?? ""; }, function (value) { this.setAttribute(attribute, value); });
 }
-Object.defineProperty(Element.prototype, "hidden", {
-  get() {
-    return this.hasAttribute("hidden");
-  },
-  set(on) {
-    this.toggleAttribute("hidden", on);
-  },
-});
+reflect("hidden", function () { return this.hasAttribute("hidden"); }, function (on) { this.toggleAttribute("hidden", on); });
 class HTMLElement extends Element {}
 class HTMLInputElement extends HTMLElement {}
 class SVGElement extends Element {}
@@ -228,7 +209,7 @@ const storage = () => {
   return { getItem: (name) => kept.get(name) ?? null, setItem: (name, text) => void kept.set(name, text), removeItem: (name) => kept.delete(name) };
 };
 const globals = {
-  window, document, Event, PointerEvent, KeyboardEvent, WheelEvent, MessageEvent, Element, HTMLElement, HTMLInputElement, SVGElement,
+  window, document, Event, PointerEvent, KeyboardEvent, MessageEvent, Element, HTMLElement, HTMLInputElement, SVGElement,
   Node: Element, DOMRect: class { left = 0; right = 0; }, localStorage: storage(), sessionStorage: storage(), location: { search: "" },
   requestAnimationFrame: (draw) => frames.push(draw),
   matchMedia: () => ({ matches: false }),
@@ -268,11 +249,13 @@ export function point(what, at, { on = canvas, pointerType = "mouse", pointerId 
 // ------------------------------------------------------------------------- the body
 export const canvas = put("canvas");
 canvas.box = { left: 0, top: 0, right: 800, bottom: 600, width: 800, height: 600 };
-/** A camera that shows a unit of the world as 100 pixels, and the middle of the world in the middle of the canvas. */
-const eye = { x: 0, y: 0, z: 9 };
-const vector = { clone: () => ({ ...vector }), set(x, y) { return Object.assign(this, { x, y }); }, applyMatrix4() { return this; }, project() { return { x: this.x / 4, y: this.y / 3 }; } };
+/** For a camera that shows a unit of the world as 100 pixels, and its middle in the middle of the canvas. */
+const vector = {
+  clone: () => ({ ...vector }),
+  set: (x, y) => ({ applyMatrix4: () => ({ project: () => ({ x: x / 4, y: y / 3 }) }) }),
+};
 const viser = {
-  canvas, camera: { position: { ...eye, ...vector }, updateMatrixWorld() {} }, cameraControl: null, scene: null,
+  canvas, camera: { position: vector, updateMatrixWorld() {} }, cameraControl: null, scene: null,
   nodeRefFromName: { "": { matrixWorld: {} } }, messageQueue: [], requestRender() {},
   sendMessage: ({ text }) => said.push(JSON.parse(text)),
 };
