@@ -18,6 +18,7 @@ from sim.methods.registry import METHODS
 from sim.methods.tableaux import explicit
 from sim.motion.stability import quick_limit
 from sim.scene.types import ForceLaw
+from tests.amount import part_of
 from tests.sim.amplification import dynamics, exact_limit, spectral_radius
 from tests.sim.bodies import LAWS, body
 from tests.sim.builders import chain, euler, row, tangle, tutorial_preset
@@ -193,7 +194,7 @@ def test_the_meter_sees_when_another_body_gets_stiffer() -> None:
     assert estimate.cause == "fillings"
 
 
-@pytest.mark.parametrize(("preset", "law"), PRESETS_AND_LAWS)
+@pytest.mark.parametrize(("preset", "law"), part_of(PRESETS_AND_LAWS, 4))
 def test_meter_follows_a_body_in_motion(preset: str, law: ForceLaw) -> None:
     scene = REPLACE(sim.load_scene(preset), force_law=law, integrator=euler(), wind=None)
     simulation = Simulation(scene)
@@ -225,8 +226,8 @@ def test_meter_sees_angular_damping(shape: str, law: ForceLaw, damping: float) -
     assert Simulation(without).stability().limit > 1.3 * limit
 
 
+@pytest.mark.parametrize("seed", part_of(range(3), 3))
 @pytest.mark.parametrize("preset", ["tutorial-3.3", "ring", "box", "hair-tuft"])
-@pytest.mark.parametrize("seed", range(3))
 def test_meter_at_random_positions(preset: str, seed: int) -> None:
     simulation = Simulation(tutorial_preset(preset))
     rng = np.random.default_rng(seed)

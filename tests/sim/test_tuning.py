@@ -18,7 +18,7 @@ from sim.forces.push import damping_factor
 from sim.methods.registry import METHODS
 from sim.motion.stability import largest_step
 from sim.scene.types import Method
-from tests.amount import examples
+from tests.amount import examples, part_of
 from tests.sim.builders import euler
 
 EULER, VERLET = euler(), sim.Integrator(method="velocity_verlet")
@@ -144,7 +144,7 @@ def test_a_joint_alone_is_that_of_three_masses() -> None:
     assert sim.tuning(other).springs.frequency[::-1] == pytest.approx(found.springs.frequency)
 
 
-@pytest.mark.parametrize("name", ["rod", "ring", "cloth", "air-balloon", "tutorial-3.3"])
+@pytest.mark.parametrize("name", part_of(["rod", "ring", "cloth", "air-balloon", "tutorial-3.3"], 3))
 def test_steps_are_those_of_the_stability_meter(name: str) -> None:
     scene = sim.load_scene(name)
     found = sim.tuning(scene)
@@ -235,7 +235,7 @@ def test_a_spring_alone_keeps_what_the_step_bears() -> None:
     assert made.linear_springs[0].stiffness == pytest.approx(4.0 * mass / (1.01 * dt) ** 2, rel=3e-3)
 
 
-@pytest.mark.parametrize("name", ["rod", "ring", "girder", "tree", "tutorial-3.2"])
+@pytest.mark.parametrize("name", part_of(["rod", "ring", "girder", "tree", "tutorial-3.2"], 3))
 def test_presets_run_after_it(name: str) -> None:
     scene = sim.load_scene(name)
     made = sim.make_stable(scene, 0.01, "symplectic_euler")
