@@ -11,7 +11,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import sim
@@ -19,7 +19,6 @@ from sim.errors import SceneError
 from sim.store import link
 from sim.store.files import MAX_FILE_BYTES, decode_link, encode_scene
 from sim.store.link import MAX_LINK, link_data, pack_scene, unpack
-from tests.amount import examples
 from tests.sim.fuzzing import wild_scene
 
 PRESETS = [info.name for info in sim.list_scenes() if info.built_in]
@@ -49,7 +48,6 @@ def test_a_preset_comes_back_and_is_short(preset: str) -> None:
     assert decode_link(pack_scene(posed)) == posed
 
 
-@settings(max_examples=examples(100))
 @given(st.integers(0, 2**32 - 1), st.text(max_size=60), st.text(max_size=200))
 @example(0, "x", EVIL)
 def test_every_scene_comes_back(seed: int, title: str, description: str) -> None:
@@ -76,7 +74,6 @@ def test_a_link_is_taken_wherever_a_scene_s_name_is() -> None:
         assert link_data(text) is None
 
 
-@settings(max_examples=examples(100))
 @given(st.integers(2, 500), st.sampled_from("AZaz09-_"))
 def test_a_changed_letter_is_noticed(at: int, letter: str) -> None:
     scene = sim.load_scene("tutorial-3.3")
@@ -91,14 +88,12 @@ def test_a_changed_letter_is_noticed(at: int, letter: str) -> None:
             assert unpack(changed, MAX_FILE_BYTES) == unpack(data, MAX_FILE_BYTES)
 
 
-@settings(max_examples=examples(100))
 @given(st.integers(0, 500))
 def test_a_shortened_link_is_noticed(length: int) -> None:
     data = pack_scene(sim.load_scene("tutorial-3.3"))
     assert refused(data[: length % len(data)]).startswith("the link is broken")
 
 
-@settings(max_examples=examples(100))
 @given(st.text(max_size=100))
 @example("1.")
 @example("1.AAAA")

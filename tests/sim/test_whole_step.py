@@ -45,8 +45,7 @@ def hold(simulation: Simulation, within: float = 0.01) -> None:
     assert simulation.stability().limit == pytest.approx(said, rel=0.005)
 
 
-@pytest.mark.parametrize("rate", [0.0, 0.5, 3.0])
-@pytest.mark.parametrize("method", METHODS_WITH_LIMIT)
+@pytest.mark.parametrize(("rate", "method"), part_of([*product((0.0, 0.5, 3.0), METHODS_WITH_LIMIT)], 3))
 def test_regular_bodies_that_turn(method: Method, rate: float) -> None:
     # Their vibrations come in pairs of equal frequencies, which damping couples as soon as they turn.
     for sides, damping in ((5, 10.0), (9, 40.0)):
