@@ -376,12 +376,12 @@ def test_serving_ends_cleanly() -> None:
     assert "Traceback" not in output
 
 
-def test_a_busy_port_names_the_next_free_one() -> None:
+def test_a_busy_port_names_the_next_free_one(capsys: pytest.CaptureFixture[str]) -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         port = taken.getsockname()[1]
-        refused(softrod("ring", "--port", str(port), "--no-open"), f"{port}", "free")
+        refused(softrod_here(capsys, "ring", "--port", str(port), "--no-open"), f"{port}", "free")
 
 
 def test_a_scene_that_is_not_valid_is_not_served(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

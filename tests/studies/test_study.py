@@ -33,6 +33,7 @@ from studies.speed.random_bodies import random_body
 from studies.speed.report import Study, markdown, points_csv, targets
 from studies.speed.study import parse_errors, parse_integrators, study, study_scenes
 from tests.amount import part_of
+from tests.app.test_cli import refused, softrod_here
 from tests.studies.results import read_table, some_body
 
 ROPE = sim.rope(masses=4, length=90.0, direction=(1.0, 0.0), circle=Circle(radius=20.0, frequency=2.0))
@@ -313,14 +314,7 @@ def test_what_is_done_is_kept_when_it_is_interrupted(tmp_path: Path, monkeypatch
 def test_the_command_refuses_before_it_computes(
     words: tuple[str, ...], fragment: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    from app.cli import main
-
-    with pytest.raises(SystemExit) as ended:
-        main(["study", *words, "--out", str(tmp_path / "no" / "such")])
-    assert ended.value.code == 1
-    error = capsys.readouterr().err
-    assert fragment in error
-    assert error.count("\n") == 1
+    refused(softrod_here(capsys, "study", *words, "--out", tmp_path / "no" / "such"), fragment)
 
 
 def test_lists_are_read() -> None:

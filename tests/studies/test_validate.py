@@ -13,13 +13,13 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from app.cli import main
 from sim.errors import InputError
 from studies.reporting.output import provenance
 from studies.validate import exact
 from studies.validate.figures import FIGURES
 from studies.validate.results import Case, Result, compared, converging, fitted_slope, percent
 from studies.validate.validate import CASES, validate
+from tests.app.test_cli import refused, softrod_here
 from tests.studies.results import read_table
 
 MISSED = {
@@ -223,9 +223,4 @@ def test_a_folder_that_cannot_be_made_is_one_sentence(tmp_path: Path) -> None:
 
 
 def test_the_command_refuses_before_it_computes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as ended:
-        main(["validate", "--out", str(tmp_path / "no" / "such")])
-    assert ended.value.code == 1
-    error = capsys.readouterr().err
-    assert "the folder cannot be made" in error
-    assert error.count("\n") == 1
+    refused(softrod_here(capsys, "validate", "--out", tmp_path / "no" / "such"), "the folder cannot be made")
