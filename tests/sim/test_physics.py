@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import get_args
 
 import msgspec
@@ -44,10 +45,10 @@ def lively(shape: str, law: ForceLaw, method: Method, seed: int) -> Scene:
     )
 
 
-@pytest.mark.parametrize("path", ["own", "general"])
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet"])
+RUNS = product(["symplectic_euler", "velocity_verlet"], SHAPES, LAWS, ["own", "general"])
+
+
+@pytest.mark.parametrize(("method", "shape", "law", "path"), part_of([*RUNS], 3))
 def test_a_run_by_numpy_is_that_of_the_kernels(method: Method, shape: str, law: ForceLaw, path: str) -> None:
     scene = lively(shape, law, method, seed=3)
     one, other = plain(scene), Simulation(scene)

@@ -155,7 +155,7 @@ def estimate_and_limit(simulation: Simulation) -> tuple[float, float, tuple[np.n
     return simulation.stability().limit, exact_limit(k, c), (k, c)
 
 
-@pytest.mark.parametrize(("preset", "law"), PRESETS_AND_LAWS)
+@pytest.mark.parametrize(("preset", "law"), part_of(PRESETS_AND_LAWS, 3))
 def test_meter_on_presets(preset: str, law: ForceLaw) -> None:
     # The dense matrices know no wind.
     simulation = Simulation(REPLACE(sim.load_scene(preset), force_law=law, integrator=euler(), wind=None))
@@ -216,7 +216,7 @@ def test_meter_on_random_bodies(seed: int) -> None:
 
 @pytest.mark.parametrize("damping", [0.0, 30.0])
 @pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("shape", ["chain", "girder", "hub"])
+@pytest.mark.parametrize("shape", part_of(["chain", "girder", "hub"], 3))
 def test_meter_sees_angular_damping(shape: str, law: ForceLaw, damping: float) -> None:
     scene = body(shape, law, 3, damping=damping, twist=200.0, held=(1,))
     estimate, limit, _ = estimate_and_limit(Simulation(scene))
