@@ -381,7 +381,7 @@ RUNAWAYS = [
 ]
 
 
-@pytest.mark.parametrize(("preset", "method", "over"), part_of(RUNAWAYS, 4))
+@pytest.mark.parametrize(("preset", "method", "over"), part_of(RUNAWAYS, 9))
 def test_there_is_a_way_back_to_before_a_divergence(preset: str, method: str, over: float) -> None:
     scene = sim.set_choice(sim.load_scene(preset), "method", method)
     page = SessionPage(scene)

@@ -7,6 +7,7 @@ import graphlib
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,12 @@ import sim
 
 ROOT = Path(sim.__file__).parent.parent
 SOURCES = sorted((ROOT / "sim").rglob("*.py"))
+
+
+@cache
+def parsed(path: Path) -> ast.Module:
+    """A module's code."""
+    return ast.parse(path.read_text(encoding="utf-8"))
 
 
 def imported(tree: ast.AST) -> set[str]:
@@ -39,20 +46,20 @@ def test_the_solver_loads_without_the_page() -> None:
     assert not modules & {"scipy.sparse", "scipy.integrate"}
 
 
-@pytest.mark.parametrize("path", SOURCES, ids=[str(path.relative_to(ROOT)) for path in SOURCES])
-def test_the_solver_imports_only_what_it_needs(path: Path) -> None:
+def test_the_solver_imports_only_what_it_needs() -> None:
     allowed = {"sim", "numpy", "numba", "llvmlite", "msgspec", "platformdirs"} | sys.stdlib_module_names
-    # SciPy takes long to load, and few bodies need it: it is loaded when it is needed.
-    lazily = set() if {"kernels", "forces"} & set(path.parts) else {"scipy"}
-    for node in ast.parse(path.read_text(encoding="utf-8")).body:
-        if not is_for_types(node):
-            is_late = isinstance(node, ast.FunctionDef | ast.ClassDef)
-            assert imported(node) <= allowed | (lazily if is_late else set())
+    for path in SOURCES:
+        # SciPy takes long to load, and few bodies need it: it is loaded when it is needed.
+        lazily = set() if {"kernels", "forces"} & set(path.parts) else {"scipy"}
+        for node in parsed(path).body:
+            if not is_for_types(node):
+                is_late = isinstance(node, ast.FunctionDef | ast.ClassDef)
+                assert imported(node) <= allowed | (lazily if is_late else set()), path
 
 
 def test_kernels_know_nothing_of_scenes_and_files() -> None:
     for path in (ROOT / "sim" / "kernels").rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in ast.walk(parsed(path)):
             if isinstance(node, ast.ImportFrom):
                 # One step up from a folder of kernels is another one, and two are the pages about forces.
                 assert node.level <= 2 or (node.module or "").split(".")[0] == "forces", path
@@ -88,7 +95,7 @@ def test_modules_import_each_other_in_one_direction_only(package: str) -> None:
     users: dict[str, set[str]] = {}
     for path in (ROOT / package).rglob("*.py"):
         words = list(path.relative_to(ROOT).with_suffix("").parts)
-        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+        for node in parsed(path).body:
             if isinstance(node, ast.ImportFrom) and node.level:
                 base = words[: -node.level] + (node.module.split(".") if node.module else [])
                 targets = [base] if node.module else [[*base, alias.name] for alias in node.names]
@@ -105,7 +112,7 @@ def test_folders_import_each_other_in_one_direction_only(package: str) -> None:
         words = list(path.relative_to(ROOT).with_suffix("").parts)
         if words[-1] == "__init__":
             continue
-        for node in loaded_by(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in loaded_by(parsed(path)):
             if isinstance(node, ast.ImportFrom) and (node.level or (node.module or "").startswith(package)):
                 base = words[: -node.level] if node.level else []
                 target = folder_of(base + (node.module.split(".") if node.module else []))

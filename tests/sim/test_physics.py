@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import get_args
 
 import msgspec
@@ -12,6 +13,7 @@ import sim
 from sim import Anchor, Circle, Integrator, Scene, Simulation
 from sim.physics import Physics
 from sim.scene.types import ForceLaw, Method
+from tests.amount import NIGHT, part_of
 from tests.sim.bodies import SHAPES, body
 from tests.sim.fuzzing import with_muscles
 from tests.sim.inside import by_numpy, general
@@ -36,10 +38,10 @@ def lively(shape: str, law: ForceLaw, method: Method, seed: int) -> Scene:
     )
 
 
-@pytest.mark.parametrize("path", ["own", "general"])
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet"])
+RUNS = product(["symplectic_euler", "velocity_verlet"], SHAPES, LAWS, ["own", "general"])
+
+
+@pytest.mark.parametrize(("method", "shape", "law", "path"), part_of([*RUNS], 3))
 def test_a_run_by_numpy_is_that_of_the_kernels(method: Method, shape: str, law: ForceLaw, path: str) -> None:
     scene = lively(shape, law, method, seed=3)
     one, other = plain(scene), Simulation(scene)
@@ -128,17 +130,17 @@ def test_a_body_too_stiff_for_numpy_is_late_and_not_lost() -> None:
     assert simulation.stats().steps == 50
 
 
-@pytest.mark.parametrize("name", [info.name for info in sim.list_scenes() if info.built_in])
+@pytest.mark.parametrize("name", part_of([info.name for info in sim.list_scenes() if info.built_in], 3))
 def test_every_preset_moves_by_numpy(name: str) -> None:
-    scene = sim.load_scene(name)
+    scene, steps = sim.load_scene(name), 40 if NIGHT else 8
     simulation = plain(scene)
-    assert simulation.step(40) == 40
-    assert simulation.time == pytest.approx(40 * scene.integrator.dt)
+    assert simulation.step(steps) == steps
+    assert simulation.time == pytest.approx(steps * scene.integrator.dt)
     assert simulation.divergence is None
     if len(scene.anchors) < len(scene.masses):
         assert simulation.velocities.any()
     exact = Simulation(scene)
-    exact.step(40)
+    exact.step(steps)
     assert simulation.positions == pytest.approx(exact.positions, abs=0.2)
 
 
