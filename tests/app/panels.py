@@ -157,9 +157,9 @@ class Client:
         self.gui, self.scene, self.mail = Gui(), MagicMock(), Letters()
         self.notices: list[SimpleNamespace] = []
         self.send_file_download = MagicMock()
-        self._heard: Callable[[Any, Any], None] = print
+        self.heard: Callable[[Any, Any], None] = print
         self._websock_connection = SimpleNamespace(
-            queue_message=self.mail.send, register_handler=lambda _, heard: setattr(self, "_heard", heard)
+            queue_message=self.mail.send, register_handler=lambda _, heard: setattr(self, "heard", heard)
         )
 
     def atomic(self) -> AbstractContextManager[None]:
@@ -175,7 +175,7 @@ class Client:
 
     def say(self, said: FromPage) -> None:
         """Say something, as the page's script does."""
-        self._heard(1, SoftrodMessage(msgspec.json.encode(said).decode()))
+        self.heard(1, SoftrodMessage(msgspec.json.encode(said).decode()))
 
 
 class Noted:

@@ -218,7 +218,7 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     # Each one has a body of their own; one looks at the teacher's and at its own again; then all have to.
     school.go(desk, Phase.TRY)
     expect(pupil.locator(".softrod-goal")).to_contain_text("Reached")
-    expect(desk.locator(".softrod-tiles svg.softrod-poster path")).to_have_count(1)
+    expect(desk.locator(".softrod-tiles svg.softrod-poster path")).to_have_count(2)
     expect(wall.locator(".softrod-counts li").first).to_be_visible()
     school.stands_out("try")
     pupil.get_by_role("button", name="Look at the teacher's").press("Enter")
