@@ -144,6 +144,8 @@ def private_looks(tree: ast.AST) -> list[tuple[int, str]]:
         match node:
             case ast.Attribute(value=ast.Name(id="self" | "cls")):
                 pass
+            case ast.Call(args=[ast.Name(id="self" | "cls"), *_]):
+                pass
             case ast.Attribute(attr=name) if is_private(name):
                 found.append((node.lineno, name))
             case ast.Import(names=names) | ast.ImportFrom(names=names):
@@ -170,8 +172,12 @@ def test_a_private_look_is_seen(code: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "code", ["self._mine", "cls._mine", "selection._replace(a=1)", "viser.__version__", "for _ in some: pass"]
-)
+    "code",
+    [
+        "self._mine", "cls._mine", "setattr(self, '_mine', 1)", "selection._replace(a=1)", "viser.__version__",
+        "for _ in some: pass",
+    ],
+)  # fmt: skip
 def test_what_is_ones_own_or_for_everybody_is_no_private_look(code: str) -> None:
     assert not private_looks(ast.parse(code))
 
