@@ -61,7 +61,7 @@ def test_every_kind_of_body_opens_and_is_drawn(open_page: OpenPage) -> None:
         assert_shown(desk)
         # viser 1.1.1 at times draws a new node once before its buffers are ready; after that all is well.
         desk.complaints.clear()
-        desk.page.evaluate("window.__viserMutable.requestRender()")
+        desk.page.evaluate("window.__softrod.render()")
         desk.rest(2)
         assert not desk.complaints
         start = Picture.at_start(scene).positions
