@@ -174,8 +174,8 @@ def test_a_private_look_is_seen(code: str) -> None:
 @pytest.mark.parametrize(
     "code",
     [
-        "self._mine", "cls._mine", "setattr(self, '_mine', 1)", "selection._replace(a=1)", "viser.__version__",
-        "for _ in some: pass",
+        "self._mine", "cls._mine", "setattr(self, '_mine', 1)", "selection._replace(a=1)",
+        "viser.__version__", "for _ in some: pass",
     ],
 )  # fmt: skip
 def test_what_is_ones_own_or_for_everybody_is_no_private_look(code: str) -> None:
