@@ -226,7 +226,7 @@ Cluster = Annotated[
 ]
 
 
-def _workers(jobs: int | None, address: str | None) -> Making:
+def who_computes(jobs: int | None, address: str | None) -> Making:
     """What makes those who compute.
 
     Raises:
@@ -283,7 +283,7 @@ class Sweep:
 
         if not 1e-3 <= self.duration <= 1e4:
             return fail(f"--duration: {self.duration:g} is not in the range 0.001..10000 s")
-        workers = _workers(self.jobs, self.cluster)
+        workers = who_computes(self.jobs, self.cluster)
         grid = make_grid(sim.load_scene(self.scene), self.settings, self.vary)
         measures = parse_measures(self.measure)
         return sweep(grid, measures, self.duration, workers, self.out, Console(), self.csv_comma)
@@ -345,7 +345,7 @@ class Improve:
             return fail(f"--population: {self.population} is not in the range 4..1000")
         if not 0 <= self.seed < 2**32:
             return fail(f"--seed: {self.seed} is not in the range 0..{2**32 - 1}")
-        workers = _workers(self.jobs, self.cluster)
+        workers = who_computes(self.jobs, self.cluster)
         goal, scene = parse_goal(self.goal, sim.load_scene(self.scene))
         if goal.seconds > self.duration:
             return fail(f"--goal {goal.text}: a run has only {self.duration:g} s; --for says how many")

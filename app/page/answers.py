@@ -26,7 +26,7 @@ from .scenes.gallery import Gallery
 
 _log = logging.getLogger(__name__)
 
-_threads = ThreadPoolExecutor(2, thread_name_prefix="softrod-beside")
+beside = ThreadPoolExecutor(2, thread_name_prefix="softrod-beside")
 """For what the event loop must not wait for: scenes that are read, packed and painted."""
 
 
@@ -139,7 +139,7 @@ class InOrder:
             if self._busy:
                 return
             self._busy = True
-        _threads.submit(self._next)
+        beside.submit(self._next)
 
     def _next(self) -> None:
         with self._lock:
@@ -151,4 +151,4 @@ class InOrder:
         with self._lock:
             self._busy = more = bool(self._waiting)
         if more:
-            _threads.submit(self._next)
+            beside.submit(self._next)

@@ -52,7 +52,9 @@ import { addMeasured } from "./measure/measured.js";
 import { addTraces } from "./measure/trace.js";
 import { addTracing } from "./edit/tracing.js";
 import { addTransport } from "./time/transport.js";
+import * as seen from "./viser/seen.js";
 import { isKnown, whenViser } from "./viser/viser.js";
+import { send } from "../wire/channel.js";
 
 /** Seconds after which viser's page has made its hook, or never will. */
 const PATIENCE = 20;
@@ -124,7 +126,7 @@ whenViser((viser) => {
   showMeasures();
   readPhases();
   // For the browser tests.
-  Object.assign(window, { __softrod: { shown, fitted } });
+  Object.assign(window, { __softrod: { shown, fitted, send, ...seen } });
 });
 if (canDraw()) {
   late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);

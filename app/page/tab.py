@@ -36,7 +36,7 @@ from ..viser_inside import element_id
 from ..wire import from_page
 from ..wire.carrier import Mail, listen
 from ..wire.commands import COMMANDS, Look
-from ..wire.to_page import Keepsake, PageState, Resumed, Run
+from ..wire.to_page import Hud, Keepsake, PageState, Resumed, Run
 from . import controls
 from .answers import Answers
 from .body.view import Canvas, picture_of
@@ -55,6 +55,7 @@ from .modes.modes import ModesView
 from .opening import asked_scene
 from .page import Page
 from .panel import Panel, set_theme
+from .probe import KeptState, Probe
 from .race.race import RaceView
 from .scenes.shelf import Shelf
 from .viser.comma_switch import CommaSwitch
@@ -149,7 +150,7 @@ class Tab:
         self._number = secrets.token_hex(4)
         self._seen: from_page.Seen | None = None
         self._planned = -1
-        self._kept: tuple[Any, ...] = ()
+        self._kept: KeptState | None = None
         self._shelf = Shelf(owned)
         self._shelf_stamp = self._shelf.stamp()
         self._shelf_due = 0.0
@@ -201,6 +202,25 @@ class Tab:
     def session(self) -> Session | None:
         """The page's simulation; None until the first picture has been sent."""
         return self._session
+
+    def probe(self) -> Probe:
+        """What is so now, for a test; any thread may look, once there is a session."""
+        page, hud = self._page, self._mail.told(Hud)
+        return Probe(
+            generation=self._generation,
+            state=self._mail.told(PageState),
+            hud=hud.html if hud is not None else "",
+            looks=page.looks,
+            controls=page.controls.names,
+            plots=self._measure.plots.wishes if self._measure is not None else (),
+            plots_seen=self._measure is not None and self._measure.plots.looked_at,
+            kept=self._kept,
+            owned=self._shelf.owned,
+            requests=len(self._requests),
+            nodes=self._view.nodes,
+            mapping=self._mapping,
+            drawn=self._view.drawn,
+        )
 
     # --------------------------------------------------------------------- handlers, any thread
     def hear(self, said: from_page.FromPage) -> None:
@@ -590,9 +610,9 @@ class Tab:
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
         now, plots = session.now(), self._measure.plots.wishes if self._measure is not None else ()
-        state = (session.revision, self._page.looks, plots, session.simulation.time)
+        state = KeptState(session.revision, self._page.looks, plots, session.simulation.time)
         # At rest only the clock goes on: that is not worth a message.
-        resting = self._was_at_rest and state[:-1] == self._kept[:-1]
+        resting = self._was_at_rest and self._kept is not None and state[:-1] == self._kept[:-1]
         # Another scene, and one that was saved under another name, is kept at once.
         scene = (session.openings, session.scene.name)
         due = now >= self._keep_due or scene != self._kept_scene
@@ -621,7 +641,7 @@ class Tab:
             self.notify(Notice("info", "Undo begins anew", text))
         session.post(commands.Resume(bytes(kept.session), versions))
         self._mail.tell(Resumed())
-        self._kept = ()
+        self._kept = None
         self._plots_kept = kept.plots
         if self._measure is not None:
             self._measure.plots.remember(kept.plots)

@@ -57,6 +57,11 @@ class Ticker:
         self.tabs: dict[int, Tab] = {}
         self.drawn = threading.Event()
 
+    @property
+    def asleep(self) -> bool:
+        """Whether it does nothing until a page comes."""
+        return not self._wake.is_set()
+
     def attach(self, server: viser.ViserServer) -> None:
         """Hear of pages that come and go, and start ticking."""
 

@@ -168,7 +168,7 @@ class Plot:
         while self._end > self._first and self._room[self._end - 1, 0] > history.end:
             self._end -= 1
         if self._end == self._first or time > self._room[self._end - 1, 0]:
-            self._append((time, *(_value(session, q) for q in self.quantities)))
+            self.append((time, *(_value(session, q) for q in self.quantities)))
         elif time == self._room[self._end - 1, 0]:
             self._look_again(session)
         if end != self._end or time != self.shown:
@@ -193,7 +193,8 @@ class Plot:
         self._room[: len(rows)] = rows
         self._first, self._end, self._run = 0, len(rows), other._run
 
-    def _append(self, row: Sequence[float]) -> None:
+    def append(self, row: Sequence[float]) -> None:
+        """Note a row, of a later time than all before."""
         if self._end - self._first == SPAN:
             self._first += 1
         if self._end == len(self._room):

@@ -169,7 +169,7 @@ class Session:
     def __init__(
         self, scene: sim.Scene, clock: Callable[[], float] = time.monotonic, wait: bool = True
     ) -> None:
-        self._clock, self.can_wait = clock, wait
+        self.clock, self.can_wait = clock, wait
         self._lock = threading.Lock()
         self._queue: deque[tuple[float, Command]] = deque(maxlen=MAX_QUEUE)
         self._keys_at = -math.inf
@@ -205,7 +205,7 @@ class Session:
     # --------------------------------------------------------------------- what the page looks at
     def now(self) -> float:
         """Wall time, s, by the clock that everything here goes by."""
-        return self._clock()
+        return self.clock()
 
     @property
     def scene(self) -> sim.Scene:
@@ -249,14 +249,14 @@ class Session:
         return (
             max(costs) > HEAVY_UNIT
             or is_large(self.simulation.scene)
-            or any(command.is_heavy for command in self._waiting())
+            or any(command.is_heavy for command in self.waiting)
         )
 
     @property
     def will_play(self) -> bool:
         """Whether the clock runs once the commands that wait are applied."""
         playing = self.playing
-        for command in self._waiting():
+        for command in self.waiting:
             playing = command.playing_after(playing)
         return playing
 
@@ -264,7 +264,8 @@ class Session:
         """Whether what a notice is about is still so."""
         return self.simulation.divergence is not None if about == "runaway" else self.refusal is not None
 
-    def _waiting(self) -> list[Command]:
+    @property
+    def waiting(self) -> list[Command]:
         """The commands that wait; handlers may be adding to them."""
         with self._lock:
             return [command for _, command in self._queue]
@@ -276,7 +277,7 @@ class Session:
             if command.brings_body:
                 waiting = (entry for entry in self._queue if not entry[1].brings_body)
                 self._queue = deque(waiting, maxlen=MAX_QUEUE)
-            self._queue.append((self._clock(), command))
+            self._queue.append((self.clock(), command))
 
     def snapshot(self, name: str, with_pose: bool) -> sim.Scene:
         """The scene as it is now, to be saved; with the present pose, or with the one it started from.
@@ -359,7 +360,7 @@ class Session:
         Args:
             budget: seconds of computing that the frame may take.
         """
-        now = self._clock()
+        now = self.clock()
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
             self.hold_keys(frozenset(), self._keys_at)
         if now - self.driving.said_at > KEYS_FORGOTTEN_AFTER:

@@ -399,11 +399,11 @@ def _wiring(n: int, along: bool, *tables: bytes) -> _Wiring:
         joint_order = np.empty(by_runs.size, np.int64)
         joint_order[by_runs] = np.arange(by_runs.size)
         joint_a, joint_b = joint_a[by_runs], joint_b[by_runs]
-    joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(
+    joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = slot_tables(
         joint_b, joint_a, count, first=1, nothing=0
     )
     layers = _layers(spring_b, spring_a, n + 1)
-    spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = _slots(
+    spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = slot_tables(
         spring_b, spring_a, n + 1, first=0, nothing=room, layers=layers
     )
     net = NO_NET
@@ -562,7 +562,7 @@ def _softening(scene: Scene) -> float:
     return max(soft * soft, SHORTEST_SQUARED)
 
 
-def _slots(
+def slot_tables(
     plus: Indices, minus: Indices, owners: int, first: int, nothing: int, layers: int = 1
 ) -> tuple[Indices, Indices, Indices, Indices, Floats]:
     """Tables for summing, at each owner, the things that act on it, with sign plus or minus.
@@ -602,7 +602,7 @@ def _places(owner_of: Indices, owners: int) -> Indices:
 
 
 def _layers(plus: Indices, minus: Indices, owners: int) -> int:
-    """The number of layers for `_slots`: all but the first have things for at least half of the owners.
+    """The number of layers for `slot_tables`: all but the first have things for at least half of the owners.
 
     A layer is gathered in vectors, empty slots included; the lists are processed one by one.
     """

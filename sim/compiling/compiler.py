@@ -188,13 +188,16 @@ class Compiler:
     What is on the disk is loaded. The rest is compiled by helper processes, which write their results to the
     disk, so that compiling does not block the interpreter of this process.
 
+    Args:
+        names: of the entry points to make ready, in that order.
+
     Attributes:
         compiles: whether anything had to be compiled, and not only loaded.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, names: Iterable[str] = tuple(ENTRY_POINTS)) -> None:
         self._lock = threading.Lock()
-        self._waiting = list(ENTRY_POINTS)
+        self._waiting = list(names)
         self._busy: list[str] = []
         self._helpers: list[subprocess.Popen[str]] = []
         self._threads: list[threading.Thread] = []

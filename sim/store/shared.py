@@ -54,7 +54,7 @@ def share_scene(scene: Scene) -> str:
             f"{scene.name!r} takes {len(data)} bytes, more than the {MOST_BYTES} that are kept for a short "
             "address; send the scene as a file"
         )
-    letters = _letters(hashlib.sha256(data).digest())
+    letters = letters_of(hashlib.sha256(data).digest())
     try:
         with _one_at_a_time:
             shared_folder().mkdir(parents=True, exist_ok=True)
@@ -97,7 +97,8 @@ def _path(code: str) -> Path:
     return shared_folder() / f"{code}.json"
 
 
-def _letters(digest: bytes) -> str:
+def letters_of(digest: bytes) -> str:
+    """The longest code of what has that digest; a shorter one is its beginning."""
     number, letters = int.from_bytes(digest), ""
     for _ in range(12):
         number, digit = divmod(number, len(LETTERS))

@@ -198,7 +198,7 @@ def improve(
     if folder is None:
         return Improved({}, None, None, watch.interrupted)
     trials = _trials(wanted, folder)
-    _draw(wanted, trials, out)
+    draw(wanted, trials, out)
     best = _best(wanted, trials)
     scene = None if best is None else _scene_of(wanted, best)
     if len({row.by for row in folder.rows.values()}) > 1:
@@ -374,7 +374,8 @@ def _write_best(wanted: Wanted, trials: Mapping[int, Trial], out: Path) -> None:
     write_file(out / "link.txt", f"{link}\n".encode())
 
 
-def _draw(wanted: Wanted, trials: Mapping[int, Trial], out: Path) -> None:
+def draw(wanted: Wanted, trials: Mapping[int, Trial], out: Path) -> None:
+    """Write the figure of all runs."""
     # Here, not above: workers have no use for Matplotlib.
     from .plot import plot
 

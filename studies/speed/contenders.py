@@ -118,7 +118,7 @@ class Theirs:
 
     def __init__(self, equations: Equations, solver: str, value: float) -> None:
         self._equations, self._value = equations, value
-        self._solve = others.solver(solver, equations)
+        self.solve = others.solver(solver, equations)
         self._derivative = equations.derivative_into()
 
     def in_one_call(self) -> Trial:
@@ -139,7 +139,7 @@ class Theirs:
     def _go(self, times: Points, derivative: others.Derivative) -> Trial:
         began = time.perf_counter()
         try:
-            found = self._solve(self._value, times, derivative)
+            found = self.solve(self._value, times, derivative)
         except (others.Failed, ArithmeticError, RuntimeError, ValueError) as error:
             return Trial(
                 None, time.perf_counter() - began, " ".join(str(error).split()) or type(error).__name__

@@ -16,6 +16,7 @@ from websockets.sync.client import connect
 from websockets.typing import Origin, Subprotocol
 
 from app.gate.gate import GatedServer, open_server
+from tests.app.inside import uuid_of
 
 PATIENCE = 20.0
 """Seconds to wait for what must happen; only a server that hangs makes a test wait this long."""
@@ -128,6 +129,10 @@ class HostilePage:
         """What the server has sent of this type."""
         return [message for message in list(self.messages) if message["type"] == message_type]
 
+    def named(self, name: str) -> list[dict[str, Any]]:
+        """What the server has sent of the node of that name."""
+        return [message for message in list(self.messages) if message.get("name") == name]
+
     def is_cut(self) -> bool:
         """Whether the connection comes to its end."""
         self._reader.join(PATIENCE)
@@ -168,7 +173,8 @@ class User:
 
     def owner(self) -> str:
         """The name of this client's part of the scene, as its page echoes it."""
-        return self.client.scene._owner_id
+        assert eventually(lambda: self.page.named("/gizmo"))
+        return self.page.named("/gizmo")[0]["owner"]
 
     def update(self, element: Any, value: Any) -> dict[str, Any]:
         """The message with which a page sets a GUI element."""
@@ -232,8 +238,3 @@ class Sandbox:
         for page in self.pages:
             page.close()
         self.server.stop()
-
-
-def uuid_of(element: Any) -> str:
-    """The name of a GUI element or command on the wire."""
-    return element._impl.uuid

@@ -22,30 +22,44 @@ def sketch_of(scene: Scene) -> Sketch:
 
 
 def drawn(scene: Scene, picture: Picture) -> dict[str, Any]:
-    """What the page draws of a picture, with the scene's rest angles.
+    """What the page draws of a picture, see `all_drawn`."""
+    return all_drawn([(scene, picture)])[0]
+
+
+def all_drawn(pictures: list[tuple[Scene, Picture]]) -> list[dict[str, Any]]:
+    """What the page draws of pictures, with their scenes' rest angles.
 
     Returns:
-        For each node its arrays `positions`, `wxyzs`, `scales` and `colors`; the (J,) `deviations` of the
-        joints, degrees; the `sizes` of the sections for walls, fillings and wind, `outlines` of these on a
-        screen whose pixels are px of the scene, and the velocity of the `air` at a place, see instances.mjs.
+        For each picture: of each node its `positions`, `wxyzs`, `scales` and `colors`; the (J,) `deviations`
+        of the joints, degrees; the `sizes` of the sections for walls, fillings and wind, `outlines` of these
+        on a screen whose pixels are px of the scene, and the velocity of the `air` at a place, see
+        instances.mjs.
     """
-    rest = np.array([joint.rest_angle for joint in scene.angular_springs])
-    plan = encode_plan(1, sketch_of(scene), rest)
-    arrays = {
-        "plan": plan,
-        "frame": encode_frame(1, picture),
-        "damage": encode_damage(1, picture),
-    }
-    line = json.dumps({name: array.tolist() for name, array in arrays.items()})
+    lines = []
+    for scene, picture in pictures:
+        rest = np.array([joint.rest_angle for joint in scene.angular_springs])
+        arrays = {
+            "plan": encode_plan(1, sketch_of(scene), rest),
+            "frame": encode_frame(1, picture),
+            "damage": encode_damage(1, picture),
+        }
+        lines.append(json.dumps({name: array.tolist() for name, array in arrays.items()}))
     out = subprocess.run(
-        [NODE, FOLDER / "instances.mjs"], input=line, stdout=subprocess.PIPE, text=True, check=True
+        [NODE, FOLDER / "instances.mjs"],
+        input="\n".join(lines),
+        stdout=subprocess.PIPE,
+        text=True,
+        check=True,
     ).stdout
-    return {
-        name: {key: np.array(values, float).reshape(-1, _WIDTHS[key]) for key, values in node.items()}
-        if isinstance(node, dict) and "positions" in node
-        else node if node is None or isinstance(node, dict) else np.array(node, float)
-        for name, node in json.loads(out).items()
-    }  # fmt: skip
+    return [
+        {
+            name: {key: np.array(values, float).reshape(-1, _WIDTHS[key]) for key, values in node.items()}
+            if isinstance(node, dict) and "positions" in node
+            else node if node is None or isinstance(node, dict) else np.array(node, float)
+            for name, node in json.loads(line).items()
+        }
+        for line in out.splitlines()
+    ]  # fmt: skip
 
 
 def after(scene: Scene, steps: int) -> tuple[Simulation, Picture]:

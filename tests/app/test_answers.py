@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import codecs
 import threading
 import zlib
 from pathlib import Path
@@ -12,11 +13,13 @@ import pytest
 import sim
 from app.page import answers, controls
 from app.page.answers import MOST_WAITING, InOrder
+from app.page.files.files_panel import open_file
 from app.session.notices import Notice
 from app.wire.from_page import Ask, ListScenes, Part, Unread, Unsent
 from app.wire.to_page import Resumed
 from sim.store import files
 from tests.app.panels import page_of
+from tests.app.recording import busy_page, log_of
 from tests.app.test_gallery import Page
 
 LIMIT = 20.0
@@ -52,7 +55,9 @@ def test_a_request_that_fails_does_not_stop_those_after_it(caplog: pytest.LogCap
     assert "a request of a page failed" in caplog.text
 
 
-def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_others() -> None:
+def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_others(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     line, others, busy, go, end = (
         InOrder(),
         InOrder(),
@@ -64,8 +69,10 @@ def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_othe
     line.submit(busy.set)
     line.submit(wait, go)
     assert busy.wait(LIMIT)
-    for number in range(10 * MOST_WAITING):
-        line.submit(done.append, number)
+    with monkeypatch.context() as patch:
+        patch.setattr(answers.beside, "submit", lambda *_: pytest.fail("it takes more of the threads' room"))
+        for number in range(10 * MOST_WAITING):
+            line.submit(done.append, number)
     others.submit(end.set)
     assert end.wait(LIMIT), "another page is answered meanwhile"
     go.set()
@@ -74,7 +81,6 @@ def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_othe
     assert last.wait(LIMIT)
     assert len(done) <= MOST_WAITING
     assert done[-1] == 10 * MOST_WAITING - 1
-    assert answers._threads._work_queue.qsize() <= 1
 
 
 def test_no_event_takes_the_place_of_another(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -118,6 +124,11 @@ def test_a_page_that_gives_back_nonsense_keeps_what_comes_after_it() -> None:
     assert page.letters.sent == [Resumed()]
 
 
+def packed(name: str, data: bytes) -> str:
+    """A file, as a page sends it."""
+    return f"{name}:{base64.b64encode(zlib.compress(data)).decode()}"
+
+
 def test_a_file_is_opened_where_there_is_a_share_tab_and_a_broken_one_is_told() -> None:
     page, told = Page(), threading.Event()
     notices: list[Notice] = []
@@ -130,7 +141,7 @@ def test_a_file_is_opened_where_there_is_a_share_tab_and_a_broken_one_is_told() 
     answering = answers.Answers(all_of_it, print, print, str)
 
     def say(name: str, data: bytes) -> Part:
-        return Part("file", 1, 1, f"{name}:{base64.b64encode(zlib.compress(data)).decode()}")
+        return Part("file", 1, 1, packed(name, data))
 
     all_of_it.controls = controls.Controls(("play",))
     answering.take(say("hidden.json", b"{"))
@@ -142,3 +153,42 @@ def test_a_file_is_opened_where_there_is_a_share_tab_and_a_broken_one_is_told() 
     assert page.session.scene.name == "rod"
     assert [notice.title for notice in notices] == ["That did not work"]
     assert notices[0].text.startswith("bäd.json: ")
+
+
+RING = files.encode_scene(sim.load_scene("ring"))
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "said"),
+    [
+        ("newer.json", RING.replace(b'"format": ', b'"format": 9'), "newer"),
+        ("range.json", RING.replace(b'"mass": ', b'"mass": -', 1), "masses[0].mass"),
+        # Within what can be sent, over what a scene may have.
+        ("large.json", b" " * 5_100_000, "5000000"),
+        (
+            "log.jsonl",
+            b'{"do": "move", "mass": "x", "to": [0, 0]}\n',
+            "a whole number is expected, not a text",
+        ),
+    ],
+)
+def test_a_bad_file_is_one_sentence_and_changes_nothing(name: str, data: bytes, said: str) -> None:
+    page = Page()
+    if name.endswith(".jsonl"):
+        data = log_of(page) + data
+    scene = page.session.scene
+    open_file(page.page, packed(name, data))
+    page.frames(2)
+    (notice,) = page.notices
+    assert notice.title == "That did not work"
+    assert name in notice.text and said in notice.text
+    assert page.session.scene is scene
+
+
+def test_a_log_that_an_editor_has_saved_is_played() -> None:
+    page, other = busy_page(sim.load_scene("tutorial-3.3")), Page()
+    open_file(other.page, packed("again.jsonl", codecs.BOM_UTF8 + log_of(page)))
+    other.frames(500)
+    (notice,) = other.session.notices
+    assert "It agrees with the log" in notice.text
+    assert (other.session.simulation.positions == page.session.simulation.positions).all()

@@ -161,18 +161,26 @@ def panel_of(scene: sim.Scene) -> tuple[ToolsPanel, Letters]:
 
 def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones() -> None:
     client, session = MagicMock(), SessionPage(sim.load_scene("ring")).session
-    client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
+    switches: dict[str, MagicMock] = {}
+    client.gui.add_checkbox.side_effect = lambda label, **_: switches.setdefault(
+        label, MagicMock(value=False)
+    )
+
+    def are_on() -> list[bool]:
+        return [switches[label].value for label in ("Forces", "Velocities", "Torques")]
+
     letters = Letters()
     one = ToolsPanel(page_of(session, client, letters))
     one.show_arrows({"forces", "torques"})
-    assert [switch.value for switch in one._switches.values()] == [True, False, True]
+    assert are_on() == [True, False, True]
     one.draw(1, 0.0, exactly=True)
     assert len(letters.sent[-1].numbers)
     kinds = one.leave()
     assert not len(letters.sent[-1].numbers)
+    switches.clear()
     other = ToolsPanel(page_of(session, client))
     other.show_arrows(kinds)
-    assert [switch.value for switch in other._switches.values()] == [True, False, True]
+    assert are_on() == [True, False, True]
 
 
 def test_the_switches_stand_below_the_plots_however_many_pages_there_were() -> None:

@@ -17,7 +17,7 @@ from app.drawing.colors import LIGHT_GAIN, rgb, sent
 from app.drawing.plan import Picture
 from app.drawing.shapes import COILS, meshes
 from app.drawing.sketch import FULL_STRAIN, MANY, Mapping
-from tests.app.page_script import after, drawn, sketch_of
+from tests.app.page_script import after, all_drawn, drawn, sketch_of
 
 PRESETS = [info.name for info in sim.list_scenes() if info.built_in]
 
@@ -40,40 +40,42 @@ def test_the_mapping_goes_there_and_back(y_down: bool) -> None:
     assert (world[0, 1] > world[1, 1]) == y_down
 
 
-@pytest.mark.parametrize("name", PRESETS)
-def test_springs_and_ghost_are_drawn_from_mass_to_mass(name: str) -> None:
-    scene = sim.load_scene(name)
-    simulation, picture = after(scene, 50)
-    there = picture.positions + np.array((7.0, -3.0))
-    nodes = drawn(scene, replace(picture, ghost=there))
-    a = [spring.a for spring in scene.linear_springs]
-    b = [spring.b for spring in scene.linear_springs]
-    mapping = sketch_of(scene).mapping
-    for node, positions in (("springs", simulation.positions), ("ghost", there)):
-        world = mapping.to_world(positions)[:, :2]
-        assert nodes[node]["positions"][:, :2] == pytest.approx(world[a], abs=1e-5)
-        assert ends(nodes[node]) == pytest.approx(world[b], abs=1e-5)
+def test_springs_and_ghost_are_drawn_from_mass_to_mass() -> None:
+    pictures = []
+    for name in PRESETS:
+        scene = sim.load_scene(name)
+        picture = after(scene, 50)[1]
+        pictures.append((scene, replace(picture, ghost=picture.positions + np.array((7.0, -3.0)))))
+    for (scene, picture), nodes in zip(pictures, all_drawn(pictures), strict=True):
+        a = [spring.a for spring in scene.linear_springs]
+        b = [spring.b for spring in scene.linear_springs]
+        mapping = sketch_of(scene).mapping
+        for node, positions in (("springs", picture.positions), ("ghost", picture.ghost)):
+            world = mapping.to_world(positions)[:, :2]
+            assert nodes[node]["positions"][:, :2] == pytest.approx(world[a], abs=1e-5), scene.name
+            assert ends(nodes[node]) == pytest.approx(world[b], abs=1e-5), scene.name
 
 
-@pytest.mark.parametrize("name", PRESETS)
-def test_wedges_reach_from_rest_angle_to_present_angle(name: str) -> None:
+def test_wedges_reach_from_rest_angle_to_present_angle() -> None:
     """The last slice's far edge lies along spring b as it leaves the shared mass."""
-    scene = sim.load_scene(name)
-    simulation, picture = after(scene, 200)
-    nodes, sketch = drawn(scene, picture), sketch_of(scene)
-    off = simulation.angles - simulation.rest_angles
-    assert nodes["deviations"] == pytest.approx(180.0 - (180.0 - off) % 360.0, abs=1e-3)
-    turns = nodes["wedges"]["wxyzs"]
-    middle = 2.0 * np.degrees(np.arctan2(turns[:, 3], turns[:, 0])).reshape(-1, sketch.slices)
-    world = sketch.mapping.to_world(picture.positions)
-    for j, joint in enumerate(scene.angular_springs):
-        a, b = scene.linear_springs[joint.a], scene.linear_springs[joint.b]
-        (shared,) = {a.a, a.b} & {b.a, b.b}
-        far = b.b if b.a == shared else b.a
-        along = world[far] - world[shared]
-        turn = nodes["deviations"][j] * sketch.mapping.flip
-        wanted = np.degrees(np.arctan2(along[1], along[0])) - turn / (2 * sketch.slices)
-        assert (middle[j, -1] - wanted + 180.0) % 360.0 - 180.0 == pytest.approx(0.0, abs=1e-3)
+    bodies = [after(sim.load_scene(name), 200) for name in PRESETS]
+    pictures = [(simulation.scene, picture) for simulation, picture in bodies]
+    for (simulation, picture), nodes in zip(bodies, all_drawn(pictures), strict=True):
+        scene, sketch = simulation.scene, sketch_of(simulation.scene)
+        off = simulation.angles - simulation.rest_angles
+        assert nodes["deviations"] == pytest.approx(180.0 - (180.0 - off) % 360.0, abs=1e-3), scene.name
+        turns = nodes["wedges"]["wxyzs"]
+        middle = 2.0 * np.degrees(np.arctan2(turns[:, 3], turns[:, 0])).reshape(-1, sketch.slices)
+        world = sketch.mapping.to_world(picture.positions)
+        for j, joint in enumerate(scene.angular_springs):
+            a, b = scene.linear_springs[joint.a], scene.linear_springs[joint.b]
+            (shared,) = {a.a, a.b} & {b.a, b.b}
+            far = b.b if b.a == shared else b.a
+            along = world[far] - world[shared]
+            turn = nodes["deviations"][j] * sketch.mapping.flip
+            wanted = np.degrees(np.arctan2(along[1], along[0])) - turn / (2 * sketch.slices)
+            off_by = (middle[j, -1] - wanted + 180.0) % 360.0 - 180.0
+            assert off_by == pytest.approx(0.0, abs=1e-3), (scene.name, j)
 
 
 def test_held_keys_turn_the_rest_angles_of_the_wedges() -> None:

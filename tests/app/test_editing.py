@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 import sim
-from app.session import commands, log
+from app.session import commands, log, versions
 from app.session.replay import Player
-from app.session.versions import MOST_STEPS
 from sim.edit.build import extend, positions_of, remove
 from sim.edit.edit import Edit, Selection
 from sim.edit.shape import move
@@ -101,16 +100,16 @@ def test_everything_that_changes_the_scene_is_a_step(page: SessionPage) -> None:
 
 
 def test_moving_a_slider_is_one_step(page: SessionPage) -> None:
-    for value in range(100, 200):
+    for value in range(100, 130):
         page.frames(1, commands.SetValue("gravity", float(value)))
     assert len(page.session.versions) == 1
     page.frames(100)  # however long it rests in between
-    page.frames(1, commands.SetValue("gravity", 199.0))
+    page.frames(1, commands.SetValue("gravity", 129.0))
     assert len(page.session.versions) == 1
     page.frames(1, commands.Visit(), commands.SetValue("gravity", 5.0))  # the next press is another one
     assert len(page.session.versions) == 2
     page.frames(1, commands.Undo())
-    assert page.session.scene.gravity[1] == 199.0
+    assert page.session.scene.gravity[1] == 129.0
     page.frames(1, commands.Undo())
     assert page.session.scene.gravity[1] == 2000.0
 
@@ -198,16 +197,18 @@ def test_what_cannot_be_done_is_one_sentence_and_nothing_changes(page: SessionPa
     assert page.session.simulation.capture().scene is before
 
 
-def test_undo_is_bounded(page: SessionPage) -> None:
+@pytest.mark.parametrize(("most", "bound"), [("MOST_STEPS", 40), ("MOST_BYTES", 50_000)])
+def test_undo_is_bounded(page: SessionPage, most: str, bound: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(versions, most, bound)
     page.frames(0, commands.Play(False))
-    for i in range(MOST_STEPS + 20):
+    for i in range(30):
         page.session.post(commands.SetValue("gravity", 1.0 + i % 7))
         page.session.post(commands.SetValue("air_friction", 1e-4 * (1 + i % 5)))
-        if i % 50 == 0:
-            page.frames(1)
     page.frames(1)
-    assert len(page.session.versions) == MOST_STEPS
-    assert page.session.versions.bytes < 64e6
+    if most == "MOST_STEPS":
+        assert len(page.session.versions) == bound
+    else:
+        assert 0.8 * bound < page.session.versions.bytes <= bound
 
 
 def test_the_selection_follows_the_parts(page: SessionPage) -> None:

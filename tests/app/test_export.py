@@ -275,6 +275,14 @@ def test_the_command_writes_all_four(tmp_path: Path, capsys: pytest.CaptureFixtu
         (("--png", "a.png", "--size", "9000x10"), "16 to 4096"),
         (("--png", "a.png", "--after", "inf"), "0..10000 s"),
         (("--png", "a.png", "--set", "dt=0.5", "--set", "method=symplectic_euler"), "time step"),
+        (("--motion", "a.zip"), "--motion a.zip: the file must end in .csv"),
+        (("--animation", "a.gltf"), "--animation a.gltf: the file must end in .glb"),
+        (("--motion", "a.csv", "--fps", 0), "--fps: 0 is not in the range 1..240"),
+        (("--motion", "a.csv", "--fps", 241), "--fps: 241 is not in the range 1..240"),
+        (("--animation", "a.glb", "--seconds", 0), "--seconds: 0 is not in the range 0.2..60 s"),
+        (("--csv", "a.csv"), "--csv a.csv: the file must end in .zip"),
+        (("--python", "a.c"), "--python a.c: the file must end in .py"),
+        (("--c", "nowhere/a.c"), "the folder nowhere does not exist"),
     ],
 )
 def test_the_command_says_what_is_wrong_and_writes_nothing(

@@ -594,27 +594,6 @@ def test_the_command_takes_the_moment_that_is_asked_for(tmp_path: Path) -> None:
     assert data["masses"]["position"] == simulation.positions.tolist()
 
 
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (("--csv", "a.csv"), "--csv a.csv: the file must end in .zip"),
-        (("--python", "a.c"), "--python a.c: the file must end in .py"),
-        (("--c", "nowhere/a.c"), "the folder nowhere does not exist"),
-    ],
-)
-def test_the_command_says_what_is_wrong(
-    words: tuple[str, ...],
-    said: str,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    assert command("export", "rod", *words) == 1
-    assert said in capsys.readouterr().err
-    assert not list(tmp_path.iterdir())
-
-
 def test_a_link_can_be_exported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command("link", "ring") == 0
     link = capsys.readouterr().out.strip()

@@ -9,7 +9,7 @@ import pytest
 
 import sim
 from app.page.looks import readouts
-from app.session import commands
+from app.session import commands, shadow
 from app.session.pacing import Costs
 from app.session.shadow import Foresight
 from tests.app.pages import SessionPage
@@ -104,14 +104,16 @@ def test_another_body_and_a_reset_begin_anew() -> None:
     assert not page.session.notices
 
 
-def test_without_enough_time_it_sees_only_parts_of_the_motion() -> None:
+def test_without_enough_time_it_sees_only_parts_of_the_motion(monkeypatch: pytest.MonkeyPatch) -> None:
     page = SessionPage(upright())
     page.frames(1, commands.Foretell(True))
     foresight = foresight_of(page)
     follow = foresight.follow
 
     def hurried(simulation: sim.Simulation, steps: int, budget: float) -> None:
-        foresight._step_cost, foresight.costs = budget / 2.0, Costs()  # two steps of the seven of a frame
+        # There is time for two steps of the seven of a frame.
+        monkeypatch.setattr(shadow, "smoothed", lambda *_: budget / 2.0)
+        foresight.costs = Costs()
         follow(simulation, steps, budget)
 
     foresight.follow = hurried  # type: ignore[method-assign]

@@ -112,7 +112,7 @@ def test_the_list_has_all_scenes_and_own_ones_are_painted_once(
     monkeypatch.setattr(thumbnails, "picture", lambda *_: pytest.fail("painted again"))
     page.gallery.list(ListScenes(dark=True))
     assert page.letters.sent[-1] == painted
-    assert gallery._painted.cache_parameters()["maxsize"] is not None
+    assert gallery.painted.cache_parameters()["maxsize"] is not None
 
 
 def test_the_folder_is_read_once_for_a_list_however_many_scenes_were_just_saved(
@@ -155,7 +155,7 @@ def test_what_is_done_is_said_and_can_be_undone(home: Path) -> None:
 def visitor(digit: str, key: str = "") -> Page:
     """The gallery of somebody else's browser."""
     page = Page(owned=False)
-    page.gallery._shelf.introduce(Who(visitor=32 * digit, owner=key))
+    page.page.shelf.introduce(Who(visitor=32 * digit, owner=key))
     return page
 
 
@@ -204,9 +204,9 @@ def test_a_page_with_the_owner_s_key_is_the_owner_s(home: Path) -> None:
     assert said(page, "delete", "mine") == "'mine' is deleted."
     assert not list(home.glob("*.json"))
     assert owner.key_path().stat().st_mode & 0o077 == 0
-    assert not visitor("a", "guess").gallery._shelf.owned
-    owner._key.cache_clear()
-    assert visitor("b", owner.key_path().read_text()).gallery._shelf.owned
+    assert not visitor("a", "guess").page.shelf.owned
+    owner.key_in.cache_clear()
+    assert visitor("b", owner.key_path().read_text()).page.shelf.owned
 
 
 def test_a_page_that_has_not_said_whose_it_is_changes_nothing(home: Path) -> None:
@@ -219,14 +219,14 @@ def test_a_page_that_has_not_said_whose_it_is_changes_nothing(home: Path) -> Non
 
 def test_what_visitors_save_is_bounded(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shelf, "MOST_SCENES", 2)
-    one = visitor("a").gallery._shelf
+    one = visitor("a").page.shelf
     for name in ("x", "y", "y"):
         one.save(sim.rope(), name)
     with pytest.raises(sim.SceneError, match="you have 2 scenes here"):
         one.save(sim.rope(), "z")
     monkeypatch.setattr(shelf, "MOST_BYTES", files.MAX_FILE_BYTES + 100)
     with pytest.raises(sim.SceneError, match="no room"):
-        visitor("b").gallery._shelf.save(sim.rope(), "x")
+        visitor("b").page.shelf.save(sim.rope(), "x")
     Shelf(owned=True).save(sim.rope(), "z")
     assert [path.name for path in home.glob("*.json")] == ["z.json"]
 

@@ -1,6 +1,7 @@
 """Who may connect, and that nothing is served without the gate."""
 
 import http.client
+import logging
 import socket
 import sys
 from collections.abc import Iterator
@@ -9,7 +10,6 @@ from typing import Any
 
 import pytest
 import viser
-import viser.infra._infra
 import websockets.asyncio.server
 import websockets.datastructures
 import websockets.exceptions
@@ -20,6 +20,9 @@ from app.gate.address import authorities, own_authorities, public_address
 from app.gate.gate import Gate, GatedServer, GateError, PortBusy, exposure, open_server, page_addresses
 from app.page.assets import page_files
 from tests.app.hostile import HANDSHAKE, Sandbox, answer, eventually, status
+from tests.app.inside import only_page, viser_infra
+
+LOGGER = logging.getLogger(gate.__name__)
 
 
 @pytest.fixture
@@ -182,8 +185,8 @@ def test_requests_that_make_no_sense_leave_no_trace(
     sandbox: Sandbox, caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # viser adds a filter of its own, but only with the first page it serves.
-    own_filters = [each for each in gate._logger.filters if type(each).__module__ == gate.__name__]
-    monkeypatch.setattr(gate._logger, "filters", own_filters)
+    own_filters = [each for each in LOGGER.filters if type(each).__module__ == gate.__name__]
+    monkeypatch.setattr(LOGGER, "filters", own_filters)
     for nonsense in (b"\0\1\2\r\n\r\n", b"GET / HTTP/9\r\n\r\n", b"\x16\x03\x01\x02\x00\x01\r\n\r\n"):
         with socket.create_connection(("127.0.0.1", sandbox.port), timeout=20) as connection:
             connection.sendall(nonsense)
@@ -473,7 +476,7 @@ def test_a_viser_that_passes_by_the_gate_is_stopped(monkeypatch: pytest.MonkeyPa
         exceptions=websockets.exceptions,
         datastructures=websockets.datastructures,
     )
-    monkeypatch.setattr(viser.infra._infra, "websockets", shadow)
+    monkeypatch.setattr(viser_infra, "websockets", shadow)
     with pytest.raises(GateError, match="by way of the gate"):
         open_server("127.0.0.1", 0)
     assert ports
@@ -513,8 +516,7 @@ def test_a_page_is_of_this_machine_only_if_no_other_can_connect_and_no_proxy_is_
     def is_local(loopback: bool, *headers: tuple[str, str]) -> bool:
         gate = Gate(frozenset(), {}, loopback=loopback)
         request = SimpleNamespace(headers=websockets.datastructures.Headers(headers))
-        live = {7: SimpleNamespace(request=request)}
-        gate._server = SimpleNamespace(_websock_server=SimpleNamespace(_live_connections=live))  # type: ignore
+        only_page(gate, 7, request)
         assert not gate.is_local(8)  # it has gone
         return gate.is_local(7)
 

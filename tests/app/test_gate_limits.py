@@ -155,4 +155,9 @@ def test_a_page_that_comes_back_takes_the_place_of_its_dead_connection(
     for path in ("", "/at/", "/at/AAAA", "/at/" + 33 * "a"):
         sandbox.pages.append(HostilePage(sandbox.port, path))
         sandbox.pages.append(HostilePage(sandbox.port, path))
-    assert len(sandbox.server.gate._tabs) == 10
+    # So there are ten now.
+    monkeypatch.setattr(gate, "MAX_TABS", 10)
+    with pytest.raises(InvalidStatus):
+        sandbox.page()
+    monkeypatch.setattr(gate, "MAX_TABS", 11)
+    sandbox.page()

@@ -19,7 +19,7 @@ from tests.app.test_serving import Stage, eventually, say, session_of, stage  # 
 
 
 def told(tab: Tab) -> PageState:
-    state = tab._mail.told(PageState)
+    state = tab.probe().state
     assert state is not None
     return state
 

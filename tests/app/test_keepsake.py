@@ -15,8 +15,7 @@ from tests.app.pages import SessionPage
 from tests.app.recording import agrees, busy_page
 
 
-@pytest.fixture
-def page() -> SessionPage:
+def a_page() -> SessionPage:
     page = busy_page(sim.load_scene("tutorial-3.3"))
     page.frames(
         5,
@@ -26,6 +25,17 @@ def page() -> SessionPage:
         commands.Compare("rk4", "angle", 4),
     )
     return page
+
+
+@pytest.fixture
+def page() -> SessionPage:
+    return a_page()
+
+
+@pytest.fixture(scope="module")
+def kept() -> bytes:
+    """The keepsake of such a page."""
+    return a_page().session.keepsake()
 
 
 def resumed(data: bytes) -> SessionPage:
@@ -52,8 +62,8 @@ def test_a_page_goes_on_where_it_was(page: SessionPage, playing: bool) -> None:
     assert session.history.end == before.simulation.time
 
 
-def test_the_scene_s_own_values_are_kept_too(page: SessionPage) -> None:
-    other = resumed(page.session.keepsake())
+def test_the_scene_s_own_values_are_kept_too(kept: bytes) -> None:
+    other = resumed(kept)
     other.frames(1, commands.OwnValues("body"), commands.OwnValues("solver"))
     assert other.session.scene == sim.load_scene(other.session.scene.name)
 
@@ -67,16 +77,16 @@ def test_reset_still_leads_to_the_scene_s_start(page: SessionPage) -> None:
     assert other.session.simulation.positions[5:] == pytest.approx(page.session.simulation.positions[5:])
 
 
-def test_a_resumed_page_keeps_a_log_that_can_be_replayed(page: SessionPage) -> None:
-    other = resumed(page.session.keepsake())
+def test_a_resumed_page_keeps_a_log_that_can_be_replayed(kept: bytes) -> None:
+    other = resumed(kept)
     other.frames(30, commands.Play(True))
     agrees(other)
 
 
-def test_own_values_of_another_body_begin_its_time_anew(page: SessionPage) -> None:
+def test_own_values_of_another_body_begin_its_time_anew(kept: bytes) -> None:
     # As many masses, but without joints: no page writes that, but nothing in a keepsake is trusted.
     another = json.loads(log.encode_header(sim.rope(masses=12, joints=False)))["scene"]
-    other = resumed(changed(page.session.keepsake(), "opened", value=another))
+    other = resumed(changed(kept, "opened", value=another))
     other.frames(10, commands.Play(True))
     other.frames(1, commands.Play(False), commands.OwnValues("body"))
     assert (len(other.session.history), other.session.simulation.time) == (1, 0.0)
@@ -130,8 +140,8 @@ PATHS: list[tuple[tuple[str, ...], Any]] = [
 
 
 @pytest.mark.parametrize(("path", "value"), PATHS)
-def test_a_bad_keepsake_changes_nothing(page: SessionPage, path: tuple[str, ...], value: Any) -> None:
-    other = resumed(changed(page.session.keepsake(), *path, value=value))
+def test_a_bad_keepsake_changes_nothing(kept: bytes, path: tuple[str, ...], value: Any) -> None:
+    other = resumed(changed(kept, *path, value=value))
     (notice,) = other.session.notices
     assert notice.text.startswith("could not be resumed: ")
     assert "\n" not in notice.text
@@ -146,8 +156,8 @@ def test_what_is_no_keepsake_is_refused(data: bytes) -> None:
     assert notice.text.startswith("could not be resumed: ")
 
 
-def test_a_joint_that_does_not_exist_is_the_last_one(page: SessionPage) -> None:
-    assert resumed(changed(page.session.keepsake(), "wishes", "joint", value=500)).session.joint == 9
+def test_a_joint_that_does_not_exist_is_the_last_one(kept: bytes) -> None:
+    assert resumed(changed(kept, "wishes", "joint", value=500)).session.joint == 9
 
 
 # ------------------------------------------------------------------------- undo
@@ -187,13 +197,12 @@ def test_of_a_scene_that_no_version_is_nothing_is_undone() -> None:
 
 
 def test_what_is_kept_for_pages_that_come_back_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pasts, "_pasts", {})
     page = SessionPage(sim.load_scene("tutorial-3.3"))
     page.frames(3, commands.SetValue("gravity", 500.0))
-    for number in range(2 * pasts.MOST_PAGES):
-        pasts.keep(f"{number:032x}", page.session.versions)
-    assert len(pasts._pasts) == pasts.MOST_PAGES
-    assert pasts.of(f"{2 * pasts.MOST_PAGES - 1:032x}") is not None
+    names = [f"{number:032x}" for number in range(2 * pasts.MOST_PAGES)]
+    for name in names:
+        pasts.keep(name, page.session.versions)
+    assert [name for name in names if pasts.of(name) is not None] == names[pasts.MOST_PAGES :]
     monkeypatch.setattr(pasts, "MOST_BYTES", 3 * page.session.versions.bytes)
     pasts.keep(32 * "c", page.session.versions)
-    assert len(pasts._pasts) == 3
+    assert [name for name in (*names, 32 * "c") if pasts.of(name) is not None] == [*names[-2:], 32 * "c"]

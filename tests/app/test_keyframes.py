@@ -243,26 +243,3 @@ def test_too_much_is_refused_before_it_is_made(monkeypatch: pytest.MonkeyPatch) 
         motion_csv(clip, 60)
     with pytest.raises(InputError, match="31 frames of 13 numbers are too many"):
         animated_glb(clip, 60)
-
-
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (("--motion", "a.zip"), "--motion a.zip: the file must end in .csv"),
-        (("--animation", "a.gltf"), "--animation a.gltf: the file must end in .glb"),
-        (("--motion", "a.csv", "--fps", 0), "--fps: 0 is not in the range 1..240"),
-        (("--motion", "a.csv", "--fps", 241), "--fps: 241 is not in the range 1..240"),
-        (("--animation", "a.glb", "--seconds", 0), "--seconds: 0 is not in the range 0.2..60 s"),
-    ],
-)
-def test_the_command_says_what_is_wrong(
-    words: tuple[object, ...],
-    said: str,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    assert command("export", "pendulum", *words) == 1
-    assert said in capsys.readouterr().err
-    assert not list(tmp_path.iterdir())

@@ -17,18 +17,21 @@ from app.session import commands
 from app.session.log import decode_log
 from app.session.notices import Notice
 from app.session.plots import Wish
-from app.wire.from_page import BeginStep, read
+from app.wire.from_page import BeginStep, Perform, read
 from app.wire.to_page import Lesson as LessonState
 from app.wire.to_page import LessonStep
 from sim.edit.build import add_mass
 from sim.edit.lesson import add_step
 from sim.scene.lesson import Lesson, Question, Step
-from sim.settings import scene_of_step
-from sim.store.files import decode_scene, encode_scene
+from sim.settings import CHOICES, scene_of_step, setting_of
+from sim.store.files import built_in_folder, decode_scene, encode_scene
+from tests.amount import part_of
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 from tests.app.panels import page_of
+from tests.app.whole import WholePage
 
+LESSONS = sorted(path.stem for path in (built_in_folder() / "lessons").glob("*.json"))
 QUESTION = Question(text="?", choices=("a", "b"), answer=1, because="so")
 
 
@@ -262,3 +265,37 @@ def test_a_step_of_a_lesson_that_was_made_since_begins_with_the_body_as_it_is(
     assert not told
     assert page.session.lesson_begun
     assert len(page.session.scene.masses) == masses == len(sim.load_scene("rope").masses) + 1
+
+
+@pytest.mark.parametrize("name", part_of(LESSONS, 3))
+def test_every_step_of_a_lesson_begins_with_its_sliders_and_plots(name: str) -> None:
+    page = WholePage(name)
+    lesson = page.scene.lesson
+    assert lesson is not None
+    for i, step in enumerate(lesson.steps):
+        page.shown(BeginStep(i, "run"))
+        wanted = [
+            CHOICES[key].label if key in CHOICES else setting_of(page.scene, key).label
+            for key in step.controls
+        ]
+        assert sorted(page.gui.labels("slider", "dropdown", tab="Lesson")) == sorted(wanted)
+        assert page.gui.text("Lesson").count("softrod-plot-title") == len(step.plots or ())
+        assert page.session.playing and page.session.simulation.time > 0.0
+    assert not page.notices
+
+
+def test_a_lesson_leaves_behind_what_was_before() -> None:
+    page = WholePage()
+    page.shown(Perform("plot"))
+    page.enter("Forces", True)
+    page.shown(commands.Open(sim.load_scene("lesson-laws")))
+    page.shown(BeginStep(0))
+    assert (page.gui["Forces"].value, page.gui["Torques"].value) == (False, True), "the step's own arrows"
+    page.shown(commands.Open(sim.load_scene("lesson-chaos")))
+    page.shown(BeginStep(1))
+    assert page.session.ghost is not None, "the second step of another lesson has a ghost"
+    page.shown(commands.Open(sim.load_scene("rod")))
+    assert page.session.ghost is None
+    assert "Lesson" not in page.gui
+    assert (page.gui["Forces"].value, page.gui["Torques"].value) == (True, False), "one's own arrows are back"
+    assert "joint0.angle" in page.gui.text(), "and one's own plot"

@@ -225,3 +225,24 @@ def test_a_page_is_told_of_them() -> None:
     view.tell(page.session)
     assert not letters.last(to_page.Modes).on
     assert not numbers(letters, "ModeShapes").size
+
+
+def test_a_page_is_told_when_the_body_begins_to_touch() -> None:
+    fetch(FOR_FALLBACK)
+    floor = sim.Wall(point=(0.0, 450.0), normal=(0.0, -1.0))
+    page = SessionPage(sim.jelly(columns=3, rows=2, width=80.0, height=40.0, walls=(floor,)))
+    letters = Letters()
+    view = ModesView(letters)
+    page.frames(1, commands.Play(False), commands.ShowModes(True))
+    found(page)
+    page.frames(1, commands.Play())
+    touching: list[float] = []
+    while max(touching, default=0.0) <= 1e-4 and page.session.simulation.time < 2.0:
+        lowest = page.session.simulation.positions[:, 1].max()
+        view.tell(page.session)
+        touching.append(float(sections(numbers(letters, "ModeLevels"))[0][3]))
+        if lowest < 440.0:
+            assert touching[-1] == 0.0
+        page.frames(2)
+    assert touching[-1] > 1e-4, "which is where the page clicks"
+    assert len(touching) > 5

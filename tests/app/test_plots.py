@@ -6,7 +6,6 @@ import csv
 import io
 import math
 import re
-from typing import Any
 from unittest.mock import MagicMock
 
 import msgspec
@@ -21,14 +20,18 @@ from app.export.plot_picture import plot_png
 from app.page.measure import plots
 from app.page.measure.measure_panel import MeasurePanel
 from app.page.measure.phase import phase_svg
+from app.page.measure.plot_list import ADD
 from app.session import commands
 from app.session.history import SPAN
 from app.session.notices import Notice
 from app.session.plots import MOST_PLOTS, Plot, Wish, curve
+from app.wire.from_page import Pick
 from sim.errors import InputError
+from tests.app.inside import press
 from tests.app.pages import SessionPage
-from tests.app.panels import page_of
+from tests.app.panels import Noted, page_of
 from tests.app.recording import agrees
+from tests.app.whole import WholePage
 
 
 class PlotPage(SessionPage):
@@ -102,7 +105,7 @@ def test_a_reset_and_another_scene_begin_anew(page: PlotPage, command: commands.
 def test_the_ring_is_bounded_and_in_order(page: PlotPage) -> None:
     page.frames(1)
     for i in range(1, 2 * SPAN + 50):
-        page.plot._append((float(i), -float(i)))
+        page.plot.append((float(i), -float(i)))
     rows = page.plot.rows
     assert len(rows) == SPAN
     assert rows[-1].tolist() == [2 * SPAN + 49, -(2 * SPAN + 49)]
@@ -114,7 +117,7 @@ def test_what_is_sent_has_every_peak_and_is_little(page: PlotPage) -> None:
     time = np.arange(3000) / 60.0 + 1.0
     values = np.sin(time) + np.where(np.arange(3000) % 997 == 500, 3.0, 0.0)
     for row in zip(time, values, strict=True):
-        page.plot._append(row)
+        page.plot.append(row)
     page.plot.shown = float(time[-1])
     drawn = curve(page.plot, 40.0, 100).values
     inside = time > time[-1] - 40.0
@@ -125,7 +128,7 @@ def test_what_is_sent_has_every_peak_and_is_little(page: PlotPage) -> None:
     smooth = drawn[1] < 1.5
     assert np.sin(drawn[0][smooth]) == pytest.approx(drawn[1, smooth], abs=0.01)
     # A frame later the same moments are sent, but for the ends.
-    page.plot._append((float(time[-1]) + 1.0 / 60.0, 0.0))
+    page.plot.append((float(time[-1]) + 1.0 / 60.0, 0.0))
     page.plot.shown += 1.0 / 60.0
     again = curve(page.plot, 40.0, 100).values
     assert len(set(drawn[0]) & set(again[0])) > len(drawn[0]) - 6
@@ -136,7 +139,7 @@ def test_the_curve_over_another_quantity_goes_through_moments_that_follow_each_o
     page.frames(1)
     time = np.arange(1, 3001) / 60.0 + 1.0
     for t in time:
-        page.plot._append((t, math.cos(t), math.sin(t)))
+        page.plot.append((t, math.cos(t), math.sin(t)))
     page.plot.shown = float(time[-1])
     values, past = curve(page.plot, 40.0, 100)
     assert past == values.shape[1] <= 4 * 100 + 3
@@ -184,31 +187,30 @@ def test_plots_that_nobody_sees_run_on_and_are_not_sent() -> None:
     page = SessionPage(sim.load_scene("rod"))
     server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
     try:
-        client: Any = server  # has the same `gui`
+        noted = Noted(server)
         tab = server.gui.add_tab_group().add_tab("Measure")
-        panel = MeasurePanel(page_of(page.session, client), tab)
+        shared = page_of(page.session, noted)
+        panel = MeasurePanel(shared, tab)
         panel.plot_angle()
         panel.tick()
-        (shown,) = panel.plots._plots
-        assert isinstance(shown.chart, viser.GuiUplotHandle)
+        (chart,) = noted.charts
         # Another number of lines is another chart.
-        chart = shown.chart
-        panel._what.value = "rate"
-        panel.plots._extend(shown)
-        assert isinstance(shown.chart, viser.GuiUplotHandle)
-        assert shown.chart is not chart
-        assert len(shown.chart.data) == len(shown.chart.series) == 5
-        assert len(set(map(len, shown.chart.data))) == 1
+        noted.made["Quantity"].value = "rate"
+        press(noted.made[""], ADD)
+        shared.serve()
+        _, chart = noted.charts
+        assert len(chart.data) == len(chart.series) == 5
+        assert len(set(map(len, chart.data))) == 1
         panel.plots.looked_at = False
-        before = shown.chart.data
+        before = chart.data
         for _ in range(30):
             page.frames(1)
             panel.tick()
-        assert shown.chart.data is before
-        assert len(shown.plot.rows) >= 30
+        assert chart.data is before
         panel.plots.looked_at = True
         panel.tick()
-        assert shown.chart.data[0][-1] == pytest.approx(page.session.simulation.time, abs=1e-3)
+        assert chart.data[0][-1] == pytest.approx(page.session.simulation.time, abs=1e-3)
+        assert np.diff(chart.data[0]).max() < 0.03, "no frame is missing"
     finally:
         server.stop()
 
@@ -268,24 +270,25 @@ def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots() -
     server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
     told: list[Notice] = []
     try:
-        client: Any = server  # has the same `gui`
+        noted = Noted(server)
         tab = server.gui.add_tab_group().add_tab("Measure")
-        shared = page_of(page.session, client, notify=told.append)
+        shared = page_of(page.session, noted, notify=told.append)
         panel = MeasurePanel(shared, tab)
         panel.tick()
-        panel._part.value = "joint999999"
-        panel._what.value = "<b>"
-        panel._over.value = "nan"
-        panel._add_chosen()
-        panel._offer()
+        part, what, over = (noted.made[label] for label in ("Part", "Quantity", "Over"))
+        part.value, what.value, over.value = "joint999999", "<b>", "nan"
+        press(panel.new)
+        press(what, "<b>")
+        shared.serve()
         panel.tick()
         assert "not a quantity" in told[0].text
-        assert panel._part.value == "joint0"
-        assert panel._what.value == "angle"
+        assert part.value == "joint0"
+        assert what.value == "angle"
         for _ in range(3):
             panel.plot_angle()  # twice the same is one plot
         for _ in range(5):
-            panel._add_chosen()
+            press(panel.new)
+        shared.serve()
         panel.tick()
         assert len(panel.plots.wishes) == MOST_PLOTS
         assert "room for 4 plots" in told[-1].text
@@ -306,7 +309,7 @@ def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots() -
 def ring_of(plot: Plot, times: np.ndarray, *columns: np.ndarray) -> None:
     """Have a plot show values as if they had been noted."""
     for row in np.column_stack((times, *columns)).tolist():
-        plot._append(row)
+        plot.append(row)
     plot.shown = float(times[-1])
 
 
@@ -462,3 +465,15 @@ def test_a_plot_of_a_lesson_says_nothing_where_nothing_swings() -> None:
     page.frames(3)
     assert "no regular swing" in plots.reading(page.plot, 10.0)
     assert plots.reading(page.plot, 10.0, "").endswith("></div>")
+
+
+def test_a_clicked_mass_with_its_joint_and_springs_can_be_plotted() -> None:
+    page = WholePage("rod")
+    for mass in (4, 999_999):  # a page can name any mass
+        page.shown(Pick(mass))
+        assert page.gui["Part"].options[:4] == ("joint3", "mass4", "spring3", "spring4")
+    page.enter("Part", "joint3")
+    page.enter("Quantity", "rate")
+    page.enter("Over", "joint3.angle")
+    page.enter("New plot")
+    assert "joint3.rate over joint3.angle" in page.gui.text()

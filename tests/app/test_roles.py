@@ -77,13 +77,16 @@ def test_only_a_teacher_leads(
     klass: Class, session: Session, make: Callable[..., ClassRole], said: from_page.Lead
 ) -> None:
     klass.room.enter("0" * 32)
-    role = make(klass, Letters())
+    role = make(klass, letters := Letters())
     before = msgspec.json.encode(klass.room)
     for key in ("", "x" * len(klass.room.key), klass.room.key[:-1], klass.room.code):
         role.introduce(who(0, key), session)
         assert not role.allows(said)
         role.hear(said, session)
+        role.frame(session)
     assert not klass.ended
+    assert klass.teachers == 0
+    assert not any(isinstance(message, Desk) for message in letters.sent)
     assert msgspec.json.encode(klass.room) == before
 
 

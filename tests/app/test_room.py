@@ -24,6 +24,7 @@ from app.classroom.room import (
     plain,
 )
 from sim.scene.lesson import Lesson, Question, Step
+from tests.amount import examples
 
 SECRETS = [f"{i:032x}" for i in range(MOST_SEATS + 2)]
 
@@ -282,7 +283,7 @@ def test_codes_are_no_words_for_a_wall() -> None:
 _CONTENT = {Vote: Vote(1), Ghost: Ghost(((1.0, 2.0),) * 4), Line: Line("so"), Work: Work()}
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200))
 @given(st.data())
 def test_whatever_happens_every_answer_counts_once_and_the_last_one_before_it_is_shown(
     data: st.DataObject,

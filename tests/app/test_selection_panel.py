@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
-from types import SimpleNamespace
 from typing import Any
 
 import msgspec
@@ -19,7 +17,7 @@ from sim.edit.edit import Selection
 from sim.edit.muscles import give_muscles
 from sim.scene.parts import SpringMuscle
 from tests.app.pages import SessionPage
-from tests.app.panels import Handle, page_of
+from tests.app.panels import Client, page_of
 
 
 class Page(SessionPage):
@@ -27,18 +25,11 @@ class Page(SessionPage):
 
     def __init__(self, scene: sim.Scene) -> None:
         super().__init__(scene)
-        self.made: dict[str, Handle] = {}
         self.notices: list[Notice] = []
-        names = ("folder", "number", "checkbox", "button", "button_group")
-        gui = SimpleNamespace(**{f"add_{name}": self._add for name in names})
-        client: Any = SimpleNamespace(gui=gui, atomic=nullcontext)
+        client: Any = Client()
+        self.made = client.gui
         self.panel = SelectionPanel(page_of(self.session, client, notify=self.notices.append))
         self.frames(1, commands.Play(False))
-
-    def _add(self, label: str, *_: object, initial_value: object = None, **rest: Any) -> Handle:
-        handle = Handle(label=label, value=initial_value, step=0.0, visible=rest.get("visible", True))
-        self.made[label] = handle
-        return handle
 
     def frames(self, count: int, *posts: commands.Command) -> None:
         for command in posts:
@@ -55,8 +46,7 @@ class Page(SessionPage):
 
     def shown(self) -> dict[str, object]:
         """What the boxes that are there show, by their labels."""
-        rows = [row._box for row in self.panel._rows]
-        return {row.label: row.value for row in rows if row.visible}
+        return {one.label: one.value for one in self.made.there if one.kind == "number" and one.is_shown}
 
     def enter(self, label: str, value: object) -> None:
         self.made[label].enter(value)
@@ -90,9 +80,9 @@ def stiffnesses(page: Page) -> list[float]:
 def test_nothing_is_made_until_something_is_selected_and_it_goes_with_the_selection() -> None:
     page = Page(rope())
     page.frames(20)
-    assert page.made == {}
+    assert page.made.there == []
     page.select(masses=(1, 2), springs=(0,))
-    folder = next(iter(page.made.values()))
+    folder = page.made.there[0]
     assert (folder.label, folder.visible) == ("2 masses, 1 spring", True)
     forces, springs = ["Force x", "Force y"], ["Stiffness", "Damping", "Rest length"]
     places = ["Start x (middle)", "Start y (middle)"]
@@ -100,7 +90,7 @@ def test_nothing_is_made_until_something_is_selected_and_it_goes_with_the_select
     page.select(masses=(1,))
     assert list(page.shown()) == ["Start x", "Start y", "Mass", "Radius", *forces]
     page.select(masses=(1, 2), springs=(0,))
-    count = len(page.made)
+    count = len(page.made.there)
     page.select(joints=(0, 1))
     assert (folder.label, list(page.shown())) == (
         "2 joints", ["Joint stiffness", "Joint damping", "Rest angle"]
@@ -108,7 +98,7 @@ def test_nothing_is_made_until_something_is_selected_and_it_goes_with_the_select
     assert not page.made["Masses"].visible
     page.select()
     assert not folder.visible
-    assert len(page.made) == count
+    assert len(page.made.there) == count
 
 
 def test_a_number_that_differs_is_mixed_and_entering_one_sets_all_until_an_undo() -> None:
@@ -258,7 +248,7 @@ def test_masses_are_pinned_let_go_and_deleted() -> None:
     page.made["Delete"].enter(None)
     page.frames(2)
     assert (len(page.scene.masses), len(page.scene.linear_springs)) == (2, 1)
-    assert not next(iter(page.made.values())).visible
+    assert not page.made.there[0].visible
     page.frames(2, commands.Undo())
     assert len(page.scene.masses) == 4
 
@@ -299,7 +289,7 @@ def test_what_is_selected_in_words() -> None:
 def test_numbers_of_muscles_get_their_boxes_with_the_first_muscle() -> None:
     page = Page(rope())
     page.select(springs=(0, 1), joints=(0,))
-    assert not any("uscle" in label for label in page.made)
+    assert not any("uscle" in one.label for one in page.made.there)
     page.frames(1, commands.Change(lambda moment, selected: give_muscles(moment.scene, selected)))
     page.frames(10)
     assert page.shown()["Muscle amplitude"] == 0.2 and page.shown()["Joint muscle amplitude"] == 20.0

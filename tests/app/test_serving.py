@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import gc
 import io
-import math
 import time
 import zlib
 from collections.abc import Callable, Iterator
@@ -25,14 +24,13 @@ from app.page.files import keeping
 from app.page.scenes import owner
 from app.page.tab import Tab
 from app.server import serve as serve_module
-from app.server.serve import _tell_addresses, serving, start_compiling
+from app.server.serve import serving, start_compiling, tell_addresses
 from app.server.ticker import Ticker
 from app.session import commands
 from app.session.commands import DragStart, Open
 from app.session.plots import Wish
 from app.session.session import Session
 from app.wire.from_page import FromPage, OpenScene, Part, Perform
-from app.wire.to_page import Hud
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 from sim.store.link import pack_scene
 from studies.bench.client import FRAME_PLACES, Page, is_frame
@@ -63,7 +61,8 @@ class Stage:
 
         def found() -> Tab | None:
             fresh = [tab for number, tab in list(self.ticker.tabs.items()) if number not in known]
-            return fresh[0] if fresh and fresh[0]._generation >= 0 else None
+            began = fresh and fresh[0].session is not None and fresh[0].probe().generation >= 0
+            return fresh[0] if began else None
 
         return eventually(found)
 
@@ -83,16 +82,24 @@ def nobody_is_left(stage: Stage) -> Iterator[None]:
 
 
 def session_of(tab: Tab) -> Session:
-    assert tab._session is not None
-    return tab._session
+    assert tab.session is not None
+    return tab.session
 
 
 def nodes(messages: list[dict[str, Any]]) -> dict[str, dict[str, Any]]:
     return {m["name"]: m for m in messages if "name" in m and "props" in m}
 
 
-def drawn_nodes(tab: Tab) -> set[str]:
-    return set(tab._view._nodes)
+def sliders(page: Page) -> dict[str, dict[str, Any]]:
+    """The sliders that a page has, whose clock stands, by their names on the wire."""
+    there: dict[str, dict[str, Any]] = {}
+    while messages := page.receive(0.3):
+        for message in messages:
+            if message["type"] == "GuiSliderMessage":
+                there[message["uuid"]] = message
+            elif message["type"] == "GuiRemoveMessage":
+                there.pop(message["uuid"], None)
+    return there
 
 
 def say(page: Page, *messages: FromPage | str) -> None:
@@ -106,11 +113,10 @@ def test_one_node_per_kind(stage: Stage) -> None:
     """However many masses: paper, springs, wedges, ring and masses; a gizmo per held mass, if asked for."""
     with stage.page() as page:
         tab = stage.new_tab(set())
-        eventually(lambda: "/body/springs" in tab._view._nodes)
-        assert drawn_nodes(tab) == {"/body/springs", "/body/wedges", "/body/ring", "/body/masses"}
-        assert not tab._view._gizmos
+        body = {"/body/springs", "/body/wedges", "/body/ring", "/body/masses"}
+        eventually(lambda: set(tab.probe().nodes) == body)
         tab.hear(Perform("gizmos"))
-        eventually(lambda: len(tab._view._gizmos) == 1)
+        eventually(lambda: set(tab.probe().nodes) == {*body, "/gizmos/0"})
         page.read_for(0.1)
 
 
@@ -119,13 +125,12 @@ def test_a_scene_pays_only_for_what_it_has(stage: Stage) -> None:
         tab = stage.new_tab(set())
         bare = sim.rope(masses=5, joints=False, driven=None, held=())
         session_of(tab).post(Open(bare))
-        eventually(lambda: session_of(tab).generation == 1 and tab._generation == 1)
-        assert drawn_nodes(tab) == {"/body/springs", "/body/masses"}
-        assert not tab._view._gizmos
-        keys = {slider_box.setting.key for slider_box in tab._panel._sliders}
-        assert "angular_stiffness" not in keys
-        assert "linear_stiffness" in keys
-        page.read_for(0.1)
+        session_of(tab).post(commands.Play(False))
+        eventually(lambda: session_of(tab).generation == 1 and tab.probe().generation == 1)
+        assert set(tab.probe().nodes) == {"/body/springs", "/body/masses"}
+        labels = {slider["props"]["label"] for slider in sliders(page).values()}
+        assert "Angular stiffness" not in labels
+        assert "Linear stiffness" in labels
 
 
 def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
@@ -151,16 +156,15 @@ def kept_letters(session: Session, plots: tuple[Wish, ...] = ()) -> str:
 
 def test_a_link_goes_before_what_the_page_kept(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     letters, link = kept_letters(Session(sim.load_scene("rod"))), pack_scene(sim.load_scene("box"))
-    serve = Tab._serve_requests
-    monkeypatch.setattr(Tab, "_serve_requests", lambda *_: None)  # the ticker is late
     with stage.page() as page:
         tab = stage.new_tab(set())
-        say(page, Part("resume", 1, 1, letters), Part("link", 1, 1, link))
-        eventually(lambda: len(tab._requests) == 2)
-        monkeypatch.setattr(Tab, "_serve_requests", serve)
-        eventually(lambda: tab._page.looks.dark)  # the page looks as it did
+        with monkeypatch.context() as patch:
+            patch.setattr(Tab, "frame", lambda *_: False)  # the ticker is late
+            say(page, Part("resume", 1, 1, letters), Part("link", 1, 1, link))
+            eventually(lambda: tab.probe().requests == 2)
+        eventually(lambda: tab.probe().looks.dark)  # the page looks as it did
         eventually(lambda: session_of(tab).scene.name == "box")
-        eventually(lambda: not session_of(tab)._queue)
+        eventually(lambda: not session_of(tab).waiting)
         assert session_of(tab).scene.name == "box"
 
 
@@ -168,42 +172,84 @@ def test_what_the_page_kept_brings_its_plots_whenever_it_comes(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     letters = kept_letters(Session(sim.load_scene("rod")), (Wish(("joint0.angle",)),))
-    prepare, said = Tab._prepare, []
-
-    def prepare_later(tab: Tab, session: Session) -> None:
-        if not said:  # in the middle of a frame
-            said.append(tab)
-            tab.hear(Part("resume", 1, 1, letters))
-        prepare(tab, session)
-
     with stage.page() as page:
         tab = stage.new_tab(set())
-        monkeypatch.setattr(Tab, "_prepare", prepare_later)
-        eventually(lambda: tab._page.looks.dark and session_of(tab).scene.name == "rod")
+        in_the_middle_of_a_frame(tab, lambda: tab.hear(Part("resume", 1, 1, letters)), monkeypatch)
+        eventually(lambda: tab.probe().looks.dark and session_of(tab).scene.name == "rod")
         page.read_for(0.1)
-        assert tab._measure is not None
-        assert len(tab._measure.plots) == 1
+        assert tab.probe().plots == (Wish(("joint0.angle",)),)
+
+
+def test_what_the_page_gives_back_is_not_lost_with_a_panel(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    letters = kept_letters(Session(sim.load_scene("rod")))
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+
+        def resume() -> None:
+            # The frame goes on with another panel, and forgets what was asked by the controls of this one.
+            session_of(tab).post(Open(sim.load_scene("lesson-hooke")))
+            session_of(tab).drain()
+            tab.hear(Part("resume", 1, 1, letters))
+
+        in_the_middle_of_a_frame(tab, resume, monkeypatch)
+        eventually(lambda: tab.probe().looks.dark and session_of(tab).scene.name == "rod")
+        page.read_for(0.1)
+
+
+def in_the_middle_of_a_frame(tab: Tab, act: Callable[[], None], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Have something done in the next frame of a tab, after the ticker has looked at what was asked for."""
+    tick, acted = Session.tick, []
+
+    def tick_then_act(session: Session, budget: float) -> None:
+        tick(session, budget)
+        if session is tab.session and not acted:
+            acted.append(act())
+
+    monkeypatch.setattr(Session, "tick", tick_then_act)
+
+
+class Sluggish:
+    """A processor of which a keepsake takes half a second."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.used = 0.0
+        monkeypatch.setattr(tab_module.time, "thread_time", self)
+
+    def __call__(self) -> float:
+        self.used += 0.5  # that alone would put the next keepsake off by 500 s
+        return self.used
+
+
+def test_however_long_a_keepsake_took_another_one_comes_in_time(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with stage.page() as page:
+        stage.new_tab(set())
+        monkeypatch.setattr(tab_module, "KEEP_LATEST", 0.1)
+        processor = Sluggish(monkeypatch)
+        eventually(lambda: processor.used >= 3.0)
+        page.read_for(0.1)
 
 
 def test_another_scene_is_kept_at_once_however_long_the_last_keepsake_took(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    used = [0.0]
-
-    def thread_time() -> float:
-        used[0] += 0.5  # of the processor: that alone would put the next keepsake off by 500 s
-        return used[0]
-
     with stage.page() as page:
         tab = stage.new_tab(set())
-        monkeypatch.setattr(tab_module.time, "thread_time", thread_time)
-        eventually(lambda: used[0] and tab._kept)
-        assert tab._keep_due <= session_of(tab).now() + tab_module.KEEP_LATEST
         monkeypatch.setattr(tab_module, "KEEP_LATEST", 1e9)
-        tab._keep_due = math.inf
+        processor = Sluggish(monkeypatch)
+        eventually(lambda: processor.used)
         say(page, OpenScene("box"))
         eventually(lambda: session_of(tab).scene.name == "box")
-        eventually(lambda: tab._kept[0] == session_of(tab).revision)
+        eventually(lambda: is_kept(tab))
+
+
+def is_kept(tab: Tab) -> bool:
+    """Whether the browser was told to keep the session as it is."""
+    kept = tab.probe().kept
+    return kept is not None and kept.revision == session_of(tab).revision
 
 
 def test_nothing_is_sent_while_paused(stage: Stage) -> None:
@@ -212,7 +258,7 @@ def test_nothing_is_sent_while_paused(stage: Stage) -> None:
         page.read_for(1.0)
         say(page, Perform("pause"))
         eventually(lambda: not session_of(tab).playing)
-        eventually(lambda: tab._kept[0] == session_of(tab).revision and page.read_for(0.1) is None)
+        eventually(lambda: is_kept(tab) and page.read_for(0.1) is None)
         page.read_for(0.5)
         before = page.messages
         page.read_for(1.5)
@@ -235,9 +281,7 @@ def test_nothing_is_sent_at_rest(stage: Stage) -> None:
         page.read_for(1.5)
         assert session.simulation.step_count > steps
         assert page.messages == before
-        hud = tab._mail.told(Hud)
-        assert hud is not None
-        assert "at rest" in hud.html
+        assert "at rest" in tab.probe().hud
 
 
 def test_pages_have_simulations_of_their_own(stage: Stage) -> None:
@@ -278,7 +322,7 @@ def test_nothing_is_computed_for_nobody(stage: Stage) -> None:
     used = time.thread_time_ns()
     time.sleep(0.5)
     assert session.simulation.step_count == steps
-    assert not stage.ticker._wake.is_set()
+    assert stage.ticker.asleep
     assert time.thread_time_ns() >= used
 
 
@@ -313,11 +357,10 @@ def test_a_forged_slider_is_clamped(stage: Stage, value: float) -> None:
         tab = stage.new_tab(set())
         say(page, Perform("pause"))
         eventually(lambda: not session_of(tab).playing)
-        for slider_box in tab._panel._sliders:
-            for handle in (slider_box.slider, slider_box.box):
-                page.send(
-                    {"type": "GuiUpdateMessage", "uuid": handle._impl.uuid, "updates": {"value": value}}
-                )
+        there = sliders(page)
+        assert len(there) > 5
+        for uuid in there:
+            page.send({"type": "GuiUpdateMessage", "uuid": uuid, "updates": {"value": value}})
         page.read_for(1.0)
         scene = session_of(tab).scene
         assert sim.validate(scene) is scene
@@ -371,7 +414,7 @@ def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytes
     ):
         page.wait_for(lambda m: m.get("type") == "GuiTabGroupMessage")
         (tab,) = ticker.tabs.values()
-        eventually(lambda: tab._session is not None)
+        eventually(lambda: tab.session is not None)
         session = session_of(tab)
         session.post(commands.SetValue("linear_stiffness", 12345.0))
         session.post(commands.FollowEnergy(True))
@@ -403,7 +446,7 @@ def test_the_address_for_others_never_has_the_owner_s_key(
         try:
             text = io.StringIO()
             console = Console(file=text, width=200)
-            address = _tell_addresses(server, "127.0.0.1", public, True, console)
+            address = tell_addresses(server, "127.0.0.1", public, True, console)
         finally:
             server.stop()
         own = f"http://127.0.0.1:{server.get_port()}/"

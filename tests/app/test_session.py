@@ -13,6 +13,7 @@ import sim
 from app.session import commands
 from app.session.hand import GIZMO, MOST_HANDS
 from app.session.session import KEYS_FORGOTTEN_AFTER, MAX_QUEUE
+from tests.app.inside import guard
 from tests.app.pages import FRAME, SessionPage, answered
 from tests.sim.builders import tutorial_preset
 
@@ -133,7 +134,7 @@ def test_every_hand_drags_a_mass_of_its_own(page: SessionPage) -> None:
     assert page.session.simulation.positions[1 : MOST_HANDS + 1] == pytest.approx(wanted)
     page.frames(1, *(commands.DragEnd(hand) for hand in hands if hand != 4))
     assert page.session.hands.masses == (5,)
-    assert page.session.simulation._hands.grabbed == {5}
+    assert page.session.simulation.grabbed == [5]
     page.frames(20, *moved)
     assert page.session.simulation.positions[5] == pytest.approx(wanted[4])
 
@@ -145,7 +146,7 @@ def test_a_mass_goes_to_the_hand_that_took_it_last(page: SessionPage) -> None:
     assert page.session.hands.masses == (11,)
     assert page.session.simulation.positions[11] == pytest.approx((x + 40.0, y))
     page.frames(1, commands.DragStart(10, x, y, 3))
-    assert page.session.simulation._hands.grabbed == {10}
+    assert page.session.simulation.grabbed == [10]
 
 
 def test_what_follows_the_pointer_comes_to_where_a_drag_has_ended(page: SessionPage) -> None:
@@ -438,7 +439,7 @@ def test_of_bodies_that_are_to_come_the_last_waits_alone(page: SessionPage) -> N
         page.session.post(commands.Resume(b"x" * 1000))
         page.session.post(commands.SetValue("gravity", 300.0))
         page.session.post(commands.Open(sim.load_scene(name)))
-    assert len(page.session._queue) == 4
+    assert len(page.session.waiting) == 4
     page.frames(1)
     assert page.session.scene.name == "flag-pole"
     assert not page.session.notices
@@ -457,9 +458,9 @@ def test_what_one_body_cost_says_nothing_of_the_next(page: SessionPage) -> None:
 def test_a_flood_of_commands_is_bounded(page: SessionPage) -> None:
     for i in range(3 * MAX_QUEUE):
         page.session.post(commands.Point(float(i), 0.0))
-    assert len(page.session._queue) == MAX_QUEUE
+    assert len(page.session.waiting) == MAX_QUEUE
     page.frames(1)
-    assert not page.session._queue
+    assert not page.session.waiting
 
 
 def test_the_meter_and_the_notice_of_a_runaway_name_one_limit(page: SessionPage) -> None:
@@ -482,7 +483,7 @@ def test_what_waits_is_read_while_nobody_adds_to_it(page: SessionPage) -> None:
 
         def __exit__(self, *_: object) -> None: ...
 
-    session._lock = Lock()  # type: ignore[assignment]
+    guard(session, Lock())
     for look in (lambda: session.heavy, lambda: session.will_play):
         entered.clear()
         look()

@@ -9,6 +9,7 @@ import html.parser
 import json
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 from msgspec.structs import replace
@@ -277,10 +278,14 @@ def test_a_gallery_that_fails_on_the_way_leaves_the_old_one(
     make(capsys, out, "ring", "rope")
     before = {path: (out / path).read_bytes() for path in found(out)}
 
-    def full(*_: object) -> bytes:
-        raise OSError(28, "No space left on device")
+    opened = Path.open
 
-    monkeypatch.setattr(pages, "_index", full)
+    def full(path: Path, mode: str = "r", *options: Any, **more: Any) -> Any:
+        if path.name == "index.html" and "w" in mode:
+            raise OSError(28, "No space left on device")
+        return opened(path, mode, *options, **more)
+
+    monkeypatch.setattr(Path, "open", full)
     for folder in (out, new, empty):
         refused(softrod_here(capsys, "gallery", "--out", folder, "box"), "cannot be written (No space left")
     assert {path: (out / path).read_bytes() for path in found(out)} == before

@@ -10,10 +10,34 @@ import app.page
 SHEETS = sorted(Path(app.page.__file__).parent.glob("**/*.css"))
 
 
+def rules_of(text: str) -> list[tuple[str, str]]:
+    """Every rule of a sheet: its selector, after the conditions around it, and what it declares."""
+    text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+    found, around, start = [], list[str](), 0
+    for brace in re.finditer(r"[{}]", text):
+        between = text[start : brace.start()].strip()
+        start = brace.end()
+        if brace[0] == "{":
+            around.append(between)
+        else:
+            if between:
+                found.append((" ".join(around), between))
+            around.pop()
+    return found
+
+
 def rules() -> list[tuple[str, str]]:
-    """Every rule of the styles: its selector, and what it declares."""
-    texts = (re.sub(r"/\*.*?\*/", "", sheet.read_text(encoding="utf-8"), flags=re.DOTALL) for sheet in SHEETS)
-    return [rule for text in texts for rule in re.findall(r"([^{}]+)\{([^{}]*)", text)]
+    """Every rule of the page's styles."""
+    return [rule for sheet in SHEETS for rule in rules_of(sheet.read_text(encoding="utf-8"))]
+
+
+def test_rules_within_conditions_are_seen() -> None:
+    text = "/* a { b } */ p { color: red } @media print { @supports (x: y) { a b { c: d } } e { f: g } }"
+    assert rules_of(text) == [
+        ("p", "color: red"),
+        ("@media print @supports (x: y) a b", "c: d"),
+        ("@media print e", "f: g"),
+    ]
 
 
 def test_only_one_folder_knows_what_viser_calls_its_widgets() -> None:
@@ -31,7 +55,7 @@ def test_no_style_has_the_browser_search_the_whole_page() -> None:
     assert SHEETS
     for selector, _ in rules():
         # Of what comes and goes, as notices, the first word alone is looked at.
-        assert ":has(" not in selector or selector.strip().startswith(".mantine-Notification-root"), selector
+        assert ":has(" not in selector or selector.startswith(".mantine-Notification-root"), selector
 
 
 def test_for_a_projector_no_text_has_another_colour() -> None:

@@ -6,7 +6,6 @@ import math
 import time
 from collections.abc import Callable
 from functools import partial
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -25,7 +24,7 @@ from sim.edit.tune import as_far_as_stable, damp_springs, with_numbers_of
 from sim.errors import InputError
 from sim.motion.stability import largest_step
 from tests.app.pages import SessionPage
-from tests.app.panels import Handle, page_of
+from tests.app.panels import Client, page_of
 
 SCENE = sim.load_scene("tutorial-3.3")
 EULER = sim.Integrator(method="symplectic_euler", dt=1e-3)
@@ -182,25 +181,18 @@ class WishPage(SessionPage):
     def __init__(self, scene: sim.Scene) -> None:
         fetch(FOR_FALLBACK)
         super().__init__(scene)
-        self.made: dict[str, Handle] = {}
         self.notices: list[Notice] = []
-        names = ("checkbox", "html", "button", "slider", "number", "command")
-        gui = SimpleNamespace(**{f"add_{name}": self._add for name in names})
-        client: Any = SimpleNamespace(gui=gui)
+        client: Any = Client()
+        self.made = client.gui
         self.panel = TuningPanel(page_of(self.session, client, notify=self.notices.append), 0.0)
         self.panel.build(True)
         self.frames(1, commands.Play(False))
         self.made["Tuning"].enter(True)
         self.settle()
 
-    def _add(self, label: str, *_: object, initial_value: object = None, **rest: Any) -> Handle:
-        handle = Handle(label=label, value=initial_value, content="", visible=rest.get("visible", True))
-        self.made[label] = handle
-        return handle
-
     @property
     def text(self) -> str:
-        return self.panel._table.content
+        return self.made.text()
 
     def settle(self) -> None:
         """Frames, as long as there is more to show."""
@@ -306,6 +298,32 @@ def test_a_step_that_is_borne_anyhow_changes_nothing() -> None:
     page.wish("Stable step (s)", 0.004)
     assert "It is stable at 4 ms as it is, so nothing was changed." in page.text
     assert page.session.versions.undoable == ""
+
+
+def test_its_buttons_make_it_stable_and_damp_it_as_far_as_its_step_bears() -> None:
+    page = WishPage(SCENE)
+    session = page.session
+
+    def press(label: str, *before: commands.Command) -> str:
+        """What is to be undone then."""
+        page.frames(1, *before)
+        page.settle()
+        page.wish(label, math.nan)
+        return session.versions.undoable
+
+    stable, damp = "Make it stable at this time step", "Critically damp"
+    assert press(stable) == ""
+    assert (page.notices[-1].title, page.notices[-1].text[-20:]) == ("It is stable", "Nothing was changed.")
+    assert press(stable, commands.SetValue("dt", 0.008)) == "Made stable at 8 ms"
+    assert session.stability.limit > 0.008
+    page.frames(1, commands.Undo())
+    assert session.scene.linear_springs == SCENE.linear_springs
+    assert press(damp, commands.SetValue("dt", 0.0025)) == "Damped as far as 2.5 ms bears"
+    assert page.notices[-1].title == "Not critical yet"
+    page.frames(1, commands.Undo())
+    assert press(damp, commands.SetChoice("method", "auto")) == "Critically damped"
+    assert stable not in page.made, "a method that needs no help"
+    assert "damping ratio 1" in page.text
 
 
 def test_what_has_nothing_to_do_with_it_is_not_offered() -> None:

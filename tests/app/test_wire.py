@@ -4,23 +4,21 @@ from __future__ import annotations
 
 import math
 import re
-from collections import deque
 from typing import Any
 
 import numpy as np
 import pytest
 from msgspec import inspect
 
-from app.drawing.sketch import Mapping
 from app.page import controls
-from app.page.tab import TOLD_CONTROLS, Tab
+from app.page.tab import TOLD_CONTROLS
 from app.session import commands
 from app.wire import from_page, to_page
 from app.wire.commands import COMMANDS, key_lines
 from app.wire.from_page import read
 from app.wire.to_page import OfferGallery, ShelfChanged, Tools
+from tests.app.inside import Bare
 from tests.app.letters import Letters
-from tests.app.panels import page_of
 from tests.page import generate
 
 SAID = {
@@ -134,28 +132,6 @@ def test_the_readme_has_all_keys() -> None:
 
 
 # ------------------------------------------------------------------------- what is done
-class Bare(Tab):
-    """A tab with a session, and nothing that is shown."""
-
-    def __init__(self, session: Any, names: controls.Controls = controls.ALL) -> None:
-        self._session, self._page = session, page_of(session)
-        self._page.controls = names
-        self._role = None
-        self._mapping = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
-        self._mail = Letters()
-        self._requests = deque()
-
-
-class Posts:
-    """A session that only takes commands."""
-
-    def __init__(self) -> None:
-        self.posted: list[commands.Command] = []
-
-    def post(self, command: commands.Command) -> None:
-        self.posted.append(command)
-
-
 @pytest.mark.parametrize(
     ("said", "posted"),
     [
@@ -172,25 +148,23 @@ class Posts:
     ],
 )
 def test_what_a_page_says_is_done(said: from_page.FromPage, posted: commands.Command) -> None:
-    session = Posts()
-    Bare(session).hear(said)
-    assert session.posted == [posted]
+    tab = Bare()
+    tab.hear(said)
+    assert tab.posted == [posted]
 
 
 def test_every_hand_is_pointed() -> None:
-    session = Posts()
-    Bare(session).hear(from_page.At(((2, 1.5, -0.5), (9, 0.0, 0.0))))
-    assert session.posted == [commands.Point(450.0, 350.0, 2), commands.Point(300.0, 300.0, 9)]
+    tab = Bare()
+    tab.hear(from_page.At(((2, 1.5, -0.5), (9, 0.0, 0.0))))
+    assert tab.posted == [commands.Point(450.0, 350.0, 2), commands.Point(300.0, 300.0, 9)]
 
 
 def test_a_command_is_done_by_whom_the_table_says_and_needs_its_control() -> None:
     for name, row in COMMANDS.items():
         for names in (controls.ALL, controls.Controls(("play",))):
-            session = Posts()
-            tab = Bare(session, names)
+            tab = Bare(names)
             tab.perform(name)
-            done = [*session.posted, *tab._mail.sent, *tab._requests]  # type: ignore[attr-defined]
             offered = (not row.needs or row.needs in names) and row.does not in ("edit", "own")
-            assert len(done) == offered, name
+            assert len(tab.done) == offered, name
     assert {row.needs for row in COMMANDS.values()} <= {"", *TOLD_CONTROLS}
     assert set(TOLD_CONTROLS) <= set(controls.PARTS)

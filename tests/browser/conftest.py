@@ -5,16 +5,20 @@ from __future__ import annotations
 import os
 import re
 import shutil
+from collections import defaultdict
 from collections.abc import Callable, Generator, Iterator
-from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
+import viser
+from msgspec.structs import replace
 from playwright.sync_api import Browser, Playwright, sync_playwright
 
 import sim
 from app.page.tab import Submit, Tab
+from app.server import serve as server_of_pages
 from app.server.serve import serving
 from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.driver import ARTIFACTS, LIMIT, Desk, Served, rough_context
@@ -34,12 +38,20 @@ FLAGS = (
     "--ignore-gpu-blocklist",
     # The picture is put together without WebGL, whose every pixel costs when the processor draws it.
     "--disable-gpu-compositing",
+    # No page lives long enough to earn back what optimised code costs.
+    "--js-flags=--no-opt --no-maglev",
+    # Playwright's own list, which this replaces, and the address bar's pages, of which each window has one.
+    "--disable-features=AvoidUnnecessaryBeforeUnloadCheckSync,DestroyProfileOnBrowserClose,HttpsUpgrades,"
+    "LensOverlay,MediaRouter,OptimizationHints,PaintHolding,ThirdPartyStoragePartitioning,AimEnabled,"
+    "WebUIOmniboxPopup,WebUIOmniboxAimPopup,WebUIOmniboxFullPopup",
 )
 DESKTOP = (880, 580)
 """Size of the pages of most tests: large enough for all controls, and quick to draw in software."""
 
 Serve = Callable[[str], Served]
 OpenPage = Callable[..., Desk]
+Kind = tuple[bool, bool, bool]
+"""Of a page: whether it is touched, whether its canvas is drawn, and whether smoothly."""
 
 
 def browser_path(playwright: Playwright) -> str:
@@ -91,54 +103,63 @@ def frames_are_whole() -> Iterator[None]:
         yield
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def serve() -> Iterator[Serve]:
-    """Starts a server that shows a preset first; those of one module are shared by its tests."""
-    running: dict[str, Served] = {}
-    with ExitStack() as stack:
+    """The one server of all tests that need none of their own, told which scene a page shows first.
 
-        def start(scene: str) -> Served:
-            if scene not in running:
-                server, ticker, compiler = stack.enter_context(serving(sim.load_scene(scene), "127.0.0.1", 0))
-                compiler.start()
-                compiler.wait()
-                running[scene] = Served(f"http://127.0.0.1:{server.get_port()}", ticker)
-            return running[scene]
+    A browser compiles the scripts of one address once, whatever the page shows.
+    """
+    own = first = replace(sim.load_scene("tutorial-3.3"))
 
-        yield start
+    def show_first(scene: sim.Scene) -> None:
+        nonlocal first
+        first = scene
+
+    def make(client: viser.ClientHandle, scene: sim.Scene, *rest: Any) -> Tab:
+        return Tab(client, first if scene is own else scene, *rest)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(server_of_pages, "Tab", make)
+        with serving(own, "127.0.0.1", 0) as (server, ticker, compiler):
+            compiler.start()
+            compiler.wait()
+            url = f"http://127.0.0.1:{server.get_port()}"
+            yield lambda name: Served(url, ticker, sim.load_scene(name), show_first)
 
 
 @pytest.fixture(scope="session")
-def idle() -> list[Desk]:
-    """Empty pages of the usual kind, which tests have left: they have viser's scripts compiled, so that the
-    next test's page is there in half the time."""
-    return []
+def idle() -> defaultdict[Kind, list[Desk]]:
+    """Empty pages of each kind, which tests have left: they have viser's scripts compiled, so that the next
+    test's page is there in half the time."""
+    return defaultdict(list)
 
 
 @pytest.fixture
 def open_page(
-    browser: Browser, serve: Serve, idle: list[Desk], request: pytest.FixtureRequest
+    browser: Browser, serve: Serve, idle: defaultdict[Kind, list[Desk]], request: pytest.FixtureRequest
 ) -> Iterator[OpenPage]:
     """Opens pages, each in a browser profile of its own or in one that the test before has left empty, and
-    looks after the test whether they had errors."""
-    desks: list[Desk] = []
-    usual: list[Desk] = []
+    looks after the test whether they had errors.
+
+    The canvas of a page is drawn roughly with `pixels`, as for a user with `smooth`, and else not at all.
+    """
+    desks: list[tuple[Kind, Desk]] = []
 
     def open_one(
         scene: str = "tutorial-3.3",
         size: tuple[int, int] = DESKTOP,
         phone: bool = False,
+        pixels: bool = False,
         smooth: bool = False,
         path: str = "/",
     ) -> Desk:
-        served = serve(scene)
-        is_usual = not phone and not smooth
-        if is_usual and idle:
-            desk = idle.pop()
+        served, kind = serve(scene), (phone, pixels, smooth)
+        if idle[kind]:
+            desk = idle[kind].pop()
             desk.served = served
             desk.page.set_viewport_size({"width": size[0], "height": size[1]})
         else:
-            new = browser.new_context if smooth else partial(rough_context, browser)
+            new = browser.new_context if smooth else partial(rough_context, browser, pixels)
             context = new(
                 viewport={"width": size[0], "height": size[1]},
                 has_touch=phone,
@@ -146,10 +167,8 @@ def open_page(
                 accept_downloads=True,
             )
             context.set_default_timeout(LIMIT * 1e3)
-            desk = Desk(served, context)
-        desks.append(desk)
-        if is_usual:
-            usual.append(desk)
+            desk = Desk(served, context, pixels or smooth)
+        desks.append((kind, desk))
         desk.open(path)
         return desk
 
@@ -158,17 +177,17 @@ def open_page(
     if failed:
         ARTIFACTS.mkdir(exist_ok=True)
         name = re.sub(r"\W+", "-", request.node.name)
-        for i, desk in enumerate(desks):
+        for i, (_, desk) in enumerate(desks):
             if not desk.page.is_closed():
                 desk.page.screenshot(path=ARTIFACTS / f"failed-{name}-{i}.png")
     errors: list[str] = []
-    for desk in desks:
-        keep = desk in usual and len(idle) < 2 and not (failed or desk.changed or desk.page.is_closed())
+    for kind, desk in desks:
+        keep = len(idle[kind]) < 2 and not (failed or desk.changed or desk.page.is_closed())
         if keep:
             desk.leave()
         errors += desk.errors
         if keep and not desk.errors:
-            idle.append(desk)
+            idle[kind].append(desk)
         else:
             desk.context.close()
     assert not errors, errors

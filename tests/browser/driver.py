@@ -17,13 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Locator, Page
 
+import sim
 from app.page.tab import Tab
 from app.server.ticker import Ticker
 from app.session.commands import Command
 from app.session.session import Session
 from app.wire.to_page import PageState
 from tests.browser.between_frames import FRAME_LOCK, BetweenFrames
-from tests.browser.scripts import CAMERA, FORGET, FRAMES, HARDWARE, INSTANCES, PROJECT, ROUGH
+from tests.browser.scripts import BLANK, FORGET, FRAMES, HARDWARE, ROUGH
 
 T = TypeVar("T")
 Point = tuple[float, float]
@@ -48,10 +49,19 @@ VISERS_ERRORS = (
 
 @dataclass
 class Served:
-    """A server that runs in the test's own process."""
+    """A server that runs in the test's own process.
+
+    Attributes:
+        url: its address.
+        ticker: what runs its pages.
+        scene: what a page shows first, where the server can be told; None where it has a scene of its own.
+        show_first: tells it.
+    """
 
     url: str
     ticker: Ticker
+    scene: sim.Scene | None = None
+    show_first: Callable[[sim.Scene], None] = lambda _: None
 
 
 @dataclass(frozen=True)
@@ -87,10 +97,17 @@ def until(page: Page, condition: Callable[[], T], what: str, limit: float = LIMI
         wait = min(2.0 * wait, 50.0)
 
 
-def rough_context(browser: Browser, **options: Any) -> BrowserContext:
-    """A browser profile of its own, made with Playwright's options, that draws no more than tests need."""
+def rough_context(browser: Browser, pixels: bool = False, **options: Any) -> BrowserContext:
+    """A browser profile of its own, made with Playwright's options, that draws no more than tests need.
+
+    Args:
+        browser: the browser.
+        pixels: whether the canvas is drawn; its rough pixels are asked for by few tests.
+        options: those of Playwright's `new_context`.
+    """
     context = browser.new_context(**options)
-    context.add_init_script(ROUGH)
+    context.add_init_script(ROUGH if pixels else f"{{{ROUGH}}} {{{BLANK}}}")
+    context.set_default_timeout(LIMIT * 1e3)
     return context
 
 
@@ -103,18 +120,21 @@ class Desk:
         complaints: what WebGL found wrong.
         frames: messages that the server sent, counted in WebSocket frames.
         beats: those among them that are signs of life and say nothing, counted apart.
+        client: the number of its connection; -1 while it is empty.
         changed: whether a script of a test runs before the page's own, so that no other test may have it.
+        pixels: whether the canvas is drawn.
     """
 
-    def __init__(self, served: Served, context: BrowserContext) -> None:
+    def __init__(self, served: Served, context: BrowserContext, pixels: bool = False) -> None:
         self.served = served
         self.context = context
+        self.pixels = pixels
         self.page = context.new_page()
         self.errors: list[str] = []
         self.complaints: list[str] = []
         self.frames = self.beats = 0
         self.changed = False
-        self._client = -1
+        self.client = -1
         # Without it viser's page draws coarser when it is slow, and pixels would depend on the machine. The
         # gate turns a query away, so the page only believes that it has one.
         self.page.add_init_script(
@@ -146,11 +166,13 @@ class Desk:
 
     def open(self, path: str = "/") -> None:
         """Go to the page (or load it again), and wait until the body is drawn and can be used."""
-        known = max([*self.served.ticker.tabs, self._client])
+        known = max([*self.served.ticker.tabs, self.client])
+        if self.served.scene is not None:
+            self.served.show_first(self.served.scene)
         self.page.goto(self.served.url + path)
         new = self.until(lambda: [c for c in list(self.served.ticker.tabs) if c > known], "the page connects")
-        self._client = new[0]
-        self.until(lambda: self.tab._session is not None, "the tab has its session")
+        self.client = new[0]
+        self.until(lambda: self.tab.session is not None, "the tab has its session")
         self.page.wait_for_function("window.__softrod?.fitted() > 0", timeout=LIMIT * 1e3)
         self.wait_drawn()
 
@@ -159,13 +181,14 @@ class Desk:
         self.page.evaluate(FORGET)
         self.page.emulate_media(media="null", reduced_motion="null")
         self.page.goto("about:blank")
+        self.context.clear_cookies()
         size = self.page.viewport_size
         assert size is not None
         # Where no control is, and no mass.
         self.page.mouse.move(size["width"] - 1.0, 1.0)
         self.complaints.clear()
         self.frames = 0
-        self._client = -1
+        self.client = -1
 
     def wait_drawn(self) -> None:
         """Wait until every mass in the page is where the server drew it last, and a frame shows it."""
@@ -173,37 +196,41 @@ class Desk:
         self.rest(2)
 
     def _is_drawn(self) -> bool:
-        drawn, sketch = self.tab._view._drawn, self.tab._view.sketch
-        if drawn is None or sketch is None:
+        seen = self.tab.probe()
+        if seen.drawn is None:
             return False
-        n = len(drawn.positions)
+        n = len(seen.drawn)
         shown = self.instances("/body/masses")
         if len(shown) != 3 * n:
             return False
         # While a body moves the page is some frames behind; 8 px is far less than any mistake in the drawing.
-        wanted = sketch.mapping.to_world(drawn.positions)[:, :2]
-        return float(np.abs(shown[:n, :2] - wanted).max()) < 8.0 * sketch.mapping.scale
+        return float(np.abs(shown[:n, :2] - seen.drawn).max()) < 8.0 * seen.mapping.scale
 
     # --------------------------------------------------------------------- the server's side
     @property
     def tab(self) -> Tab:
         """The server's tab of this page."""
-        return self.served.ticker.tabs[self._client]
+        return self.served.ticker.tabs[self.client]
 
     @property
     def session(self) -> Session:
         """The session of this page; a frame that is being made is waited for."""
         with FRAME_LOCK:
-            session = self.tab._session
+            session = self.tab.session
         assert session is not None
         return session
 
     @property
     def state(self) -> PageState:
         """What the page was told last."""
-        state = self.tab._mail.told(PageState)
+        state = self.tab.probe().state
         assert state is not None
         return state
+
+    def is_kept(self) -> bool:
+        """Whether the browser was told to keep the session as it is."""
+        kept = self.tab.probe().kept
+        return kept is not None and kept.revision == self.session.revision
 
     @property
     def simulation(self) -> BetweenFrames:
@@ -214,7 +241,7 @@ class Desk:
         """Hand commands to the session, past the page, and wait until they are applied."""
         for command in commands:
             self.session.post(command)
-        self.until(lambda: not self.session._queue, "the session takes its commands")
+        self.until(lambda: not self.session.waiting, "the session takes its commands")
         with FRAME_LOCK:
             pass  # the frame in which it took them is over
         self.rest(1)
@@ -251,16 +278,19 @@ class Desk:
         return np.hypot(*self._matrices(name)[:, :2].T)
 
     def _matrices(self, name: str) -> NDArray[np.float64]:
-        return np.array(self.page.evaluate(INSTANCES, name) or [], float).reshape(-1, 16)
+        return np.array(
+            self.page.evaluate("name => window.__softrod.instances(name)", name) or [], float
+        ).reshape(-1, 16)
 
     def masses(self) -> NDArray[np.float64]:
         """(n, 2) places of the masses in the page, in px of the scene."""
         places = self.instances("/body/masses")
-        return np.array([self.tab._mapping.to_scene(x, y) for x, y, _ in places[: len(places) // 3]])
+        mapping = self.tab.probe().mapping
+        return np.array([mapping.to_scene(x, y) for x, y, _ in places[: len(places) // 3]])
 
     def camera(self) -> Camera:
         """Where the page looks from now."""
-        seen: dict[str, Any] = self.page.evaluate(CAMERA)
+        seen: dict[str, Any] = self.page.evaluate("window.__softrod.camera()")
         return Camera(
             np.array(seen["matrix"]),
             np.array(seen["target"]),
@@ -271,8 +301,10 @@ class Desk:
 
     def at(self, points: Any) -> NDArray[np.float64]:
         """(n, 2) places on the screen, in CSS px, of (n, 2) places in px of the scene."""
-        world = self.tab._mapping.to_world(np.asarray(points, float).reshape(-1, 2))
-        return np.array(self.page.evaluate(PROJECT, world.tolist()), float)
+        world = self.tab.probe().mapping.to_world(np.asarray(points, float).reshape(-1, 2))
+        return np.array(
+            self.page.evaluate("places => window.__softrod.project(places)", world.tolist()), float
+        )
 
     def place(self, mass: int) -> Point:
         """Where on the screen a mass is, as the solver has it."""
@@ -291,6 +323,7 @@ class Desk:
 
         It is also saved in the artifacts, if given a name.
         """
+        assert self.pixels, "the canvas is drawn by open_page(pixels=True) alone"
         data = self.page.screenshot(style=None if marks else ".softrod-overlay { visibility: hidden }")
         if save is not None:
             ARTIFACTS.mkdir(exist_ok=True)
@@ -299,7 +332,7 @@ class Desk:
 
     def uncovered(self, point: Point) -> bool:
         """Whether the canvas, and nothing over it, is at a place on the screen."""
-        question = "([x, y]) => document.elementFromPoint(x, y) === window.__viserMutable.canvas"
+        question = "([x, y]) => document.elementFromPoint(x, y) === window.__softrod.canvas()"
         return bool(self.page.evaluate(question, list(point)))
 
     def hud(self) -> str:

@@ -62,12 +62,12 @@ _BARE = """.softrod-hud, .softrod-dock, .softrod-overlay, .softrod-edge, .softro
 def tile(desk: Desk, scene: sim.Scene) -> Image.Image:
     """The scene's frame as the page shows it."""
     desk.tell(commands.Play(False), commands.Open(scene))
-    desk.until(lambda: desk.session.generation == desk.tab._generation, "the scene is up")
+    desk.until(lambda: desk.session.generation == desk.tab.probe().generation, "the scene is up")
     xmin, ymin, xmax, ymax = scene.view.frame
 
     def drawn() -> Image.Image | None:
         """The page, once the masses that are in view are in it: viser draws when it has the time."""
-        desk.page.evaluate("window.__viserMutable.requestRender()")
+        desk.page.evaluate("window.__softrod.render()")
         desk.rest(4)
         corners = desk.at([(xmin, ymin), (xmax, ymax)])  # the camera may have been on its way
         (left, top), (right, bottom) = corners.min(0), corners.max(0)

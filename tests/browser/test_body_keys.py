@@ -1,10 +1,7 @@
-"""The body without a pointer that hits it: by keys alone, and by a finger or a mouse beside a mass."""
+"""The body by keys alone, and names for all controls."""
 
 from __future__ import annotations
 
-import numpy as np
-
-from app.session import commands
 from tests.browser.conftest import OpenPage
 
 
@@ -66,58 +63,6 @@ def test_everything_is_reached_with_the_tab_key_and_can_be_seen_to_be(open_page:
         assert name in reached
 
 
-def test_a_press_beside_a_mass_takes_hold_of_it(open_page: OpenPage) -> None:
-    desk = open_page()
-    desk.tell(commands.Play(False))
-    for off in ((9.0, 0.0), (-6.0, 7.0)):
-        x, y = desk.place(8)
-        desk.page.mouse.move(x + off[0], y + off[1])
-        desk.page.mouse.down()
-        desk.until(lambda: desk.session.hands.masses == (8,), "it is in hand")
-        desk.page.mouse.up()
-        desk.until(lambda: not desk.session.hands.masses, "and let go")
-    desk.page.mouse.move(x + 30.0, y)
-    desk.page.mouse.down()
-    desk.pause(0.2)
-    assert not desk.session.hands.masses
-    desk.page.mouse.up()
-
-
-def test_the_arc_of_the_joint_is_at_its_mass_and_tells_its_angle(open_page: OpenPage) -> None:
-    desk = open_page()
-    desk.tell(commands.SetValue("rest_angle", 15.0), commands.DoSteps(150), commands.SelectJoint(3))
-    label = desk.page.locator(".softrod-angle")
-    desk.until(
-        lambda: (label.text_content() or "").rstrip("°") == f"{desk.simulation.angles[3]:.1f}",
-        "the arc tells the angle",
-    )
-    box = label.bounding_box()
-    assert box is not None
-    middle = np.array((box["x"] + box["width"] / 2, box["y"] + box["height"] / 2))
-    assert np.linalg.norm(middle - desk.place(4)) < 90.0
-
-
-def test_a_finger_beside_a_mass_takes_hold_of_it(open_page: OpenPage) -> None:
-    desk = open_page(phone=True)
-    desk.tell(commands.Play(False))
-    x, y = desk.place(8)
-    touch = desk.context.new_cdp_session(desk.page)
-
-    def send(kind: str, *points: tuple[float, float]) -> None:
-        places = [{"x": px, "y": py} for px, py in points]
-        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": places})
-
-    send("touchStart", (x + 22.0, y))
-    desk.until(lambda: desk.session.hands.masses == (8,), "the mass 22 px away is in hand")
-    before = desk.simulation.positions[8]
-    for i in range(1, 6):
-        send("touchMove", (x + 22.0 + 8.0 * i, y))
-        desk.rest(1)
-    desk.until(lambda: desk.simulation.positions[8][0] > before[0] + 20.0, "it comes with the finger")
-    send("touchEnd")
-    desk.until(lambda: not desk.session.hands.masses, "it is let go")
-
-
 def test_every_control_has_a_name(open_page: OpenPage) -> None:
     desk = open_page()
     unnamed = """() => {
@@ -132,28 +77,3 @@ def test_every_control_has_a_name(open_page: OpenPage) -> None:
     desk.show("Play")
     thumb = desk.page.get_by_role("slider", name="Linear stiffness")
     desk.until(lambda: thumb.get_attribute("aria-valuetext") == "10000", "not the power of ten")
-
-
-def test_space_presses_what_the_tab_key_has_reached(open_page: OpenPage) -> None:
-    desk = open_page()
-
-    def reach(selector: str) -> None:
-        for _ in range(60):
-            desk.page.keyboard.press("Tab")
-            if desk.page.evaluate("s => document.activeElement.matches(s)", selector):
-                return
-        raise AssertionError(f"the Tab key never comes to {selector}")
-
-    reach("input[type=checkbox]")
-    desk.page.keyboard.press("Space")
-    desk.until(lambda: desk.session.follow, "the switch is turned")
-    assert desk.session.playing
-    desk.pause(0.3)  # until the server has shown what it made of it
-    desk.page.keyboard.press("Space")
-    desk.until(lambda: not desk.session.follow, "and back")
-    reach("[data-softrod-key=right]")
-    desk.page.keyboard.down("Space")
-    desk.until(lambda: "right" in desk.simulation.keys, "the pad holds")
-    desk.page.keyboard.up("Space")
-    desk.until(lambda: not desk.simulation.keys, "and lets go")
-    assert desk.session.playing

@@ -17,7 +17,7 @@ from app.classroom.live import Class, Classes
 from app.page.check.page import check_address
 from app.page.classroom.roles import desk_address, seat_address
 from app.server.serve import serving
-from tests.browser.driver import ARTIFACTS, LIMIT, until
+from tests.browser.driver import LIMIT, until
 from tests.browser.wires import Wire, wire
 
 expect.set_options(timeout=LIMIT * 1e3)
@@ -29,6 +29,8 @@ OLD = """
   delete HTMLScriptElement.prototype.noModule;
 """
 """Has a browser lack what one of 2016 lacked."""
+HURRIED = "window.__softrodHurry = 4"
+"""Has the pages lose their patience sooner; `tests/page` tests the times."""
 
 
 @dataclass
@@ -76,7 +78,6 @@ def verdict(page: Page) -> str:
     """What it says in the end."""
     said = page.locator("#verdict")
     until(page, lambda: said.get_attribute("class"), "it comes to an end")
-    ARTIFACTS.mkdir(exist_ok=True)
     return said.inner_text()
 
 
@@ -90,7 +91,6 @@ def test_a_device_that_can_take_part_says_so_and_the_teacher_reads_it(place: Pla
     phone.on("request", lambda request: asked.append(request.url))
     phone.goto(place.check)
     assert "a class works from here" in verdict(phone).lower()
-    phone.screenshot(path=ARTIFACTS / "check-good.png", full_page=True)
     assert not found(phone, "bad")
     lines = "\n".join(found(phone, "good"))
     for part in (
@@ -111,7 +111,6 @@ def test_a_device_that_can_take_part_says_so_and_the_teacher_reads_it(place: Pla
     assert tried.rate > 0
     assert 0 <= tried.trip < 5000
     expect(desk.get_by_text(f"{tried.trip} ms, {tried.rate} pictures a second")).to_be_visible()
-    desk.screenshot(path=ARTIFACTS / "check-desk.png")
     # A device that only tries has no seat.
     assert not place.klass.room.seats
     desk.context.close()
@@ -123,10 +122,9 @@ def test_where_websockets_are_kept_out_the_pages_say_so(
     place: Place, upgrades: Literal["refused", "swallowed"]
 ) -> None:
     place.between.upgrades = upgrades
-    phone = place.device()
+    phone = place.device(HURRIED)
     phone.goto(place.check)
     assert "does not work" in verdict(phone)
-    phone.screenshot(path=ARTIFACTS / f"check-{upgrades}.png", full_page=True)
     (why,) = found(phone, "bad")
     assert "lets none through" in why
     assert "hotspot" in why
@@ -134,7 +132,6 @@ def test_where_websockets_are_kept_out_the_pages_say_so(
     # A pupil's page does not wait for ever, either.
     phone.goto(seat_address(place.base, place.klass.room.code))
     expect(phone.get_by_text("lets no WebSockets through")).to_be_visible()
-    phone.screenshot(path=ARTIFACTS / f"seat-{upgrades}.png")
     # And it comes in as soon as it can.
     place.between.upgrades = "led"
     until(phone, lambda: place.klass.room.seats, "it has a seat", limit=LIMIT)
@@ -153,7 +150,6 @@ def test_an_old_browser_with_a_private_window_and_a_wrong_clock_is_told(place: P
     phone = place.device(OLD + script)
     phone.goto(place.check)
     assert "does not work" in verdict(phone)
-    phone.screenshot(path=ARTIFACTS / "check-old.png", full_page=True)
     assert "too old" in "".join(found(phone, "bad"))
     doubts = "".join(found(phone, "fair"))
     assert "private window" in doubts

@@ -11,11 +11,12 @@ from PIL import Image
 
 import sim
 from app.session import commands
-from sim.edit.edit import Selection
+from sim.edit.build import extend, positions_of
+from sim.edit.edit import Edit, Selection
 from sim.store import files
+from tests.amount import NIGHT
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, Point
-from tests.browser.test_links import shared
 
 SMALL = (820, 620)
 
@@ -34,7 +35,7 @@ def becomes(desk: Desk, masses: int, springs: int, joints: int) -> None:
 
 
 def paused(open_page: OpenPage, scene: str = "tutorial-3.3", size: tuple[int, int] = SMALL) -> Desk:
-    desk = open_page(scene, size=size)
+    desk = open_page(scene, size=size, pixels=NIGHT)
     desk.tell(commands.Play(False))
     return desk
 
@@ -67,14 +68,13 @@ def drag(desk: Desk, start: Point, end: Point) -> None:
     desk.let_go()
 
 
-def test_by_mouse(open_page: OpenPage) -> None:
-    """A body of one's own beside the rope, cut off, braced, undone to the last step and done again."""
+def test_a_body_is_built_by_mouse_and_taken_back(open_page: OpenPage) -> None:
+    """Clicks, drags and chains; `tests/app/test_edits.py` has what a gesture does to the body."""
     desk = paused(open_page)
     page = desk.page
     first = desk.session.simulation.capture().scene
     tool(desk, "Build")
-    at = beside(desk, 3, 60.0, 0.0)
-    page.mouse.click(*at)
+    page.mouse.click(*beside(desk, 3, 60.0, 0.0))
     becomes(desk, 13, 11, 10)
     # On the grid, and at rest; a drag makes a spring and a mass, and a click goes on from there.
     x, y = desk.session.scene.masses[12].position
@@ -86,78 +86,10 @@ def test_by_mouse(open_page: OpenPage) -> None:
     page.mouse.click(*desk.place(12))
     becomes(desk, 15, 14, 10)
     page.keyboard.press("Escape")
-    page.mouse.click(*beside(desk, 12, 20.0, 90.0))
-    becomes(desk, 16, 14, 10)
     # From mass to mass.
-    drag(desk, desk.place(15), desk.place(14))
-    becomes(desk, 16, 15, 10)
-    page.keyboard.press("Escape")
-    # A joint in a corner: of a triangle the inner one.
-    tool(desk, "Joint")
-    page.mouse.move(*desk.place(13))
-    page.mouse.move(*beside(desk, 13, -16.0, 12.0))
-    page.mouse.click(*beside(desk, 13, -16.0, 12.0))
-    becomes(desk, 16, 15, 11)
-    (joint,) = desk.session.selection.joints
-    rest = desk.session.scene.angular_springs[joint].rest_angle
-    assert abs(rest) == pytest.approx(90.0, abs=0.1)
-    # Its knob turns it, with Shift by steps; a double click takes the present angle.
-    tip = desk.place(13)
-    other = desk.place(14 if desk.session.scene.angular_springs[joint].b == 12 else 12)
-    toward = math.atan2(other[1] - tip[1], other[0] - tip[0])
-    knob = (tip[0] + 58.0 * math.cos(toward), tip[1] + 58.0 * math.sin(toward))
-    page.mouse.move(*knob)
-    page.mouse.down()
-    page.keyboard.down("Shift")
-    turned = toward + 0.5
-    desk.lead(knob, (tip[0] + 58.0 * math.cos(turned), tip[1] + 58.0 * math.sin(turned)))
-    desk.let_go()
-    page.keyboard.up("Shift")
-    desk.until(
-        lambda: (
-            abs(math.remainder(desk.session.scene.angular_springs[joint].rest_angle, 15.0)) < 1e-3
-            and abs(desk.session.scene.angular_springs[joint].rest_angle - rest) > 20.0
-        ),
-        "the joint rests at another angle",
-    )
-    page.mouse.dblclick(*beside(desk, 13, -16.0, 12.0))
-    desk.until(
-        lambda: desk.session.scene.angular_springs[joint].rest_angle == pytest.approx(rest, abs=0.1),
-        "it rests at the present one",
-    )
-    # A frame around the new ones, which are moved; the first time it is asked what rests.
-    tool(desk, "Select")
-    drag(desk, beside(desk, 12, -20.0, -20.0), beside(desk, 14, 22.0, 40.0))
-    desk.until(lambda: desk.session.selection.masses == {12, 13, 14, 15}, "they are selected")
-    assert page.locator(".softrod-edit-count").inner_text() == "9 parts"
-    before = desk.simulation.positions
-    page.keyboard.down("Alt")  # off the grid
-    drag(desk, desk.place(12), beside(desk, 12, 31.0, 17.0))
-    page.keyboard.up("Alt")
-    page.get_by_role("button", name="Take the new lengths").click()
-    desk.until(lambda: not np.array_equal(desk.simulation.positions, before), "they are moved")
-    moved = desk.simulation.positions - before
-    assert np.abs(moved[:12]).max() == 0.0
-    np.testing.assert_allclose(moved[12:], np.tile(moved[12], (4, 1)), atol=1e-6)
-    assert np.hypot(*moved[12]) > 20.0
-    # Pinned, braced, mirrored, copied; a click beside it all leaves nothing selected.
-    action(desk, "Pin")
-    desk.until(lambda: {a.mass for a in desk.session.scene.anchors} >= {12, 13, 14, 15}, "they are pinned")
-    action(desk, "Triangulate")
-    becomes(desk, 16, 16, 11)
-    action(desk, "Duplicate")
-    becomes(desk, 20, 21, 12)
-    action(desk, "Delete")
-    becomes(desk, 16, 16, 11)
-    page.mouse.click(*beside(desk, 6, -60.0, 0.0))
-    desk.until(lambda: not any(desk.session.selection), "nothing is selected")
-    # The rope is cut in two, and one part taken away.
-    tool(desk, "Cut")
-    middle = (np.array(desk.place(5)) + desk.place(6)) / 2.0
-    drag(desk, (middle[0] - 30.0, middle[1] - 5.0), (middle[0] + 30.0, middle[1] + 5.0))
-    becomes(desk, 16, 15, 9)
+    drag(desk, desk.place(14), desk.place(11))
+    becomes(desk, 15, 15, 10)
     built = desk.session.simulation.capture().scene
-    desk.picture("edit-mouse.png")
     # Back to the very scene that it began with, by the button; and on again by keys.
     undo = page.locator(".softrod-edit").get_by_role("button", name="Undo", exact=True)
     for _ in range(len(desk.session.versions)):
@@ -167,14 +99,85 @@ def test_by_mouse(open_page: OpenPage) -> None:
     for _ in range(len(desk.session.versions)):
         page.keyboard.press("Control+y")
     desk.until(lambda: desk.session.simulation.capture().scene == built, "all is done again")
-    page.keyboard.press("Control+Shift+z")
-    page.keyboard.press("Control+z")
-    becomes(desk, 16, 16, 11)
+
+
+def test_a_joint_is_put_into_a_corner_and_turned_by_its_knob(open_page: OpenPage) -> None:
+    desk = paused(open_page)
+    page = desk.page
+    # To the right, and down from there; of the corner the inner side.
+    desk.tell(commands.Change(lambda moment, _: _extended(moment, 3, 60.0, 0.0)))
+    desk.tell(commands.Change(lambda moment, _: _extended(moment, 12, 0.0, 60.0)))
+    becomes(desk, 14, 13, 10)
+    tool(desk, "Joint")
+    page.mouse.move(*desk.place(12))
+    page.mouse.move(*beside(desk, 12, -16.0, 12.0))
+    page.mouse.click(*beside(desk, 12, -16.0, 12.0))
+    becomes(desk, 14, 13, 11)
+    (joint,) = desk.session.selection.joints
+
+    def rests_at() -> float:
+        return desk.session.scene.angular_springs[joint].rest_angle
+
+    rest = rests_at()
+    assert abs(rest) == pytest.approx(90.0, abs=0.1)
+    # Its knob turns it, with Shift by steps; a double click takes the present angle.
+    tip = desk.place(12)
+    other = desk.place(13 if desk.session.scene.angular_springs[joint].b == 12 else 3)
+    toward = math.atan2(other[1] - tip[1], other[0] - tip[0])
+    knob = (tip[0] + 58.0 * math.cos(toward), tip[1] + 58.0 * math.sin(toward))
+    page.mouse.move(*knob)
+    page.mouse.down()
+    page.keyboard.down("Shift")
+    turned = toward + 0.5
+    desk.lead(knob, (tip[0] + 58.0 * math.cos(turned), tip[1] + 58.0 * math.sin(turned)), 4)
+    desk.let_go()
+    page.keyboard.up("Shift")
+    desk.until(
+        lambda: abs(math.remainder(rests_at(), 15.0)) < 1e-3 and abs(rests_at() - rest) > 20.0,
+        "the joint rests at another angle",
+    )
+    page.mouse.dblclick(*beside(desk, 12, -16.0, 12.0))
+    desk.until(lambda: rests_at() == pytest.approx(rest, abs=0.1), "it rests at the present one")
+
+
+def _extended(moment: sim.Moment, mass: int, dx: float, dy: float) -> Edit:
+    """One spring more, from a mass to a new one."""
+    x, y = moment.rows[:2, mass].tolist()
+    return extend(moment.scene, mass, (x + dx, y + dy), positions_of(moment))
+
+
+def test_a_frame_selects_what_is_moved_pinned_and_cut_off(open_page: OpenPage) -> None:
+    desk = paused(open_page)
+    page = desk.page
+    tool(desk, "Select")
+    drag(desk, beside(desk, 6, -40.0, -9.0), beside(desk, 9, 40.0, 9.0))
+    desk.until(lambda: desk.session.selection.masses == {6, 7, 8, 9}, "they are selected", limit=5.0)
+    count = page.locator(".softrod-edit-count")
+    desk.until(lambda: count.inner_text() == "9 parts", "the bar says how many")
+    before = desk.simulation.positions
+    page.keyboard.down("Alt")  # off the grid
+    drag(desk, desk.place(8), beside(desk, 8, 31.0, 17.0))
+    page.keyboard.up("Alt")
+    # The first time it is asked what rests.
+    page.get_by_role("button", name="Take the new lengths").click()
+    desk.until(lambda: not np.array_equal(desk.simulation.positions, before), "they are moved")
+    moved = desk.simulation.positions - before
+    assert np.flatnonzero(moved.any(1)).tolist() == [6, 7, 8, 9]
+    np.testing.assert_allclose(moved[6:10], np.tile(moved[6], (4, 1)), atol=1e-6)
+    assert np.hypot(*moved[6]) > 20.0
+    action(desk, "Pin")
+    desk.until(lambda: {a.mass for a in desk.session.scene.anchors} >= {6, 7, 8, 9}, "they are pinned")
+    page.mouse.click(*beside(desk, 4, -60.0, 0.0))
+    desk.until(lambda: not any(desk.session.selection), "a click beside all of it leaves nothing selected")
+    tool(desk, "Cut")
+    middle = (np.array(desk.place(2)) + desk.place(3)) / 2.0
+    drag(desk, (middle[0] - 30.0, middle[1] - 5.0), (middle[0] + 30.0, middle[1] + 5.0))
+    becomes(desk, 12, 10, 8)
 
 
 def test_by_touch(open_page: OpenPage) -> None:
     """Fingers build, a long press selects, and two fingers move the view instead."""
-    desk = open_page(size=(390, 844), phone=True)
+    desk = open_page(size=(390, 844), phone=True, pixels=NIGHT)
     desk.tell(commands.Play(False))
     touch = desk.context.new_cdp_session(desk.page)
 
@@ -217,7 +220,6 @@ def test_by_touch(open_page: OpenPage) -> None:
     middle = (np.array(desk.place(12)) + desk.place(13)) / 2.0
     stroke((middle[0] - 25.0, middle[1]), (middle[0] + 25.0, middle[1] + 3.0))
     becomes(desk, 14, 12, 10)
-    desk.picture("edit-touch.png")
 
 
 def test_by_keys_alone(open_page: OpenPage) -> None:
@@ -282,7 +284,6 @@ def test_by_keys_alone(open_page: OpenPage) -> None:
     desk.until(lambda: len(desk.session.selection.masses) == masses, "all is selected")
     live = page.locator(".softrod-tell").filter(has_text="selected")
     desk.until(lambda: live.count() == 1, "a screen reader hears of it")
-    desk.picture("edit-keys.png")
 
 
 def test_a_body_can_be_edited_while_it_runs(open_page: OpenPage) -> None:
@@ -320,41 +321,20 @@ def test_a_body_can_be_edited_while_it_runs(open_page: OpenPage) -> None:
     desk.until(lambda: not offer.is_visible() and not desk.notices(), "there is nothing more to offer")
 
 
-def test_what_was_built_is_saved_linked_and_opened_elsewhere(open_page: OpenPage) -> None:
+def test_a_copy_is_pasted_into_another_page(open_page: OpenPage) -> None:
     desk = paused(open_page)
-    tool(desk, "Build")
-    drag(desk, desk.place(11), beside(desk, 11, 70.0, 0.0))
-    becomes(desk, 13, 12, 10)
-    built = desk.session.simulation.capture().scene
-    desk.page.keyboard.press("Escape")
-    link = shared(desk)
-    desk.page.keyboard.press("Escape")
-    desk.page.get_by_label("Name").fill("by hand")
-    desk.button("Save").click()
-    desk.until(lambda: files.user_path("by hand").exists(), "it is saved")
-    other = open_page("ring", size=(720, 460), path=link.removeprefix(desk.served.url))
-    other.until(lambda: len(other.session.scene.masses) == 13, "the link opens it")
-    assert other.session.scene.linear_springs == built.linear_springs
-    other.open_scene("by hand")
-    assert sim.load_scene("by hand").linear_springs == built.linear_springs
-    # A copy goes from page to page, too.
+    tool(desk, "Select")
     desk.page.keyboard.press("Control+a")
-    desk.until(lambda: len(desk.session.selection.masses) == 13, "all is selected")
+    desk.until(lambda: len(desk.session.selection.masses) == 12, "all is selected")
     action(desk, "Copy")
     desk.until(
         lambda: desk.page.evaluate("localStorage.getItem('softrod-clipboard') !== null"), "it is copied"
     )
-    action(desk, "Paste")
-    becomes(desk, 26, 24, 20)
-
-
-def test_a_page_without_the_control_has_no_tools(open_page: OpenPage) -> None:
-    desk = open_page(size=SMALL, path="/?controls=play,body")
-    assert not desk.page.locator(".softrod-edit").is_visible()
+    desk.open("/?scene=box")
+    masses, springs, joints = counts(desk)
     desk.page.keyboard.press("e")
-    desk.page.keyboard.press("Control+z")
-    desk.rest(3)
-    assert not desk.page.locator(".softrod-edit-bar").is_visible()
+    action(desk, "Paste")
+    becomes(desk, masses + 12, springs + 11, joints + 10)
 
 
 def test_a_picture_to_draw_over_stays_in_the_browser(open_page: OpenPage, tmp_path: Path) -> None:
@@ -385,7 +365,6 @@ def test_a_picture_to_draw_over_stays_in_the_browser(open_page: OpenPage, tmp_pa
     desk.until(lambda: box()[2] < 0.5 * wide, "it is smaller")
     page.get_by_label("Opacity").fill("0.8")
     desk.until(lambda: image.get_attribute("opacity") == "0.8", "it is stronger")
-    desk.picture("edit-picture.png")
     # What is drawn over it is the body's, the picture is not.
     assert "image" not in files.encode_scene(desk.session.snapshot("x", with_pose=True)).decode()
     where = box()

@@ -14,12 +14,6 @@ PAPER: Point = (150.0, 330.0)
 """A place on the screen where nothing is but paper."""
 
 
-def weightless(desk: Desk) -> None:
-    """Have the body at rest at once: without gravity it starts so."""
-    desk.tell(commands.SetValue("gravity", 0.0), commands.Reset())
-    desk.wait_drawn()
-
-
 def camera_at_rest(desk: Desk) -> Camera:
     """The camera, once it no longer glides."""
     before = desk.camera()
@@ -71,7 +65,7 @@ def test_the_gizmo_moves_its_mass_freely_by_the_square_and_along_one_axis_by_an_
 ) -> None:
     desk = open_page()
     desk.view("Arrows at held masses")
-    desk.until(lambda: desk.tab._view._gizmos, "the gizmo is there")
+    desk.until(lambda: "/gizmos/0" in desk.tab.probe().nodes, "the gizmo is there")
     desk.rest(5)
     for grip, way, moved in (
         ((16.0, -16.0), (-120.0, 60.0), (-120.0, 60.0)),
@@ -99,51 +93,6 @@ def test_the_gizmo_moves_its_mass_freely_by_the_square_and_along_one_axis_by_an_
         assert np.abs(np.array(desk.place(0)) - wanted).max() < 2.0
 
 
-def test_a_free_mass_is_held_while_it_is_dragged_and_goes_free_after(open_page: OpenPage) -> None:
-    desk = open_page()
-    weightless(desk)
-    start = desk.place(11)
-    end = (start[0] + 90.0, start[1] - 60.0)
-    desk.take(start)
-    desk.lead(start, end)
-    desk.until(lambda: off(desk, 11, end) < 1.5, "the mass is at the pointer")
-    assert desk.session.hands.masses == (11,)
-    # The rope pulls at it, but it is in hand.
-    steps = desk.simulation.step_count
-    desk.until(lambda: desk.simulation.step_count > steps + 100, "time goes on")
-    assert off(desk, 11, end) < 1.5
-    assert not desk.simulation.velocities[11].any()
-    desk.let_go()
-    desk.until(lambda: not desk.session.hands.masses, "the mass is let go")
-    desk.until(lambda: off(desk, 11, end) > 15.0, "the rope pulls it away")
-    assert not desk.simulation._hands.grabbed
-
-
-def test_a_demanding_body_s_hand_comes_after_the_pointer_and_says_so(open_page: OpenPage) -> None:
-    desk = open_page("study-w4")
-    assert desk.simulation.rate_limited
-    assert "cannot follow" not in desk.hud()
-    start = desk.place(0)
-    end = (start[0] + 200.0, start[1] + 120.0)
-    desk.take(start)
-
-    def torn() -> str:
-        # To and fro without a rest, since at the pace of a slow machine it can follow.
-        desk.page.mouse.move(*start)
-        desk.page.mouse.move(*end)
-        said = desk.hud()
-        return said if "cannot follow" in said else ""
-
-    assert "px behind" in desk.until(torn, "the page says that it is behind")
-    desk.picture("torn.png")
-    desk.let_go()
-    # Let go of, the anchor still comes to where it was to be, and stays there.
-    desk.until(lambda: off(desk, 0, end) < 1.5, "the mass is where the pointer was")
-    desk.until(lambda: "cannot follow" not in desk.hud(), "the page does not say it any more")
-    assert desk.simulation.divergence is None
-    assert np.abs(np.array(desk.place(0)) - end).max() < 2.0
-
-
 def test_the_paper_is_moved_and_zoomed_but_never_turned(open_page: OpenPage) -> None:
     desk = open_page()
     first = camera_at_rest(desk)
@@ -165,13 +114,11 @@ def test_the_paper_is_moved_and_zoomed_but_never_turned(open_page: OpenPage) -> 
     assert not desk.session.hands.masses
 
     # The wheel zooms, and what is under the cursor stays there.
-    for turn, grows in ((-300.0, True), (300.0, False)):
-        before, under = camera_at_rest(desk), desk.scene_at((x, y))
-        desk.page.mouse.move(x, y)
-        desk.page.mouse.wheel(0.0, turn)
-        desk.until(lambda before=before: desk.camera().distance != before.distance, "the wheel zooms")
-        after = camera_at_rest(desk)
-        assert (after.distance < before.distance) == grows
-        assert not after.turned(before)
-        assert np.abs(desk.scene_at((x, y)) - under).max() < 2.0
+    before, under = camera_at_rest(desk), desk.scene_at((x, y))
+    desk.page.mouse.move(x, y)
+    desk.page.mouse.wheel(0.0, -300.0)
+    desk.until(lambda: desk.camera().distance < before.distance, "the wheel zooms")
+    after = camera_at_rest(desk)
+    assert not after.turned(before)
+    assert np.abs(desk.scene_at((x, y)) - under).max() < 2.0
     assert not camera_at_rest(desk).turned(first)

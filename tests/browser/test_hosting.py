@@ -82,19 +82,6 @@ def test_a_page_that_is_refused_says_what_to_do(
     desk.page.get_by_text(f"start softrod with --public-url {site}/").wait_for()
 
 
-def test_the_page_works_at_the_end_of_a_tunnel(rest: ExitStack, browser: Browser) -> None:
-    server, ticker, compiler = rest.enter_context(serving(sim.load_scene("ring"), "127.0.0.1", 0))
-    compiler.start()
-    compiler.wait()
-    tunnel = rest.enter_context(wire(server.get_port()))
-    context = rough_context(browser, viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
-    rest.callback(context.close)
-    desk = Desk(Served(f"http://localhost:{tunnel.port}", ticker), context)
-    desk.open()
-    desk.until(lambda: desk.simulation.time > 0.2, "the body moves")
-    assert not desk.errors
-
-
 def test_a_class_behind_nginx_needs_nothing_from_outside_and_tells_no_secret(
     rest: ExitStack, browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

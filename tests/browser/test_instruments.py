@@ -72,6 +72,11 @@ def test_a_ruler_is_dragged_out_measures_two_masses_and_is_thrown_back(open_page
         return np.allclose(numbers(named(desk, "Ruler")), (np.hypot(dx, dy), dx, dy), atol=0.06)
 
     desk.until(is_right, "it reads the distance of the masses")
+    # By keys, too.
+    two.focus()
+    for key, mass in (("ArrowRight", 10), ("ArrowLeft", 9)):
+        desk.page.keyboard.press(key)
+        assert f"At mass {mass}." in (two.get_attribute("aria-label") or "")
     # It follows them, does not take them from the pointer, and stays where it is in the scene.
     desk.tell(commands.SetValue("rest_angle", 25.0), commands.DoSteps(60))
     desk.until(is_right, "it follows the masses")
@@ -88,63 +93,6 @@ def test_a_ruler_is_dragged_out_measures_two_masses_and_is_thrown_back(open_page
     desk.rest(2)
     drag(desk, middle(body), middle(tool(desk, "Ruler")))
     desk.until(lambda: not named(desk, "Ruler"), "it is back in the box")
-
-
-def test_a_protractor_measures_a_joint_by_keys_alone(open_page: OpenPage) -> None:
-    desk = open_page()
-    desk.tell(commands.Play(False), commands.SetValue("rest_angle", 25.0), commands.DoSteps(120))
-    desk.page.locator(".softrod-box-lid").focus()
-    desk.page.keyboard.press("Enter")
-    desk.page.keyboard.press("Shift+Tab")
-    desk.page.keyboard.press("Shift+Tab")
-    assert desk.page.evaluate("document.activeElement.innerText") == "Protractor"
-    desk.page.keyboard.press("Enter")
-    for i, mass in enumerate((4, 5, 6)):
-        grip = grips(desk, "Protractor").nth(i)
-        grip.focus()
-        desk.page.keyboard.press("Shift+ArrowUp")
-        desk.page.keyboard.press("Enter")
-        label = ""
-        for _ in range(24):
-            label = grip.get_attribute("aria-label") or ""
-            if f"At mass {mass}." in label:
-                break
-            desk.page.keyboard.press("ArrowRight")
-        assert f"At mass {mass}." in label
-    turn = abs(desk.simulation.angles[4])
-    wanted = (180.0 - turn, turn)
-    desk.until(
-        lambda: np.allclose(numbers(named(desk, "Protractor")), wanted, atol=0.06), "it reads the joint"
-    )
-    angle = numbers(named(desk, "Protractor"))[0]
-    live = desk.page.locator(".softrod-tell")
-    desk.until(lambda: f"{angle:.1f}°" in " ".join(live.all_inner_texts()), "it is told what it reads")
-    assert not desk.session.playing, "Enter, Space and arrows are the instrument's"
-    assert not desk.simulation.keys
-    desk.page.keyboard.press("Delete")
-    desk.until(lambda: not named(desk, "Protractor"), "Delete puts it back")
-    assert desk.page.evaluate("document.activeElement.innerText") == "Protractor"
-
-
-def test_a_stopwatch_counts_simulated_time_by_click_and_key(open_page: OpenPage) -> None:
-    desk = open_page()
-    desk.page.keyboard.press("t")  # nothing, without a stopwatch
-    desk.page.locator(".softrod-box-lid").click()
-    tool(desk, "Stopwatch").click()
-    desk.until(lambda: numbers(named(desk, "Stopwatch")) == [0.0], "it is there, and stands")
-    start = desk.simulation.time
-    desk.page.keyboard.press("t")
-    desk.until(lambda: numbers(named(desk, "Stopwatch"))[0] > 0.3, "it runs")
-    desk.page.get_by_role("button", name="Lap (L)").click()
-    desk.page.get_by_role("button", name="Stop (T)").click()
-    shown = numbers(named(desk, "Stopwatch"))[0]
-    assert 0.3 < shown <= desk.simulation.time - start + 0.1
-    desk.rest(3)
-    assert numbers(named(desk, "Stopwatch")) == [shown]
-    laps = desk.page.locator(".softrod-watch .softrod-instrument-small")
-    assert 0.0 < numbers(laps.text_content() or "")[0] <= shown
-    desk.page.keyboard.press("l")
-    desk.until(lambda: numbers(named(desk, "Stopwatch")) == [0.0], "back to zero")
 
 
 def test_a_finger_drags_a_ruler_out_of_the_box_and_moves_its_end(open_page: OpenPage) -> None:

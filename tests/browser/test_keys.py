@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 from app.session import commands
 from app.wire.commands import COMMANDS, key_lines
@@ -46,82 +45,22 @@ def test_held_arrows_change_rest_angle_and_length_until_released(open_page: Open
     desk.until(lambda: abs(desk.slider_value("Rest angle") - angle) < 1.0, "the slider shows it")
     desk.until(lambda: abs(float(desk.box("Rest angle").input_value()) - angle) < 1e-3, "so does its box")
 
-    # A slider that was reached with the keyboard takes the arrows for itself, until the paper is clicked.
-    desk.thumb("Linear damping").focus()
-    desk.page.keyboard.press("ArrowRight")
-    desk.until(lambda: desk.session.scene.linear_springs[0].damping > 40.0, "the slider moves")
-    assert desk.simulation.keys == NOTHING
-    desk.tell(commands.SetValue("linear_damping", 40.0))
-    desk.until(lambda: desk.slider_value("Linear damping") == 40.0, "it is back")
-    desk.page.mouse.click(60, 300)
-    hold(desk, "ArrowLeft", "left")
-    desk.until(lambda: desk.simulation.rest_angles[0] < angle - 3.0, "the rest angle shrinks")
-    release(desk, "ArrowLeft")
-    assert desk.slider_value("Linear damping") == 40.0
-    assert desk.session.scene.linear_springs[0].damping == 40.0
-
-    for key, what, grows in (("ArrowUp", "up", True), ("ArrowDown", "down", False)):
-        before = desk.simulation.rest_length_scale
-        hold(desk, key, what)
-        desk.until(
-            lambda before=before, grows=grows: (
-                desk.simulation.rest_length_scale > 1.05 * before
-                if grows
-                else desk.simulation.rest_length_scale < before / 1.05
-            ),
-            f"{key} changes the rest length",
-        )
-        release(desk, key)
+    before = desk.simulation.rest_length_scale
+    hold(desk, "ArrowUp", "up")
+    desk.until(lambda: desk.simulation.rest_length_scale > 1.05 * before, "the springs grow")
+    release(desk, "ArrowUp")
     scale = desk.simulation.rest_length_scale
     desk.until(lambda: abs(float(desk.box("Rest length").input_value()) - scale) < 1e-3, "the box shows it")
     assert_stays(desk)
 
     # viser moves the camera with these; here it stays where it is, as it does with the arrows.
-    for key in ("KeyW", "KeyA", "KeyS", "KeyD", "KeyQ", "KeyE"):
+    letters = ("KeyW", "KeyA", "KeyQ")
+    for key in letters:
         desk.page.keyboard.down(key)
-        desk.pause(0.1)
+    desk.pause(0.2)
+    for key in letters:
         desk.page.keyboard.up(key)
-    desk.rest(2)
     assert desk.camera().same(camera)
-
-
-def test_keys_are_not_held_in_a_text_nor_when_the_window_is_left_or_silent(
-    open_page: OpenPage,
-) -> None:
-    desk = open_page()
-    desk.show("Share")
-    name = desk.control("Name")
-    name.fill("")
-    name.press_sequentially("rn f0w")
-    desk.page.keyboard.down("ArrowRight")
-    # The solver would have it within a frame or two.
-    desk.pause(0.3)
-    assert desk.simulation.keys == NOTHING
-    desk.page.keyboard.up("ArrowRight")
-    assert name.input_value() == "rn f0w"
-    assert desk.session.playing
-    assert not desk.session.follow
-    assert desk.simulation.rest_angles[0] == 0.0
-
-    # Another window gets the release of the key.
-    name.evaluate("field => field.blur()")
-    hold(desk, "ArrowRight", "right")
-    desk.page.evaluate("window.dispatchEvent(new Event('blur'))")
-    desk.until(lambda: desk.simulation.keys == NOTHING, "leaving the window releases the key")
-    assert_stays(desk)
-    desk.page.keyboard.up("ArrowRight")
-
-    # The page says nothing any more: its connection hangs, or its tab is frozen.
-    hold(desk, "ArrowUp", "up")
-    desk.page.evaluate(
-        "() => { window.spoke = __viserMutable.sendMessage; __viserMutable.sendMessage = () => {}; }"
-    )
-    desk.until(lambda: desk.simulation.keys == NOTHING, "a key of which nothing is heard is forgotten")
-    assert_stays(desk)
-    # Once it speaks again, the key is still down.
-    desk.page.evaluate("() => { __viserMutable.sendMessage = window.spoke; }")
-    desk.until(lambda: desk.simulation.keys == {"up"}, "the key is heard again")
-    release(desk, "ArrowUp")
 
 
 def test_keys_that_are_pressed_once(open_page: OpenPage) -> None:
@@ -137,6 +76,10 @@ def test_keys_that_are_pressed_once(open_page: OpenPage) -> None:
     assert desk.simulation.step_count == steps + 1
     press("Space")
     desk.until(lambda: desk.simulation.step_count > steps + 50, "Space resumes")
+    press("KeyF")
+    desk.until(lambda: desk.control("Follow pointer").is_checked(), "F follows, and the switch shows it")
+    press("KeyF")
+    desk.until(lambda: not desk.control("Follow pointer").is_checked(), "and stops following")
     press("Escape")
     desk.until(lambda: not desk.session.playing, "Esc pauses")
     press("Escape")
@@ -156,34 +99,6 @@ def test_keys_that_are_pressed_once(open_page: OpenPage) -> None:
     desk.pause(0.4)
     press("Digit0")
     desk.until(lambda: np.abs(desk.at(desk.simulation.positions) - first).max() < 0.5, "0 shows all")
-
-
-def press_printed(desk: Desk, key: str, code: str, ctrl: bool = False) -> None:
-    """A key of another keyboard: what is printed on it, and its place."""
-    desk.page.evaluate(
-        """([key, code, ctrlKey]) => document.activeElement.dispatchEvent(
-            new KeyboardEvent("keydown", { key, code, ctrlKey, bubbles: true, cancelable: true }))""",
-        [key, code, ctrl],
-    )
-
-
-def test_keys_go_by_what_is_printed_on_them(open_page: OpenPage) -> None:
-    desk = open_page()
-    desk.tell(commands.Play(False), commands.DoSteps(200))
-    # Dvorak.
-    press_printed(desk, "p", "KeyR")
-    desk.until(lambda: desk.page.locator("html.softrod-projector").count() == 1, "P is for a projector")
-    press_printed(desk, "p", "KeyR")
-    assert desk.simulation.step_count >= 200
-    press_printed(desk, "r", "KeyO")
-    desk.until(lambda: desk.simulation.step_count == 0, "R resets, where O is elsewhere")
-    press_printed(desk, "b", "KeyN")
-    # Russian.
-    press_printed(desk, "т", "KeyN")  # and only now, not with the letter before
-    desk.until(lambda: desk.simulation.step_count == 1, "the place of N steps")
-    press_printed(desk, "л", "KeyK", ctrl=True)
-    palette = desk.page.locator(".mantine-Spotlight-action")
-    desk.until(lambda: palette.count() > 0, "the palette opens")
 
 
 def test_space_pauses_after_a_click_wherever_the_focus_is(open_page: OpenPage) -> None:
@@ -219,94 +134,16 @@ def test_space_pauses_after_a_click_wherever_the_focus_is(open_page: OpenPage) -
     playing = desk.session.playing
     desk.page.keyboard.press("Space")
     desk.until(lambda: switch.is_checked() is not was, "Space switches")
-    assert desk.session.playing is playing
-    # Texts have spaces.
+    # Texts have spaces, and letters, and arrows.
     desk.show("Share")
     name = desk.control("Name")
-    name.click()
-    desk.page.keyboard.press("Space")
-    desk.until(lambda: " " in name.input_value().removeprefix("my scene"), "a space is typed")
-    assert desk.session.playing is playing
-
-
-def test_the_view_menu_and_the_open_box_of_instruments_have_their_keys_to_themselves(
-    open_page: OpenPage,
-) -> None:
-    desk = open_page()
-    press, menu = desk.page.keyboard.press, desk.page.get_by_role("menu")
-
-    def is_at(entry: str) -> bool:
-        return entry in desk.page.evaluate("document.activeElement.textContent")
-
-    def is_unmoved() -> bool:
-        return desk.session.playing and desk.simulation.rest_length_scale == 1.0
-
-    desk.button("View").click()
-    assert is_at("Dark")
-    press("ArrowDown")
-    assert is_at("Larger")
-    press("ArrowUp")
-    press("ArrowUp")
-    assert is_at("Help")
-    press("Escape")
-    assert not menu.is_visible()
-    desk.pause(0.2)
-    assert is_unmoved()
-    # By keys alone: the focus comes back to the button.
-    assert is_at("View")
-    press("Enter")
-    press("End")
-    press("Home")
-    press("Space")
-    desk.until(lambda: desk.tab._page.looks.dark, "Space presses what has the focus")
-    assert is_at("View") and not menu.is_visible()
-    # A press anywhere else closes it, also on a mass; then the keys are the body's.
-    desk.button("View").click()
-    assert menu.is_visible()
-    desk.take(desk.place(5))
-    desk.let_go()
-    assert not menu.is_visible()
-    assert is_unmoved()
-    desk.button("Instruments").click()
-    box = desk.page.get_by_role("group", name="Instruments")
-    assert box.is_visible()
-    press("Escape")
-    assert not box.is_visible()
-    desk.pause(0.2)
-    assert is_unmoved()
-    press("Escape")
-    desk.until(lambda: not desk.session.playing, "the next one pauses")
-
-
-def test_the_ringed_mass_follows_the_pointer_without_a_button(open_page: OpenPage) -> None:
-    desk = open_page()
-    desk.page.keyboard.press("KeyF")
-    desk.until(lambda: desk.session.follow, "F follows")
-    desk.until(lambda: desk.control("Follow pointer").is_checked(), "the switch shows it")
-    desk.rest(2)
-    start, end = (200.0, 300.0), (380.0, 250.0)
-    desk.page.mouse.move(*start)
-    desk.lead(start, end)
-    desk.until(
-        lambda: np.abs(desk.simulation.positions[0] - desk.scene_at(end)).max() < 1.5,
-        "the mass is at the pointer",
-    )
-    # Off the canvas there is nothing to follow.
-    panel = desk.button("Rope (3.3)").bounding_box()
-    assert panel is not None
-    desk.page.mouse.move(panel["x"] + 20.0, panel["y"] + 300.0)
-    steps = desk.simulation.step_count
-    desk.until(lambda: desk.simulation.step_count > steps + 60, "time goes on")
-    assert np.abs(desk.simulation.positions[0] - desk.scene_at(end)).max() < 1.5
-    assert not desk.session.hands.masses
-
-    desk.page.keyboard.press("KeyF")
-    desk.until(lambda: not desk.session.follow, "F stops following")
-    desk.until(lambda: not desk.control("Follow pointer").is_checked(), "the switch shows it")
-    left = desk.simulation.positions[0]
-    desk.lead(start, end)
-    desk.lead(end, start)
-    assert (desk.simulation.positions[0] == left).all()
+    name.fill("")
+    name.press_sequentially("rn f0w")
+    desk.page.keyboard.down("ArrowRight")
+    desk.pause(0.2)  # the solver would have it within a frame or two
+    assert (desk.simulation.keys, desk.session.playing) == (NOTHING, playing)
+    assert name.input_value() == "rn f0w"
+    desk.page.keyboard.up("ArrowRight")
 
 
 def test_help_and_the_command_palette_list_the_keys(open_page: OpenPage) -> None:
@@ -340,28 +177,16 @@ def test_help_and_the_command_palette_list_the_keys(open_page: OpenPage) -> None
     assert desk.simulation.step_count == steps
 
 
-@pytest.mark.parametrize("phone", [False, True], ids=["mouse", "touch"])
-def test_the_arrow_pad_holds(open_page: OpenPage, phone: bool) -> None:
-    desk = open_page(size=(390, 844), phone=True) if phone else open_page()
+def test_the_arrow_pad_holds_a_key_while_a_finger_is_on_it(open_page: OpenPage) -> None:
+    desk = open_page(size=(390, 844), phone=True)
     button = desk.page.get_by_role("button", name="rest angle up")
     button.scroll_into_view_if_needed()
     box = button.bounding_box()
     assert box is not None
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     touch = desk.context.new_cdp_session(desk.page)
-    if phone:
-        touch.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": [{"x": x, "y": y}]})
-    else:
-        desk.page.mouse.move(x, y)
-        desk.page.mouse.down()
+    touch.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": [{"x": x, "y": y}]})
     desk.until(lambda: desk.simulation.keys == {"right"}, "the button holds the key")
-    desk.until(lambda: desk.simulation.rest_angles[0] > 25.0, "it is held for longer than a press")
-    if phone:
-        touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-    else:
-        # It holds until the button is let go, wherever the pointer is then.
-        desk.page.mouse.move(x - 300.0, y)
-        assert desk.simulation.keys == {"right"}
-        desk.page.mouse.up()
+    desk.until(lambda: desk.simulation.rest_angles[0] > 15.0, "it is held for longer than a press")
+    touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
     desk.until(lambda: desk.simulation.keys == NOTHING, "it is released")
-    assert_stays(desk)

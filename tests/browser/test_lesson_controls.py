@@ -1,4 +1,4 @@
-"""Pages with the controls of a prepared lesson."""
+"""Pages with the controls that their address or their scene names; `tests/app/test_controls.py` has which."""
 
 from __future__ import annotations
 
@@ -15,29 +15,23 @@ def tabs(desk: Desk) -> list[str]:
     return [tab for tab in desk.page.get_by_role("tab").all_inner_texts() if tab != "softrod"]
 
 
-def test_an_address_says_which_controls_there_are(open_page: OpenPage) -> None:
+def test_what_an_address_leaves_out_is_neither_there_nor_reached_by_keys(open_page: OpenPage) -> None:
     desk = open_page(path="/?controls=keys,gravity,rest_angle,view")
     assert tabs(desk) == ["Play"]
-    assert desk.button("View").count()
-    desk.page.get_by_text("Gravity", exact=True).wait_for()
     labels = [text for text in desk.page.locator("label:visible").all_inner_texts() if text]
     assert labels == ["Gravity", "Rest angle"]
     assert desk.page.get_by_role("button", name="rest angle up").is_visible()
-    assert not desk.page.locator(".softrod-transport").is_visible()
+    for left_out in (".softrod-transport", ".softrod-edit"):
+        assert not desk.page.locator(left_out).is_visible()
     desk.button("View").click()  # it fails out of view
     desk.page.keyboard.press("Escape")
-    desk.type_in("Gravity", "12")
-    desk.until(lambda: desk.session.scene.gravity == (0.0, 12.0), "it reaches the solver")
-    desk.box("Gravity").blur()
-    # What is left out was not made.
-    assert desk.tab._panel._solver is None
-    assert desk.tab._panel.files_tab is None
-    # The gallery is left out, for its key as well; the keys of the body work.
     desk.page.keyboard.press("o")
+    desk.page.keyboard.press("e")
     desk.page.keyboard.press("Space")
-    desk.until(lambda: not desk.session.playing, "Space pauses")
+    desk.until(lambda: not desk.session.playing, "the keys of the body work: Space pauses")
     desk.rest(3)
     assert not desk.page.locator("dialog[open]").count()
+    assert not desk.page.locator(".softrod-edit-bar").is_visible()
     # The address goes before the scene.
     scene = sim.load_scene("ring")
     view = msgspec.structs.replace(scene.view, controls=("solver",))
@@ -60,17 +54,13 @@ def test_a_scene_says_which_controls_there_are_while_it_is_shown(open_page: Open
     desk.button("Ring").wait_for()
     desk.page.keyboard.press("Space")
     desk.until(lambda: not desk.session.playing, "Space pauses")
-    wrong = msgspec.structs.replace(scene.view, controls=("play", "kees"))
-    desk.tell(commands.Open(msgspec.structs.replace(scene, view=wrong)))
-    assert "there is no control called 'kees'" in desk.notice("All controls are shown")
-    assert tabs(desk) == everything
-    desk.view("Dark")
-    desk.until(lambda: desk.tab._page.looks.dark and desk.tab._generation >= 0, "the page is made anew")
-    desk.rest(5)
-    assert not desk.notices(), "it is said once"
 
 
-def test_a_folded_panel_leaves_the_page_its_colours(open_page: OpenPage) -> None:
+def test_a_page_without_a_panel_has_the_bar_of_time_and_the_display(open_page: OpenPage) -> None:
     desk = open_page(path="/?controls=play")
     color = "getComputedStyle(document.querySelector('.softrod-hud')).color"
     desk.until(lambda: desk.page.evaluate(color) == "rgb(51, 65, 85)", "the display has softrod's colour")
+    desk.button("Pause").click()
+    desk.until(lambda: not desk.session.playing, "the bar is there")
+    desk.until(lambda: "paused" in desk.hud(), "and so is the display")
+    desk.until(desk.clock_is_right, "and the clock")

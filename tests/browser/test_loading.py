@@ -65,3 +65,12 @@ def test_without_webgl_a_page_says_so_and_nothing_else(browser: Browser, serve: 
     assert len(served.ticker.tabs) == tabs
     assert not errors
     context.close()
+
+
+def test_a_page_of_viser_s_that_it_does_not_know_says_so(browser: Browser, serve: Serve) -> None:
+    context = browser.new_context()
+    page = context.new_page()
+    page.add_init_script("Object.defineProperty(window, '__viserMutable', { get: () => ({}), set() {} })")
+    page.goto(serve("ring").url)
+    page.get_by_role("alert").get_by_text("This page cannot draw").wait_for()
+    context.close()

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from app.session import commands
+from tests.amount import part_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -25,35 +26,32 @@ def test_words_stand_beside_the_icons_where_there_is_room(open_page: OpenPage) -
     assert desk.button("Reset").is_visible()
 
 
-def test_an_arrow_leads_back_to_a_body_that_is_out_of_view(open_page: OpenPage) -> None:
-    desk = open_page()
-    arrow = desk.page.locator(".softrod-edge")
-    assert not arrow.is_visible()
-    for _ in range(3):
-        desk.drag((480.0, 300.0), (40.0, 300.0))
-    desk.until(lambda: arrow.is_visible(), "the arrow is there")
-    box = arrow.bounding_box()
-    assert box is not None
-    assert box["x"] < 60.0  # the body went to the left
-    arrow.click()
-    desk.until(lambda: not arrow.is_visible(), "the arrow is gone")
-    assert all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))
-
-
-def test_nothing_lies_over_that_arrow(open_page: OpenPage) -> None:
+def test_an_arrow_at_the_edge_leads_back_to_a_body_that_is_out_of_view(open_page: OpenPage) -> None:
+    """To the left, and above and below, beside what else lies there; with the tools open and without."""
     desk = open_page(size=(1100, 760))
     desk.tell(commands.Play(False))
-    for key, end in (("", (60.0, 10.0)), ("", (60.0, 560.0)), ("e", (60.0, 560.0)), ("", (60.0, 300.0))):
+    arrow = desk.page.locator(".softrod-edge")
+    assert not arrow.is_visible()
+    for key, start, end in (
+        ("", (600.0, 300.0), (20.0, 300.0)),
+        ("", (600.0, 650.0), (20.0, 10.0)),
+        ("", (600.0, 40.0), (20.0, 690.0)),
+        ("e", (600.0, 40.0), (20.0, 690.0)),
+    ):
         if key:
             desk.page.keyboard.press(key)
             desk.page.keyboard.press("h")
-        desk.page.keyboard.press("0")
-        for _ in range(3):
-            desk.drag((600.0, 250.0), end)
-        arrow = desk.page.locator(".softrod-edge")
-        desk.until(lambda arrow=arrow: arrow.is_visible(), "the arrow is there")
+        desk.page.mouse.move(*start)
+        desk.rest(3)
+        desk.page.mouse.down()
+        desk.lead(start, end, 4)
+        desk.page.mouse.up()
+        desk.until(lambda: arrow.is_visible(), "the arrow is there")
+        box = arrow.bounding_box()
+        assert box is not None and box["x"] < 60.0, "the body is to the left"
         arrow.click()  # it fails if something else is over it
-        desk.until(lambda arrow=arrow: not arrow.is_visible(), "the arrow is gone")
+        desk.until(lambda: not arrow.is_visible(), "the arrow is gone")
+        assert all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))
 
 
 def test_show_all_shows_a_body_that_has_left_the_scene_s_frame(open_page: OpenPage) -> None:
@@ -65,18 +63,6 @@ def test_show_all_shows_a_body_that_has_left_the_scene_s_frame(open_page: OpenPa
     assert not desk.uncovered(desk.place(0))
     desk.page.keyboard.press("0")
     desk.until(lambda: desk.uncovered(desk.place(0)), "all of it is in view")
-
-
-def test_ctrl_k_opens_the_palette_whatever_has_the_focus(open_page: OpenPage) -> None:
-    desk = open_page()
-    focused = desk.box("Rest angle"), desk.control("Follow pointer"), desk.button("Open anew")
-    for control in focused:
-        control.focus()
-        desk.page.keyboard.press("Control+k")
-        palette = desk.page.locator(".mantine-Spotlight-action")
-        desk.until(lambda palette=palette: palette.count() > 0, "the palette opens")
-        desk.page.keyboard.press("Escape")
-        desk.until(lambda palette=palette: palette.count() == 0, "the palette closes")
 
 
 def test_a_scene_is_opened_anew(open_page: OpenPage) -> None:
@@ -110,25 +96,24 @@ def is_seen(desk: Desk, names: str, count: int) -> bool:
 
 def test_on_a_low_screen_what_a_button_opens_is_whole(open_page: OpenPage) -> None:
     desk = open_page(size=(640, 360), phone=True)
-    for width, height, name, entries, count in (
-        (640, 360, "View", ".softrod-menu-list button", 6),
-        (640, 360, "Instruments", ".softrod-box-tools button", 3),
-        (568, 320, "View", ".softrod-menu-list button", 6),
-        (568, 320, "Instruments", ".softrod-box-tools button", 3),
-    ):
+    for width, height in part_of(((640, 360), (568, 320)), 2):
         desk.page.set_viewport_size({"width": width, "height": height})
-        desk.button(name).click()
-        desk.until(lambda names=entries, least=count: is_seen(desk, names, least), f"{name} is whole")
-        desk.page.keyboard.press("Escape")
+        for name, entries, count in (
+            ("View", ".softrod-menu-list button", 6),
+            ("Instruments", ".softrod-box-tools button", 3),
+        ):
+            desk.button(name).click()
+            desk.until(lambda names=entries, least=count: is_seen(desk, names, least), f"{name} is whole")
+            desk.page.keyboard.press("Escape")
 
 
-@pytest.mark.parametrize("sizes", [((844, 390), (683, 384)), ((390, 844), (360, 640))], ids=["wide", "tall"])
-def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(
-    open_page: OpenPage, sizes: tuple[tuple[int, int], ...]
-) -> None:
+SMALL_SCREENS = ((844, 390), (390, 844), (360, 640), (683, 384))
+
+
+def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(open_page: OpenPage) -> None:
+    sizes = part_of(SMALL_SCREENS, 2)  # one that is wide and one that is not
     desk = open_page(size=sizes[0], phone=True)
     desk.tell(commands.Play(False))
-    desk.dismiss("Software WebGL")
 
     def seen(names: str, count: int) -> bool:
         return is_seen(desk, names, count)
@@ -171,7 +156,6 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
     desk.page.locator(".mantine-Spotlight-action").filter(has_text="Larger, for a projector").click()
     desk.until(lambda: desk.page.locator("html.softrod-projector").count() == 1, "all is larger")
     desk.page.locator(".mantine-Spotlight-content").wait_for(state="detached")
-    desk.dismiss("Software WebGL")
     desk.page.keyboard.press("g")
     desk.page.locator(".u-legend").wait_for()
     for tab in ("Play", "Measure", "Solver", "Share"):
@@ -206,12 +190,12 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
     assert canvas is not None and canvas["width"] > 1500.0
 
 
-@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
+@pytest.mark.parametrize("dark", part_of((False, True), 2))
 def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage, dark: bool) -> None:
-    desk = open_page(size=(1000, 700))
+    desk = open_page(size=(1000, 700), pixels=True)
     if dark:
         desk.view("Dark")
-        desk.until(lambda: desk.tab._page.looks.dark, "it is dark")
+        desk.until(lambda: desk.tab.probe().looks.dark, "it is dark")
         desk.wait_drawn()
     desk.tell(commands.Play(False))
     desk.until(desk.clock_is_right, "the clock shows where it stands")
@@ -252,7 +236,7 @@ def test_the_bar_of_time_stays_above_the_panel_of_a_phone_while_that_is_scrolled
 
 
 def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: OpenPage) -> None:
-    desk = open_page("lesson-hooke", size=(1000, 700))
+    desk = open_page("lesson-hooke", size=(1000, 700), pixels=True)
     desk.page.locator(".uplot canvas").wait_for()
     desk.until(lambda: desk.page.locator(".softrod-reading").count() == 1, "the plot is drawn")
     title = desk.page.locator(".softrod-lesson h2").inner_text()
@@ -273,7 +257,7 @@ def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: O
 
 
 def test_what_is_said_over_the_body_covers_no_mass(open_page: OpenPage) -> None:
-    desk = open_page()
+    desk = open_page(pixels=True)
     desk.tell(commands.Play(False))
     desk.wait_drawn()
     word = desk.page.locator(".softrod-hud b")

@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import os
-import re
-import signal
-import subprocess
-import sys
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Route, expect
+from playwright.sync_api import Browser, BrowserContext
 
 from app.session import commands
-from tests.browser.between_frames import FRAME_LOCK
-from tests.browser.conftest import DESKTOP, OpenPage, Serve
-from tests.browser.driver import Desk, Served, rough_context, until
+from tests.browser.conftest import DESKTOP, Serve
+from tests.browser.driver import Desk, Served, rough_context
 from tests.browser.wires import Wire, wire
 
 NOT_CONNECTED = "Not connected: your body waits."
@@ -28,18 +22,7 @@ HURRY = 4
 
 def hurry(context: BrowserContext) -> None:
     """Have the pages of a context lose their patience sooner."""
-
-    def faster(route: Route) -> None:
-        response = route.fetch()
-        text, count = re.subn(
-            r"(?<=const )(LOOK_EVERY|ASK_AFTER|SILENT_AFTER|GIVE_UP_AFTER) = ([\d_]+)",
-            lambda found: f"{found[1]} = {int(found[2]) // HURRY}",
-            response.text(),
-        )
-        assert count == 4
-        route.fulfill(response=response, body=text)
-
-    context.route("**/connection.js", faster)
+    context.add_init_script(f"window.__softrodHurry = {HURRY}")
 
 
 @pytest.fixture
@@ -66,14 +49,14 @@ def take_up(desk: Desk, known: int) -> None:
     new = desk.until(
         lambda: [c for c in list(desk.served.ticker.tabs) if c > known], "the page connects anew"
     )
-    desk._client = new[-1]
-    desk.until(lambda: desk.tab._session is not None, "the tab has its session")
+    desk.client = new[-1]
+    desk.until(lambda: desk.tab.session is not None, "the tab has its session")
 
 
 def test_a_path_that_dies_is_noticed_and_replaced(led: tuple[Desk, Wire]) -> None:
     desk, between = led
     desk.tell(commands.SetValue("gravity", 900.0))
-    desk.until(lambda: desk.tab._kept and desk.tab._kept[0] == desk.session.revision, "it is kept")
+    desk.until(desk.is_kept, "it is kept")
     desk.until(
         lambda: desk.page.evaluate("sessionStorage.getItem('softrod')?.includes('900')"), "by the page"
     )
@@ -81,7 +64,7 @@ def test_a_path_that_dies_is_noticed_and_replaced(led: tuple[Desk, Wire]) -> Non
     start = desk.place(0)
     desk.take(start)
     desk.until(lambda: desk.session.hands.masses == (0,), "the mass is in hand")
-    old = desk._client
+    old = desk.client
     between.mute = True
     desk.until(lambda: is_away(desk), "the page says so", limit=WITHIN)
     # Its clock stands, and what is pressed now is not done, neither now nor later.
@@ -109,7 +92,7 @@ def test_a_path_that_dies_is_noticed_and_replaced(led: tuple[Desk, Wire]) -> Non
 
 def test_a_stall_ends_the_drag_and_keeps_the_connection(led: tuple[Desk, Wire]) -> None:
     desk, between = led
-    old = desk._client
+    old = desk.client
     desk.page.keyboard.down("ArrowRight")
     start = desk.place(0)
     desk.take(start)
@@ -120,101 +103,9 @@ def test_a_stall_ends_the_drag_and_keeps_the_connection(led: tuple[Desk, Wire]) 
     desk.page.keyboard.press("r")
     between.held = False
     desk.until(lambda: not is_away(desk), "the page is back")
-    assert desk._client == old
+    assert desk.client == old
     desk.until(lambda: not desk.session.hands.masses, "the drag has ended")
     desk.page.mouse.move(start[0] + 250.0, start[1])
     desk.pause(0.5)
     assert abs(desk.place(0)[0] - start[0]) < 20.0
     assert desk.simulation.time > 0.5, "it was not reset"
-
-
-def test_a_page_at_rest_or_in_the_background_raises_no_alarm(open_page: OpenPage) -> None:
-    desk = open_page()
-    desk.tell(commands.Play(False))
-    # A page that did not run for an hour, as a hidden one may: the clock leaps, the looks come late.
-    desk.page.evaluate(
-        "() => { const real = performance.now.bind(performance); performance.now = () => real() + 3.6e6 }"
-    )
-    desk.until(lambda: desk.beats >= 2, "it hears from the server although nothing happens", limit=30.0)
-    assert not is_away(desk)
-    assert max(desk.served.ticker.tabs) == desk._client
-    assert desk.page.evaluate("!document.documentElement.hasAttribute('data-softrod-away')")
-
-
-@pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="no process can be stopped here")
-def test_a_server_that_stands_still_is_noticed_and_taken_up_again(browser: Browser) -> None:
-    command = [sys.executable, "-u", "-m", "app", "tutorial-3.3", "--port", "0", "--no-open"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env={**os.environ}) as server:
-        try:
-            assert server.stdout is not None
-            url = next(word for word in server.stdout.readline().split() if word.startswith("http://"))
-            context = rough_context(browser, viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
-            hurry(context)
-            page = context.new_page()
-            page.goto(url)
-            page.wait_for_function("window.__softrod?.fitted() > 0")
-            clock = page.locator(".softrod-clock")
-            until(page, lambda: float(clock.inner_text().split()[0]) > 0.3, "its clock runs")
-            os.kill(server.pid, signal.SIGSTOP)
-            page.get_by_text(NOT_CONNECTED).wait_for(timeout=1e3 * WITHIN)
-            stood = clock.inner_text()
-            page.keyboard.press("Space")
-            page.wait_for_timeout(1000)
-            assert clock.inner_text() == stood
-            os.kill(server.pid, signal.SIGCONT)
-            expect(page.get_by_text(NOT_CONNECTED)).to_be_hidden()
-            until(page, lambda: clock.inner_text() != stood, "its clock runs again")
-            # It was not paused, and can be.
-            page.get_by_role("button", name="Pause").click()
-            expect(page.get_by_role("button", name="Play", exact=True)).to_be_visible()
-            context.close()
-        finally:
-            os.kill(server.pid, signal.SIGCONT)
-            server.terminate()
-
-
-STALL = """
-  const Real = CompressionStream;
-  const goesOn = new Promise(goOn => (window.goOn = goOn));
-  CompressionStream = class {
-    constructor(format) {
-      const waits = new TransformStream({ transform: (part, to) => goesOn.then(() => to.enqueue(part)) });
-      return { writable: waits.writable, readable: waits.readable.pipeThrough(new Real(format)) };
-    }
-  };
-"""
-"""What the page gives back after a reload takes its time, as on a slow way to the server."""
-
-
-def test_what_a_page_has_kept_is_not_lost_before_the_server_has_it(open_page: OpenPage) -> None:
-    desk = open_page(size=(720, 460))
-
-    def keeps(gravity: int) -> bool:
-        return desk.page.evaluate(f"sessionStorage.getItem('softrod')?.includes('{gravity}.0')")
-
-    desk.tell(commands.SetValue("gravity", 912.0))
-    desk.until(lambda: keeps(912), "the page keeps it")
-    desk.run_first(STALL)
-    desk.open()
-    desk.until(lambda: desk.tab._kept, "the server has its new session kept")
-    desk.rest(5)
-    assert keeps(912)
-    desk.page.evaluate("window.goOn()")
-    desk.until(lambda: desk.session.scene.gravity == (0.0, 912.0), "the server goes on with it")
-    desk.tell(commands.SetValue("gravity", 834.0))
-    desk.until(lambda: keeps(834), "the page keeps what comes after it")
-
-
-def test_what_the_page_gives_back_is_not_lost_with_a_panel(open_page: OpenPage) -> None:
-    desk = open_page(size=(720, 460))
-    desk.tell(commands.SetValue("gravity", 913.0))
-    desk.until(
-        lambda: desk.page.evaluate("sessionStorage.getItem('softrod')?.includes('913.0')"), "it is kept"
-    )
-    desk.run_first(STALL)
-    desk.open()
-    with FRAME_LOCK:
-        desk.page.evaluate("window.goOn()")
-        desk.until(lambda: len(desk.tab._requests) > 0, "it comes to a panel that is about to go")
-        desk.tab._has_lesson, desk.tab._generation = True, -1
-    desk.until(lambda: desk.session.scene.gravity == (0.0, 913.0), "the server goes on with it")

@@ -9,23 +9,22 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.page.measure.measure_panel import MeasurePanel
 from app.session import commands
 from app.session.plots import Wish
+from tests.amount import part_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
 ANGLE = Wish(("joint0.angle",))
 
 
-SEND = """text => window.__viserMutable.sendMessage({ type: "SoftrodMessage", text })"""
-CHARTS = """() => JSON.stringify(Object.values(window.__viserTestpoints?.uplots ?? {}).map(({ chart }) => ({
+CHARTS = """() => JSON.stringify(window.__softrod.charts().map((chart) => ({
   data: chart.data.map((column) => [...column]),
   low: chart.scales.y0?.min,
   high: chart.scales.y0?.max,
 })))"""
 
-ROOM = """() => Object.values(window.__viserTestpoints.uplots).map(({ chart }) => {
+ROOM = """() => window.__softrod.charts().map((chart) => {
   const pen = document.createElement("canvas").getContext("2d");
   pen.font = "12px system-ui, sans-serif";
   const edge = chart.bbox.left / devicePixelRatio + chart.valToPos(chart.scales.x.max, "x");
@@ -40,13 +39,6 @@ KEPT = "Object.values(sessionStorage).join()"
 def charts(desk: Desk) -> list[dict[str, Any]]:
     """What viser's charts in the page have: their data, and the range of what is upwards."""
     return json.loads(desk.page.evaluate(CHARTS))
-
-
-def measures(desk: Desk) -> MeasurePanel:
-    """The Measure tab of the page."""
-    panel = desk.tab._measure
-    assert panel is not None
-    return panel
 
 
 def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage) -> None:
@@ -93,75 +85,66 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     assert header == ["time [s]", "joint0.angle [deg]"]
     assert np.array(rows, float)[-1, 0] == time
 
-    # With decimal commas, which the tab remembers.
-    before = desk.page.evaluate(KEPT)
-    desk.control("Decimal commas").check()
-    desk.until(lambda: desk.tab._page.commas.on, "tables have decimal commas")
-    desk.until(lambda: desk.tab._kept[1].commas, "the server has told the browser to keep that")
-    desk.until(lambda: desk.page.evaluate(KEPT) != before, "and it does")
-    desk.open()
-    desk.until(lambda: desk.tab._page.commas.on, "it is so after a reload")
+    # While nobody sees it, it is not sent.
+    desk.show("Play")
+    desk.until(lambda: not desk.tab.probe().plots_seen, "the page says that it is not seen")
     desk.show("Measure")
-    assert desk.control("Decimal commas").is_checked()
+    desk.until(lambda: desk.tab.probe().plots_seen, "and that it is")
+
+    # After a reload the plot is there again, and tables have decimal commas as before.
+    desk.control("Decimal commas").check()
+    desk.until(
+        lambda: (kept := desk.tab.probe().kept) and kept.looks.commas and kept.plots == (ANGLE,),
+        "the browser is told to keep both",
+    )
+    desk.until(lambda: '"commas":true' in desk.page.evaluate(KEPT), "and does")
+    desk.open()
+    desk.until(lambda: desk.tab.probe().plots == (ANGLE,), "the plot is back")
+    desk.show("Measure")
+    desk.until(lambda: desk.control("Decimal commas").is_checked(), "and so are the commas")
     with desk.page.expect_download() as download:
         desk.button("CSV").click()
     with download.value.path().open(newline="") as file:
         header, *rows = csv.reader(file, delimiter=";")
     assert header == ["time [s]", "joint0.angle [deg]"]
     assert all("," in cell and "." not in cell for row in rows[1:3] for cell in row)
-
-    # While nobody sees it, it is not sent.
-    desk.show("Play")
-    desk.until(lambda: not measures(desk).plots.looked_at, "the page says that it is not seen")
-    desk.show("Measure")
-    desk.until(lambda: measures(desk).plots.looked_at, "and that it is")
-
-    # It is there again after a reload, and gone when it is removed.
-    desk.until(lambda: ANGLE in desk.tab._kept[2], "the page keeps it")
-    desk.rest(3)
-    desk.open()
-    desk.until(lambda: measures(desk).plots.wishes == (ANGLE,), "the plot is back")
-    desk.show("Measure")
     desk.button("Remove").click()
-    desk.until(lambda: not charts(desk) and not measures(desk).plots.wishes, "it is gone")
+    desk.until(lambda: not charts(desk) and not desk.tab.probe().plots, "it is gone")
 
 
-def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None:
+def test_a_plot_over_another_quantity_reads_values_under_the_pointer(open_page: OpenPage) -> None:
+    """`tests/app/test_plots.py` has what is offered, of which mass."""
     desk = open_page("rod")
     desk.show("Measure")
-    desk.tell(commands.Play(False))
-    desk.wait_drawn()
-    desk.take(desk.place(4))
-    desk.let_go()
-    desk.until(lambda: "mass4" in measures(desk)._part.options, "the mass is offered")
-    assert measures(desk)._part.options[:4] == ("joint3", "mass4", "spring3", "spring4")
-    # A page can name any mass; one that is not there is not offered.
-    desk.page.evaluate(SEND, '{"do":"pick","mass":999999}')
-    desk.rest(10)
-    assert "mass4" in measures(desk)._part.options
-    desk.choose("Part", "joint3")
     desk.choose("Quantity", "rate")
-    desk.until(lambda: "joint3.angle" in measures(desk)._over.options, "it can be plotted over the angle")
-    desk.choose("Over", "joint3.angle")
+    desk.choose("Over", "joint0.angle")
     desk.button("New plot").click()
-    phase = desk.page.get_by_role("img", name="joint3.rate over joint3.angle")
+    phase = desk.page.get_by_role("img", name="joint0.rate over joint0.angle")
     phase.wait_for()
-    # The pointer over it reads values.
     desk.page.locator(".softrod-plot-title").scroll_into_view_if_needed()
     box = phase.bounding_box()
     assert box is not None
     desk.page.mouse.move(box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"])
     read = desk.page.locator(".softrod-phase-values")
-    desk.until(lambda: read.is_visible() and "joint3.angle, °: " in read.inner_text(), "it reads")
+    desk.until(lambda: read.is_visible() and "joint0.angle, °: " in read.inner_text(), "it reads")
     desk.page.mouse.move(5.0, 5.0)
     desk.until(lambda: not read.is_visible(), "and stops")
 
 
 MARKS = """([low, high]) => new Promise((done) => {
-  const { chart } = Object.values(window.__viserTestpoints.uplots)[0];
-  chart.setScale("y0", { min: low, max: high });
-  setTimeout(() => done(chart.axes.find(({ scale }) => scale === "y0")._values), 100);
+  const marks = new Map();
+  const pens = CanvasRenderingContext2D.prototype, write = pens.fillText;
+  pens.fillText = function (text, x, y) {
+    if (this.textAlign === "right") marks.set(y, text);
+    return write.call(this, text, x, y);
+  };
+  window.__softrod.charts()[0].setScale("y0", { min: low, max: high });
+  setTimeout(() => {
+    pens.fillText = write;
+    done([...marks.values()]);
+  }, 100);
 })"""
+"""What is written along the axis that goes upwards, which has its numbers to the left."""
 
 
 def test_the_marks_of_an_axis_tell_values_apart(open_page: OpenPage) -> None:
@@ -174,7 +157,7 @@ def test_the_marks_of_an_axis_tell_values_apart(open_page: OpenPage) -> None:
         assert len(set(marks)) == len(marks) > 2, marks
 
 
-@pytest.mark.parametrize("phone", [False, True], ids=["desk", "phone"])
+@pytest.mark.parametrize("phone", part_of((False, True), 2))
 def test_the_measure_tab_is_found_in_whatever_language_its_name_is(open_page: OpenPage, phone: bool) -> None:
     desk = open_page(size=(390, 844), phone=True) if phone else open_page()
     translate = """() => {

@@ -13,6 +13,7 @@ from app.session import commands
 from tests.browser.conftest import DESKTOP, OpenPage
 from tests.browser.driver import Desk, Served, rough_context
 
+SMALL = (820, 620)
 _SLIDE = """(slider, value) => {
   slider.value = value;
   for (const kind of ["input", "change"]) slider.dispatchEvent(new Event(kind));
@@ -65,22 +66,23 @@ def test_the_bar_goes_back_and_on_from_there(open_page: OpenPage) -> None:
     desk.until(lambda: desk.button("Take the line away").count() == 0, "and so is its button")
 
 
-def test_a_body_that_ran_away_is_taken_back(open_page: OpenPage) -> None:
-    desk = open_page()
-    desk.tell(commands.SetValue("rest_angle", 10.0))
-    desk.until(lambda: desk.simulation.time > 1.5, "it runs for a while")
-    desk.tell(commands.SetValue("angular_stiffness", 1e8))
-    desk.notice("Go back")
-    desk.button("Go back to just before it").click()
-    desk.until(lambda: desk.simulation.divergence is None, "it is whole again")
-    low, high = desk.simulation.positions.min(0), desk.simulation.positions.max(0)
-    assert (low > -600.0).all() and (high < 1200.0).all()
-    assert_shows(desk, desk.simulation.positions)
-    assert desk.button("Go back to just before it").count() == 0
+def test_the_scene_before_comes_back_and_is_fitted_to_the_window(open_page: OpenPage) -> None:
+    desk = open_page(size=SMALL)
+    desk.tell(commands.Play(False))
+    first, seen = desk.session.simulation.capture(), desk.camera()
+    desk.tell(commands.Open(sim.load_scene("bridge")))
+    desk.until(lambda: len(desk.masses()) == len(desk.session.scene.masses) != 12, "the page shows the other")
+    desk.page.mouse.move(*desk.place(0))
+    desk.page.mouse.wheel(0.0, -400.0)
+    desk.until(lambda: desk.camera().distance < 0.9 * seen.distance, "its user looks closer")
+    desk.page.keyboard.press("Control+z")
+    desk.until(lambda: desk.session.simulation.capture().scene is first.scene, "the first is back")
+    desk.until(lambda: len(desk.masses()) == 12, "the page shows it")
+    desk.until(lambda: desk.camera().same(seen), "from where it was seen before")
 
 
-def test_a_reload_comes_back_to_where_it_was(open_page: OpenPage) -> None:
-    desk = open_page()
+def test_a_reload_comes_back_to_where_it_was_with_what_can_be_undone(open_page: OpenPage) -> None:
+    desk = open_page(size=SMALL)
     desk.tell(commands.Open(sim.load_scene("ring")), commands.SetValue("linear_stiffness", 7000.0))
     desk.view("Dark")
     desk.until(lambda: desk.simulation.time > 0.5, "it runs")
@@ -95,12 +97,15 @@ def test_a_reload_comes_back_to_where_it_was(open_page: OpenPage) -> None:
     desk.until(lambda: desk.session.scene.name == "ring", "the scene is back")
     desk.until(lambda: desk.simulation.time == time, "and the time")
     assert (desk.simulation.positions == where).all()
-    assert sim.settings.SETTINGS["linear_stiffness"].read(desk.session.scene) == 7000.0
     assert not desk.session.playing
-    desk.until(lambda: desk.tab._page.looks.dark, "and the dark")
+    desk.until(lambda: desk.tab.probe().looks.dark, "and the dark")
     assert desk.viewed("Dark"), "its switch says so"
     assert_shows(desk, where)
     assert not desk.notices()
+    stiffness = lambda: sim.settings.SETTINGS["linear_stiffness"].read(desk.session.scene)  # noqa: E731
+    assert stiffness() == 7000.0
+    desk.page.keyboard.press("Control+z")
+    desk.until(lambda: stiffness() != 7000.0, "it can still be taken back")
 
 
 def test_a_server_that_is_started_anew_has_the_page_back(browser: Browser) -> None:
@@ -119,8 +124,8 @@ def test_a_server_that_is_started_anew_has_the_page_back(browser: Browser) -> No
             desk.until(lambda: desk.page.evaluate(kept) == time, "the browser keeps it")
         desk.page.get_by_text("Reconnecting").wait_for()
         _, served.ticker, _ = rest.enter_context(serving(scene, "127.0.0.1", port))
-        desk._client = desk.until(lambda: list(served.ticker.tabs), "the page connects by itself")[0]
-        desk.until(lambda: desk.tab._session is not None, "the tab has its session")
+        desk.client = desk.until(lambda: list(served.ticker.tabs), "the page connects by itself")[0]
+        desk.until(lambda: desk.tab.session is not None, "the tab has its session")
         desk.until(lambda: desk.simulation.time == time, "it is where it was")
         assert (desk.simulation.positions == where).all()
         assert_shows(desk, where)

@@ -35,25 +35,17 @@ def color(desk: Desk, place: tuple[float, float]) -> np.ndarray:
     return np.median(desk.picture(marks=False)[y - 6 : y + 7, x - 6 : x + 7].reshape(-1, 3), axis=0)
 
 
-def test_a_spring_that_breaks_vanishes_and_comes_back_with_the_past(open_page: OpenPage) -> None:
+def test_what_breaks_and_is_whole_again_is_told_to_screen_readers(open_page: OpenPage) -> None:
     desk = open_page()
-    desk.tell(commands.Play(False), commands.Open(chain_under_load()))
-    desk.until(lambda: len(desk.lengths("/body/springs")) == 4, "the chain is drawn")
-    assert "broken" not in desk.hud()
-    desk.tell(commands.Play(True))
-    desk.until(lambda: "1 spring broken" in desk.hud(), "the load breaks it")
-    desk.until(lambda: "1 spring broken" in live(desk), "screen readers are told")
-    desk.until(lambda: desk.lengths("/body/springs")[1] < 1e-5, "it is no longer drawn")
-    assert (desk.lengths("/body/springs")[[0, 2, 3]] > 0.1).all()
-
+    desk.tell(commands.Open(chain_under_load()))
+    desk.until(lambda: "1 spring broken" in live(desk), "the load breaks one")
+    assert "1 spring broken" in desk.hud()
     desk.tell(commands.GoTo(0.02))
-    desk.until(lambda: (desk.lengths("/body/springs") > 0.1).all(), "it is there again")
-    desk.until(lambda: "broken" not in desk.hud(), "none is counted")
-    assert "No springs broken" in live(desk)
+    desk.until(lambda: "No springs broken" in live(desk), "back in time none is")
 
 
 def test_floor_and_filling_are_behind_the_body_at_any_zoom(open_page: OpenPage) -> None:
-    desk = open_page()
+    desk = open_page(pixels=True)
     desk.tell(commands.Play(False), commands.Open(balloon(liquid=True)))
     desk.until(lambda: path(desk, "wall") and path(desk, "liquid"), "floor and liquid are drawn")
     desk.wait_drawn()
@@ -86,8 +78,7 @@ def test_floor_and_filling_are_behind_the_body_at_any_zoom(open_page: OpenPage) 
 def test_the_wind_drifts_with_the_clock_and_stands_for_those_who_want_it_so(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Play(False), commands.Open(balloon(wind=GUSTS, air_friction=0.01)))
-    desk.until(lambda: path(desk, "wind"), "the wind is drawn")
-    desk.wait_drawn()
+    desk.until(lambda: all(wind(desk)), "the wind is drawn")
     before = wind(desk)
     desk.pause(0.3)
     assert wind(desk) == before  # the clock stands
@@ -100,31 +91,3 @@ def test_the_wind_drifts_with_the_clock_and_stands_for_those_who_want_it_so(open
     desk.tell(commands.DoSteps(20))
     desk.wait_drawn()
     assert wind(desk) == before
-
-
-def test_the_panel_has_sliders_only_for_what_there_is(open_page: OpenPage) -> None:
-    desk = open_page()
-    desk.show("Play")
-    assert desk.page.get_by_text("Wind speed").count() == 0
-    desk.tell(commands.Open(balloon(wind=GUSTS, air_friction=0.01)))
-    desk.until(lambda: desk.row("Wind direction").is_visible(), "there are sliders for the wind")
-    for name in ("Wind speed", "Turbulence", "Friction of walls", "Bounciness of walls", "Gas pressure"):
-        assert desk.row(name).is_visible()
-    assert desk.page.get_by_text("Strength of springs").count() == 0
-    time = desk.simulation.time
-    desk.type_in("Wind speed", "50")
-    desk.until(lambda: sim.settings.SETTINGS["wind_speed"].read(desk.session.scene) == 50.0, "it is set")
-    assert desk.simulation.time >= time  # the motion has gone on
-
-
-def test_how_bodies_bounce_and_hold_is_chosen_where_they_touch_something(open_page: OpenPage) -> None:
-    desk = open_page("pile")
-    assert desk.control("Friction at rest").input_value() == "creeps"
-    desk.choose("Friction at rest", "holds")
-    desk.until(lambda: desk.session.scene.walls[0].tangential_hardness > 0.0, "friction holds on walls")
-    assert desk.session.scene.contact is not None
-    assert desk.session.scene.contact.tangential_stiffness > 0.0
-    desk.choose("Bounces", "all lose alike")
-    desk.until(lambda: desk.session.scene.walls[0].restitution == "constant", "all speeds lose alike")
-    desk.tell(commands.Open(sim.load_scene("ring")))
-    desk.until(lambda: desk.control("Bounces").count() == 0, "a ring touches nothing")

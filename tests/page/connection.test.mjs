@@ -1,7 +1,12 @@
-// When an attempt to connect is made, and when a connection counts as dead.
+// When an attempt to connect is made, when a connection counts as dead, and what the page does meanwhile.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Attempts, askedScene, Pulse, serverPath } from "../../app/page/viser/connection.js";
+import { become, canvas, key, pass, point, put, show, Target } from "./page.mjs";
+import { awaySince, mindAbsence } from "../../app/page/away.js";
+import { Attempts, askedScene, Pulse, serverPath, watchConnection } from "../../app/page/viser/connection.js";
+import { listenToKeys } from "../../app/page/hands/keys.js";
+import { listenToPointer } from "../../app/page/hands/pointer.js";
+import { listenToPresses } from "../../app/page/hands/presses.js";
 
 test("an attempt to connect has its time, and another begins when it has failed", () => {
   const attempts = new Attempts();
@@ -68,4 +73,106 @@ test("the server's address has the page's name, its controls, and at first its s
   assert.equal(serverPath("ab", "?s=AB12&controls=", true), "/at/ab?s=AB12&controls=");
   assert.equal(serverPath("ab", "?s=AB12&controls=", false), "/at/ab?controls=");
   assert.equal(askedScene("?controls=play&scene=lesson-hooke"), "scene=lesson-hooke");
+});
+
+/** What the page has its worker do, since this was asked last: what is sent in short, or what else it is to do. */
+const posted = [];
+const asked = () => posted.splice(0).map(({ type, message, server }) => (message?.text ? JSON.parse(message.text).do : (message?.type ?? server ?? type)));
+globalThis.Worker = class extends Target {
+  postMessage(message) {
+    posted.push(message);
+  }
+};
+watchConnection(mindAbsence(), () => true);
+listenToPresses();
+listenToKeys();
+listenToPointer();
+const worker = new window.Worker("");
+window.__viserMutable.sendMessage = (message) => worker.postMessage({ type: "send", message });
+const comes = (type = "message") => worker.dispatchEvent(new MessageEvent("message", { data: { type } }));
+const banner = () => document.querySelector(".softrod-banner").textContent;
+/** Lets seconds go by, in each of which the server says something, or answers what it is asked, or is silent. */
+function live(seconds, server = () => {}) {
+  for (let i = 0; i < seconds; i++) {
+    pass(1000);
+    server();
+  }
+}
+const answer = () => asked().includes("BeatMessage") && comes();
+
+test("a page at rest, in the background or asleep for an hour raises no alarm", () => {
+  comes("connected");
+  live(60, answer);
+  assert.deepEqual([banner(), awaySince()], ["", Infinity]);
+  pass(3.6e6);
+  assert.ok(asked().includes("BeatMessage"), "it asks for a sign of life");
+  live(3, answer);
+  assert.deepEqual([banner(), document.documentElement.hasAttribute("data-softrod-away")], ["", false]);
+});
+
+test("a stall ends what is under way, and nothing that is pressed meanwhile is done, neither then nor later", () => {
+  show([[100, 100], [500, 400]]);
+  const button = put("button");
+  let clicks = 0;
+  button.addEventListener("click", () => (clicks += 1));
+  const click = () => button.dispatchEvent(new PointerEvent("click", { bubbles: true }));
+  point("down", { x: 500, y: 400 });
+  key("ArrowRight");
+  asked();
+  live(3, comes);
+  assert.deepEqual(new Set(asked()), new Set(["keys"]), "it asks for nothing while something comes");
+  live(6);
+  assert.equal(banner(), "");
+  asked();
+  live(2);
+  assert.ok(banner().startsWith("Not connected") && awaySince() < Infinity);
+  const end = asked().filter((what) => what !== "BeatMessage");
+  assert.deepEqual(end.slice(-2).sort(), ["drop", "keys"], "the drag and the key end while they can");
+  point("move", { x: 600, y: 400 });
+  key("ArrowRight", {}, "keyup");
+  key("r");
+  key("ArrowLeft");
+  click();
+  window.__viserMutable.sendMessage({ text: "{}" });
+  live(3);
+  assert.deepEqual([new Set(asked()), clicks], [new Set(["BeatMessage"]), 0]);
+  for (const [name, more] of [["Tab"], ["F5"], ["c", { ctrlKey: true }]]) assert.ok(!key(name, more).defaultPrevented, name);
+  comes();
+  assert.deepEqual([banner(), awaySince()], ["", Infinity]);
+  point("move", { x: 610, y: 400 });
+  pass(200);
+  assert.deepEqual(asked(), [], "the same connection goes on, the drag does not");
+  key("r");
+  click();
+  assert.deepEqual([asked(), clicks], [["perform"], 1]);
+});
+
+test("a connection that is dead is given up for a new one, which is told what it needs before anything is said", () => {
+  worker.postMessage({ type: "set_server", server: "ws://here" });
+  const [first] = asked();
+  assert.match(first, /^ws:\/\/here\/at\/[0-9a-f]{32}$/);
+  comes("connected");
+  become();
+  live(13);
+  const since = awaySince();
+  key("r");
+  assert.ok(!asked().includes("perform"));
+  live(3);
+  assert.ok(banner().startsWith("Not connected"));
+  assert.equal(awaySince(), since);
+  // viser's page begins a new attempt; a second one waits until that has had its time.
+  assert.deepEqual(asked().filter((what) => what !== "BeatMessage"), [first]);
+  worker.postMessage({ type: "retry" });
+  live(4);
+  assert.deepEqual(asked(), []);
+  comes("connected");
+  assert.equal(banner(), "");
+  key("r");
+  assert.deepEqual(asked(), [], "the server has not said yet how things are");
+  become();
+  key("r");
+  assert.deepEqual(asked(), ["perform"]);
+  comes("closed");
+  live(1);
+  assert.deepEqual(asked(), [first], "one that was there and is lost is replaced at once");
 });

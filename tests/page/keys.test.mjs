@@ -1,8 +1,18 @@
-// Keys by what is printed on them, on keyboards of several countries.
+// Keys by what is printed on them, on keyboards of several countries, and for whom they are.
 import assert from "node:assert/strict";
-import test from "node:test";
+import { beforeEach, test } from "node:test";
+import { become, heard, key, pass, point, put } from "./page.mjs";
 import { COMMANDS } from "../../app/wire/commands.js";
 import { commandOf, printed, withKey } from "../../app/page/hands/key_table.js";
+import { listenToKeys } from "../../app/page/hands/keys.js";
+
+listenToKeys();
+beforeEach(() => {
+  become();
+  document.body.focus();
+  pass(1000);
+  heard();
+});
 
 /** What a key at a place of the keyboard does, by what is printed on it. */
 const does = (key, code) => commandOf({ key, code });
@@ -63,4 +73,179 @@ test("tooltips name the keys of the table", () => {
   assert.equal(withKey("Play", "play"), "Play (Space)");
   assert.equal(withKey("Back", "back"), "Back (,)");
   assert.equal(withKey("Left becomes right", "mirror"), "Left becomes right");
+});
+
+/** What a key does with the focus on an element: the messages, and whether the browser may have it. */
+function pressed(element, name, { clicked = true, ...init } = {}) {
+  if (clicked) point("down", { x: 0, y: 0 }, { on: element });
+  else key("Tab");
+  element.focus();
+  const event = key(name, init);
+  key(name, init, "keyup");
+  const done = heard().map(({ do: what, command, held }) => command ?? `${what} ${held}`);
+  return [done, !event.defaultPrevented];
+}
+const PLAYS = [["play"], false];
+const HOLDS = [["keys up", "keys "], false];
+const NOT = [[], true];
+
+test("Space pauses after a click wherever the focus is, presses what the Tab key has reached, and is typed into texts", () => {
+  const number = put("div", { class: "mantine-NumberInput-root" });
+  const cases = [
+    ["button", { role: "tab" }, PLAYS, NOT],
+    ["button", {}, PLAYS, NOT],
+    ["input", { type: "checkbox" }, PLAYS, NOT],
+    ["input", { type: "text" }, PLAYS, PLAYS, number],
+    ["input", { type: "text", "aria-haspopup": "listbox" }, PLAYS, NOT],
+    ["input", { type: "text", "aria-haspopup": "listbox", "aria-expanded": "true" }, NOT, NOT],
+    ["input", { type: "text" }, NOT, NOT],
+    ["input", {}, NOT, NOT],
+    ["textarea", {}, NOT, NOT],
+    ["select", {}, NOT, NOT],
+    ["canvas", {}, PLAYS, PLAYS],
+    ...["body", "grip", "muscle", "mode"].map((name) => ["div", { class: `softrod-${name}` }, NOT, NOT]),
+  ];
+  for (const [tag, attributes, afterClick, byTab, parent = document.body] of cases) {
+    const element = put(tag, attributes, parent);
+    assert.deepEqual(pressed(element, " "), afterClick, `${tag} ${JSON.stringify(attributes)}, clicked`);
+    assert.deepEqual(pressed(element, " ", { clicked: false }), byTab, `${tag} ${JSON.stringify(attributes)}, by Tab`);
+    element.remove();
+  }
+});
+
+test("Space plays once, however long it is held, and its release presses nothing", () => {
+  for (const repeat of [false, true]) assert.ok(key(" ", { repeat }).defaultPrevented);
+  assert.deepEqual(heard(), [{ do: "perform", command: "play" }]);
+  assert.ok(key(" ", {}, "keyup").defaultPrevented);
+  assert.ok(!key(" ", {}, "keyup").defaultPrevented);
+});
+
+test("arrows are held, but not in a text nor on what takes them for itself", () => {
+  const steps = put("div", { class: "softrod-steps" });
+  const cases = [
+    ["canvas", {}, HOLDS],
+    ["button", {}, HOLDS],
+    ["input", { type: "checkbox" }, HOLDS],
+    ["button", {}, NOT, steps],
+    ["input", { type: "text" }, NOT],
+    ["textarea", {}, NOT],
+    ["select", {}, NOT],
+    ["div", { role: "slider" }, NOT],
+    ["input", { type: "range" }, NOT],
+    ...["body", "grip", "own-grip", "muscle", "mode"].map((name) => ["div", { class: `softrod-${name}` }, NOT]),
+  ];
+  for (const [tag, attributes, does, parent = document.body] of cases) {
+    const element = put(tag, attributes, parent);
+    assert.deepEqual(pressed(element, "ArrowUp", { clicked: false }), does, `${tag} ${JSON.stringify(attributes)}`);
+    element.remove();
+  }
+  assert.deepEqual(pressed(put("button", {}, steps), "ArrowLeft"), [["keys left", "keys "], false]);
+});
+
+test("a dialog, a menu, a key of the browser and the open box of instruments have their keys to themselves", () => {
+  for (const [tag, attributes] of [["dialog", { open: "" }], ["div", { role: "dialog" }], ["div", { role: "menu" }]]) {
+    const element = put(tag, attributes);
+    for (const name of ["ArrowUp", " ", "r", "Escape"]) assert.deepEqual(pressed(document.body, name), NOT, `${tag} ${name}`);
+    element.remove();
+  }
+  put("div", { role: "menu", hidden: "" });
+  for (const name of ["ArrowUp", " ", "r"]) {
+    for (const more of ["ctrlKey", "metaKey", "altKey"]) assert.deepEqual(pressed(document.body, name, { [more]: true }), NOT, `${more} ${name}`);
+  }
+  const button = put("button", {}, put("div", { class: "softrod-box", "data-open": "" }));
+  assert.deepEqual(pressed(button, "Escape"), NOT);
+  button.parentElement.removeAttribute("data-open");
+  assert.deepEqual(pressed(button, "Escape"), [["pause"], false]);
+});
+
+test("keys that are held are said again and again, and let go of where the window is left", () => {
+  key("ArrowUp");
+  for (const repeat of [true, true]) key("ArrowUp", { repeat });
+  key("ArrowLeft");
+  pass(160);
+  assert.deepEqual(heard().map(({ held }) => held), [["up"], ["up", "left"], ["up", "left"]]);
+  for (const [target, kind] of [[window, "blur"], [document, "visibilitychange"]]) {
+    target.dispatchEvent(new Event(kind));
+    assert.deepEqual(heard(), [{ do: "keys", held: [] }]);
+    pass(500);
+    key("ArrowLeft", {}, "keyup");
+    assert.deepEqual(heard(), []);
+    key("ArrowUp");
+    heard();
+  }
+  // A release counts also where a text has the focus by now.
+  put("input", { type: "text" }).focus();
+  assert.ok(!key("ArrowUp", {}, "keyup").defaultPrevented);
+  assert.deepEqual(heard(), [{ do: "keys", held: [] }]);
+});
+
+test("what a key does once it does once, and steps as long as it is held", () => {
+  for (const [name, command, often] of [["r", "reset", 1], ["Escape", "pause", 1], ["n", "step", 3], [",", "back", 3]]) {
+    for (const repeat of [false, true, true]) assert.ok(key(name, { repeat }).defaultPrevented);
+    assert.deepEqual(heard(), Array(often).fill({ do: "perform", command }), name);
+  }
+  become({ scrubbed: true });
+  key("n");
+  assert.deepEqual(heard(), [{ do: "perform", command: "forward" }], "in the past there is no step, but a frame");
+  become({ scrubbed: false });
+});
+
+test("viser hears no key with which it would move the camera, wherever its letter is printed", () => {
+  let moved = 0;
+  window.addEventListener("keydown", () => (moved += 1));
+  for (const letter of "wasdqe") key("x", { code: `Key${letter.toUpperCase()}` });
+  key("ArrowUp");
+  key("ArrowUp", {}, "keyup");
+  assert.equal(moved, 0);
+  key("x", { code: "KeyX" });
+  assert.equal(moved, 1);
+});
+
+test("the palette opens from wherever the focus is, by the key that is printed or by its place", () => {
+  const input = put("input", { type: "text" });
+  const got = [];
+  document.body.addEventListener("keydown", ({ target, key: name, code, ctrlKey }) => target === document.body && got.push([name, code, ctrlKey]));
+  for (const [on, name, code, is] of [[input, "k", "KeyK", true], [document.body, "л", "KeyK", true], [document.body, "k", "KeyV", true], [document.body, "k", "KeyK", false]]) {
+    on.focus();
+    got.length = 0;
+    assert.equal(key(name, { code, ctrlKey: true }).defaultPrevented, is, "viser hears the one on its own page itself");
+    assert.deepEqual(got, [["k", "KeyK", true]], `${name} ${code}`);
+  }
+  const dialog = put("dialog", { open: "" });
+  dialog.focus();
+  got.length = 0;
+  key("k", { ctrlKey: true });
+  assert.deepEqual(got, [], "not over a dialog");
+  dialog.remove();
+});
+
+test("once another scene is chosen from a box the keys are the body's", () => {
+  for (const [attributes, leaves] of [[{ "aria-haspopup": "listbox" }, true], [{}, false]]) {
+    const input = put("input", attributes);
+    input.focus();
+    become({ scene: leaves ? 7 : 8 });
+    assert.equal(document.activeElement, leaves ? document.body : input);
+  }
+});
+
+test("the arrow pad holds a key while it is pressed, wherever the pointer is then, by several fingers and by Space", () => {
+  const [up, left] = ["up", "left"].map((name) => put("button", { "data-softrod-key": name }));
+  const holds = (wanted) => assert.deepEqual(heard().map(({ held }) => held.join()), wanted);
+  const finger = (pointerId, on) => ({ pointerType: "touch", pointerId, on });
+  const AWAY = { x: 700, y: 500 };
+  point("down", { x: 0, y: 0 }, finger(1, up));
+  point("down", { x: 0, y: 0 }, finger(2, left));
+  assert.ok(up.hasPointerCapture(1) && left.hasPointerCapture(2));
+  assert.ok(up.classList.contains("softrod-on"));
+  point("up", AWAY, finger(1, document.body));
+  point("cancel", AWAY, finger(2, left));
+  holds(["up", "up,left", "left", ""]);
+  assert.ok(!up.classList.contains("softrod-on"));
+  key("Tab");
+  up.focus();
+  key(" ");
+  key(" ", {}, "keyup");
+  key("Enter");
+  left.focus();
+  holds(["up", "", "up", ""]);
 });

@@ -1,6 +1,8 @@
-// The sound of modes, and their shapes on the screen.
+// The sound of modes, of what touches and of what breaks, and their shapes on the screen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { become, pass } from "./page.mjs";
+import { addSound, toggleSound } from "../../app/page/modes/sound.js";
 import { HIGH, HIGHEST, LOW, LOWEST, melodyOf, octavesOf, rendered, tonesOf } from "../../app/page/modes/tones.js";
 import { percent, posed, readLevels, readShapes } from "../../app/page/modes/shapes.js";
 
@@ -98,4 +100,52 @@ test("shapes and levels are read as they are written, and a shape lies as its pa
   assert.deepEqual([...levels.shares], [0.75, 0.125, -0.125]);
   assert.equal(percent(0.0004), "less than 0.1 %");
   assert.equal(percent(-0.1234), "12.3 %");
+});
+
+test("what touches and what breaks makes a noise while the sound is on and time goes on", () => {
+  const noises = [];
+  const gain = () => ({ value: 0, setTargetAtTime: (to) => (gain.last = to), cancelScheduledValues() {}, setValueAtTime() {} });
+  const node = (more) => ({ connect: (to) => to, gain: gain(), frequency: gain(), start() {}, stop() {}, ...more });
+  globalThis.AudioContext = class {
+    currentTime = 0;
+    sampleRate = 24000;
+    resume() {}
+    createGain = node;
+    createDynamicsCompressor = node;
+    createOscillator = node;
+    createBiquadFilter = node;
+    createBuffer = (_, length, rate) => ({ duration: length / rate, getChannelData: () => new Float32Array(length) });
+    createBufferSource = () => node({ start() { noises.push(this.buffer.duration); } });
+  };
+  const made = () => pass(100) ?? noises.splice(0);
+  const sound = addSound();
+  const hear = (touching) => sound.hear({ levels: [1], touching });
+  const falls = () => [0, 1].forEach(hear) ?? pass(100) ?? hear(1);
+  become({ playing: true, broken: 0 });
+  toggleSound();
+  assert.equal(sound.controls[0].ariaPressed, "false", "there is nothing to be heard yet");
+  sound.use([2], [0.01]);
+  falls();
+  become({ broken: 1 });
+  assert.deepEqual(made(), [], "it is off");
+  toggleSound();
+  assert.equal(sound.controls[0].ariaPressed, "true");
+  assert.deepEqual(made(), [], "what is broken already cracks no more");
+  falls();
+  assert.deepEqual(made(), [0.12], "a click as it begins to touch");
+  [0, 1, 0, 1].forEach(hear);
+  assert.deepEqual(made(), [0.12], "not two at once");
+  become({ broken: 2 });
+  assert.deepEqual(made(), [0.48]);
+  gain.last = 1;
+  become({ playing: false });
+  assert.equal(gain.last, 0, "all tones fall silent while it is paused");
+  falls();
+  assert.deepEqual(made(), []);
+  become({ playing: true });
+  sound.use([], []);
+  assert.equal(sound.controls[0].ariaPressed, "false", "and without modes");
+  falls();
+  become({ broken: 3 });
+  assert.deepEqual(made(), []);
 });

@@ -1,8 +1,9 @@
 // What is under the pointer, what is marked, and when the page tries to connect.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { become, show } from "./page.mjs";
 import { edgeArrow } from "../../app/page/body/edge.js";
-import { degrees, jointAngles, lengthText, roundDown, roundUp } from "../../app/page/body/overlay.js";
+import { addOverlay, degrees, jointAngles, lengthText, roundDown, roundUp } from "../../app/page/body/overlay.js";
 import { nearest, onScreen, worldAt } from "../../app/page/body/screen.js";
 
 const plan = (flip) => ({
@@ -38,6 +39,20 @@ test("a joint's arc turns as the joint does", () => {
     const { from, turn, mass } = jointAngles(plan(flip), { positions }, 0);
     assert.deepEqual([Math.abs(Math.round(from)), Math.round(turn), mass], [0, 90, 1]);
   }
+});
+
+test("the arc of the joint that is read out is at its mass and tells its angle, where no spring crosses it", () => {
+  addOverlay();
+  show([[200, 300], [300, 300], [400, 250]], [[0, 1], [1, 2]], [[0, 1, 1, 1]]);
+  const [arc, label] = ["arc", "angle"].map((name) => document.querySelector(`.softrod-${name}`));
+  assert.equal(label.style.display, "none");
+  become({ joint: 0 });
+  assert.deepEqual([label.style.display, label.textContent], ["", "-26.6°"]);
+  assert.deepEqual(arc.getAttribute("d").match(/[\d.]+/g).slice(0, 2).map(parseFloat).map(Math.round), [300, 300]);
+  const [x, y] = ["x", "y"].map((name) => Number(label.getAttribute(name)));
+  assert.ok(Math.hypot(x - 300, y - 300) < 90 && y > 300, `${x} ${y}`);
+  become({ joint: 1 });
+  assert.equal(label.style.display, "none", "a joint that the picture does not have yet");
 });
 
 test("scale bars are round", () => {

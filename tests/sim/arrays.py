@@ -14,6 +14,7 @@ from sim.forces.limits import yielding_accelerations
 from sim.kernels.energy.energies import energies
 from sim.kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from sim.motion.solver import Solver
+from tests.sim.inside import scratch_of
 
 Floats = NDArray[np.float64]
 
@@ -35,12 +36,12 @@ class Arrays:
     def __init__(self, scene: Scene, *, general: bool = False) -> None:
         self.scene = scene
         simulation = Simulation(scene)
-        self.system = simulation._system
+        self.system, self.state = simulation.tables
         if general:
             self.system = dataclasses.replace(
                 self.system, body=self.system.body.replaced(chain=False, ring=False)
             )
-        self.body, self.state, self.scratch = self.system.body, simulation._state, simulation._scratch
+        self.body, self.scratch = self.system.body, scratch_of(simulation)
         self.solver = Solver(scene, self.system, self.state, self.scratch)
         self.solver.load(0.0)
         self.q, self.v = self.state.q.copy(), self.state.v.copy()

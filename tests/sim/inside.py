@@ -1,22 +1,34 @@
-"""The few looks that the tests take at the inside of a `Simulation`."""
+"""The few looks that the tests take at the inside of the solver; no other file of these tests takes any."""
 
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 
+import numba
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 from sim.body.system import System
 from sim.forces.springs import spring_forces as kernel_forces
+from sim.kernels.core.tables import Adams, Drive, Floats, Problem, Rosenbrock, Scratch
+from sim.kernels.engine import kept
+from sim.kernels.integrators import adams
+from sim.kernels.integrators.rosenbrock import run_rosenbrock
+from sim.motion.plain import PlainSolver
 from sim.motion.solver import Solver
+from sim.motion.stepping import Stepper
+from sim.scene import columns
 
 Points = NDArray[np.float64]
 
 
 def system_of(simulation: Simulation) -> System:
-    return simulation._system
+    return simulation.tables[0]
 
 
 def solver_of(simulation: Simulation) -> Solver:
@@ -41,6 +53,29 @@ def is_ring(simulation: Simulation) -> bool:
     return simulation._body.ring
 
 
+def problem_of(simulation: Simulation) -> Problem:
+    """The table of all tables that the simulation's kernels work on; its method has begun."""
+    problem = solver_of(simulation)._problem
+    assert problem is not None
+    return problem
+
+
+def scratch_of(simulation: Simulation) -> Scratch:
+    """The kernels' room for what is needed within a step."""
+    return simulation._scratch
+
+
+def drive(simulation: Simulation, start: float, end: float) -> Drive:
+    """What drives the simulation's body from a time to another, without hands and keys."""
+    return simulation._stepper._driver.drive(start, end, {})
+
+
+def run_in_steps(solver: Solver, table: Rosenbrock, drive: Drive, end: float, step: float) -> None:
+    """Run to a time in steps of one length with a method that otherwise chooses them itself."""
+    problem = solver._bind(True).replaced(implicit=table, fixed=step)
+    run_rosenbrock(problem, drive, end, 1.0, 10**6)
+
+
 def general(simulation: Simulation) -> Simulation:
     """The same simulation, made to take the path for any topology."""
     body = simulation._body.replaced(chain=False, ring=False)
@@ -48,6 +83,26 @@ def general(simulation: Simulation) -> Simulation:
     simulation._system = dataclasses.replace(simulation._system, body=body)
     simulation._stepper = simulation._new_stepper()
     return simulation
+
+
+def by_numpy(simulation: Simulation) -> Simulation:
+    """The same simulation, made to move by NumPy and to go on doing so."""
+    scene, system, state = simulation._scene, simulation._system, simulation._state
+    simulation._stepper = Stepper(scene, system, state, PlainSolver(scene, system, state))
+    simulation.take_compiled = lambda: False  # type: ignore[method-assign]
+    return simulation
+
+
+def with_law(simulation: Simulation, code: int) -> Simulation:
+    """The same simulation, whose joints have another law: one of that code, which need not exist."""
+    simulation._body = simulation._body.replaced(law=code)
+    simulation._system = dataclasses.replace(simulation._system, body=simulation._body)
+    return simulation
+
+
+def begin_anew(simulation: Simulation) -> None:
+    """Let the method begin anew with the next step."""
+    simulation._stepper.begin_anew()
 
 
 def put(simulation: Simulation, positions: Points, velocities: Points | None = None) -> None:
@@ -84,3 +139,35 @@ def forces_of(scene: Scene) -> Points:
 def same_state(one: Simulation, other: Simulation) -> bool:
     """Whether all masses of both have the same positions and velocities, bit for bit."""
     return np.array_equal(one.positions, other.positions) and np.array_equal(one.velocities, other.velocities)
+
+
+# ------------------------------------------------------------------------- modules
+STEADY = adams._STEADY
+"""The degree that Adams' methods leave to long steps."""
+
+KRYLOV = "sim.body.sparsity._KRYLOV"
+"""Where a test may set how many directions the solver of linear systems tries before it begins anew."""
+
+
+@numba.njit
+def spaced(past: Floats, head: int, method: Adams, degree: int, ratio: float, rows: Floats) -> None:
+    """Interpolate the past of Adams' methods for a step that is `ratio` times as long."""
+    adams._space(past, head, method, degree, ratio, rows)
+
+
+def hash_from(sources: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Have the kernels' hashes made of the sources in another folder."""
+    monkeypatch.setattr(kept, "_SOURCES", sources)
+    kept.source_hash.cache_clear()
+
+
+@contextmanager
+def nothing_kept() -> Iterator[None]:
+    """While it lasts, no arrays are known of any parts."""
+    before = dict(columns._kept)
+    columns._kept.clear()
+    try:
+        yield
+    finally:
+        columns._kept.clear()
+        columns._kept.update(before)

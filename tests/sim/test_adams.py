@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import msgspec
-import numba
 import numpy as np
 import pytest
 from numpy.polynomial import Polynomial
 
 import sim
 from sim import Integrator, Scene, Simulation
-from sim.kernels.core.tables import PAST, Adams, Floats
-from sim.kernels.integrators import adams as kernels
+from sim.kernels.core.tables import PAST
 from sim.methods.adams import adams
 from tests.sim.builders import folded_rope
-from tests.sim.inside import adams_degree
+from tests.sim.inside import STEADY, adams_degree, spaced
 
 REPLACE = msgspec.structs.replace
 PARTS = 100
@@ -29,12 +27,6 @@ def moved(scene: Scene, tolerance: float) -> tuple[Simulation, list[int]]:
         assert simulation.step() == 1
         degrees.append(adams_degree(simulation))
     return simulation, degrees
-
-
-@numba.njit
-def spaced(past: Floats, head: int, method: Adams, degree: int, ratio: float, rows: Floats) -> None:
-    """Kernels whose names start with an underscore can be called by compiled code only."""
-    kernels._space(past, head, method, degree, ratio, rows)
 
 
 @pytest.mark.parametrize("degree", range(1, PAST))
@@ -90,9 +82,9 @@ def growth(degree: int, part: float) -> float:
 
 def test_vibrations_fade_under_the_degree_that_long_steps_are_left() -> None:
     parts = np.linspace(0.34, 0.62, 30)
-    assert max(growth(kernels._STEADY, part) for part in parts) < 1.0
+    assert max(growth(STEADY, part) for part in parts) < 1.0
     assert max(growth(PAST - 1, part) for part in parts) > 1.0004
-    assert growth(kernels._STEADY, 0.65) > 1.0
+    assert growth(STEADY, 0.65) > 1.0
 
 
 def test_vibrations_that_nothing_damps_do_not_hold_steps() -> None:

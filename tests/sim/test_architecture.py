@@ -7,6 +7,7 @@ import graphlib
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,12 @@ import sim
 
 ROOT = Path(sim.__file__).parent.parent
 SOURCES = sorted((ROOT / "sim").rglob("*.py"))
+
+
+@cache
+def parsed(path: Path) -> ast.Module:
+    """A module's code."""
+    return ast.parse(path.read_text(encoding="utf-8"))
 
 
 def imported(tree: ast.AST) -> set[str]:
@@ -39,20 +46,20 @@ def test_the_solver_loads_without_the_page() -> None:
     assert not modules & {"scipy.sparse", "scipy.integrate"}
 
 
-@pytest.mark.parametrize("path", SOURCES, ids=[str(path.relative_to(ROOT)) for path in SOURCES])
-def test_the_solver_imports_only_what_it_needs(path: Path) -> None:
+def test_the_solver_imports_only_what_it_needs() -> None:
     allowed = {"sim", "numpy", "numba", "llvmlite", "msgspec", "platformdirs"} | sys.stdlib_module_names
-    # SciPy takes long to load, and few bodies need it: it is loaded when it is needed.
-    lazily = set() if {"kernels", "forces"} & set(path.parts) else {"scipy"}
-    for node in ast.parse(path.read_text(encoding="utf-8")).body:
-        if not is_for_types(node):
-            is_late = isinstance(node, ast.FunctionDef | ast.ClassDef)
-            assert imported(node) <= allowed | (lazily if is_late else set())
+    for path in SOURCES:
+        # SciPy takes long to load, and few bodies need it: it is loaded when it is needed.
+        lazily = set() if {"kernels", "forces"} & set(path.parts) else {"scipy"}
+        for node in parsed(path).body:
+            if not is_for_types(node):
+                is_late = isinstance(node, ast.FunctionDef | ast.ClassDef)
+                assert imported(node) <= allowed | (lazily if is_late else set()), path
 
 
 def test_kernels_know_nothing_of_scenes_and_files() -> None:
     for path in (ROOT / "sim" / "kernels").rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in ast.walk(parsed(path)):
             if isinstance(node, ast.ImportFrom):
                 # One step up from a folder of kernels is another one, and two are the pages about forces.
                 assert node.level <= 2 or (node.module or "").split(".")[0] == "forces", path
@@ -88,7 +95,7 @@ def test_modules_import_each_other_in_one_direction_only(package: str) -> None:
     users: dict[str, set[str]] = {}
     for path in (ROOT / package).rglob("*.py"):
         words = list(path.relative_to(ROOT).with_suffix("").parts)
-        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+        for node in parsed(path).body:
             if isinstance(node, ast.ImportFrom) and node.level:
                 base = words[: -node.level] + (node.module.split(".") if node.module else [])
                 targets = [base] if node.module else [[*base, alias.name] for alias in node.names]
@@ -105,7 +112,7 @@ def test_folders_import_each_other_in_one_direction_only(package: str) -> None:
         words = list(path.relative_to(ROOT).with_suffix("").parts)
         if words[-1] == "__init__":
             continue
-        for node in loaded_by(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in loaded_by(parsed(path)):
             if isinstance(node, ast.ImportFrom) and (node.level or (node.module or "").startswith(package)):
                 base = words[: -node.level] if node.level else []
                 target = folder_of(base + (node.module.split(".") if node.module else []))
@@ -114,3 +121,71 @@ def test_folders_import_each_other_in_one_direction_only(package: str) -> None:
     assert len(users) > 3
     order = graphlib.TopologicalSorter(users)
     order.prepare()  # raises where there is a circle
+
+
+# ------------------------------------------------------------------------- what tests look at
+TESTS = sorted((ROOT / "tests").rglob("*.py"))
+GATHERED = ("tests/sim/inside.py", "tests/app/inside.py", "tests/app/test_viser_inside.py")
+"""The only files of tests that look at an inside: all other tests go on when that changes."""
+PUBLIC = ("_replace", "_repr_html_")
+"""Names that begin with an underscore and are for everybody: of named tuples, and of notebooks."""
+
+
+def is_private(name: str) -> bool:
+    """Whether a name, or the last part of a path to one, is nobody else's business."""
+    last = name.split(".")[-1]
+    return last.startswith("_") and not last.startswith("__") and last not in PUBLIC
+
+
+def private_looks(tree: ast.AST) -> list[tuple[int, str]]:
+    """Where a piece of code looks at what belongs to another one: line and name."""
+    found = []
+    for node in ast.walk(tree):
+        match node:
+            case ast.Attribute(value=ast.Name(id="self" | "cls")):
+                pass
+            case ast.Attribute(attr=name) if is_private(name):
+                found.append((node.lineno, name))
+            case ast.Import(names=names) | ast.ImportFrom(names=names):
+                module = "" if isinstance(node, ast.Import) else f"{node.module}."
+                paths = [f"{module}{alias.name}" for alias in names]
+                parts = [(path, part) for path in paths for part in path.split(".")]
+                found += [(node.lineno, path) for path, part in parts if is_private(part)]
+            case ast.Call(func=ast.Attribute(attr="setattr") | ast.Name(id="getattr" | "setattr"), args=args):
+                texts = [each.value for each in args if isinstance(each, ast.Constant)]
+                found += [(node.lineno, name) for name in texts if isinstance(name, str) and is_private(name)]
+    return found
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "tab._session", "tab.probe()._x", "self.tab._view = 1", "from sim.scene import _kept",
+        "import viser._messages", "from viser.infra._infra import x", "getattr(tab, '_session')",
+        "monkeypatch.setattr(Tab, '_prepare', f)", "monkeypatch.setattr('sim.body.sparsity._KRYLOV', 1)",
+    ],
+)  # fmt: skip
+def test_a_private_look_is_seen(code: str) -> None:
+    assert private_looks(ast.parse(code))
+
+
+@pytest.mark.parametrize(
+    "code", ["self._mine", "cls._mine", "selection._replace(a=1)", "viser.__version__", "for _ in some: pass"]
+)
+def test_what_is_ones_own_or_for_everybody_is_no_private_look(code: str) -> None:
+    assert not private_looks(ast.parse(code))
+
+
+def test_tests_look_at_private_state_only_where_such_looks_are_gathered() -> None:
+    assert len(TESTS) > 100
+    for path in TESTS:
+        if path.relative_to(ROOT).as_posix() not in GATHERED:
+            looks = private_looks(ast.parse(path.read_text(encoding="utf-8")))
+            assert not looks, f"{path}: {looks}"
+
+
+def test_browser_tests_know_of_viser_by_the_page_s_own_script_only() -> None:
+    """`app/page/viser/seen.js` says what is seen; one test pretends to be a viser that nobody knows."""
+    for path in (ROOT / "tests" / "browser").glob("*.py"):
+        if path.name != "test_tabs.py":
+            assert "__viser" not in path.read_text(encoding="utf-8"), path

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -43,10 +45,18 @@ def test_nobody_can_write_to_them() -> None:
         array[0] = 5.0
 
 
-def test_few_are_kept() -> None:
-    for i in range(3 * columns.MOST):  # a tuple that is gone may leave its id to the next
+def test_a_tuple_that_is_gone_may_leave_its_id_to_the_next() -> None:
+    for i in range(3 * columns.MOST):
         assert column(springs_of(4, first=i), "stiffness").tolist() == [float(i + k) for k in range(4)]
-        assert len(columns._kept) <= columns.MOST
+
+
+def test_few_are_kept() -> None:
+    bodies = [springs_of(4, first=10 * i) for i in range(3 * columns.MOST)]
+    made = [column(parts, "stiffness") for parts in bodies]
+    # From the latest on, since what is made anew takes the place of another one.
+    again = [column(parts, "stiffness") for parts in reversed(bodies)]
+    kept = [one is other for one, other in zip(again, reversed(made), strict=True)]
+    assert kept == [True] * columns.MOST + [False] * (2 * columns.MOST)
 
 
 def test_a_list_that_changes_is_looked_at_again() -> None:
@@ -63,7 +73,6 @@ def fields_of(parts: tuple[sim.LinearSpring, ...]) -> list[list[float]]:
 @given(st.data())
 def test_arrays_of_other_parts_are_made_of_those_that_are_the_same(data: st.DataObject) -> None:
     """Of some springs, any stretch is replaced by any other springs, again and again."""
-    columns._kept.clear()
     parts = springs_of(data.draw(st.integers(0, 12)))
     for step in range(4):
         expected = [
@@ -87,21 +96,25 @@ def test_vectors_of_other_masses_are_made_of_those_that_are_the_same() -> None:
         assert vectors(some, "position").shape == (len(some), 2)
 
 
-def test_only_what_is_new_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
-    read: list[int] = []
+def test_only_what_is_new_is_read() -> None:
+    read: list[str] = []
 
-    def counting(parts: tuple[sim.LinearSpring, ...], field: str, dtype: type) -> np.ndarray:
-        read.append(len(parts))
-        return made(parts, field, dtype)
+    class Counted:
+        def __getattr__(self, field: str) -> float:
+            read.append(field)
+            return 1.0
 
-    made = columns._made
-    columns._kept.clear()
-    monkeypatch.setattr(columns, "_made", counting)
-    parts = springs_of(50)
-    fields_of(parts)
-    parts = (*parts[:20], spring(3, 4, 5.0), *parts[21:])
-    fields_of(parts)
+    def reads(parts: tuple[Any, ...]) -> int:
+        read.clear()
+        for field in ("stiffness", "damping", "rest_length"):
+            column(parts, field)
+        assert read.count("stiffness") == read.count("damping") == read.count("rest_length")
+        return read.count("stiffness")
+
+    parts = tuple(Counted() for _ in range(50))
+    assert reads(parts) == 50
+    parts = (*parts[:20], Counted(), *parts[21:])
+    assert reads(parts) == 1
     parts = parts[1:]
-    fields_of(parts)
-    fields_of((*parts, spring(0, 9, 1.0)))
-    assert read == [50] * 3 + [1] * 3 + [0] * 3 + [1] * 3
+    assert reads(parts) == 0
+    assert reads((*parts, Counted())) == 1

@@ -385,8 +385,8 @@ def test_damage_that_does_not_fit_is_refused(damage: Damage, sentence: str) -> N
 
 def test_where_nothing_yields_or_breaks_there_is_nothing_to_pay_for() -> None:
     simulation = Simulation(sim.load_scene("ring"))
-    state = simulation._state
-    assert not simulation._body.limits.present
+    system, state = simulation.tables
+    assert not system.body.limits.present
     assert all(state.__dict__[name].size == 0 for name in ("set_length", "set_angle", "hardened", "broken"))
     assert simulation.capture().damage is None
 

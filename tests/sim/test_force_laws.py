@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import get_args
 
 import msgspec
@@ -27,7 +26,7 @@ from sim.physics import Physics
 from sim.scene.types import ForceLaw
 from sim.settings import CHOICES
 from tests.sim.bodies import body
-from tests.sim.inside import spring_forces
+from tests.sim.inside import spring_forces, with_law
 
 ANGLES = np.linspace(-3.0, 3.0, 13)
 
@@ -98,11 +97,11 @@ def test_products_of_vectors_are_the_terms_of_the_sine(seed: int) -> None:
 
 @pytest.mark.parametrize("shape", ["chain", "ring", "tree"])
 def test_an_unknown_law_is_an_error_and_not_a_body_without_joints(shape: str) -> None:
-    simulation = Simulation(body(shape, "conservative", 1))
-    simulation._body = simulation._body.replaced(law=99)
+    simulation = with_law(Simulation(body(shape, "conservative", 1)), 99)
     assert np.isnan(spring_forces(simulation)).any()
+    system, state = simulation.tables
     with pytest.raises(KeyError):
-        Physics(simulation._body, simulation._state)
+        Physics(system.body, state)
 
 
 # ------------------------------------------------------------------------- a law that is not there yet
@@ -131,16 +130,15 @@ def test_what_is_measured_follows_from_a_law_that_is_new(monkeypatch: pytest.Mon
     scene = msgspec.structs.replace(
         body("hub", "angle", 3), integrator=sim.Integrator(method="rodas5p", tolerance=1.0)
     )
-    simulation = Simulation(scene)
-    simulation._body = simulation._body.replaced(law=99)
-    simulation._system = dataclasses.replace(simulation._system, body=simulation._body)
+    simulation = with_law(Simulation(scene), 99)
+    system, _ = simulation.tables
     angles = np.radians(simulation.angles - simulation.rest_angles)
     by_hand = np.tan((angles - 2.0 * np.pi * np.round(angles / (2.0 * np.pi))) / 4.0)
     for j, joint in enumerate(scene.angular_springs):
         found = sim.quantity(f"joint{j}.torque", scene).read(simulation)
         still = simulation.loads.torques[j]
         assert found == pytest.approx(still, rel=1e-3)
-        quantity = simulation._body.torque_damping[1 + simulation._system.joint_order[j]]
+        quantity = system.body.torque_damping[1 + system.joint_order[j]]
         lengths = [sim.quantity(f"spring{s}.length", scene).read(simulation) for s in (joint.a, joint.b)]
         rate = np.radians(sim.quantity(f"joint{j}.rate", scene).read(simulation))
         wanted = lengths[0] * lengths[1] * (4.0 * joint.stiffness * by_hand[j] + quantity * rate)

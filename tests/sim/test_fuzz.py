@@ -18,12 +18,12 @@ UNEXPLAINED = 0.3
 """Energy that the balance cannot account for, as a part of all that was turned over or lost."""
 
 
-@pytest.mark.parametrize("first", part_of(range(0, CASES, BATCH), 8))
+@pytest.mark.parametrize("first", part_of(range(0, CASES, BATCH), 16))
 def test_nothing_explodes(first: int) -> None:
     nothing_explodes(False, range(first, first + BATCH))
 
 
-@pytest.mark.parametrize("first", part_of(range(0, IN_WORLDS, BATCH), 4))
+@pytest.mark.parametrize("first", part_of(range(0, IN_WORLDS, BATCH), 8))
 def test_nothing_explodes_in_a_wild_world(first: int) -> None:
     nothing_explodes(True, range(first, first + BATCH))
 

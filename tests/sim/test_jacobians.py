@@ -175,30 +175,30 @@ def test_the_definite_matrix_at_rest(shape: str, joints: bool, law: ForceLaw) ->
 # ------------------------------------------------------------------------- lengths of chains
 @pytest.mark.parametrize("origin", [0, -1])
 @pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("count", [*range(2, 20), *range(30, 40), 47, 48, 49, 60, 61])
-def test_a_chain_of_any_length_is_solved_like_any_other_body(count: int, law: ForceLaw, origin: int) -> None:
+def test_a_chain_of_any_length_is_solved_like_any_other_body(law: ForceLaw, origin: int) -> None:
     # Derivatives are taken of eight springs at once, and of sixteen before their rows are eliminated, from
     # both ends. What comes behind the last spring has no length where the last mass is at (0, 0).
-    rng = np.random.default_rng(count)
-    positions = np.array(row(count)) + rng.uniform(-3.0, 3.0, (count, 2))
-    positions -= positions[origin]
-    scene = chain(
-        list(map(tuple, positions.tolist())),
-        stiffness=2000.0,
-        angular_stiffness=3000.0,
-        damping=20.0,
-        velocities=list(map(tuple, rng.normal(0.0, 50.0, (count, 2)).tolist())),
-        held=(count // 2,) if count > 3 else (),
-    )
-    scene = REPLACE(scene, force_law=law, air_friction=0.01)
-    one, other = Arrays(scene), Arrays(scene, general=True)
-    assert one.body.chain
-    assert not other.body.chain
-    right = rng.normal(size=2 * count)
-    for arrays in (one, other):
-        assert arrays.factorise(100.0, 10.0)
-    expected = other.solve(right)
-    assert np.abs(one.solve(right) - expected).max() <= 1e-9 * np.abs(expected).max()
+    for count in (*range(2, 20), *range(30, 40), 47, 48, 49, 60, 61):
+        rng = np.random.default_rng(count)
+        positions = np.array(row(count)) + rng.uniform(-3.0, 3.0, (count, 2))
+        positions -= positions[origin]
+        scene = chain(
+            list(map(tuple, positions.tolist())),
+            stiffness=2000.0,
+            angular_stiffness=3000.0,
+            damping=20.0,
+            velocities=list(map(tuple, rng.normal(0.0, 50.0, (count, 2)).tolist())),
+            held=(count // 2,) if count > 3 else (),
+        )
+        scene = REPLACE(scene, force_law=law, air_friction=0.01)
+        one, other = Arrays(scene), Arrays(scene, general=True)
+        assert one.body.chain
+        assert not other.body.chain
+        right = rng.normal(size=2 * count)
+        for arrays in (one, other):
+            assert arrays.factorise(100.0, 10.0)
+        expected = other.solve(right)
+        assert np.abs(one.solve(right) - expected).max() <= 1e-9 * np.abs(expected).max(), count
 
 
 # ------------------------------------------------------------------------- pivots

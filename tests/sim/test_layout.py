@@ -9,6 +9,7 @@ import pytest
 import sim
 from sim.body.layout import Layout, slab
 from sim.kernels.engine.table import Floats, Record, Rows, Table, address_of
+from tests.sim.inside import solver_of
 
 
 class _Count(Record):
@@ -81,6 +82,6 @@ def test_there_is_nothing_else_in_a_table() -> None:
 def test_rows_of_a_method_lie_in_another_part_of_a_page_than_its_new_state(masses: int) -> None:
     """Where they begin, both are 8 bytes before a whole number of cache lines."""
     simulation = sim.Simulation(sim.rope(masses))
-    integrator = simulation._stepper.solver.integrator  # type: ignore[union-attr]
+    integrator = solver_of(simulation).integrator
     assert address_of(integrator.new.q) % 4096 == 56
     assert address_of(integrator.a) % 4096 == 2560 + 56

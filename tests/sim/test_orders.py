@@ -12,12 +12,13 @@ import pytest
 
 import sim
 from sim import Anchor, ArrowKeys, Integrator, Scene, Simulation, Wind
-from sim.kernels.integrators.rosenbrock import run_rosenbrock
+from sim.kernels.core.tables import Rosenbrock
 from sim.methods.registry import METHODS
 from sim.motion.driving import Driver
 from sim.scene.types import Circle, ForceLaw, Method
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import body
+from tests.sim.inside import run_in_steps
 from tests.sim.laws import Laws, Path
 from tests.sim.muscular import with_muscles
 
@@ -129,8 +130,8 @@ def solved(problem: Motion, method: Method, steps: int) -> np.ndarray:
     growth = math.log(1.3) / DURATION if "up" in problem.keys else 0.0
     turn = 30.0 / DURATION if "right" in problem.keys else 0.0
     drive = Driver(scene, arrays.system, arrays.state).drive(0.0, DURATION, targets, growth, turn)
-    tables = solver._bind(True).replaced(implicit=info.table, fixed=DURATION / steps)
-    run_rosenbrock(tables, drive, DURATION, 1.0, 10**6)
+    assert isinstance(info.table, Rosenbrock)
+    run_in_steps(solver, info.table, drive, DURATION, DURATION / steps)
     assert solver.time == DURATION
     assert solver.stats().steps == steps
     return arrays.pairs(arrays.state.q)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import get_args
 
 import msgspec
@@ -10,25 +11,19 @@ import pytest
 
 import sim
 from sim import Anchor, Circle, Integrator, Scene, Simulation
-from sim.motion.plain import PlainSolver
-from sim.motion.stepping import Stepper
 from sim.physics import Physics
 from sim.scene.types import ForceLaw, Method
+from tests.amount import NIGHT, part_of
 from tests.sim.bodies import SHAPES, body
 from tests.sim.fuzzing import with_muscles
-from tests.sim.inside import general
+from tests.sim.inside import by_numpy, general
 
 REPLACE = msgspec.structs.replace
 LAWS: tuple[ForceLaw, ...] = get_args(ForceLaw)
 
 
 def plain(scene: Scene) -> Simulation:
-    """A simulation that moves by NumPy and goes on doing so."""
-    simulation = Simulation(scene)
-    solver = PlainSolver(simulation._scene, simulation._system, simulation._state)
-    simulation._stepper = Stepper(simulation._scene, simulation._system, simulation._state, solver)
-    simulation.take_compiled = lambda: False  # type: ignore[method-assign]
-    return simulation
+    return by_numpy(Simulation(scene))
 
 
 def lively(shape: str, law: ForceLaw, method: Method, seed: int) -> Scene:
@@ -43,10 +38,10 @@ def lively(shape: str, law: ForceLaw, method: Method, seed: int) -> Scene:
     )
 
 
-@pytest.mark.parametrize("path", ["own", "general"])
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet"])
+RUNS = product(["symplectic_euler", "velocity_verlet"], SHAPES, LAWS, ["own", "general"])
+
+
+@pytest.mark.parametrize(("method", "shape", "law", "path"), part_of([*RUNS], 3))
 def test_a_run_by_numpy_is_that_of_the_kernels(method: Method, shape: str, law: ForceLaw, path: str) -> None:
     scene = lively(shape, law, method, seed=3)
     one, other = plain(scene), Simulation(scene)
@@ -88,8 +83,8 @@ def test_muscles_by_numpy_are_those_of_the_kernels(method: Method) -> None:
 @pytest.mark.parametrize("shape", SHAPES)
 def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) -> None:
     simulation = Simulation(REPLACE(body(shape, law, 5), integrator=Integrator(method="symplectic_euler")))
-    state = simulation._state
-    physics = Physics(simulation._body, state)
+    system, state = simulation.tables
+    physics = Physics(system.body, state)
     x, still = state.x + 1j * state.y, np.zeros(state.slots, complex)
     forces = physics.forces(x, still)
     h = 1e-5
@@ -107,9 +102,9 @@ def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) ->
 @pytest.mark.parametrize("law", LAWS)
 def test_springs_and_joints_exert_no_force_and_no_torque_on_the_whole(law: ForceLaw) -> None:
     simulation = Simulation(body("girder", law, 1))
-    state = simulation._state
+    system, state = simulation.tables
     x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
-    physics = Physics(simulation._body, state)
+    physics = Physics(system.body, state)
     forces = physics.springs.forces(x, v) + physics.joints.forces(x, v)
     size = float(np.abs(forces).max())
     assert abs(forces.sum()) < 1e-12 * size
@@ -135,17 +130,17 @@ def test_a_body_too_stiff_for_numpy_is_late_and_not_lost() -> None:
     assert simulation.stats().steps == 50
 
 
-@pytest.mark.parametrize("name", [info.name for info in sim.list_scenes() if info.built_in])
+@pytest.mark.parametrize("name", part_of([info.name for info in sim.list_scenes() if info.built_in], 3))
 def test_every_preset_moves_by_numpy(name: str) -> None:
-    scene = sim.load_scene(name)
+    scene, steps = sim.load_scene(name), 40 if NIGHT else 8
     simulation = plain(scene)
-    assert simulation.step(40) == 40
-    assert simulation.time == pytest.approx(40 * scene.integrator.dt)
+    assert simulation.step(steps) == steps
+    assert simulation.time == pytest.approx(steps * scene.integrator.dt)
     assert simulation.divergence is None
     if len(scene.anchors) < len(scene.masses):
         assert simulation.velocities.any()
     exact = Simulation(scene)
-    exact.step(40)
+    exact.step(steps)
     assert simulation.positions == pytest.approx(exact.positions, abs=0.2)
 
 

@@ -17,6 +17,7 @@ from sim.methods.registry import METHODS
 from sim.scene.types import Integrator
 from sim.store.files import decode_link, decode_scene, encode_scene
 from sim.store.link import pack_scene
+from tests.sim.inside import by_numpy
 
 replace = msgspec.structs.replace
 
@@ -68,17 +69,10 @@ def test_gravity_and_the_same_weight_as_forces_move_a_body_alike(name: str) -> N
 
 def test_without_compiled_kernels_it_is_the_same() -> None:
     scene = hung((40.0, 1000.0), integrator=method("symplectic_euler"))
-    compiled, plain = Simulation(scene), Simulation(scene)
-    plain._stepper = type(plain._stepper)(plain.scene, plain._system, plain._state, _plain_solver(plain))
+    compiled, plain = Simulation(scene), by_numpy(Simulation(scene))
     compiled.step(300)
     plain.step(300)
     np.testing.assert_allclose(plain.positions, compiled.positions, rtol=1e-12)
-
-
-def _plain_solver(simulation: Simulation) -> Any:
-    from sim.motion.plain import PlainSolver
-
-    return PlainSolver(simulation.scene, simulation._system, simulation._state)
 
 
 def test_the_force_is_minus_the_gradient_of_the_energy() -> None:

@@ -19,8 +19,8 @@ import sim
 from sim import LinearSpring, Scene, SceneError, Simulation, validate
 from sim.analysis.equilibrium import equilibrium
 from sim.scene.numbers import MAX_MASSES
-from sim.scene.recipes import recipe as all_recipes
 from sim.scene.recipes.recipe import AnyRecipe
+from sim.scene.recipes.sheets import Cloth
 from sim.store.files import decode_scene, encode_scene
 from tests.amount import examples
 from tests.sim.inside import forces_of
@@ -74,8 +74,8 @@ def recipes(draw: st.DrawFn) -> AnyRecipe:
 # ------------------------------------------------------------------------- any numbers
 def test_one_move_of_a_slider_makes_the_body_once(monkeypatch: pytest.MonkeyPatch) -> None:
     made: list[object] = []
-    expanded = all_recipes._expanded
-    monkeypatch.setattr(all_recipes, "_expanded", lambda *parts: (made.append(parts), expanded(*parts))[1])
+    expand = Cloth.expand
+    monkeypatch.setattr(Cloth, "expand", lambda cloth: (made.append(cloth), expand(cloth))[1])
     simulation = Simulation(sim.cloth())
     simulation.replace(sim.set_value(simulation.scene, "linear_stiffness", 777.0))
     assert len(made) == 2  # the cloth, and the cloth with another stiffness

@@ -251,14 +251,12 @@ def with_number(scene: Scene, route: Route, value: Any) -> Scene:
     return with_value(scene, route, value)
 
 
-@pytest.mark.parametrize(("scene", "route"), FLOATS, ids=[spelled(route) for _, route in FLOATS])
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, 1e30, -1e30])
-def test_nan_infinite_and_huge_numbers_are_refused_everywhere(
-    scene: Scene, route: Route, value: float
-) -> None:
-    text = refused(with_number(scene, route, value))
-    assert text.startswith(spelled(route) + ": ")
-    assert ("not a finite number" in text) == (not math.isfinite(value))
+def test_nan_infinite_and_huge_numbers_are_refused_everywhere(value: float) -> None:
+    for scene, route in FLOATS:
+        text = refused(with_number(scene, route, value))
+        assert text.startswith(spelled(route) + ": ")
+        assert ("not a finite number" in text) == (not math.isfinite(value)), text
 
 
 def test_what_is_no_number_is_refused_everywhere_in_a_body() -> None:

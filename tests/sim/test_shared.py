@@ -33,7 +33,7 @@ def test_a_scene_is_found_by_its_code(home: None) -> None:
 
 
 def test_two_scenes_that_would_share_a_code_do_not(home: None, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(shared, "_letters", lambda digest: "BCDF" + f"{digest[0] % 8 + 2}" * 8)
+    monkeypatch.setattr(shared, "letters_of", lambda digest: "BCDF" + f"{digest[0] % 8 + 2}" * 8)
     scenes = [sim.rope(masses=n) for n in range(3, 8)]
     codes = [share_scene(scene) for scene in scenes]
     assert len(set(codes)) == len(codes)

@@ -15,7 +15,7 @@ from sim.methods.registry import METHODS
 from sim.motion.auto_costs import LONG
 from sim.scene.types import Circle, Method
 from tests.sim.bodies import body
-from tests.sim.inside import solver_of
+from tests.sim.inside import drive, solver_of
 
 REPLACE = msgspec.structs.replace
 FLOWS: tuple[Method, ...] = tuple(m.name for m in METHODS.values() if m.order != 1)
@@ -100,9 +100,8 @@ def test_a_step_of_last_resort_keeps_within_bounds() -> None:
         anchors=(Anchor(mass=0, driven=True, circle=circle),),
     )
     simulation = Simulation(scene)
-    stepper = simulation._stepper
     solver_of(simulation).load(0.0)
-    solver_of(simulation).fall_back(0.005, stepper._driver.drive(0.0, 0.005, {}))
+    solver_of(simulation).fall_back(0.005, drive(simulation, 0.0, 0.005))
     assert simulation.positions[0, 1] == 1e6
     assert np.abs(simulation.positions).max() <= 1e6
     simulation.step()
@@ -162,7 +161,7 @@ def test_a_short_call_after_long_steps(method: Method) -> None:
     simulation = Simulation(scene)
     simulation.step(20)
     solver, start = solver_of(simulation), simulation.time
-    drive = simulation._stepper._driver.drive(start, start + 1.0, {})
+    driven = drive(simulation, start, start + 1.0)
     for end in (start + 1e-9, start + 1e-5):
-        solver.run(end, drive, attempts=1000)
+        solver.run(end, driven, attempts=1000)
         assert solver.time == end

@@ -18,6 +18,7 @@ from sim.methods.registry import METHODS
 from sim.methods.tableaux import explicit
 from sim.motion.stability import quick_limit
 from sim.scene.types import ForceLaw
+from tests.amount import part_of
 from tests.sim.amplification import dynamics, exact_limit, spectral_radius
 from tests.sim.bodies import LAWS, body
 from tests.sim.builders import chain, euler, row, tangle, tutorial_preset
@@ -154,7 +155,7 @@ def estimate_and_limit(simulation: Simulation) -> tuple[float, float, tuple[np.n
     return simulation.stability().limit, exact_limit(k, c), (k, c)
 
 
-@pytest.mark.parametrize(("preset", "law"), PRESETS_AND_LAWS)
+@pytest.mark.parametrize(("preset", "law"), part_of(PRESETS_AND_LAWS, 3))
 def test_meter_on_presets(preset: str, law: ForceLaw) -> None:
     # The dense matrices know no wind.
     simulation = Simulation(REPLACE(sim.load_scene(preset), force_law=law, integrator=euler(), wind=None))
@@ -193,7 +194,7 @@ def test_the_meter_sees_when_another_body_gets_stiffer() -> None:
     assert estimate.cause == "fillings"
 
 
-@pytest.mark.parametrize(("preset", "law"), PRESETS_AND_LAWS)
+@pytest.mark.parametrize(("preset", "law"), part_of(PRESETS_AND_LAWS, 4))
 def test_meter_follows_a_body_in_motion(preset: str, law: ForceLaw) -> None:
     scene = REPLACE(sim.load_scene(preset), force_law=law, integrator=euler(), wind=None)
     simulation = Simulation(scene)
@@ -215,7 +216,7 @@ def test_meter_on_random_bodies(seed: int) -> None:
 
 @pytest.mark.parametrize("damping", [0.0, 30.0])
 @pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("shape", ["chain", "girder", "hub"])
+@pytest.mark.parametrize("shape", part_of(["chain", "girder", "hub"], 3))
 def test_meter_sees_angular_damping(shape: str, law: ForceLaw, damping: float) -> None:
     scene = body(shape, law, 3, damping=damping, twist=200.0, held=(1,))
     estimate, limit, _ = estimate_and_limit(Simulation(scene))
@@ -225,8 +226,8 @@ def test_meter_sees_angular_damping(shape: str, law: ForceLaw, damping: float) -
     assert Simulation(without).stability().limit > 1.3 * limit
 
 
+@pytest.mark.parametrize("seed", part_of(range(3), 3))
 @pytest.mark.parametrize("preset", ["tutorial-3.3", "ring", "box", "hair-tuft"])
-@pytest.mark.parametrize("seed", range(3))
 def test_meter_at_random_positions(preset: str, seed: int) -> None:
     simulation = Simulation(tutorial_preset(preset))
     rng = np.random.default_rng(seed)

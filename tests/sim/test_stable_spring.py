@@ -11,6 +11,7 @@ import pytest
 import sim
 from sim import Integrator, Scene, Simulation
 from sim.scene.types import ForceLaw
+from tests.amount import part_of
 from tests.sim.builders import chain, euler, row
 from tests.sim.inside import same_state, system_of
 
@@ -85,7 +86,8 @@ def wandered(scene: Scene) -> float:
 @pytest.mark.parametrize("ratio", [1e-3, 1.0, 1e3])
 @pytest.mark.parametrize("preset", SHAPES)
 def test_it_never_explodes(preset: str, ratio: float) -> None:
-    for stiffness, dt, damping, twist in itertools.product(STIFFNESSES, STEPS, (0.0, 40.0, 1e6), (0.0, 1e6)):
+    cases = [*itertools.product(STIFFNESSES, STEPS, (0.0, 40.0, 1e6), (0.0, 1e6))]
+    for stiffness, dt, damping, twist in part_of(cases, 5):
         scene = shaken(preset, stiffness=stiffness, dt=dt, damping=damping, twist=twist, ratio=ratio)
         assert wandered(scene) <= 600.0, (stiffness, dt, damping, twist)
 
@@ -94,7 +96,7 @@ def test_it_never_explodes(preset: str, ratio: float) -> None:
 @pytest.mark.parametrize("preset", SHAPES)
 def test_it_never_explodes_under_other_laws(preset: str, law: ForceLaw) -> None:
     # With some damping: without any, a law that is no gradient does work for ever.
-    for stiffness, dt, ratio in itertools.product(STIFFNESSES, STEPS, (1e-3, 1.0, 1e3)):
+    for stiffness, dt, ratio in part_of([*itertools.product(STIFFNESSES, STEPS, (1e-3, 1.0, 1e3))], 5):
         scene = shaken(preset, stiffness=stiffness, dt=dt, damping=40.0, ratio=ratio, law=law)
         assert wandered(scene) <= 600.0, (stiffness, dt, ratio)
 

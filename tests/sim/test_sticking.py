@@ -28,7 +28,7 @@ from sim.scene.types import Grips, Method
 from sim.store.files import decode_scene, encode_scene
 from studies.bench.heap import heap
 from tests.sim.arrays import Arrays
-from tests.sim.inside import same_state, system_of, take_over
+from tests.sim.inside import begin_anew, same_state, system_of, take_over
 from tests.sim.touching import REPLACE, SOFT, crumpled, joined, line
 
 G, TURN = 1000.0, math.radians(30.0)
@@ -348,7 +348,7 @@ def test_a_step_that_is_refused_leaves_no_trace(plain: bool, monkeypatch: pytest
     assert simulation.plain == plain
     before = simulation.capture().grips
     monkeypatch.setattr("sim.motion.stepping.RUNAWAY_SPEED", 0.0)
-    simulation._stepper.begin_anew()
+    begin_anew(simulation)
     simulation.step()
     assert simulation.divergence is not None
     assert simulation.capture().grips == before

@@ -11,19 +11,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import sim
-from sim.body.system import System, _slots, build_system, joint_stiffness
+from sim.body.system import System, build_system, joint_stiffness, slot_tables
 from sim.errors import SceneError, SettingError
 from sim.kernels.core.tables import Indices
-from sim.scene import columns
 from sim.scene.validate import validate
 from tests.sim.fuzzing import wild_scene, wild_world
+from tests.sim.inside import nothing_kept
 from tests.sim.test_edit import some_edit
 
 Table = list[tuple[int, ...]]
 
 
 def one_by_one(plus: Indices, minus: Indices, owners: int, first: int, nothing: int, layers: int) -> Table:
-    """What `_slots` makes, a thing at a time: the first of an owner take its slots, the others are listed."""
+    """What `slot_tables` makes, a thing at a time: an owner's first take its slots, the others are listed."""
     tables: Table = []
     lists: list[list[int]] = [[], [], []]
     for owner_of, sign in ((plus, 1), (minus, -1)):
@@ -40,13 +40,13 @@ def one_by_one(plus: Indices, minus: Indices, owners: int, first: int, nothing: 
 
 
 @given(st.data(), st.integers(1, 9), st.integers(0, 1), st.integers(1, 4))
-def test_things_take_the_slots_of_their_owners_in_order(
+def test_things_take_the_slot_tables_their_owners_in_order(
     data: st.DataObject, owners: int, first: int, layers: int
 ) -> None:
     count = data.draw(st.integers(0, 40))
     ends = st.lists(st.integers(0, owners - 1), min_size=count, max_size=count)
     plus, minus = (np.array(data.draw(ends), np.int64) for _ in range(2))
-    made = _slots(plus, minus, owners, first, -1, layers)
+    made = slot_tables(plus, minus, owners, first, -1, layers)
     assert [tuple(table.tolist()) for table in made] == one_by_one(plus, minus, owners, first, -1, layers)
     assert [table.dtype.kind for table in made] == ["i", "i", "i", "i", "f"]
 
@@ -129,11 +129,8 @@ def test_tables_after_edits_are_those_of_a_scene_that_is_new(data: st.DataObject
         except (SceneError, SettingError):
             continue
         made = build_system(scene)
-        kept = dict(columns._kept)
-        columns._kept.clear()
-        anew = build_system(scene)
-        columns._kept.clear()
-        columns._kept.update(kept)
+        with nothing_kept():
+            anew = build_system(scene)
         check_tables(scene, made)
         assert bytes_of(made.body) == bytes_of(anew.body)
         for field in dataclasses.fields(System)[1:]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import product
 from typing import Any
 
 import msgspec
@@ -13,6 +14,7 @@ import sim
 from sim import Integrator, Scene, Simulation
 from sim.edit.edit import of_parts
 from sim.scene.types import Damage, Method, Pose
+from tests.amount import part_of
 from tests.sim.builders import chain
 from tests.sim.whole_step import whole_limit
 
@@ -43,8 +45,7 @@ def hold(simulation: Simulation, within: float = 0.01) -> None:
     assert simulation.stability().limit == pytest.approx(said, rel=0.005)
 
 
-@pytest.mark.parametrize("rate", [0.0, 0.5, 3.0])
-@pytest.mark.parametrize("method", METHODS_WITH_LIMIT)
+@pytest.mark.parametrize(("rate", "method"), part_of([*product((0.0, 0.5, 3.0), METHODS_WITH_LIMIT)], 3))
 def test_regular_bodies_that_turn(method: Method, rate: float) -> None:
     # Their vibrations come in pairs of equal frequencies, which damping couples as soon as they turn.
     for sides, damping in ((5, 10.0), (9, 40.0)):
@@ -64,12 +65,18 @@ def test_a_regular_body_that_turns_runs_below_its_limit_and_explodes_above() -> 
         assert (simulation.divergence is None and lengths.max() < 1e3) == runs
 
 
-@pytest.mark.parametrize("method", METHODS_WITH_LIMIT)
-@pytest.mark.parametrize(
-    ("name", "time"),
-    [("box", 0.5), ("tutorial-3.3", 0.2), ("water-balloon", 0.5), ("water-balloon", 0.9), ("triangle", 0.3)],
+MOVING = (
+    ("box", 0.5),
+    ("tutorial-3.3", 0.2),
+    ("water-balloon", 0.5),
+    ("water-balloon", 0.9),
+    ("triangle", 0.3),
 )
-def test_presets_in_motion(name: str, time: float, method: Method) -> None:
+
+
+@pytest.mark.parametrize(("preset", "method"), part_of([*product(MOVING, METHODS_WITH_LIMIT)], 5))
+def test_presets_in_motion(preset: tuple[str, float], method: Method) -> None:
+    name, time = preset
     simulation = Simulation(by(sim.load_scene(name), method))
     simulation.advance(time)
     # The meter leaves out that a mass comes further into a wall in the course of the step.

@@ -112,16 +112,14 @@ def listed(arrays: Arrays) -> Pairs:
 
 
 def nearer(arrays: Arrays, q: Floats, distance: float) -> Pairs:
-    """All pairs nearer than a distance that may touch, one by one."""
-    body, slots = arrays.body, arrays.slots
-    contact = body.environment.contact
-    found = set()
+    """All pairs nearer than a distance that may touch, without a grid."""
+    body, contact = arrays.body, arrays.body.environment.contact
+    at = np.stack((q[: arrays.slots], q[arrays.slots :]), 1)
+    a, way = at[body.spring_a], at[body.spring_b] - at[body.spring_a]
+    to = at[1 : body.masses + 1] - a[:, None]
+    length = np.maximum((way * way).sum(1), 1e-300)
+    t = np.clip((to * way[:, None]).sum(2) / length[:, None], 0.0, 1.0)
+    near = np.hypot(*np.moveaxis(to - t[..., None] * way[:, None], 2, 0)) <= distance
     for s in range(body.springs):
-        a, b = (np.array((q[m], q[slots + m])) for m in (body.spring_a[s], body.spring_b[s]))
-        never = contact.apart[contact.apart_start[s] : contact.apart_start[s + 1]]
-        for m in range(1, body.masses + 1):
-            point, way = np.array((q[m], q[slots + m])), b - a
-            t = np.clip((point - a) @ way / max(way @ way, 1e-300), 0.0, 1.0)
-            if np.hypot(*(point - a - t * way)) <= distance and m not in never:
-                found.add((s, m))
-    return found
+        near[s, contact.apart[contact.apart_start[s] : contact.apart_start[s + 1]] - 1] = False
+    return {(int(s), int(m) + 1) for s, m in np.argwhere(near)}

@@ -20,13 +20,14 @@ from studies.improve.ranges import Range
 from studies.improve.search import Search
 from studies.improve.trials import trial
 from tests.amount import NIGHT
+from tests.app.test_cli import refused, softrod_here
 from tests.studies.improving import SWINGS, improved, rows_by_number, wanted_of
 
 
 @pytest.fixture(autouse=True)
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave out the figure, which takes longer than a search does."""
-    monkeypatch.setattr("studies.improve.improve._draw", lambda *_: None)
+    monkeypatch.setattr("studies.improve.improve.draw", lambda *_: None)
 
 
 def values_of(scene: sim.Scene, goal: str, duration: float = 4.0, settings: tuple[str, ...] = ()) -> tuple:
@@ -287,16 +288,12 @@ def test_ranges_are_searched_by_ratios_where_both_ends_are_above_0() -> None:
 def test_the_command_refuses_before_it_computes(
     words: tuple[str, ...], sentence: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    from app.cli import main
-
     vary = () if not words or "--vary" in words else ("--vary", "gravity=0..1")
     goal = () if "--goal" in words else ("--goal", "max mass1.x")
-    with pytest.raises(SystemExit) as ended:
-        main(["improve", "tutorial-3.3", *vary, *goal, *words, "--out", str(tmp_path / "out")])
-    assert ended.value.code == 1
-    error = capsys.readouterr().err
-    assert sentence in error
-    assert error.count("\n") == 1
+    refused(
+        softrod_here(capsys, "improve", "tutorial-3.3", *vary, *goal, *words, "--out", tmp_path / "out"),
+        sentence,
+    )
     assert not (tmp_path / "out").exists()
 
 

@@ -12,7 +12,6 @@ import pytest
 from rich.console import Console
 
 import sim
-from app.cli import main
 from sim.methods.registry import METHODS
 from sim.motion.stability import largest_step
 from studies.stability import stability as command
@@ -31,6 +30,7 @@ from studies.stability.map import (
     track_of,
 )
 from studies.stability.stability import as_csv, stability
+from tests.app.test_cli import refused, softrod_here
 from tests.studies.results import read_table
 
 QUIET = Console(file=io.StringIO())
@@ -232,12 +232,7 @@ def test_a_table_without_maps_has_its_heading() -> None:
 def test_what_it_refuses(
     words: list[str], sentence: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with pytest.raises(SystemExit) as ended:
-        main(["stability", *words, "--out", str(tmp_path / "out")])
-    assert ended.value.code == 1
-    error = capsys.readouterr().err
-    assert sentence in error
-    assert error.count("\n") == 1
+    refused(softrod_here(capsys, "stability", *words, "--out", tmp_path / "out"), sentence)
     assert not (tmp_path / "out").exists()
 
 

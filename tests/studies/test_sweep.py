@@ -14,13 +14,14 @@ from rich.console import Console
 import sim
 from sim.errors import InputError
 from sim.store.files import encode_scene
-from studies.commands import _workers
+from studies.commands import who_computes
 from studies.sweep.folder import Folder, make_plan
 from studies.sweep.grid import make_grid, parse_axis
 from studies.sweep.measures import GAVE_UP, MEASURES, parse_measures
 from studies.sweep.plot import COLOURS, plot
 from studies.sweep.runs import Row, reference_of, run, run_reference, run_several
 from studies.sweep.sweep import TOGETHER, sweep
+from tests.app.test_cli import refused, softrod_here
 from tests.studies.sweeping import ROPE, numbers_of, rows_of, swept
 
 
@@ -90,15 +91,10 @@ def test_ends_and_values_are_exact() -> None:
 def test_the_command_refuses_before_it_computes(
     words: tuple[str, ...], fragment: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    from app.cli import main
-
     measure = () if "--measure" in words else ("--measure", "sag")
-    with pytest.raises(SystemExit) as ended:
-        main(["sweep", "tutorial-3.3", *words, *measure, "--out", str(tmp_path / "out")])
-    assert ended.value.code == 1
-    error = capsys.readouterr().err
-    assert fragment in error
-    assert error.count("\n") == 1
+    refused(
+        softrod_here(capsys, "sweep", "tutorial-3.3", *words, *measure, "--out", tmp_path / "out"), fragment
+    )
     assert not (tmp_path / "out" / "table.csv").exists() or "--cluster" in words
 
 
@@ -171,10 +167,10 @@ def test_with_one_process_each_run_is_kept_before_the_next(
     monkeypatch.setattr("studies.sweep.sweep.run_several", interrupted)
     grid, measures = make_grid(ROPE, ("method=auto",), ("gravity=100..900:9",)), parse_measures(("sag",))
     console = Console(file=io.StringIO())
-    assert sweep(grid, measures, 0.1, _workers(1, None), tmp_path, console) == 130
+    assert sweep(grid, measures, 0.1, who_computes(1, None), tmp_path, console) == 130
     assert numbers_of(tmp_path) == [0, 1, 2]
     monkeypatch.setattr("studies.sweep.sweep.run_several", run_several)
-    assert sweep(grid, measures, 0.1, _workers(1, None), tmp_path, console) == 0
+    assert sweep(grid, measures, 0.1, who_computes(1, None), tmp_path, console) == 0
     assert len(numbers_of(tmp_path)) == 9
 
 

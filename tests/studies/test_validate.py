@@ -6,8 +6,6 @@ import gzip
 import io
 import math
 import platform
-import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -21,6 +19,7 @@ from studies.validate import exact
 from studies.validate.figures import FIGURES
 from studies.validate.results import Case, Result, compared, converging, fitted_slope, percent
 from studies.validate.validate import CASES, validate
+from tests.app.test_cli import refused, softrod_here
 from tests.studies.results import read_table
 
 MISSED = {
@@ -223,15 +222,5 @@ def test_a_folder_that_cannot_be_made_is_one_sentence(tmp_path: Path) -> None:
         run(tmp_path / "file", case(GOOD))
 
 
-def test_the_command_refuses_before_it_computes(tmp_path: Path) -> None:
-    words = [sys.executable, "-m", "app", "validate", "--out", str(tmp_path / "no" / "such")]
-    done = subprocess.run(words, capture_output=True, text=True, timeout=60)
-    assert done.returncode == 1
-    assert "the folder cannot be made" in done.stderr
-    assert "Traceback" not in done.stderr
-
-
-def test_scipy_and_matplotlib_are_left_out_of_other_commands() -> None:
-    script = "import app.cli, sys; print([m for m in ('matplotlib', 'scipy.integrate') if m in sys.modules])"
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "[]"
+def test_the_command_refuses_before_it_computes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    refused(softrod_here(capsys, "validate", "--out", tmp_path / "no" / "such"), "the folder cannot be made")

@@ -45,6 +45,21 @@ _BEHIND = -0.3
 """Depth of the other body, behind all of the first."""
 
 
+def kinds_of(sketch: Sketch) -> dict[str, str]:
+    """The meshes of what there is to draw, by the names of their nodes."""
+    kinds = {
+        "halos": "disc" if sketch.muscles[:, 0].any() else "",
+        "muscles": "" if sketch.muscles[:, 0].all() else "belly",
+        "springs": sketch.spring_shape if len(sketch.springs) else "",
+        "yielded": "bar" if sketch.yields else "",
+        "wedges": "slice" if len(sketch.joint_a) else "",
+        "pins": "pin" if len(sketch.pinned) else "",
+        "ring": "ring" if sketch.driven is not None else "",
+        "masses": "disc",
+    }
+    return {name: mesh for name, mesh in kinds.items() if mesh}
+
+
 class Canvas:
     """The nodes of one page.
 
@@ -76,6 +91,21 @@ class Canvas:
         """Of the plan that the page has."""
         return self._plan_number
 
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """Names of the nodes that there are, gizmos included."""
+        return (*self._nodes, *(gizmo.name for _, gizmo in self._gizmos))
+
+    @property
+    def drawn(self) -> Floats | None:
+        """(n, 2) where the masses are in the page's world, in the picture that was sent last; read-only."""
+        picture, sketch = self._drawn, self.sketch
+        if picture is None or sketch is None:
+            return None
+        places = sketch.mapping.to_world(picture.positions)[:, :2]
+        places.setflags(write=False)
+        return places
+
     def build(
         self, scene: Scene, dark: bool, rest_angles: Floats | None = None, number: int | None = None
     ) -> None:
@@ -88,7 +118,7 @@ class Canvas:
             number: that the plan is to have, as of one that other pages have too; None for one of its own.
         """
         self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
-        kinds = self._kinds(sketch)
+        kinds = kinds_of(sketch)
         shape = (scene.view, kinds, *sketch.held.tolist())
         self._view = scene.view
         if rest_angles is None:
@@ -126,7 +156,7 @@ class Canvas:
         colors = palette(rival.view.colors, dark)
         rest = blend(colors.paper, colors.rival, np.array([0.6]))[0]
         sketch = Sketch(alone, replace(colors, mass=colors.rival, held=colors.rival, rest=rest))
-        kinds = self._kinds(sketch)
+        kinds = kinds_of(sketch)
         angles = np.array([joint.rest_angle for joint in rival.angular_springs])
         with self._client.atomic():
             if kinds != dict(self._rival_built):
@@ -138,21 +168,6 @@ class Canvas:
             if self._rival_plan is None or not np.array_equal(plan, self._rival_plan):
                 self._rival_plan, self._drawn = plan, None
                 self._mail.tell(RivalPlan(numbers=plan))
-
-    @staticmethod
-    def _kinds(sketch: Sketch) -> dict[str, str]:
-        """The meshes of what there is to draw, by the names of their nodes."""
-        kinds = {
-            "halos": "disc" if sketch.muscles[:, 0].any() else "",
-            "muscles": "" if sketch.muscles[:, 0].all() else "belly",
-            "springs": sketch.spring_shape if len(sketch.springs) else "",
-            "yielded": "bar" if sketch.yields else "",
-            "wedges": "slice" if len(sketch.joint_a) else "",
-            "pins": "pin" if len(sketch.pinned) else "",
-            "ring": "ring" if sketch.driven is not None else "",
-            "masses": "disc",
-        }
-        return {name: mesh for name, mesh in kinds.items() if mesh}
 
     def show_gizmos(self, on: bool) -> None:
         """Put up a gizmo at each held mass, or take them away."""

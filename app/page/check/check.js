@@ -5,9 +5,11 @@
  */
 (function () {
   var script = /** @type {HTMLScriptElement} */ (document.currentScript || document.querySelector("script[data-protocol]"));
+  /** As in `connection.js`. */
+  var HURRY = Number(/** @type {any} */ (window).__softrodHurry) || 1;
   /** Milliseconds that a connection has to come about, and for which pictures are counted then. */
-  var PATIENCE = 3000;
-  var COUNTED = 1500;
+  var PATIENCE = 3000 / HURRY;
+  var COUNTED = 1500 / HURRY;
   /** Milliseconds of a round trip beyond which drags lag, and pictures a second below which bodies jerk. */
   var SLOW = 250;
   var JERKY = 20;

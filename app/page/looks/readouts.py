@@ -301,7 +301,7 @@ def ghost_table(session: Session) -> str:
     return table(rows)
 
 
-_ENERGY_NAMES = {
+ENERGY_NAMES = {
     "kinetic": "kinetic",
     "linear": "linear springs",
     "angular": "angular springs",
@@ -320,6 +320,7 @@ _ENERGY_NAMES = {
     "fallbacks": "lost in fallback steps",
     "residual": "residual: the method's error",
 }
+"""What the table calls each entry of the energy balance."""
 
 
 _LOSSES = ("damping", "air", "friction", "plastic", "broken", "fallbacks")
@@ -341,8 +342,8 @@ def energy_table(session: Session) -> str:
         return table({"energy": "is followed when it is compiled"})
     balance = session.simulation.energy()
     rows = {"unit": html.escape(unit_in(ENERGY_UNIT, session.scene.view.unit))}
-    largest = max(abs(getattr(balance, key)) for key in _ENERGY_NAMES)
-    for key, name in _ENERGY_NAMES.items():
+    largest = max(abs(getattr(balance, key)) for key in ENERGY_NAMES)
+    for key, name in ENERGY_NAMES.items():
         value = getattr(balance, key)
         if key in _LOSSES:
             value = -value

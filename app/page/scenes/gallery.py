@@ -133,12 +133,13 @@ class Gallery:
 def _picture(path: Path, dark: bool) -> str:
     """A saved scene's picture, as an address that an image can have; empty if it cannot be read."""
     try:
-        return _painted(path, path.stat().st_mtime_ns, dark)
+        return painted(path, path.stat().st_mtime_ns, dark)
     except (OSError, SceneError, ValueError):
         return ""
 
 
 @functools.lru_cache(maxsize=2 * MOST_PAINTED)
-def _painted(path: Path, _: int, dark: bool) -> str:
+def painted(path: Path, _: int, dark: bool) -> str:
+    """The picture of the scene that a file had at a time; the last ones are kept."""
     data = thumbnails.picture(read_scene(path), dark)
     return f"data:image/webp;base64,{base64.b64encode(data).decode()}"

@@ -21,7 +21,7 @@ def key_path() -> Path:
 
 def key() -> str:
     """The owner's key: the same at every start, where it can be kept."""
-    return _key(key_path())
+    return key_in(key_path())
 
 
 def is_key(text: str) -> bool:
@@ -30,7 +30,8 @@ def is_key(text: str) -> bool:
 
 
 @functools.lru_cache(maxsize=4)
-def _key(path: Path) -> str:
+def key_in(path: Path) -> str:
+    """The key in a file, which is made where there is none."""
     made = secrets.token_urlsafe(16)
     with contextlib.suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -13,18 +13,20 @@
  * attempt has its time.
  */
 
+/** By what the times after which a page loses its patience are divided: a browser test may set it before the page begins. */
+const HURRY = Number(/** @type {any} */ (globalThis).__softrodHurry) || 1;
 /** Milliseconds that an attempt has before another may take its place. */
-const PATIENCE = 8000;
+const PATIENCE = 8000 / HURRY;
 /** Milliseconds between two looks, whether it is time for an attempt or for a sign of life. */
-const LOOK_EVERY = 1000;
+const LOOK_EVERY = 1000 / HURRY;
 /** Milliseconds between two looks beyond which it was the page that stood still: a hidden page, a sleeping machine. */
 const STOOD = 2500;
 /** Milliseconds of silence after which the server is asked for a sign of life. */
-const ASK_AFTER = 2000;
+const ASK_AFTER = 2000 / HURRY;
 /** Milliseconds of silence after which the page says so. */
-const SILENT_AFTER = 7000;
+const SILENT_AFTER = 7000 / HURRY;
 /** Milliseconds of silence after which the connection is given up for a new one; at first, and at most. */
-const GIVE_UP_AFTER = 14_000;
+const GIVE_UP_AFTER = 14_000 / HURRY;
 const GIVE_UP_LATEST = 56_000;
 
 /** @typedef {"connected" | "silent" | "closed"} Line how the connection is */

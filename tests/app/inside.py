@@ -1,0 +1,78 @@
+"""The few looks that these tests take at an inside, viser's or the server's own; no other file takes any, but
+`test_viser_inside.py`, whose subject is viser's."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from types import SimpleNamespace
+from typing import Any
+
+import viser
+from viser import _messages as viser_messages
+from viser.infra import _infra as viser_infra
+from viser.infra._messages import wire_field_names
+
+from app.drawing.sketch import Mapping
+from app.gate.gate import Gate
+from app.page import controls
+from app.page.tab import Tab
+from app.session.session import Session
+from tests.app.letters import Letters
+from tests.app.panels import page_of
+
+__all__ = [
+    "Bare",
+    "guard",
+    "only_page",
+    "press",
+    "uuid_of",
+    "viser_infra",
+    "viser_messages",
+    "wire_field_names",
+]
+
+
+def uuid_of(element: Any) -> str:
+    """The name of a control or a command on the wire."""
+    return element._impl.uuid
+
+
+def press(handle: Any, value: object = None) -> None:
+    """Use one of viser's own controls as a page's user does: press it, or choose a value."""
+    if value is not None:
+        handle.value = value
+    event: viser.GuiEvent[Any] = viser.GuiEvent(client=None, client_id=1, target=handle)
+    for handler in tuple(handle._impl.update_cb):
+        asyncio.run(handler(event))
+
+
+def only_page(gate: Gate, client_id: int, request: Any) -> None:
+    """Have a gate know of one page, by the request with which it came."""
+    live = {client_id: SimpleNamespace(request=request)}
+    gate._server = SimpleNamespace(_websock_server=SimpleNamespace(_live_connections=live))  # type: ignore
+
+
+def guard(session: Session, lock: Any) -> None:
+    """Have another lock guard what waits for a session."""
+    session._lock = lock
+
+
+class Bare(Tab):
+    """A tab with a session that only takes commands, and nothing that is shown."""
+
+    def __init__(self, names: controls.Controls = controls.ALL) -> None:
+        self.posted: list[Any] = []
+        session: Any = SimpleNamespace(post=self.posted.append)
+        self._session, self._page = session, page_of(session)
+        self._page.controls = names
+        self._role = None
+        self._mapping = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
+        self._mail = Letters()
+        self._requests = deque()
+
+    @property
+    def done(self) -> list[Any]:
+        """What it had done: commands, letters to the page, and requests to the ticker."""
+        assert isinstance(self._mail, Letters)
+        return [*self.posted, *self._mail.sent, *self._requests]

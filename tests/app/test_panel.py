@@ -1,0 +1,234 @@
+"""The panel without a browser: which controls a scene has, what they set, and what they show."""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from app.page.solver.solver_panel import REFERENCE_LABEL
+from app.session import commands
+from app.session.ghost import REFERENCE
+from app.wire.from_page import Perform
+from sim.edit.edit import Selection
+from sim.edit.values import number, set_number
+from tests.app.whole import WholePage
+from tests.app.worlds import GUSTS, balloon
+
+ALL = [
+    "Rest angle", "Angular stiffness", "Linear stiffness", "Linear damping", "Angular damping", "Rest length",
+    "Gravity", "Air friction", "Number of masses",
+]  # fmt: skip
+TOUCHING = ["Friction of walls", "Bounciness of walls"]
+
+
+@pytest.mark.parametrize(
+    ("scene", "sliders", "lists", "pad"),
+    [
+        ("tutorial-3.3", ALL, [], True),
+        # Its angle comes from a template.
+        ("tutorial-3.2", ALL[1:], ["Angle template"], False),
+        ("tutorial-3.1", [], [], False),
+        # It was drawn by hand.
+        ("ring", ALL[:-1], [], True),
+        (
+            balloon(wind=GUSTS, air_friction=0.01),
+            ["Wind speed", "Gas pressure", "Linear stiffness", "Linear damping", "Rest length", "Gravity",
+             "Air friction", "Wind direction", "Turbulence", *TOUCHING],
+            ["Bounces", "Friction at rest"], False,
+        ),
+    ],
+    ids=["tutorial-3.3", "tutorial-3.2", "tutorial-3.1", "ring", "balloon"],
+)  # fmt: skip
+def test_only_controls_that_the_scene_can_use_are_there(
+    scene: str | sim.Scene, sliders: list[str], lists: list[str], pad: bool
+) -> None:
+    page = WholePage("rod")
+    page.shown(commands.Open(sim.load_scene(scene) if isinstance(scene, str) else scene))
+    assert sorted(page.gui.labels("slider", tab="Play")) == sorted(sliders)
+    assert sorted(page.gui.labels("dropdown", tab="Play")) == sorted(lists)
+    assert ("Every mass of this scene is held." in page.gui.text()) == (not sliders)
+    assert ("rest angle up" in page.gui.text()) == pad
+
+
+def test_a_slider_and_its_box_set_the_solver_and_each_other() -> None:
+    page = WholePage()
+    slider, box = page.gui["Angular stiffness"], page.gui.box("Angular stiffness")
+    page.enter("Angular stiffness", 3.0)
+    assert {joint.stiffness for joint in page.scene.angular_springs} == {1000.0}
+    assert box.value == 1000.0
+    box.enter(2500.0)
+    page.shown()
+    assert {joint.stiffness for joint in page.scene.angular_springs} == {2500.0}
+    assert slider.value == pytest.approx(np.log10(2500.0), abs=0.01)
+    # Beyond the slider's end, up to what is allowed.
+    page.gui.box("Gravity").enter(-800.0)
+    page.shown()
+    assert page.scene.gravity == (0.0, -800.0)
+    assert page.gui["Gravity"].value == 0.0
+
+
+def test_a_number_out_of_range_is_not_taken_and_its_user_is_told() -> None:
+    page = WholePage()
+    box = page.gui.box("Linear damping")
+    for wrong in (99_999_999_999.0, -5.0):
+        box.enter(wrong)
+        page.shown()
+        assert box.value == 40.0
+    assert page.scene.linear_springs[0].damping == 40.0
+    (notice,) = page.notices  # once for both
+    assert (notice.title, notice.text) == ("Out of range", "Linear damping: 0 to 1,000,000 kg/s")
+
+
+def test_undo_is_seen_in_sliders_boxes_and_lists() -> None:
+    page = WholePage("tutorial-3.2")
+    page.enter("Gravity", 700.0)
+    page.enter("Angle template", "90°")
+    assert page.scene.template == 90
+    assert (page.session.simulation.rest_angles == 90.0).all()
+    page.shown(commands.Undo())
+    assert page.gui["Angle template"].value == f"{page.scene.template}°" != "90°"
+    page.shown(commands.Undo())
+    assert page.gui["Gravity"].value == page.gui.box("Gravity").value == page.scene.gravity[1] == 2000.0
+    page.shown(commands.Redo())
+    assert page.gui["Gravity"].value == page.gui.box("Gravity").value == 700.0
+
+
+def test_a_slider_of_parts_that_differ_says_so_and_what_it_does() -> None:
+    page = WholePage()
+    note = "the others keep their ratio to it"
+    assert note not in page.gui.text()
+    stiffness = number("linear_springs", "stiffness")
+    page.shown(commands.Change(lambda moment, _: set_number(moment.scene, stiffness, [3], 20.0)))
+    assert "Linear stiffness" not in page.gui
+    assert note in page.gui.text()
+    box = page.gui.box("Linear stiffness (mixed)")
+    assert box.value == 10_000.0, "the largest"
+    box.enter(20_000.0)
+    page.shown()
+    assert [spring.stiffness for spring in page.scene.linear_springs[2:5]] == [20_000.0, 40.0, 20_000.0]
+    page.shown(commands.Undo(), commands.Undo())
+    assert "Linear stiffness" in page.gui
+    assert note not in page.gui.text()
+
+
+def test_the_buttons_for_the_scene_s_own_values_bring_back_body_and_solver_each() -> None:
+    page = WholePage()
+    mine = page.scene
+    page.gui.box("Gravity").enter(500.0)
+    page.gui["Integrator"].enter("Runge-Kutta 4")
+    page.shown()
+    of_solver, of_body = (one for one in page.gui.there if one.label == "Scene's own values")
+    assert of_body.is_in(page.gui["Play"])
+    of_body.enter()
+    page.shown()
+    assert page.gui.box("Gravity").value == page.scene.gravity[1] == 2000.0
+    assert page.scene.integrator.method == "rk4"
+    of_solver.enter()
+    page.shown()
+    assert page.scene == mine
+    assert page.gui["Integrator"].value == "Symplectic Euler"
+
+
+def test_a_method_brings_its_own_dial() -> None:
+    page = WholePage()
+    assert ("Time step" in page.gui, "Tolerance" in page.gui) == (True, False)
+    page.enter("Integrator", "Auto")
+    assert page.scene.integrator.method == "auto"
+    assert ("Time step" in page.gui, "Tolerance" in page.gui) == (False, True)
+    page.gui.box("Tolerance").enter(0.002)
+    page.enter("Force law", "Conservative")
+    assert (page.scene.integrator.tolerance, page.scene.force_law) == (0.002, "conservative")
+
+
+@pytest.mark.parametrize(
+    ("switch", "told"),
+    [("Energy", "residual: the method's error"), ("Predictability", "errors grow, last second")],
+)
+def test_energy_and_predictability_are_told_while_they_are_wanted(switch: str, told: str) -> None:
+    page = WholePage()
+    assert told not in page.gui.text()
+    for on in (True, False):
+        page.gui[switch].enter(on)
+        page.frames(100)
+        assert (told in page.gui.text()) == on
+    # It is among the commands, too, and the switch shows it.
+    page.shown(Perform("energy"))
+    assert page.gui["Energy"].value
+
+
+def test_the_ghost_is_chosen_with_its_law_and_step_and_another_scene_has_none() -> None:
+    page = WholePage()
+    assert ("Ghost's law" in page.gui, "Ghost's step" in page.gui) == (False, False)
+    page.enter("Compare with", REFERENCE_LABEL)
+    assert page.session.ghost is not None
+    assert page.session.ghost.method == REFERENCE
+    assert ("Ghost's law" in page.gui, "Ghost's step" in page.gui) == (True, False)
+    page.enter("Compare with", "Symplectic Euler")
+    page.enter("Ghost's step", "a quarter")
+    page.enter("Ghost's law", "Angle law")
+    assert (page.session.ghost.law, page.session.ghost.finer) == ("angle", 4)
+    assert "Symplectic Euler, step / 4, angle law" in page.gui.text()
+    assert "largest distance" in page.gui.text()
+    page.shown(commands.Open(sim.load_scene("ring")))
+    assert page.session.ghost is None
+    page.enter("Compare with", "Symplectic Euler")
+    assert (page.session.ghost.law, page.session.ghost.finer) == ("", 1)
+    assert page.gui["Ghost's law"].value == "the same"
+    page.enter("Compare with", "nothing")
+    assert page.session.ghost is None
+
+
+def test_the_meter_tells_of_a_change_while_the_clock_stands() -> None:
+    page = WholePage()
+    page.shown(commands.Play(False), Perform("meter"))
+    assert "of the limit" in page.hud
+    assert "unstable" not in page.hud
+    page.gui.box("Angular stiffness").enter(1e8)
+    page.shown()
+    assert "unstable" in page.hud
+
+
+def test_there_is_one_notice_of_a_runaway_and_none_once_it_is_over() -> None:
+    page = WholePage()
+    for end in (commands.Reset(), commands.BackBeforeDivergence(), commands.Open(sim.load_scene("ring"))):
+        for _ in range(2):  # what can be changed while it stands is not the end of that
+            page.frames(
+                60,
+                commands.SetValue("angular_stiffness", 1e8),
+                commands.SetValue("rest_angle", 10.0),
+                commands.Play(True),
+            )
+            assert [notice.title for notice in page.notices] == ["The body exploded"]
+        page.frames(2, commands.SetValue("angular_stiffness", 1e4), end)
+        assert not page.notices
+
+
+def test_a_page_without_the_control_has_no_folder_of_what_is_selected() -> None:
+    for query, there in (("", True), ("controls=play,body", False)):
+        page = WholePage(query=query)
+        page.shown(commands.Select(lambda *_: Selection(masses=frozenset({6}))))
+        assert ("1 mass" in page.gui) == there
+
+
+def test_what_is_wrong_with_a_scene_s_list_of_controls_is_said_once() -> None:
+    page = WholePage()
+    scene = sim.load_scene("ring")
+    everything = page.gui.labels("tab")
+
+    def with_controls(*names: str) -> commands.Open:
+        return commands.Open(
+            msgspec.structs.replace(scene, view=msgspec.structs.replace(scene.view, controls=names))
+        )
+
+    for names, tabs in ((("play",), []), (("files", "help"), ["Share"])):
+        page.shown(with_controls(*names))
+        assert page.gui.labels("tab") == tabs
+    page.shown(with_controls("play", "kees"))
+    assert page.gui.labels("tab") == everything
+    (notice,) = page.notices
+    assert notice.title == "All controls are shown"
+    assert "there is no control called 'kees'" in notice.text
+    page.shown(Perform("dark"))  # the panel is made anew
+    assert len(page.notices) == 1
