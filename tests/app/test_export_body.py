@@ -174,19 +174,14 @@ def test_programs_move_as_the_solver_does(name: str, tmp_path: Path) -> None:
 
 def test_the_command_makes_programs_of_the_scene_with_its_settings(tmp_path: Path) -> None:
     words = ("tutorial-3.3", "--set", "method=symplectic_euler", "--set", "rest_angle=25")
-    files = {
-        kind: tmp_path / f"body.{end}" for kind, end in (("python", "py"), ("c", "c"), ("javascript", "mjs"))
-    }
-    assert command("export", *words, *(word for kind in files for word in (f"--{kind}", files[kind]))) == 0
+    python, c, javascript = (tmp_path / f"body.{ending}" for ending in ("py", "c", "mjs"))
+    assert command("export", *words, "--python", python, "--c", c, "--javascript", javascript) == 0
     table = tmp_path / "run.csv"
     assert command("run", *words, "--steps", STEPS, "--every", STEPS, "--out", table) == 0
     wanted = np.loadtxt(table, delimiter=",", skiprows=1)[2:].reshape(-1, 2)
-    for program in (
-        [sys.executable, str(files["python"])],
-        [str(compiled(files["c"]))],
-        by_javascript(files["javascript"], f"body.step({STEPS});"),
-    ):
-        assert printed(program) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
+    by_script = by_javascript(javascript, f"body.step({STEPS});")
+    for started in ([sys.executable, str(python)], [str(compiled(c))], by_script):
+        assert printed(started) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
 
 
 def test_a_program_begins_at_the_moment_that_it_is_made_of(tmp_path: Path) -> None:
