@@ -40,6 +40,7 @@ from app.page.classroom.wall import WallRole
 from app.server.serve import serving
 from app.session.session import Session
 from app.wire import from_page
+from tests.amount import NIGHT
 from tests.app.hostile import CAMERA, HostilePage, eventually
 from tests.app.letters import Letters
 from tests.app.test_room import SECRETS, a_room, an_answer, asking
@@ -152,10 +153,13 @@ def test_whatever_a_pupil_and_a_wall_say_the_others_answers_arrive(
         assert eventually(lambda: room.phase is phase)  # noqa: B023
         for kind in from_page.MESSAGES:
             if kind is not from_page.Who:
-                pupil.say(*(a_message(kind, dice) for _ in range(12)))
+                pupil.say(*(a_message(kind, dice) for _ in range(12 if NIGHT else 4)))
                 wall.say(*(a_message(kind, dice) for _ in range(3)))
         if (phase, round) == (Phase.ASK, 0):
-            votes = (from_page.GiveVote(f"{n + 4096:016x}", n, 0, 0, 0, n % 3) for n in range(2500))
+            votes = (
+                from_page.GiveVote(f"{n + 4096:016x}", n, 0, 0, 0, n % 3)
+                for n in range(2500 if NIGHT else 300)
+            )
             pupil.say(*(msgspec.json.encode(vote).decode() for vote in votes))
         if phase in (Phase.ASK, Phase.EXPLAIN):
             head = f"{number + 1:016x}", number, 0, round, 0

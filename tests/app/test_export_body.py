@@ -6,9 +6,11 @@ import csv
 import io
 import json
 import re
+import runpy
 import subprocess
 import sys
 import zipfile
+from contextlib import redirect_stdout
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, get_args
@@ -57,15 +59,22 @@ def by_javascript(module: Path, *lines: str) -> list[str]:
     return [str(NODE), "--input-type=module", "--eval", "\n".join((start, *lines, end))]
 
 
+def by_python(program: Path, steps: int) -> np.ndarray:
+    """(n, 2) the places that a program in Python prints, in this process, which has NumPy already."""
+    with pytest.MonkeyPatch.context() as patch, redirect_stdout(io.StringIO()) as out:
+        patch.setattr(sys, "argv", [str(program), str(steps)])
+        runpy.run_path(str(program), run_name="__main__")
+    return np.array(out.getvalue().split(), float).reshape(-1, 2)
+
+
 def moved_by_programs(body: Body, folder: Path, steps: int = STEPS) -> list[np.ndarray]:
     """Where the masses are in the end, by the programs in Python, C and JavaScript."""
     (folder / "body.py").write_bytes(python_program(body)[0])
     (folder / "body.c").write_bytes(c_program(body)[0])
     (folder / "body.mjs").write_bytes(javascript_program(body.moment)[0])
-    python = [sys.executable, str(folder / "body.py"), str(steps)]
     c = [str(compiled(folder / "body.c")), str(steps)]
     javascript = by_javascript(folder / "body.mjs", f"body.step({steps});")
-    return [printed(words) for words in (python, c, javascript)]
+    return [by_python(folder / "body.py", steps), printed(c), printed(javascript)]
 
 
 def command(*words: object) -> int:
@@ -157,24 +166,26 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_programs_move_as_the_command_does(name: str, tmp_path: Path) -> None:
-    scene, settings = SCENES[name]
-    sim.save_scene(scene, tmp_path / "scene.json")
-    words: list[object] = [tmp_path / "scene.json"]
-    for setting in ("method=symplectic_euler", *settings):
-        words += ["--set", setting]
-    endings = {"python": "py", "c": "c", "javascript": "mjs"}
-    files = {kind: tmp_path / f"body.{ending}" for kind, ending in endings.items()}
-    assert command("export", *words, *(word for kind in files for word in (f"--{kind}", files[kind]))) == 0
+def test_programs_move_as_the_solver_does(name: str, tmp_path: Path) -> None:
+    scene = apply_assignments(SCENES[name][0], ["method=symplectic_euler", *SCENES[name][1]])
+    simulation = sim.Simulation(scene)
+    body = Body.of(simulation.capture())
+    simulation.step(STEPS)
+    assert abs(simulation.positions - body.positions).max() > 1.0  # it is a motion
+    for places in moved_by_programs(body, tmp_path):
+        assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+
+
+def test_the_command_makes_programs_of_the_scene_with_its_settings(tmp_path: Path) -> None:
+    words = ("tutorial-3.3", "--set", "method=symplectic_euler", "--set", "rest_angle=25")
+    python, c, javascript = (tmp_path / f"body.{ending}" for ending in ("py", "c", "mjs"))
+    assert command("export", *words, "--python", python, "--c", c, "--javascript", javascript) == 0
     table = tmp_path / "run.csv"
     assert command("run", *words, "--steps", STEPS, "--every", STEPS, "--out", table) == 0
     wanted = np.loadtxt(table, delimiter=",", skiprows=1)[2:].reshape(-1, 2)
-    start = body_of(scene).positions
-    assert abs(wanted - start).max() > 1.0  # it is a motion
-    assert printed([sys.executable, str(files["python"])]) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
-    assert printed([str(compiled(files["c"]))]) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
-    javascript = by_javascript(files["javascript"], f"body.step({STEPS});")
-    assert printed(javascript) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
+    by_script = by_javascript(javascript, f"body.step({STEPS});")
+    for started in ([sys.executable, str(python)], [str(compiled(c))], by_script):
+        assert printed(started) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
 
 
 def test_a_program_begins_at_the_moment_that_it_is_made_of(tmp_path: Path) -> None:

@@ -12,6 +12,11 @@ from typing import NamedTuple
 
 import msgspec
 
+from tests.amount import part_of
+
+CLUSTERS = part_of(("sweep", "search"), 2)
+"""Whose cluster is started, which takes several processes: by day one, the next day the other."""
+
 PATIENCE = 300.0
 """Seconds after which a process that should have done something has failed, however busy the machine is."""
 

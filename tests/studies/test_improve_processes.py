@@ -11,7 +11,7 @@ import pytest
 
 import sim
 from tests.studies.improving import improved, rows_by_number, wanted_of
-from tests.studies.others import PATIENCE, cluster, wait_for_rows
+from tests.studies.others import CLUSTERS, PATIENCE, cluster, wait_for_rows
 
 SETTINGS, VARY = ("method=rk4", "dt=2e-5", "masses=8"), ("gravity=200..2000", "rest_angle=-20..50")
 GOAL, DURATION, RUNS, SEED = "min mean mass7.y", 0.4, 16, 7
@@ -74,6 +74,7 @@ def test_a_worker_that_is_killed_loses_nothing(undisturbed: Path, tmp_path: Path
     assert_same(out, undisturbed)
 
 
+@pytest.mark.skipif("search" not in CLUSTERS, reason="the cluster is a sweep's today")
 def test_a_cluster_finds_the_same_though_a_worker_is_lost(undisturbed: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     with cluster(tmp_path / "cluster") as there, there.another_worker():

@@ -12,7 +12,7 @@ import pytest
 
 import sim
 from tests.amount import NIGHT
-from tests.studies.others import PATIENCE, Cluster, cluster, wait_for_rows
+from tests.studies.others import CLUSTERS, PATIENCE, Cluster, cluster, wait_for_rows
 from tests.studies.sweeping import numbers_of, rows_of, swept
 
 SETTINGS, VARY = ("method=rk4", "dt=2e-5", "masses=8"), ("gravity=200..2000:4", "rest_angle=-20,20,50")
@@ -90,6 +90,7 @@ def swept_by(cluster: Cluster, out: Path, rows: int, doomed: subprocess.Popen[st
     return process.returncode, said
 
 
+@pytest.mark.skipif("sweep" not in CLUSTERS, reason="the cluster is a search's today")
 def test_a_sweep_bears_the_loss_of_its_scheduler_and_by_night_of_a_worker(
     undisturbed: bytes, tmp_path: Path
 ) -> None:

@@ -177,40 +177,46 @@ def test_figures_that_are_interrupted_leave_the_tables(
     def stopped() -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setitem(FIGURES, "shapes", ("caption", stopped))
+    monkeypatch.setitem(FIGURES, next(iter(FIGURES)), ("caption", stopped))
     status, text = run(tmp_path, case(GOOD))
     assert status == 130
     assert "Interrupted: the figures are missing." in text
     assert (tmp_path / "validate.md").exists()
 
 
-def test_the_written_report(tmp_path: Path) -> None:
-    assert run(tmp_path, case(GOOD, BAD))[0] == 1
-    page = (tmp_path / "validate.md").read_text()
+@pytest.fixture(scope="module")
+def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a report."""
+    folder = tmp_path_factory.mktemp("report")
+    assert run(folder, case(GOOD, BAD))[0] == 1
+    return folder
+
+
+def test_the_written_report(report: Path) -> None:
+    page = (report / "validate.md").read_text()
     assert "a \\| b" in page
     assert "- Missed: A case, drop: 50 % (target ± 1 %)" in page
     assert "What it is." in page
-    rows = read_table(tmp_path / "validate.csv.gz")
+    rows = read_table(report / "validate.csv.gz")
     assert [row["met"] for row in rows] == ["true", "false"]
     assert float(rows[0]["softrod"]) == 2.001
     assert rows[0]["case"] == "one"
     for name in ("master-curve", "shapes", "convergence"):
         assert f"({name}.png)" in page
-        assert (tmp_path / f"{name}.png").read_bytes().startswith(b"\x89PNG")
-    assert not list(tmp_path.glob("*.svg"))
+        assert (report / f"{name}.png").read_bytes().startswith(b"\x89PNG")
+    assert not list(report.glob("*.svg"))
 
 
-def test_the_machine_is_named_but_not_its_host_or_folders(tmp_path: Path) -> None:
+def test_the_machine_is_named_but_not_its_host_or_folders(report: Path) -> None:
     line = provenance()
     for word in ("cores", "Python", "softrod", "numpy", "numba", "scipy"):
         assert word in line
-    run(tmp_path, case(GOOD))
-    for path in tmp_path.glob("*"):
+    for path in report.glob("*"):
         if path.suffix != ".png":
             data = path.read_bytes()
             text = (gzip.decompress(data) if path.suffix == ".gz" else data).decode()
             assert str(Path.home()) not in text
-            assert str(tmp_path) not in text
+            assert str(report) not in text
             assert platform.node() not in text.split()
 
 
