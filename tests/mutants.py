@@ -3,10 +3,10 @@
     uv run python -m tests.mutants [--only PATTERN] [--night] [--jobs N] [--root DIR]
 
 Each row of `mutants.toml` is one broken line. It is broken in a copy of the checkout, in which tests run
-until one fails: first the test that found it last time, which is in `mutants.json`, then the files next to it,
-which the row names. What is left is broken all at once, for all other tests that can see it, and each of these
-that fails is tried with each row alone. A test that fails without the broken line, too, has found nothing. One
-that does not come to an end has.
+until one fails: first the test that found it last time, which is in `mutants.json`, then the files next to
+it, which the row names. What is left is broken all at once, for all other tests that can see it, and each of
+these that fails is tried with each row alone. A test that fails without the broken line, too, has found
+nothing. One that does not come to an end has.
 
 The tests of a day are those that run today, see `amount.py`. With `--night`, what they do not find is tried
 with those of the night.
@@ -205,9 +205,11 @@ class Bench:
         options = ["-q", "-p", "no:cacheprovider", "-p", "softrod_mutants", *(() if every else ("-x",))]
         options += ["-o", f"faulthandler_timeout={PATIENCE}", "-o", "faulthandler_exit_on_timeout=true"]
         options += [f"--deselect={test}" for test in but]
-        environment = {key: value for key, value in os.environ.items() if key != "SOFTROD_NIGHT"}
+        without = ("SOFTROD_NIGHT", "PYTHONDONTWRITEBYTECODE")
+        environment = {key: value for key, value in os.environ.items() if key not in without}
         environment |= {"SOFTROD_NIGHT": "1"} if night else {}
         environment |= {"XDG_CACHE_HOME": str(self._folder / "cache"), NOTES: str(notes)}
+        environment["PYTHONPYCACHEPREFIX"] = str(self._folder / "compiled")
         environment["PYTHONPATH"] = os.pathsep.join((str(copy), str(self._folder / "plugin")))
         command = [sys.executable, "-m", "pytest", *options, *tests]
         subprocess.run(command, cwd=copy, env=environment, capture_output=True)

@@ -102,7 +102,9 @@ def test_a_protractor_measures_a_joint_by_keys_alone(open_page: OpenPage) -> Non
     for i, mass in enumerate((4, 5, 6)):
         grip = grips(desk, "Protractor").nth(i)
         grip.focus()
+        height = middle(grip)[1]
         desk.page.keyboard.press("Shift+ArrowUp")
+        assert middle(grip)[1] < height
         desk.page.keyboard.press("Enter")
         label = ""
         for _ in range(24):
