@@ -148,15 +148,6 @@ def test_a_mass_goes_to_the_hand_that_took_it_last(page: SessionPage) -> None:
     assert page.session.simulation._hands.grabbed == {10}
 
 
-def test_a_led_mass_glides_from_one_word_of_its_hand_to_the_next(page: SessionPage) -> None:
-    x, y = page.session.simulation.positions[11]
-    page.frames(1, commands.DragStart(11, x, y))
-    page.frames(1, commands.Point(x + 40.0, y, late=True))
-    assert x + 5.0 < page.session.simulation.positions[11, 0] < x + 35.0
-    page.frames(3)
-    assert page.session.simulation.positions[11] == pytest.approx((x + 40.0, y))
-
-
 def test_what_follows_the_pointer_comes_to_where_a_drag_has_ended(page: SessionPage) -> None:
     x, y = page.session.simulation.positions[11]
     page.frames(2, commands.Follow(True), commands.Point(200.0, 100.0))

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { springs } from "../../app/drawing/static/draw.js";
 import { readFrame } from "../../app/drawing/static/plan.js";
+import { beatsAt } from "../../app/drawing/static/swing.js";
 
 /** Sections, each after its length. */
 const joined = (/** @type {number[][]} */ ...sections) =>
@@ -28,4 +29,8 @@ test("a spring that has yielded has no colour at its new length", () => {
   };
   assert.deepEqual(colors(0), [255, 0, 0]);
   assert.deepEqual(colors(5), [9, 9, 9]);
+});
+
+test("the beat of muscles is ahead by its phase", () => {
+  assert.equal(beatsAt(/** @type {any} */ ({ muscles: [2, 90] }), 1), 2.25);
 });
