@@ -12,16 +12,18 @@ from pathlib import Path
 import msgspec
 import pytest
 from rich.console import Console
+from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
 import sim
 from app.classroom import kept
 from app.classroom.live import Classes
-from app.gate import address
+from app.gate import address, gate
 from app.gate.gate import GatedServer
 from app.server import serve as serve_module
 from app.server.serve import serving
 from studies.bench.client import CAMERA, Decoder, Page, options_of
+from tests.app.hostile import HostilePage
 
 NAMES = {"127.0.0.1": "lo", "192.168.1.7": "wlan0", "10.42.0.1": "ap0", "172.17.0.1": "docker0"}
 
@@ -119,3 +121,17 @@ def test_the_terminal_names_the_networks_that_pupils_may_be_in(
     assert "not encrypted" in said
     # The teacher's secret is said once, and goes into no QR code.
     assert said.count(klass.room.key) == 1
+
+
+def test_each_further_class_makes_room_for_its_pages(
+    classes: Classes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(gate, "MAX_TABS", 1)
+    monkeypatch.setattr(serve_module, "PAGES_OF_CLASS", 1)
+    classes.begin((sim.rope(),))
+    with serving(sim.rope(), "127.0.0.1", 0, classes=classes) as (made, *_):
+        pages = [HostilePage(made.get_port()) for _ in range(2)]
+        with pytest.raises(InvalidStatus, match="503"):
+            HostilePage(made.get_port())
+        for page in pages:
+            page.close()

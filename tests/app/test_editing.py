@@ -138,6 +138,20 @@ def test_what_keys_did_before_a_slider_was_moved_stays(page: SessionPage) -> Non
     assert page.session.scene.gravity[1] == 2000.0
 
 
+def test_a_scale_of_lengths_goes_back_and_forth(page: SessionPage) -> None:
+    page.frames(1, commands.SetValue("rest_length_scale", 1.5))
+    for command, scale in ((commands.Undo(), 1.0), (commands.Redo(), 1.5)):
+        page.frames(1, command)
+        assert page.session.simulation.rest_length_scale == pytest.approx(scale)
+
+
+def test_after_an_undo_a_slider_begins_another_step(page: SessionPage) -> None:
+    page.frames(1, commands.SetValue("gravity", 100.0), commands.SetValue("rest_angle", 5.0))
+    page.frames(1, commands.Undo(), commands.SetValue("gravity", 300.0))
+    page.frames(1, commands.Undo())
+    assert page.session.scene.gravity[1] == 100.0
+
+
 def test_going_back_in_time_shows_the_body_of_then_and_undo_follows(page: SessionPage) -> None:
     session = page.session
     page.frames(30)

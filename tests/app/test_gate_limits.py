@@ -3,6 +3,7 @@
 import os
 import time
 from collections.abc import Iterator
+from types import SimpleNamespace
 
 import pytest
 from websockets.exceptions import InvalidStatus
@@ -24,6 +25,14 @@ def flood(user: User, count: int) -> list[tuple[str, str]]:
     values = [f"value {number}" for number in range(count)]
     user.page.send(*(user.update(user.text, value) for value in values))
     return [("text", value) for value in values]
+
+
+def test_who_was_quiet_has_saved_up_no_more_than_a_burst(monkeypatch: pytest.MonkeyPatch) -> None:
+    moments = iter((0.0, 3600.0, 3600.5))
+    monkeypatch.setattr(gate, "time", SimpleNamespace(monotonic=lambda: next(moments)))
+    budget = gate._Budget(rate=10.0, burst=20.0)
+    assert budget.spend(40.0) == 2.0  # seconds until it is paid back
+    assert budget.left == -15.0
 
 
 def test_a_flood_is_slowed_down_and_nothing_is_lost(

@@ -75,6 +75,14 @@ def test_a_log_of_a_machine_that_is_too_slow() -> None:
     agrees(page)
 
 
+def test_a_log_of_frames_that_just_suffice() -> None:
+    """What `auto` tries depends on how much is left in a frame, also where that is enough."""
+    page = SessionPage(sim.set_value(sim.load_scene("hair-tuft"), "tolerance", 0.1))
+    in_one_piece(page.session.costs, 12)
+    page.frames(12)
+    agrees(page)
+
+
 PLACES = st.floats(0.0, 600.0)
 HANDS = st.integers(0, GIZMO)
 ACTS: st.SearchStrategy[commands.Command] = st.one_of(

@@ -14,7 +14,7 @@ from app.classroom.live import MOST_TRIED, Class, Classes
 from app.classroom.room import Phase, Vote, Work
 from app.page.check.role import CheckRole
 from app.page.classroom.desk import DeskRole
-from app.page.classroom.role import ClassRole
+from app.page.classroom.role import ClassRole, asking
 from app.page.classroom.seat import SeatRole
 from app.page.classroom.wall import WallRole
 from app.session import commands
@@ -64,6 +64,15 @@ def no_download(name: str, data: bytes) -> None:
     raise AssertionError(name)
 
 
+def test_no_page_has_the_right_answer_before_it_is_told() -> None:
+    room = a_room()
+    seen = []
+    while (after := room.next()) is not None and after[0] == 0:
+        room.go(*after)
+        seen.append((asking(room).right, asking(room).because))
+    assert seen == [(-1, "")] * 6 + [(1, "It is.")] * 3
+
+
 @pytest.mark.parametrize("said", LED)
 @pytest.mark.parametrize(
     "make",
@@ -105,6 +114,18 @@ def test_a_teacher_leads_and_is_told_who_is_there(klass: Class, session: Session
     desk.frame(session)
     told = [message for message in letters.sent if isinstance(message, Desk)][-1]
     assert [one.here for one in told.seats] == [False]
+
+
+def test_a_pupil_is_told_whether_a_teachers_page_is_there(klass: Class, session: Session) -> None:
+    letters = Letters()
+    seat = SeatRole(klass, letters)
+    seat.introduce(who(1), session)
+    seat.frame(session)
+    desk = a_desk(klass, session, Letters())
+    seat.frame(session)
+    desk.leave()
+    seat.frame(session)
+    assert [told.away for told in letters.sent if isinstance(told, Seat)] == [True, False, True]
 
 
 def test_an_answer_is_acknowledged_once_it_is_on_the_disk_and_counts_once(

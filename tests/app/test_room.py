@@ -238,6 +238,16 @@ def test_another_device_takes_a_seat_over() -> None:
     assert room.enter(SECRETS[0]) is not seat
 
 
+def test_a_device_that_has_answered_takes_no_other_seat_over() -> None:
+    room, seat = asking()
+    room.offer_move(seat.number)
+    other = room.enter(SECRETS[1])
+    room.take(other.number, an_answer(1, Vote(0)))
+    with pytest.raises(Refused, match="answers of its own"):
+        room.move(SECRETS[1], seat.move)
+    assert room.seats[other.number] is other
+
+
 def test_a_seat_follows_only_where_it_has_a_body_of_its_own() -> None:
     room, seat = asking()
     with pytest.raises(Refused, match="All look"):

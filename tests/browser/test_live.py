@@ -115,6 +115,10 @@ def test_by_keys_alone(open_file: Open) -> None:
     for _ in range(4):
         page.keyboard.press("Shift+ArrowRight")
     until(page, lambda: number(page, "positions[6]") > before + 60.0, "the mass goes where it is moved")
+    height = place(page, 3)[1]
+    for _ in range(4):
+        page.keyboard.press("Shift+ArrowUp")
+    until(page, lambda: place(page, 3)[1] < height - 20.0, "and up where y grows downwards")
     page.keyboard.press("Space")
     assert "let go" in said.inner_text()
 

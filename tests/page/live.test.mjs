@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Body } from "../../app/export/live/static/body.js";
 import { Clock } from "../../app/export/live/static/clock.js";
+import { energies } from "../../app/export/live/static/energy.js";
 import { Recording } from "../../app/export/live/static/quantities.js";
 import { swings } from "../../app/export/live/static/swings.js";
 
@@ -36,6 +37,11 @@ test("a hand leads a mass no faster than a pull travels, and gets there", () => 
   }
   assert.ok(Math.abs(before - 240) < 1e-9);
   assert.ok(!clock.exploded);
+});
+
+test("masses that are held have no energy of height", () => {
+  const body = new Body({ ...chain(2, 400), gravity: [0, 10], positions: [0, 50, 20, 5] });
+  assert.equal(energies(body).height, -50);
 });
 
 test("a body that runs away stands, says why, and goes back to before it", () => {

@@ -15,6 +15,7 @@ from sim.design.combinations import candidates
 from sim.design.fit import counted_once
 from sim.design.measurements import Column, Measurement, parse_measurement
 from sim.design.parameters import Parameter
+from sim.design.residuals import Problem
 from sim.settings import set_value
 from tests.amount import NIGHT, part_of
 from tests.sim.indistinguishable import KINDS, bending_that_never_moves, weightless
@@ -70,6 +71,14 @@ def test_what_cannot_be_told_is_named_with_what_is_known_of_it(case: int) -> Non
 
 def batched(values: Sequence[str], size: int) -> Iterator[Sequence[str]]:
     return (values[i : i + size] for i in range(0, len(values), size))
+
+
+def test_an_angle_that_was_measured_a_turn_further_is_the_same() -> None:
+    data = measure(swing(), ["spring0.direction"], 0.5, 0.0, random())
+    (angle,) = data.columns
+    turned = Column(angle.name, angle.unit, angle.values + 360.0 * (np.arange(angle.values.size) % 2))
+    problem = Problem(swing(), [Measurement(data.name, data.time, (turned,))], ["gravity"], None, None)
+    assert np.abs(problem.residuals(problem.first(), [np.ones(1)])).max() < 1e-6
 
 
 @pytest.mark.parametrize("case", part_of(range(8), 8))

@@ -179,6 +179,17 @@ def test_a_body_that_runs_away_says_why_and_the_others_go_on() -> None:
     assert len(runs[0].sample_times) == 11 > len(runs[1].sample_times)
 
 
+def test_a_body_that_is_too_fast_says_so_however_near_it_is() -> None:
+    fast = Scene(
+        name="fast",
+        masses=(sim.Mass(position=(0.0, 0.0), velocity=(2e6, 0.0)),),
+        integrator=Integrator(method="rk4", dt=0.01),
+    )
+    (run,) = sim.run_many([fast], 0.1)
+    assert run.divergence is not None
+    assert run.divergence.quantity == "speed"
+
+
 def test_scenes_of_many_shapes_come_back_in_their_order() -> None:
     sizes = [3, 12, 5, 12, 3, 40]
     runs = sim.run_many([tutorial_rope(masses=n) for n in sizes], 0.1)

@@ -109,6 +109,7 @@ def test_softrods_own_table_comes_back_bit_for_bit(comma: bool, tmp_path: Path) 
         ("t,x\n0,1\n1,-Infinity\n", r"a\.csv, line 3, column 'x': -Infinity is not a finite number"),
         ("t,x\n0,1\n1,1e999\n", r"a\.csv, line 3, column 'x': '1e999' is not a finite number"),
         ("t,x\n0,1\n2,2\n1,3\n", r"a\.csv, line 4, column 't': the time 1 s does not come after 2 s"),
+        ("t,x\n0,1\n1,2\n1,3\n", r"a\.csv, line 4, column 't': the time 1 s does not come after 1 s"),
         ("t (h),x\n0,1\n2,2\n", r"a\.csv: the time 't' is in 'h', not in s, ms or min"),
         ("hello\nworld\n", r"a\.csv: no line of it has a time and a number"),
         ("", r"a\.csv: no line of it has a time and a number"),

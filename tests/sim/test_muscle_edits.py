@@ -145,6 +145,14 @@ def test_a_mirrored_body_moves_as_a_mirror_shows_it() -> None:
     assert np.abs(one.positions - places).max() > 1.0
 
 
+def test_muscles_of_joints_alone_bring_a_beat_where_they_are_pasted() -> None:
+    scene = give_muscles(rope(), Selection(joints=frozenset({1}))).scene
+    assert (
+        copying.paste(rope(), copying.copy(scene, range(5), starts(scene)), (100.0, 100.0)).scene.beat
+        == Beat()
+    )
+
+
 def test_copies_keep_their_muscles_and_bring_a_beat() -> None:
     scene = worm()
     fragment = copying.decode(copying.encode(copying.copy(scene, range(5), starts(scene))))
