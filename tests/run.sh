@@ -8,6 +8,8 @@
 # to pytest.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# Where bytecode is not kept, each of some hundred processes compiles all packages anew.
+unset PYTHONDONTWRITEBYTECODE
 
 night=
 if [ "${1:-}" = --night ]; then
@@ -61,20 +63,23 @@ uv() { if type -P uv >/dev/null; then command uv "$@"; else python3 -m uv "$@"; 
 uv sync --quiet
 
 # The methods' machine code is made once, and not again by each process of the tests.
-part "compiling the solver; linters, scripts, and tests without the solver"
+part "compiling the solver; linters, scripts, and tests that need no solver"
 python=$(uv run python -c 'import sys; print(sys.executable)')
-"$python" -m sim.compiling.precompile all >/dev/null &
+logs=$(mktemp -d)
+"$python" -m sim.compiling.precompile all >"$logs/compiled" &
 compiling=$!
-trap 'kill "$compiling" 2>/dev/null || true' EXIT
+uv run pyright >"$logs/types" 2>&1 &
+checking=$!
+trap 'kill "$compiling" "$checking" 2>/dev/null || true; rm -rf "$logs"' EXIT
 uv run ruff check .
 uv run ruff format --check .
 uv run python -m tests.page.check scripts
-mapfile -t early < <(grep -rl --include='test_*.py' '^pytestmark = pytest.mark.early' tests)
-uv run pytest -m early "$@" "${early[@]}"
-uv run pyright
-
+mapfile -t early <tests/early.txt
+uv run pytest "$@" "${early[@]}"
+wait "$checking" || { cat "$logs/types" && false; }
 part "compiling the rest"
 wait "$compiling"
+
 [ -z "${installing:-}" ] || wait "$installing"
 find_compiler >/dev/null || fail "no C compiler was found or could be installed: install gcc"
 for proxy in nginx caddy; do
@@ -101,7 +106,7 @@ echo "browser: $SOFTROD_BROWSER"
 # Three processes for two processors, since a browser's test waits now and then. Long files come first, and the
 # small ones of the solver last, so that all end at about the same time.
 part "tests"
-uv run pytest --numprocesses=3 --dist=loadfile --no-loadscope-reorder -m "not early" "$@" \
+uv run pytest --numprocesses=3 --dist=loadfile --no-loadscope-reorder "${early[@]/#/--ignore=}" "$@" \
     tests/browser tests/studies tests/app tests/sim
 part "models"
 uv run python -m tests.page.check models
@@ -109,7 +114,7 @@ uv run python -m tests.page.check models
 if [ -n "$night" ]; then
     part "the solver on other processors"
     bash tests/processors.sh
-    part "what the tests find"
+    part "broken code"
     uv run python -m tests.mutants --night
 fi
 part "done"

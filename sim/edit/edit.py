@@ -47,6 +47,8 @@ class Edit:
         scene: the new scene, which is valid.
         masses, springs, joints: for each part of the new scene, its index in the old one.
         lost: (4, k) x, y (px), vx, vy (px/s) with which masses come back by an undo, in their order.
+        lost_damage: what had yielded and broken in the new scene before, with which springs and joints come
+            back by an undo.
         shift: (2, n) px by which the edit moves the masses of the new scene, or None.
         stops: whether all masses are at rest after it.
         select: what is to be selected afterwards; None for what was, as far as it is still there.
@@ -58,6 +60,7 @@ class Edit:
     springs: Map = None
     joints: Map = None
     lost: NDArray[np.float64] | None = None
+    lost_damage: Damage | None = None
     shift: NDArray[np.float64] | None = None
     stops: bool = False
     select: Selection | None = None
@@ -116,29 +119,36 @@ def carried(edit: Edit, moment: Moment) -> Moment:
             rows[2:] = 0.0
         if edit.shift is not None:
             rows[:2] += edit.shift
-    damage = _carried_damage(moment.damage, edit.springs, edit.joints)
+    damage = _carried_damage(moment.damage, edit.springs, edit.joints, edit.lost_damage)
     # What touches after parts have come or gone is held anew.
     grips = None if edit.moves_parts else moment.grips
     return dataclasses.replace(moment, scene=scene, rows=rows, damage=damage, grips=grips)
 
 
-def _carried_damage(damage: Damage | None, springs: Map, joints: Map) -> Damage | None:
+def _carried_damage(
+    damage: Damage | None, springs: Map, joints: Map, lost: Damage | None = None
+) -> Damage | None:
     """What has yielded and broken of the springs and joints after an edit."""
-    if damage is None:
+    if damage is None and lost is None:
         return None
-    if springs is None:
-        broken, lengths, hardened = damage.broken, damage.set_lengths, damage.hardened
-    else:
-        gone = set(damage.broken)
-        broken = tuple(i for i, old in enumerate(springs) if old in gone)
-        lengths, hardened = (_values(values, springs) for values in (damage.set_lengths, damage.hardened))
-    angles = damage.set_angles if joints is None else _values(damage.set_angles, joints)
+    damage, lost = damage or Damage(), lost or Damage()
+    broken = damage.broken
+    if springs is not None:
+        gone, back = set(damage.broken), set(lost.broken)
+        broken = tuple(i for i, old in enumerate(springs) if (old in gone if old >= 0 else i in back))
+    lengths = _values(damage.set_lengths, springs, lost.set_lengths)
+    hardened = _values(damage.hardened, springs, lost.hardened)
+    angles = _values(damage.set_angles, joints, lost.set_angles)
     left = Damage(broken=broken, set_lengths=lengths, hardened=hardened, set_angles=angles)
     return left if broken or any(lengths) or any(hardened) or any(angles) else None
 
 
-def _values(values: tuple[float, ...], origin: Sequence[int]) -> tuple[float, ...]:
-    return tuple(values[old] if old >= 0 else 0.0 for old in origin) if values else ()
+def _values(values: tuple[float, ...], origin: Map, lost: tuple[float, ...]) -> tuple[float, ...]:
+    """A value for each part after an edit: its own of before, or that with which it comes back."""
+    if origin is None or not (values or lost):
+        return values
+    own, back = values or (0.0,) * len(origin), lost or (0.0,) * len(origin)
+    return tuple(own[old] if old >= 0 else back[new] for new, old in enumerate(origin))
 
 
 def inverse(edit: Edit, before: Scene, moment: Moment | None = None) -> Edit:
@@ -147,7 +157,7 @@ def inverse(edit: Edit, before: Scene, moment: Moment | None = None) -> Edit:
     Args:
         edit: of `before`.
         before: the scene that was edited.
-        moment: of the motion when it was edited, from which masses that were removed come back.
+        moment: of the motion when it was edited, from which parts that were removed come back.
     """
     masses = _inverted(edit.masses, len(before.masses))
     lost = None
@@ -166,6 +176,7 @@ def inverse(edit: Edit, before: Scene, moment: Moment | None = None) -> Edit:
         _inverted(edit.springs, len(before.linear_springs)),
         _inverted(edit.joints, len(before.angular_springs)),
         lost,
+        moment.damage if moment is not None else None,
         shift,
     )
 

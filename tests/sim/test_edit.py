@@ -403,3 +403,14 @@ def test_parts_rest_as_they_are_under_all_that_moves_their_rest() -> None:
     assert sum(turned) == 3
     with pytest.raises(SettingError, match="no spring and no joint is selected"):
         take_as_rest(moment, Selection())
+
+
+def test_springs_that_had_yielded_come_back_as_they_were_by_an_undo() -> None:
+    simulation = sim.Simulation(sim.load_scene("girder"))
+    count = len(simulation.scene.linear_springs)
+    worn = Damage(broken=(3,), set_lengths=(2.0, *[0.0] * (count - 2), -1.0))
+    moment = dataclasses.replace(simulation.capture(), damage=worn)
+    edit = remove(moment.scene, Selection(springs=frozenset((0, 3, count - 1))))
+    after = carried(edit, moment)
+    assert after.damage is None
+    assert carried(inverse(edit, moment.scene, moment), after).damage == worn
