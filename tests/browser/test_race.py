@@ -50,6 +50,7 @@ def test_a_worm_races_against_a_walker(open_page: OpenPage) -> None:
     page.get_by_role("menuitemcheckbox", name="Camera goes with the body").click()
     page.keyboard.press("Space")
     desk.until(lambda: floor() < before - 20.0, "the camera goes with them")
+    assert page.evaluate("sessionStorage['softrod-chase']") == "1", "also after a reload"
     page.get_by_role("button", name="Leave").click()
     desk.until(lambda: session.rival is None, "the race is over")
     desk.until(lambda: page.locator(".softrod-race").is_hidden(), "so is its strip")
