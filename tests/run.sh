@@ -103,11 +103,12 @@ SOFTROD_BROWSER=$(find_browser) || fail "no Chromium or Chrome was found or coul
 export SOFTROD_BROWSER
 echo "browser: $SOFTROD_BROWSER"
 
-# Three processes for two processors, since a browser's test waits now and then. Long files come first, and the
-# small ones of the solver last, so that all end at about the same time.
+# Three processes for two processors, since a browser's test waits now and then. The small files of the solver come
+# last, so that all end at about the same time; those of `app` come before those of the browser, whose driver has an
+# event loop of its own running from then on.
 part "tests"
 uv run pytest --numprocesses=3 --dist=loadfile --no-loadscope-reorder "${early[@]/#/--ignore=}" "$@" \
-    tests/browser tests/studies tests/app tests/sim
+    tests/app tests/browser tests/studies tests/sim
 part "models"
 uv run python -m tests.page.check models
 

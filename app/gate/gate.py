@@ -98,7 +98,7 @@ REACH = "/reach"
 """A page that gets no connection asks here why: a browser does not tell it what a refusal says."""
 
 
-class _Budget:
+class Budget:
     """A token bucket: `burst` at first, then `rate` a second."""
 
     def __init__(self, rate: float, burst: float) -> None:
@@ -129,8 +129,8 @@ class Connection(ServerConnection):
         self.client: viser.ClientHandle | None = None
         self.page = ""
         self._gate = gate
-        self._messages = _Budget(MESSAGES_PER_SECOND, MESSAGE_BURST)
-        self._extra_frames = _Budget(EXTRA_FRAMES_PER_SECOND, EXTRA_FRAME_BURST)
+        self._messages = Budget(MESSAGES_PER_SECOND, MESSAGE_BURST)
+        self._extra_frames = Budget(EXTRA_FRAMES_PER_SECOND, EXTRA_FRAME_BURST)
         self._pause = 0.0
 
     async def recv(self, decode: bool | None = None) -> Any:
@@ -201,7 +201,7 @@ class Gate:
         self._hosts = hosts
         self._server: viser.ViserServer | None = None
         self._tabs: set[Connection] = set()
-        self._connections = _Budget(CONNECTIONS_PER_SECOND, CONNECTION_BURST)
+        self._connections = Budget(CONNECTIONS_PER_SECOND, CONNECTION_BURST)
 
     def open(self, server: viser.ViserServer) -> None:
         """Begin to admit; until now every request is refused."""

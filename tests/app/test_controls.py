@@ -112,7 +112,6 @@ def sandbox() -> Iterator[Sandbox]:
         ("/?controls=<script>", 307),
         ("/?controls=" + "x" * 2001, 307),
         ("/?Controls=play", 307),
-        ("/?controls=play&controls=edit", 307),
         ("/package.json?controls=play", 307),
         ("//evil.example/?controls=play", 307),
     ],

@@ -30,7 +30,7 @@ def flood(user: User, count: int) -> list[tuple[str, str]]:
 def test_who_was_quiet_has_saved_up_no_more_than_a_burst(monkeypatch: pytest.MonkeyPatch) -> None:
     moments = iter((0.0, 3600.0, 3600.5))
     monkeypatch.setattr(gate, "time", SimpleNamespace(monotonic=lambda: next(moments)))
-    budget = gate._Budget(rate=10.0, burst=20.0)
+    budget = gate.Budget(rate=10.0, burst=20.0)
     assert budget.spend(40.0) == 2.0  # seconds until it is paid back
     assert budget.left == -15.0
 

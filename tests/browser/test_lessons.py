@@ -96,9 +96,13 @@ def test_what_was_answered_is_told_and_known_after_a_reload_and_another_scene(op
     first, second = steps("lesson-hooke")[:2]
     begins(desk, first)
     press(desk, "200 px")
+    desk.until(lambda: desk.session.playing, "with the answer, the clock runs")
+    desk.tell(commands.Play(False))
     press(desk, "71 px")  # until it is told, one may think again
     pressed = desk.page.locator(f"{CARD} .softrod-choice[aria-pressed=true]")
     desk.until(lambda: pressed.all_inner_texts() == ["71 px"], "it is the choice")
+    desk.rest(2)
+    assert not desk.session.playing
     press(desk, "What is right?")
     desk.until(lambda: "The answer is: 100 px." in words(desk), "the right answer is told")
     # Again is anew: the question can be answered again.

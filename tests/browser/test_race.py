@@ -33,6 +33,7 @@ def test_a_worm_races_against_a_walker(open_page: OpenPage) -> None:
     desk.until(lambda: page.locator(".softrod-count").is_visible(), "there is a count-down")
     desk.until(lambda: session.playing, "then both run")
     desk.until(lambda: floor() < before - 5.0, "the camera goes with them")
+    assert page.evaluate("sessionStorage['softrod-chase']") == "1", "also after a reload"
     page.keyboard.press("Space")
     desk.until(lambda: not session.playing, "both stand")
     rival = session.rival

@@ -16,7 +16,6 @@ from sim.body.system import System, build_system, new_scratch, start_of
 from sim.forces.all import accelerations
 from sim.forces.nets import NO_NET
 from sim.kernels.core.tables import Scratch, State
-from sim.physics import Physics
 from sim.scene.types import ForceLaw
 
 REPLACE = msgspec.structs.replace
@@ -114,17 +113,6 @@ def test_a_net_accelerates_like_any_other_body(
     expected = accelerations_of(by_the_general_path(system), state)
     size = np.abs(expected).max()
     assert found == pytest.approx(expected, abs=1e-13 * size)
-
-
-def test_springs_in_many_joints_that_are_damped_are_turned_as_in_numpy() -> None:
-    system, state = moving(sim.load_scene("tree"), 1)
-    assert system.body.more_joint.size > 0
-    assert system.body.joint_damped
-    wanted = Physics(system.body, state).accelerations(state.x + 1j * state.y, state.vx + 1j * state.vy)
-    found = accelerations_of(system, state)
-    here = wanted[1 : system.body.masses + 1]
-    off = np.abs(found - np.array((here.real, here.imag))).max()
-    assert off < 1e-6 * np.abs(here).max()
 
 
 @pytest.mark.parametrize("name", ["ring", "pile", "box", "bridge", "girder", "flag-pole", "jelly", "tree"])
