@@ -123,6 +123,7 @@ def test_a_plot_over_another_quantity_reads_values_under_the_pointer(open_page: 
     phase.wait_for()
     desk.page.locator(".softrod-plot-title").scroll_into_view_if_needed()
     box = desk.until(phase.bounding_box, "it has its place")
+    assert box is not None
     desk.page.mouse.move(box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"])
     read = desk.page.locator(".softrod-phase-values")
     desk.until(lambda: read.is_visible() and "joint0.angle, °: " in read.inner_text(), "it reads")
