@@ -66,7 +66,10 @@ uv sync --quiet
 part "compiling the solver; linters, scripts, and tests that need no solver"
 python=$(uv run python -c 'import sys; print(sys.executable)')
 logs=$(mktemp -d)
-"$python" -m sim.compiling.precompile all >"$logs/compiled" &
+"$python" -c 'from sim.compiling.compiler import Compiler
+compiler = Compiler()
+compiler.start()  # in two processes
+compiler.wait()' &
 compiling=$!
 uv run pyright >"$logs/types" 2>&1 &
 checking=$!
