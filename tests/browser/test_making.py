@@ -60,7 +60,8 @@ def begin(desk: Desk) -> None:
 def test_a_step_is_written_ordered_tried_and_seen_as_pupils_see_it(open_page: OpenPage) -> None:
     """`tests/app/test_making.py` has what the form makes of what is written, what it refuses, and undo."""
     desk = open_page("rope", size=(1280, 720))
-    desk.page.keyboard.press("g")  # a plot that a step can have
+    desk.page.keyboard.press("g")  # a plot that a step can have; the page turns to it
+    desk.page.locator(".uplot").wait_for()
     begin(desk)
     write_a_step(desk)
     order(desk)
@@ -174,5 +175,6 @@ def test_on_a_phone_a_lesson_is_made_below_the_body(open_page: OpenPage) -> None
     press(desk, "Show")
     desk.until(lambda: field(desk, "Title").is_visible(), "it is back")
     # It outlives a reload, with the lesson.
+    desk.until(desk.is_kept, "the browser keeps it")
     desk.open()
     desk.until(lambda: listed(desk) == ["1. Step 1", "2. Step 2"], "it is there again")

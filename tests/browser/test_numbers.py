@@ -135,6 +135,9 @@ def test_one_visit_to_a_box_and_one_press_of_a_slider_are_one_step_of_undo(open_
 
     for label, key in (("Gravity", "gravity"), ("Number of masses", "masses")):
         before = value(desk, key)
+        desk.until(
+            lambda label=label, before=before: desk.slider_value(label) == before, "the slider shows it"
+        )
         thumb = desk.thumb(label).bounding_box()
         assert thumb is not None
         x, y = thumb["x"] + thumb["width"] / 2, thumb["y"] + thumb["height"] / 2
