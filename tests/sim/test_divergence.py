@@ -153,19 +153,6 @@ def test_a_spring_without_length_pulls_at_nothing(general_path: bool) -> None:
     assert np.isfinite(simulation.positions).all()
 
 
-def test_keys_are_undone_with_the_steps() -> None:
-    scene = REPLACE(too_stiff(), rest_length_scale=1.0)
-    simulation = Simulation(scene)
-    simulation.keys = {"up", "right"}
-    done = simulation.step(5000)
-    assert simulation.divergence is not None
-    fresh = Simulation(scene)
-    fresh.keys = {"up", "right"}
-    fresh.step(done)
-    assert simulation.rest_length_scale == fresh.rest_length_scale == pytest.approx(1.002**done, rel=1e-9)
-    assert np.array_equal(simulation.rest_angles, fresh.rest_angles)
-
-
 # ------------------------------------------------------------------------- afterwards
 def test_no_steps_until_reset() -> None:
     simulation = Simulation(too_stiff())
@@ -233,14 +220,6 @@ def test_a_violent_move_is_not_blamed_on_the_step(joints: bool) -> None:
     assert divergence.stability.limit > simulation.dt
     assert "small motions" in divergence.reason
     assert "is above the stability limit" not in str(divergence)
-
-
-def test_a_pointer_dropped_on_the_neighbour_stops_nothing() -> None:
-    simulation = Simulation(sim.load_scene("tutorial-3.3"))
-    x, y = simulation.positions[1]
-    simulation.move(0, (x, y))
-    assert simulation.step(400) == 400
-    assert simulation.divergence is None
 
 
 def test_the_meter_survives_a_spring_without_length() -> None:

@@ -102,22 +102,6 @@ def test_a_joint_whose_spring_is_broken_has_no_torque() -> None:
     assert np.abs(simulation.loads.torques[~loose]).min() > 0.0
 
 
-def test_a_mass_on_a_spring_is_pulled_as_its_closed_form_says() -> None:
-    k, m, c, x0 = 900.0, 2.0, 6.0, 50.0
-    scene = oscillator(damping=c)
-    simulation = Simulation(scene)
-    decay = c / (2.0 * m)
-    omega = math.sqrt(k / m - decay**2)
-    for t in (0.0, 0.05, 0.31):
-        simulation.step(round((t - simulation.time) / 1e-3))
-        fade, phase = math.exp(-decay * t), omega * t
-        x = x0 * fade * (math.cos(phase) + decay / omega * math.sin(phase))
-        v = -x0 * fade * (decay**2 + omega**2) / omega * math.sin(phase)
-        support, force = simulation.loads.forces
-        assert force == pytest.approx((-k * x - c * v, 0.0), rel=1e-6, abs=1e-3)
-        assert support == pytest.approx(-force, rel=1e-12), "the anchor bears what the spring pulls with"
-
-
 def test_supports_bear_the_weight_of_a_body_at_rest() -> None:
     scene = sim.load_scene("cloth")
     simulation = Simulation(REPLACE(scene, pose=sim.equilibrium(scene)))

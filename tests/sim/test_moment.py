@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from sim import Circle, Simulation
+from sim import Simulation
 from sim.methods.registry import METHODS
 from tests.amount import examples
-from tests.sim.builders import askew, rod, tutorial_preset
+from tests.sim.builders import askew, tutorial_preset
 
 REPLACE = msgspec.structs.replace
 
@@ -146,18 +146,6 @@ def test_a_moment_keeps_what_it_had_and_shares_its_scene() -> None:
     assert np.array_equal(moment.rows, kept)
     assert moment.scene is simulation.capture().scene
     assert moment.rows.nbytes == 4 * 8 * 12
-
-
-def test_an_anchor_goes_on_round_its_circle() -> None:
-    scene = rod(12, circle=Circle(radius=50.0, frequency=1.0))
-    simulation, straight = Simulation(scene), Simulation(scene)
-    simulation.advance(0.4)
-    moment = simulation.capture()
-    simulation.advance(0.3)
-    simulation.restore(moment)
-    simulation.advance(0.35)
-    straight.advance(0.75)
-    assert simulation.positions[0] == pytest.approx(straight.positions[0], abs=1e-9)
 
 
 def test_the_energy_balance_begins_anew() -> None:

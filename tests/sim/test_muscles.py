@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -186,15 +185,6 @@ def test_analyses_let_muscles_rest() -> None:
 
 
 # ------------------------------------------------------------------------- files
-def test_files_leave_out_what_a_scene_does_not_have(tmp_path: Path) -> None:
-    scene, path = body("chain", "conservative", 1), tmp_path / "scene.json"
-    sim.save_scene(scene, path)
-    text = path.read_text(encoding="utf-8")
-    assert "muscle" not in text
-    assert "beat" not in text
-    moving = with_muscles(scene)
-    sim.save_scene(moving, path)
-    assert sim.load_scene(path) == moving
 
 
 @pytest.mark.parametrize(

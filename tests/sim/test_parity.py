@@ -14,7 +14,7 @@ import sim
 from sim.settings import TEMPLATES
 from tests.sim import reference
 from tests.sim.builders import tutorial_preset
-from tests.sim.inside import general, is_chain
+from tests.sim.inside import general
 
 STEPS = 2000
 CLOSE = 1e-8
@@ -162,31 +162,7 @@ def test_general_rest_angle_with_pointer_and_keys(path: Path) -> None:
     assert scaled == pytest.approx(body.springs[0].rest_length, rel=1e-12)
 
 
-def test_velocities_agree_and_held_masses_have_none() -> None:
-    simulation, body = sim.Simulation(sim.load_scene("tutorial-3.3")), reference.example_3()
-    for step in range(300):
-        simulation.move(0, circle(step))
-        body.mouse = {0: circle(step)}
-        simulation.step()
-        body.step()
-    expected = np.array([(p.vx, p.vy) for p in body.points])
-    assert np.abs(simulation.velocities - expected).max() <= 1e-6
-    assert not simulation.velocities[0].any()
-    assert np.abs(expected[1:]).max() > 100.0
-
-
 # ------------------------------------------------------------------------- the two paths
-def test_chain_and_general_path_agree() -> None:
-    scene = sim.load_scene("tutorial-3.3")
-    fast, slow = sim.Simulation(scene), general(sim.Simulation(scene))
-    assert is_chain(fast)
-    assert not is_chain(slow)
-    for step in range(STEPS):
-        for simulation in (fast, slow):
-            simulation.keys = keys_at(step)
-            simulation.move(0, circle(step))
-            simulation.step()
-        assert np.abs(fast.positions - slow.positions).max() <= CLOSE
 
 
 @pytest.mark.parametrize("preset", ["ring", "box", "hair-tuft", "flag-pole"])

@@ -58,13 +58,6 @@ def test_lead_goes_in_a_straight_line_and_arrives_with_the_last_step() -> None:
     assert np.abs(line.velocities - pieces.velocities).max() <= 1e-12
 
 
-def test_lead_is_over_after_one_call(rope: Simulation) -> None:
-    rope.lead(0, (330.0, 140.0))
-    rope.step(5)
-    rope.step(5)
-    assert tuple(rope.positions[0]) == (330.0, 140.0)
-
-
 @pytest.mark.parametrize("law", ["tutorial", "conservative"])
 @pytest.mark.parametrize("method", METHODS)
 def test_what_is_led_arrives_and_stays_there(method: Method, law: ForceLaw) -> None:

@@ -352,17 +352,6 @@ def test_a_direction_may_be_as_short_as_it_likes(direction: tuple[float, float])
     assert math.dist(scene.masses[0].position, scene.masses[-1].position) == pytest.approx(300.0)
 
 
-def test_rope_makes_a_valid_scene_of_the_tutorials_constants() -> None:
-    scene = sim.rope()
-    assert len(scene.masses) == 12
-    assert scene.masses[0].position == (300.0, 150.0)
-    assert scene.masses[-1].position == pytest.approx((300.0, 450.0))
-    with pytest.raises(SceneError, match=r"bodies\[0\]\.length"):
-        sim.rope(length=-1.0)
-    with pytest.raises(SceneError, match=r"air_friction"):
-        sim.rope(air_friction=math.nan)
-
-
 def test_scenes_are_frozen() -> None:
     for thing in (BODY, BODY.masses[0], BODY.view):
         with pytest.raises(AttributeError):

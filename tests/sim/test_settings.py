@@ -131,15 +131,6 @@ def test_values_out_of_range_are_refused(setting: Setting) -> None:
         assert "\n" not in str(caught.value)
 
 
-def test_another_tempo_leaves_the_beat_where_it_is() -> None:
-    scene = with_muscles(star(5), np.random.default_rng(0))
-    for time in (0.0, 0.37, 1234.5):
-        changed = set_value(scene, "tempo", 2.5, time)
-        assert SETTINGS["tempo"].read(changed) == 2.5
-        one, other = (s.beat.frequency * time + s.beat.phase / 360.0 for s in (scene, changed) if s.beat)
-        assert abs((one - other + 0.5) % 1.0 - 0.5) < 1e-9
-
-
 def test_whole_numbers_and_templates() -> None:
     scene = load_scene("tutorial-3.2")
     with pytest.raises(SettingError, match=r"masses: 4\.5 is not a whole number"):
@@ -176,17 +167,6 @@ def test_what_is_touched_has_choices_of_its_own() -> None:
     for key in ("restitution", "grip"):
         assert CHOICES[key].applies(pile)
         assert not CHOICES[key].applies(ring)
-
-
-def test_friction_that_holds_brings_a_pile_to_rest() -> None:
-    speeds = []
-    for name in ("creeps", "holds"):
-        scene = set_choice(set_choice(load_scene("pile"), "restitution", "constant"), "grip", name)
-        simulation = Simulation(scene)
-        simulation.advance(10.0)
-        speeds.append(float(np.sqrt((simulation.velocities**2).sum(1).mean())))
-    creeping, held = speeds
-    assert held < 0.1 * creeping
 
 
 def test_wrong_choices_are_refused() -> None:

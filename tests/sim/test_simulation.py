@@ -16,7 +16,7 @@ import pytest
 
 import sim
 from sim import Anchor, InputError, Simulation
-from tests.sim.builders import askew, chain, row, tutorial_preset
+from tests.sim.builders import askew, chain, row
 from tests.sim.inside import same_state
 
 REPLACE = msgspec.structs.replace
@@ -51,19 +51,6 @@ def test_a_run_is_the_same_bit_for_bit_in_every_process() -> None:
         exec(TRAJECTORY, {})
     assert here.getvalue() == other
     assert len(other.strip()) == len(hashlib.sha256().hexdigest())
-
-
-@pytest.mark.parametrize("preset", ["tutorial-3.3", "ring"])
-def test_many_steps_at_once_are_the_same_as_one_by_one(preset: str) -> None:
-    one, other = (Simulation(tutorial_preset(preset)) for _ in range(2))
-    for simulation in (one, other):
-        simulation.keys = {"left", "up"}
-    assert one.step(333) == 333
-    assert [other.step() for _ in range(333)] == [1] * 333
-    assert same_state(one, other)
-    assert one.time == other.time == pytest.approx(333 * 0.0025)
-    assert one.step_count == other.step_count == 333
-    assert np.array_equal(one.rest_angles, other.rest_angles)
 
 
 def test_no_steps_and_wrong_numbers_of_steps(rope: Simulation) -> None:

@@ -137,23 +137,6 @@ def test_attempts_that_end_in_a_dead_end_only_delay(method: Method, attempts: in
     assert simulation.time > 0.0
 
 
-def test_what_goes_round_starts_anew_from_where_it_is_put() -> None:
-    scene = sim.rope(5)
-    circle = Circle(radius=30.0, frequency=2.0, ramp=0.05)
-    simulation = Simulation(REPLACE(scene, bodies=(), anchors=(Anchor(mass=0, driven=True, circle=circle),)))
-    simulation.step(40)
-    away = simulation.positions[0]
-    simulation.move(0, (float(away[0]) + 50.0, float(away[1])))
-    simulation.step(40)
-    moved = simulation.positions[0]
-    other = Simulation(REPLACE(scene, bodies=(), anchors=(Anchor(mass=0, driven=True, circle=circle),)))
-    other.step(80)
-    assert moved - other.positions[0] == pytest.approx(np.array([50.0, 0.0]), abs=1e-9)
-    simulation.reset()
-    simulation.step(80)
-    assert simulation.positions[0] == pytest.approx(other.positions[0], abs=1e-9)
-
-
 @pytest.mark.parametrize("method", [name for name, info in METHODS.items() if info.adaptive])
 def test_a_short_call_after_long_steps(method: Method) -> None:
     # Of a body at rest, steps grow and grow; a call may then be a millionth of one.

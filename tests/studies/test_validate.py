@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from sim.errors import InputError
 from studies.reporting.output import provenance
 from studies.validate import exact
 from studies.validate.figures import FIGURES
@@ -218,14 +217,6 @@ def test_the_machine_is_named_but_not_its_host_or_folders(report: Path) -> None:
             assert str(Path.home()) not in text
             assert str(report) not in text
             assert platform.node() not in text.split()
-
-
-def test_a_folder_that_cannot_be_made_is_one_sentence(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="the folder cannot be made"):
-        run(tmp_path / "no" / "such", case(GOOD))
-    (tmp_path / "file").write_text("")
-    with pytest.raises(InputError, match="the folder cannot be made"):
-        run(tmp_path / "file", case(GOOD))
 
 
 def test_the_command_refuses_before_it_computes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
