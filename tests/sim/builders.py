@@ -93,6 +93,19 @@ def row(count: int, spacing: float = 10.0) -> list[tuple[float, float]]:
     return [(spacing * i, 0.0) for i in range(count)]
 
 
+def hoop(count: int, radius: float, *, mass: float, stiffness: float, damping: float, **fields: Any) -> Scene:
+    """A ring of springs around the origin, at rest and without joints."""
+    turns = [math.tau * i / count for i in range(count)]
+    edge = 2.0 * radius * math.sin(math.pi / count)
+    spring = LinearSpring(a=0, b=1, stiffness=stiffness, damping=damping, rest_length=edge)
+    return Scene(
+        name="hoop",
+        masses=tuple(Mass(position=(radius * math.cos(v), radius * math.sin(v)), mass=mass) for v in turns),
+        linear_springs=tuple(msgspec.structs.replace(spring, a=i, b=(i + 1) % count) for i in range(count)),
+        **fields,
+    )
+
+
 def tangle(
     seed: int, masses: int = 9, damping: float = 30.0, held: tuple[int, ...] = (), dt: float = 1e-4
 ) -> Scene:

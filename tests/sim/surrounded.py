@@ -1,14 +1,17 @@
-"""Bodies of many shapes among walls, in the wind or a medium, on the ground, and with fillings."""
+"""Bodies of many shapes among walls, in wind or a medium, on the ground, with fillings, and in contact."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import msgspec
+import numpy as np
 
 from sim import Integrator, Scene
 from sim.scene.surroundings import Gas, Ground, Liquid, Medium, Wall, Wind
+from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import body
+from tests.sim.touching import CONSTANT, HELD, SOFT, crumpled
 
 KINDS: dict[str, dict[str, Any]] = {
     # Walls that the body is in, at both sides of which there are masses; one is entered, one left.
@@ -62,3 +65,38 @@ def surrounded(kind: str, shape: str = "girder", seed: int = 0, **changes: Any) 
     # Not an explicit method with a fixed step: for that, walls are softened.
     exact = Integrator(method="generalized_alpha", dt=1e-4)
     return msgspec.structs.replace(body(shape, seed=seed, **changes), integrator=exact, **KINDS[kind])
+
+
+TOUCHING = {
+    f"{shape} in {kind}": (shape, contact)
+    for kind, contact in (("contact", SOFT), ("contact of a constant restitution", CONSTANT))
+    for shape in ("girder", "cloth", "ring", "chain")
+}
+"""Shapes that are crumpled so that they touch themselves, and their contact."""
+TOUCHING["girder that sticks to itself"] = ("girder", HELD)
+
+AROUND = [*KINDS, *TOUCHING]
+
+
+def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
+    """A body in surroundings of a kind, or in contact with itself; `changes` are arguments of `body`."""
+    if kind not in TOUCHING:
+        return surrounded(kind, seed=seed, **changes)
+    shape, contact = TOUCHING[kind]
+    return crumpled(shape, seed, contact, **changes)
+
+
+def bare(scene: Scene) -> Scene:
+    """The scene without anything that surrounds or touches the body."""
+    nothing = {"medium": msgspec.UNSET, "ground": msgspec.UNSET}
+    return msgspec.structs.replace(scene, walls=(), wind=None, fillings=(), contact=None, **nothing)
+
+
+def force_around(scene: Scene) -> tuple[Floats, Floats]:
+    """(n, 2) positions, and the forces of all that surrounds or touches the body."""
+    forces = [
+        arrays.pairs_of(arrays.weight * arrays.accelerations(arrays.q, arrays.v))
+        for arrays in (Arrays(scene), Arrays(bare(scene)))
+    ]
+    at = [mass.position for mass in scene.masses] if scene.pose is None else scene.pose.positions
+    return np.array(at), forces[0] - forces[1]

@@ -10,16 +10,17 @@ from sim import Mass, Scene
 from sim.forces.contact import no_tunnelling
 from sim.scene.surroundings import Contact
 from tests.sim.arrays import Arrays, Floats
-from tests.sim.touching import HARD, REPLACE, SOFT, contact_force, crumpled, joined, line, listed, nearer
+from tests.sim.surrounded import force_around
+from tests.sim.touching import HARD, REPLACE, SOFT, crumpled, joined, line, listed, nearer
 
 
 def test_a_body_does_not_touch_itself_as_it_is_built() -> None:
     for shape in ("girder", "cloth", "ring", "chain"):
         scene = crumpled(shape, contact=REPLACE(SOFT, distance=70.0))  # far more than a spring is long
-        _, force = contact_force(REPLACE(scene, pose=None))
+        _, force = force_around(REPLACE(scene, pose=None))
         assert np.abs(force).max() <= 1e-8
     ropes = [line((0.0, y), (10.0, 0.0), 5, ()) for y in (0.0, 3.0)]
-    _, force = contact_force(joined(*ropes, contact=SOFT))
+    _, force = force_around(joined(*ropes, contact=SOFT))
     assert (force[:5, 1] < 0.0).all() and (force[5:, 1] > 0.0).all()  # but other bodies
 
 

@@ -19,7 +19,7 @@ from sim.scene.surroundings import Contact
 from sim.scene.types import Circle, Damage, ForceLaw, Method
 from tests.amount import examples
 from tests.sim.bodies import LAWS, body
-from tests.sim.inside import same_state, solver_of
+from tests.sim.inside import solver_of
 
 REPLACE = msgspec.structs.replace
 ADAPTIVE = [name for name, method in METHODS.items() if method.adaptive]
@@ -283,26 +283,6 @@ def fragile(seed: int = 0, method: Method = "auto") -> Scene:
     )
 
 
-def test_going_back_undoes_damage_and_going_on_does_the_same_again() -> None:
-    simulation = Simulation(fragile())
-    simulation.advance(0.05)
-    moment = simulation.capture()
-    ends = []
-    for _ in range(2):
-        simulation.restore(moment)
-        assert simulation.damage == moment.damage
-        simulation.advance(0.3)
-        ends.append((simulation.positions.tolist(), simulation.damage))
-    assert ends[0] == ends[1]
-    assert ends[0][1] is not None and ends[0][1] != moment.damage and ends[0][1].broken
-    simulation.reset()
-    assert simulation.damage is None
-    fresh = Simulation(fragile())
-    for each in (simulation, fresh):
-        each.advance(0.2)
-    assert same_state(simulation, fresh)
-
-
 def test_a_saved_pose_has_the_damage_and_settings_keep_it(tmp_path: Any) -> None:
     simulation = Simulation(fragile())
     simulation.advance(0.3)
@@ -333,14 +313,6 @@ def test_damage_that_does_not_fit_is_refused(damage: Damage, sentence: str) -> N
     pose = Pose(positions=((0.0, 0.0), (100.0, 0.0)), velocities=((0.0, 0.0),) * 2, damage=damage)
     with pytest.raises(SceneError, match=sentence):
         sim.validate(REPLACE(flung(), pose=pose))
-
-
-def test_where_nothing_yields_or_breaks_there_is_nothing_to_pay_for() -> None:
-    simulation = Simulation(sim.load_scene("ring"))
-    system, state = simulation.tables
-    assert not system.body.limits.present
-    assert all(state.__dict__[name].size == 0 for name in ("set_length", "set_angle", "hardened", "broken"))
-    assert simulation.capture().damage is None
 
 
 @given(seed=st.integers(0, 10_000), method=st.sampled_from(sorted(METHODS)), strength=st.floats(0.0, 1e5))

@@ -18,6 +18,7 @@ SOFT = Contact(distance=12.0, stiffness=50.0, friction=0.7, slip_speed=80.0, bou
 SMOOTH = REPLACE(SOFT, friction=0.0, bounciness=1.0)
 HARD = Contact(distance=6.0, stiffness=500.0, friction=0.4, bounciness=0.3)
 CONSTANT = REPLACE(SOFT, restitution="constant")
+HELD = REPLACE(CONSTANT, tangential_stiffness=900.0)
 Pairs = set[tuple[int, int]]
 """Springs, and slots of masses."""
 
@@ -93,16 +94,6 @@ def line(start: tuple[float, float], step: tuple[float, float], count: int, held
         ),
         anchors=tuple(Anchor(mass=mass) for mass in held),
     )
-
-
-def contact_force(scene: Scene) -> tuple[Floats, Floats]:
-    """(n, 2) positions, and the forces of contact."""
-    with_it, without = Arrays(scene), Arrays(REPLACE(scene, contact=None))
-    forces = [
-        arrays.pairs_of(arrays.weight * arrays.accelerations(arrays.q, arrays.v))
-        for arrays in (with_it, without)
-    ]
-    return with_it.pairs(with_it.q), forces[0] - forces[1]
 
 
 def listed(arrays: Arrays) -> Pairs:
