@@ -122,7 +122,7 @@ class Arrays:
     def by_differences(self, a: float, g: float, places: float = 1e-3, speeds: float = 0.01) -> Floats:
         """a I - g Jv - Jx, by differences of accelerations of these sizes, px and px/s."""
         by_place, by_speed = self.derivative(False, places), self.derivative(True, speeds)
-        return a * np.eye(self.here.size) - g * by_speed - by_place
+        return np.array(a * np.eye(self.here.size) - g * by_speed - by_place, float)
 
     def factorise(self, a: float, g: float, definite: bool = False) -> bool:
         """Factorise a I - g Jv - Jx at the present state."""
@@ -143,7 +143,7 @@ class Arrays:
 
     def matrix_of(self, a: float, g: float, definite: bool = False) -> Floats:
         """a I - g Jv - Jx, as it is solved with."""
-        return np.linalg.inv(self.inverse(a, g, definite))
+        return np.array(np.linalg.inv(self.inverse(a, g, definite)), float)
 
     def resistance(self, z: Floats, factor: float, start: Floats) -> Floats:
         """start + factor Jv z, for numbers of all of `here`."""
