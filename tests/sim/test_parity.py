@@ -156,6 +156,10 @@ def test_general_rest_angle_with_pointer_and_keys(path: Path) -> None:
         worst = max(worst, apart(simulation, body))
     assert simulation.divergence is None
     assert worst <= CLOSE
+    assert simulation.velocities[1:] == pytest.approx(
+        np.array([(p.vx, p.vy) for p in body.points[1:]]), abs=1e-6
+    )
+    assert not simulation.velocities[0].any()
     assert simulation.rest_angles[0] == pytest.approx(body.joints[0].rest_angle, abs=1e-9)
     scaled = simulation.rest_length_scale * simulation.scene.linear_springs[0].rest_length
     assert simulation.scene.rest_length_scale == simulation.rest_length_scale
