@@ -32,7 +32,7 @@ def bits(simulation: Simulation) -> bytes:
 
 
 def restless(**fields: object) -> Scene:
-    """A body that time drives, by an anchor that goes round and by gusts, and that breaks, yields and sticks."""
+    """A body that time drives, by gusts and an anchor that goes round, and that breaks, yields and sticks."""
     scene = REPLACE(around("girder that sticks to itself", 8), **KINDS["all"])
     circle = Circle(radius=20.0, frequency=3.0, ramp=0.1)
     limits = ({"strength": 2e4}, {"strength": 5e4, "yield_force": 2e4})
