@@ -17,7 +17,7 @@ from sim.scene.types import Damage, Method, Pose
 from tests.amount import part_of
 from tests.sim.bodies import body
 from tests.sim.builders import chain
-from tests.sim.whole_step import hold, spectral_radius
+from tests.sim.whole_step import hold
 
 REPLACE = msgspec.structs.replace
 METHODS_WITH_LIMIT: tuple[Method, ...] = ("symplectic_euler", "velocity_verlet", "rk4")
@@ -39,17 +39,16 @@ def turning(scene: Scene, rate: float) -> Scene:
     return REPLACE(scene, masses=masses, anchors=(), gravity=(0.0, 0.0))
 
 
-SHAKEN = [*product(("chain", "girder", "hub"), (0.0, 30.0, 300.0), METHODS_WITH_LIMIT)]
+RESTING = [
+    *product((("chain", 0), ("ring", 0), ("hub", 0), ("girder", 3)), (0.0, 30.0, 300.0), METHODS_WITH_LIMIT)
+]
 
 
-@pytest.mark.parametrize(("shape", "damping", "method"), part_of(SHAKEN, 3))
-def test_bodies_of_any_shape_in_motion(shape: str, damping: float, method: Method) -> None:
-    simulation = Simulation(by(body(shape, "conservative", 2, damping=damping, held=(1,)), method))
-    limit = simulation.stability().limit
-    # Compressed springs may buckle, which no step helps: motions grow a little at any.
-    buckling = spectral_radius(simulation, 0.5 * limit)
-    assert spectral_radius(simulation, 0.98 * limit) < max(1.0, buckling) ** 2 + 1e-3
-    assert spectral_radius(simulation, 1.02 * limit) > 1.01
+@pytest.mark.parametrize(("shape", "damping", "method"), part_of(RESTING, 3))
+def test_bodies_of_any_shape_at_rest(shape: tuple[str, int], damping: float, method: Method) -> None:
+    name, seed = shape
+    scene = by(body(name, "conservative", seed, damping=damping, held=(1,)), method)
+    hold(Simulation(REPLACE(scene, pose=sim.equilibrium(scene))))
 
 
 @pytest.mark.parametrize(("rate", "method"), part_of([*product((0.0, 0.5, 3.0), METHODS_WITH_LIMIT)], 3))
