@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-import sim
 from sim import Integrator, Mass, Scene, Simulation
 from sim.forces.contact_batch import BATCH
 from sim.methods.registry import METHODS
@@ -199,16 +198,3 @@ def test_very_rough_bodies_stay_finite(method: Method) -> None:
     assert simulation.divergence is None
     assert simulation.time == pytest.approx(1.0)
     assert np.abs(simulation.velocities).max() < 2000.0
-
-
-# ------------------------------------------------------------------------- beside the kernels
-def test_a_ring_in_equilibrium_rests_on_a_rope() -> None:
-    rope = line((0.0, 0.0), (20.0, 0.0), 8, (0, 7))
-    scene = joined(rope, ring((70.0, -60.0), 12.0, 8), contact=HARD, gravity=(0.0, 1000.0))
-    pose = sim.equilibrium(scene)
-    resting = REPLACE(scene, pose=pose)
-    simulation = run(resting, 0.5, tolerance=1e-4)
-    assert np.abs(simulation.positions - np.array(pose.positions)).max() <= 1e-4
-    arrays = Arrays(resting)
-    assert len(nearer(arrays, arrays.q, HARD.distance)) >= 1
-    assert np.abs(arrays.accelerations(arrays.q, arrays.v)).max() <= 1e-3

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -13,8 +12,6 @@ from sim import Simulation
 from sim.methods.registry import METHODS
 from tests.amount import examples
 from tests.sim.builders import askew, tutorial_preset
-
-REPLACE = msgspec.structs.replace
 
 
 def bits(simulation: Simulation) -> bytes:

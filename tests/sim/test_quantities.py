@@ -68,15 +68,6 @@ def test_forces_and_torques_are_those_that_move_the_masses(seed: int) -> None:
     assert forces == pytest.approx(wanted[system.mass_index], rel=1e-9, abs=1e-6)
 
 
-def test_the_angle_law_has_its_own_torque() -> None:
-    scene = REPLACE(pendulum(30.0).scene, force_law="angle")
-    joint = REPLACE(scene.angular_springs[0], stiffness=7.0, rest_angle=-40.0)
-    simulation = Simulation(REPLACE(scene, angular_springs=(joint,)))
-    assert read(simulation, "joint0.angle") == pytest.approx(-30.0)
-    assert read(simulation, "joint0.rest_angle") == -40.0
-    assert read(simulation, "joint0.torque") == pytest.approx(7.0 * 100.0**2 * math.radians(10.0), rel=1e-6)
-
-
 def test_masses_and_rates_are_what_the_simulation_says() -> None:
     simulation = Simulation(tangle(3))
     simulation.step(50)

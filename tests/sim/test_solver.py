@@ -18,7 +18,6 @@ from tests.sim.bodies import body
 from tests.sim.inside import drive, solver_of
 
 REPLACE = msgspec.structs.replace
-FLOWS: tuple[Method, ...] = tuple(m.name for m in METHODS.values() if m.order != 1)
 
 
 def test_methods_and_tracking_may_be_changed_on_the_way() -> None:

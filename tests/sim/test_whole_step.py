@@ -39,9 +39,8 @@ def turning(scene: Scene, rate: float) -> Scene:
     return REPLACE(scene, masses=masses, anchors=(), gravity=(0.0, 0.0))
 
 
-RESTING = [
-    *product((("chain", 0), ("ring", 0), ("hub", 0), ("girder", 3)), (0.0, 30.0, 300.0), METHODS_WITH_LIMIT)
-]
+SHAPES = (("chain", 0), ("ring", 0), ("hub", 0), ("girder", 3))
+RESTING = [*product(SHAPES, (0.0, 30.0, 300.0), METHODS_WITH_LIMIT)]
 
 
 @pytest.mark.parametrize(("shape", "damping", "method"), part_of(RESTING, 3))
