@@ -236,9 +236,7 @@ def test_files_that_are_no_json_object(data: bytes, sentence: str) -> None:
         ),
     ],
 )  # fmt: skip
-def test_files_with_a_wrong_field_name_it_and_say_what_is_expected(
-    raw: dict[str, Any], sentence: str
-) -> None:
+def test_files_with_a_wrong_field_say_what_is_expected(raw: dict[str, Any], sentence: str) -> None:
     assert refused(raw).startswith(sentence)
 
 

@@ -1,4 +1,4 @@
-"""Roots, sines and hyperbolic tangents as kernels have them: exact to the last digits, and bad of bad numbers."""
+"""Roots, sines and hyperbolic tangents as kernels have them: right to the last digits."""
 
 from __future__ import annotations
 

@@ -66,8 +66,9 @@ def wobbly(count: int, axis: int) -> list[tuple[float, float]]:
 def test_limit_of_a_row(cause: str, count: int) -> None:
     # The sine of the fastest mode's half wave number is what a finite row lacks of a long one.
     bends, stiffness, mass = cause == "angular stiffness", 800.0, 0.5
-    springs = {"angular_stiffness" if bends else "stiffness": stiffness}
-    scene = chain(wobbly(count, int(bends)), mass=mass, held=(0, count - 1), **springs)
+    along, across = (0.0, stiffness) if bends else (stiffness, 0.0)
+    places, held = wobbly(count, int(bends)), (0, count - 1)
+    scene = chain(places, stiffness=along, angular_stiffness=across, mass=mass, held=held)
     sine = math.sin((count - 2) * math.pi / (2 * (count - 1)))
     limit = math.sqrt(mass / stiffness) * (0.5 / sine**2 if bends else 1.0 / sine)
     assert growth(scene, 0.98 * limit, int(bends)) < 100.0
