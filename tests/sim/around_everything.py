@@ -6,7 +6,7 @@ import msgspec
 
 from sim import Scene
 from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
-from tests.sim.builders import tangle
+from tests.sim.bodies import tangle
 
 REPLACE = msgspec.structs.replace
 

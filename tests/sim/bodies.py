@@ -6,6 +6,7 @@ import itertools
 import math
 from typing import get_args
 
+import msgspec
 import numpy as np
 
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
@@ -160,3 +161,10 @@ def body(
         force_law=law,
         integrator=euler(1e-4),
     )
+
+
+def tangle(seed: int, held: tuple[int, ...] = ()) -> Scene:
+    """A body with no order to it and weak joints under the tutorial's law, which nothing pulls at."""
+    scene = body("tangle", "tutorial", seed, twist=0.0, air=0.0, gravity=(0.0, 0.0), held=held)
+    weak = tuple(msgspec.structs.replace(j, stiffness=0.1 * j.stiffness) for j in scene.angular_springs)
+    return msgspec.structs.replace(scene, angular_springs=weak)

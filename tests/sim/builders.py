@@ -7,7 +7,6 @@ import math
 from typing import Any
 
 import msgspec
-import numpy as np
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
@@ -103,54 +102,6 @@ def hoop(count: int, radius: float, *, mass: float, stiffness: float, damping: f
         masses=tuple(Mass(position=(radius * math.cos(v), radius * math.sin(v)), mass=mass) for v in turns),
         linear_springs=tuple(msgspec.structs.replace(spring, a=i, b=(i + 1) % count) for i in range(count)),
         **fields,
-    )
-
-
-def tangle(
-    seed: int, masses: int = 9, damping: float = 30.0, held: tuple[int, ...] = (), dt: float = 1e-4
-) -> Scene:
-    """A body with no order to it: springs at random, angular springs on many pairs that share a mass."""
-    rng = np.random.default_rng(seed)
-    positions = rng.uniform(0.0, 300.0, (masses, 2)).tolist()
-    speeds = rng.normal(0.0, 100.0, (masses, 2)).tolist()
-    pairs = list(itertools.combinations(range(masses), 2))
-    picked = sorted(rng.choice(len(pairs), min(len(pairs), 2 * masses), replace=False).tolist())
-    # Either mass may be the start, which turns the spring's direction, and with it its joints' angles, round.
-    ends = [pairs[i] if rng.random() < 0.5 else pairs[i][::-1] for i in picked]
-    sharing = [
-        (s, t)
-        for s, t in itertools.permutations(range(len(ends)), 2)
-        if s < t and set(ends[s]) & set(ends[t])
-    ]
-    joined = sorted(rng.choice(len(sharing), min(len(sharing), 3 * masses), replace=False).tolist())
-    return Scene(
-        name="tangle",
-        masses=tuple(
-            Mass(position=(p[0], p[1]), velocity=(v[0], v[1]), mass=float(rng.uniform(0.5, 3.0)))
-            for p, v in zip(positions, speeds, strict=True)
-        ),
-        linear_springs=tuple(
-            LinearSpring(
-                a=a,
-                b=b,
-                stiffness=float(rng.uniform(100.0, 1e4)),
-                damping=damping * float(rng.uniform(0.1, 1.0)),
-                rest_length=float(math.dist(positions[a], positions[b]) * rng.uniform(0.5, 1.5)),
-            )
-            for a, b in ends
-        ),
-        angular_springs=tuple(
-            AngularSpring(
-                a=sharing[i][0],
-                b=sharing[i][1],
-                stiffness=float(rng.uniform(1.0, 300.0)),
-                rest_angle=float(rng.uniform(-180.0, 180.0)),
-            )
-            for i in joined
-        ),
-        anchors=tuple(Anchor(mass=i) for i in held),
-        force_law="tutorial",
-        integrator=euler(dt),
     )
 
 

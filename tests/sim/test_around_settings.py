@@ -12,7 +12,7 @@ from sim.scene.surroundings import Gas
 from sim.scene.types import Damage
 from sim.settings import settings_of
 from tests.sim.around_everything import OF_STRENGTH, OF_SURROUNDINGS, with_everything
-from tests.sim.builders import tangle
+from tests.sim.bodies import tangle
 
 REPLACE = msgspec.structs.replace
 

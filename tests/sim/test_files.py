@@ -29,7 +29,8 @@ from sim.store.files import (
     write_atomically,
 )
 from sim.store.own_scenes import trash_user_scene
-from tests.sim.builders import PRESETS, star, tangle
+from tests.sim.bodies import tangle
+from tests.sim.builders import PRESETS, star
 from tests.sim.fuzzing import with_muscles
 
 REPLACE = msgspec.structs.replace

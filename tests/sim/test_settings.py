@@ -26,7 +26,8 @@ from sim.settings import (
     shift_rest_angles,
 )
 from tests.sim.around_everything import OF_STRENGTH, OF_SURROUNDINGS, with_everything
-from tests.sim.builders import PRESETS, chain, row, star, tangle
+from tests.sim.bodies import tangle
+from tests.sim.builders import PRESETS, chain, row, star
 from tests.sim.fuzzing import with_muscles
 
 REPLACE = msgspec.structs.replace

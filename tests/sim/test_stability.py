@@ -19,8 +19,8 @@ from sim.methods.tableaux import RK4, explicit
 from sim.motion.stability import largest_step, quick_limit
 from sim.scene.types import ForceLaw, Method
 from tests.amount import part_of
-from tests.sim.bodies import LAWS, body
-from tests.sim.builders import chain, euler, row, tangle, tutorial_preset
+from tests.sim.bodies import LAWS, body, tangle
+from tests.sim.builders import chain, euler, row, tutorial_preset
 from tests.sim.inside import put
 from tests.sim.whole_step import hold
 
