@@ -9,10 +9,11 @@ import msgspec
 import numpy as np
 import pytest
 
-from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim import Integrator, Scene, Simulation
 from sim.methods.registry import METHODS
 from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Method
+from tests.sim.builders import built
 
 REPLACE = msgspec.structs.replace
 FIXED = [name for name, info in METHODS.items() if not info.adaptive]
@@ -21,15 +22,10 @@ FLOOR = Wall(point=(0.0, 0.0), normal=(0.0, -1.0))
 
 def falling(height: float, speed: float, wall: Wall, method: Method, dt: float) -> Scene:
     """Two masses on a spring, side by side, whose stability limit is 32 ms at least."""
-    return Scene(
-        name="two masses",
-        masses=tuple(Mass(position=(x, -height), velocity=(0.0, speed)) for x in (0.0, 30.0)),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=2000.0, rest_length=30.0),),
-        gravity=(0.0, 0.0),
-        air_friction=0.0,
-        walls=(wall,),
-        integrator=Integrator(method=method, dt=dt),
-    )
+    return built(
+        [(0.0, -height), (30.0, -height)], velocities=[(0.0, speed)] * 2, stiffness=2000.0,
+        walls=(wall,), integrator=Integrator(method=method, dt=dt),
+    )  # fmt: skip
 
 
 def left_with(simulation: Simulation, mass: int, surface: float) -> float:
@@ -114,24 +110,11 @@ def test_nor_does_another_body(method: Method, stiffness: float, bounciness: flo
     speeds = (10.0, 100.0, 360.0, *((1000.0,) if stiffness > 500.0 and METHODS[method].implicit else ()))
     for speed, dt, part in itertools.product(speeds, (0.001, 1.0 / 60.0), (0.1, 0.45, 0.8)):
         height = contact.distance + part * speed * dt
-        scene = Scene(
-            name="a mass above a spring",
-            masses=(
-                Mass(position=(-200.0, 0.0)),
-                Mass(position=(200.0, 0.0)),
-                Mass(position=(0.0, -height), velocity=(0.0, speed)),
-                Mass(position=(0.0, -height - 1000.0), velocity=(0.0, speed)),
-            ),
-            linear_springs=(
-                LinearSpring(a=0, b=1, stiffness=1.0, rest_length=400.0),
-                LinearSpring(a=2, b=3, stiffness=0.0, rest_length=1000.0),
-            ),
-            anchors=(Anchor(mass=0), Anchor(mass=1)),
-            gravity=(0.0, 0.0),
-            air_friction=0.0,
-            contact=contact,
-            integrator=Integrator(method=method, dt=dt),
-        )
+        scene = built(
+            [(-200.0, 0.0), (200.0, 0.0), (0.0, -height), (0.0, -height - 1000.0)], [(0, 1), (2, 3)],
+            velocities=[*[(0.0, 0.0)] * 2, *[(0.0, speed)] * 2], stiffness=(1.0, 0.0), held=(0, 1),
+            contact=contact, integrator=Integrator(method=method, dt=dt),
+        )  # fmt: skip
         assert left_with(Simulation(scene), 2, -contact.distance) <= most * speed
 
 

@@ -13,12 +13,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene, SceneError, Simulation
+from sim import Anchor, Integrator, Pose, Scene, SceneError, Simulation
 from sim.methods.registry import METHODS
 from sim.scene.surroundings import Contact
 from sim.scene.types import Circle, Damage, ForceLaw, Method
 from tests.amount import examples
 from tests.sim.bodies import LAWS, body
+from tests.sim.builders import built, row
 from tests.sim.inside import solver_of
 
 REPLACE = msgspec.structs.replace
@@ -27,30 +28,19 @@ ADAPTIVE = [name for name, method in METHODS.items() if method.adaptive]
 
 def flung(speed: float = 1000.0, method: Method = "auto", **spring: Any) -> Scene:
     """A mass of 1 kg that flies away from a held one, at the end of a spring of 1000 kg/s² at rest."""
-    return Scene(
-        name="flung",
-        masses=(Mass(position=(0.0, 0.0)), Mass(position=(100.0, 0.0), velocity=(speed, 0.0))),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=1000.0, rest_length=100.0, **spring),),
-        anchors=(Anchor(mass=0),),
-        integrator=Integrator(method=method, dt=1e-3, tolerance=1e-3),
-    )
+    return built(
+        [(0.0, 0.0), (100.0, 0.0)], velocities=[(0.0, 0.0), (speed, 0.0)], stiffness=1000.0,
+        spring=spring, held=(0,), integrator=Integrator(method=method, dt=1e-3, tolerance=1e-3),
+    )  # fmt: skip
 
 
 def bent(law: ForceLaw, method: Method = "auto", speed: float = 3000.0, **joint: Any) -> Scene:
     """A held spring and a free one in line, whose joint is bent by the speed of the last mass."""
-    return Scene(
-        name="bent",
-        masses=tuple(
-            Mass(position=(100.0 * i, 0.0), velocity=(0.0, speed if i == 2 else 0.0)) for i in range(3)
-        ),
-        linear_springs=tuple(
-            LinearSpring(a=i, b=i + 1, stiffness=1e6, rest_length=100.0, damping=10.0) for i in range(2)
-        ),
-        angular_springs=(AngularSpring(a=0, b=1, stiffness=1000.0, **joint),),
-        anchors=(Anchor(mass=0), Anchor(mass=1)),
-        force_law=law,
+    return built(
+        row(3, 100.0), velocities=[(0.0, 0.0), (0.0, 0.0), (0.0, speed)], stiffness=1e6, damping=10.0,
+        joint={"stiffness": 1000.0, **joint}, held=(0, 1), force_law=law,
         integrator=Integrator(method=method, dt=1e-4, tolerance=1e-3),
-    )
+    )  # fmt: skip
 
 
 # ------------------------------------------------------------------------- breaking
@@ -189,19 +179,11 @@ def test_a_spring_that_cannot_yield_any_further_does_not_shorten_steps(method: M
 def test_errors_fall_with_the_tolerance_where_a_led_body_yields(method: Method, part: str) -> None:
     of_springs: dict[str, Any] = {"yield_force": 4000.0} if part == "springs" else {}
     of_joints: dict[str, Any] = {"yield_torque": 1e5} if part == "joints" else {}
-    scene = Scene(
-        name="led",
-        masses=tuple(Mass(position=(30.0 * i, 0.0)) for i in range(4)),
-        linear_springs=tuple(
-            LinearSpring(a=i, b=i + 1, stiffness=3e4, rest_length=30.0, damping=3.0, **of_springs)
-            for i in range(3)
-        ),
-        angular_springs=tuple(
-            AngularSpring(a=i, b=i + 1, stiffness=1000.0, damping=2.0, **of_joints) for i in range(2)
-        ),
+    scene = built(
+        row(4, 30.0), stiffness=3e4, damping=3.0, spring=of_springs,
+        joint={"stiffness": 1000.0, "damping": 2.0, **of_joints}, gravity=(0.0, 1000.0),
         anchors=(Anchor(mass=0, circle=Circle(radius=60.0, frequency=1.5, ramp=0.1)),),
-        gravity=(0.0, 1000.0),
-    )
+    )  # fmt: skip
     runs: list[tuple[Method, float]] = [("adams", 1e-8), (method, 0.01), (method, 1e-4)]
     ends = []
     for by, tolerance in runs:
@@ -337,18 +319,14 @@ def test_whatever_breaks_and_yields_numbers_stay_good(seed: int, method: Method,
 @pytest.mark.parametrize("method", METHODS)
 def test_the_energy_of_what_touches_a_spring_goes_with_it(method: Method) -> None:
     # A mass is pressed against a spring that is stretched beyond its strength, and breaks in the first step.
-    scene = Scene(
-        name="pressed",
-        masses=tuple(Mass(position=p) for p in ((-100.0, 0.0), (100.0, 0.0), (0.0, -5.0), (0.0, -105.0))),
-        linear_springs=(
-            LinearSpring(a=0, b=1, stiffness=10.0, rest_length=190.0, strength=50.0),
-            LinearSpring(a=2, b=3, stiffness=10.0, rest_length=100.0),
-        ),
-        anchors=(Anchor(mass=0), Anchor(mass=1)),
-        gravity=(0.0, 0.0),
+    scene = built(
+        [(-100.0, 0.0), (100.0, 0.0), (0.0, -5.0), (0.0, -105.0)], [(0, 1), (2, 3)],
+        stiffness=10.0, rest_length=(190.0, 100.0), held=(0, 1),
         contact=Contact(distance=12.0, stiffness=300.0, friction=0.0),
         integrator=Integrator(method=method, dt=1e-5, tolerance=1e-6),
-    )
+    )  # fmt: skip
+    weak, other = scene.linear_springs
+    scene = REPLACE(scene, linear_springs=(REPLACE(weak, strength=50.0), other))
     simulation = Simulation(scene)
     before = simulation.energy()
     assert before.contact == pytest.approx(300.0 * 7.0**3 / 3.0)

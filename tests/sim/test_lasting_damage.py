@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Anchor, Integrator, LinearSpring, Mass, Pose, Scene, Simulation
+from sim import Integrator, Pose, Scene, Simulation
 from sim.scene.types import Damage
+from tests.sim.builders import built, row
 from tests.sim.test_damage import bent, flung, fragile
 
 REPLACE = msgspec.structs.replace
@@ -69,17 +70,10 @@ def test_taking_away_the_last_strength_changes_no_speed() -> None:
 
 def hung(**spring: Any) -> Scene:
     """A mass of 1 kg between two held ones, on two springs of 10 px."""
-    return Scene(
-        name="hung",
-        masses=tuple(Mass(position=(10.0 * i, 0.0)) for i in range(3)),
-        linear_springs=tuple(
-            LinearSpring(a=i, b=i + 1, stiffness=1000.0, rest_length=10.0, damping=5.0, **spring)
-            for i in range(2)
-        ),
-        anchors=(Anchor(mass=0), Anchor(mass=2)),
-        gravity=(0.0, 500.0),
+    return built(
+        row(3), stiffness=1000.0, damping=5.0, spring=spring, held=(0, 2), gravity=(0.0, 500.0),
         integrator=Integrator(method="symplectic_euler", dt=1e-3),
-    )
+    )  # fmt: skip
 
 
 def with_damage(scene: Scene, damage: Damage) -> Scene:

@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Anchor, AngularSpring, Circle, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim import Anchor, Circle, Integrator, LinearSpring, Mass, Scene, Simulation
 from sim.scene.types import ForceLaw
 from tests.sim.around_everything import with_everything
 from tests.sim.bodies import SHAPES, body
+from tests.sim.builders import built
 from tests.sim.surrounded import surrounded
 from tests.sim.touching import crumpled
 
@@ -128,22 +129,12 @@ def test_torques_are_those_of_the_law(law: ForceLaw) -> None:
     v, rest, stiffness, damping, spin = math.radians(60.0), math.radians(20.0), 500.0, 7.0, 3.0
     one, other = 30.0, 70.0
     tip = np.array((other * math.cos(v), other * math.sin(v)))
-    scene = Scene(
-        name="joint",
-        masses=(
-            Mass(position=(-one, 0.0)),
-            Mass(position=(0.0, 0.0)),
-            Mass(position=(tip[0], tip[1]), velocity=(-spin * tip[1], spin * tip[0])),
-        ),
-        linear_springs=(
-            LinearSpring(a=0, b=1, stiffness=0.0, rest_length=one),
-            LinearSpring(a=1, b=2, stiffness=0.0, rest_length=other),
-        ),
-        angular_springs=(AngularSpring(a=0, b=1, stiffness=stiffness, damping=damping, rest_angle=20.0),),
-        gravity=(0.0, 0.0),
-        force_law=law,
+    scene = built(
+        [(-one, 0.0), (0.0, 0.0), (tip[0], tip[1])], force_law=law,
+        velocities=[(0.0, 0.0), (0.0, 0.0), (-spin * tip[1], spin * tip[0])],
+        joint={"stiffness": stiffness, "damping": damping, "rest_angle": 20.0},
         integrator=Integrator(method="rk4", dt=1e-4),
-    )
+    )  # fmt: skip
     simulation = Simulation(scene)
     loads = simulation.loads
     size = v - rest if law == "angle" else math.sin(v - rest)

@@ -15,6 +15,7 @@ from sim.methods.registry import METHODS
 from sim.motion.auto_costs import LONG
 from sim.scene.types import Circle, Method
 from tests.sim.bodies import body
+from tests.sim.builders import built
 from tests.sim.inside import drive, solver_of
 
 REPLACE = msgspec.structs.replace
@@ -65,17 +66,9 @@ def test_lengths_are_softened_far_below_the_tolerance_and_not_at_all_for_the_tut
 
 def collapsing() -> Scene:
     """Two masses that fly through each other, a hair off the middle."""
-    return Scene(
-        name="pass",
-        masses=(
-            Mass(position=(0.0, 0.0), velocity=(1500.0, 0.0)),
-            Mass(position=(10.0, 0.003), velocity=(-1500.0, 0.0)),
-        ),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=1e4, rest_length=10.0),),
-        gravity=(0.0, 0.0),
-        air_friction=0.0,
-        integrator=Integrator(dt=0.005),
-    )
+    places, speeds = [(0.0, 0.0), (10.0, 0.003)], [(1500.0, 0.0), (-1500.0, 0.0)]
+    integrator = Integrator(dt=0.005)
+    return built(places, velocities=speeds, stiffness=1e4, rest_length=10.0, integrator=integrator)
 
 
 @pytest.mark.parametrize("method", ["auto", "adams", "rodas4", "rodas5p"])

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import sim
-from sim import Integrator, LinearSpring, Mass, Scene, SceneError, Simulation
+from sim import Integrator, Scene, SceneError, Simulation
 from sim.edit.build import pin, remove
 from sim.edit.edit import Selection, carried
 from sim.forces.contact_pairs import Contacts
@@ -28,6 +28,7 @@ from sim.scene.types import Grips, Method
 from sim.store.files import decode_scene, encode_scene
 from studies.bench.heap import heap
 from tests.sim.arrays import Arrays, off
+from tests.sim.builders import built
 from tests.sim.inside import begin_anew, system_of
 from tests.sim.touching import HELD, REPLACE, crumpled, joined, line
 
@@ -39,21 +40,12 @@ def block(friction: float, method: Method = "velocity_verlet", dt: float = 1e-3,
     """Two masses on a spring, one behind the other at rest in a slope of 30 degrees; y points down."""
     normal, depth = (math.sin(TURN), -math.cos(TURN)), math.sqrt(G * math.cos(TURN) / 8000.0)
     start = -depth * np.array(normal)
-    return Scene(
-        name="block",
-        masses=tuple(
-            Mass(
-                position=tuple((start + way * DOWN).tolist()),
-                velocity=tuple((speed * DOWN).tolist()),
-            )
-            for way in (0.0, 30.0)
-        ),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=2000.0, damping=5.0, rest_length=30.0),),
-        gravity=(0.0, G),
-        air_friction=0.0,
-        walls=(Wall(point=(0.0, 0.0), normal=normal, friction=friction, tangential_hardness=5000.0),),
-        integrator=Integrator(method=method, dt=dt, tolerance=1e-3),
-    )
+    wall = Wall(point=(0.0, 0.0), normal=normal, friction=friction, tangential_hardness=5000.0)
+    return built(
+        [tuple((start + way * DOWN).tolist()) for way in (0.0, 30.0)],
+        velocities=[tuple((speed * DOWN).tolist())] * 2, stiffness=2000.0, damping=5.0, rest_length=30.0,
+        gravity=(0.0, G), walls=(wall,), integrator=Integrator(method=method, dt=dt, tolerance=1e-3),
+    )  # fmt: skip
 
 
 def along(simulation: Simulation) -> float:
@@ -381,10 +373,8 @@ def test_a_mass_stays_on_a_tilted_rope_of_another_body() -> None:
     rope = line((0.0, 0.0), (40.0, 20.0), 7, (0, 1, 2, 3, 4, 5, 6))
     normal = np.array((20.0, -40.0)) / math.hypot(20.0, 40.0)
     places = [at + 11.0 * normal + way * np.array((0.9, 0.45)) for way in (-30.0, 30.0)]
-    body = Scene(
-        name="two",
-        masses=tuple(Mass(position=tuple(place.tolist())) for place in places),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=2000.0, damping=20.0, rest_length=60.0),),
+    body = built(
+        [tuple(place.tolist()) for place in places], stiffness=2000.0, damping=20.0, rest_length=60.0
     )
     contact = Contact(
         distance=12.0, stiffness=500.0, friction=0.8, restitution="constant", tangential_stiffness=2000.0
