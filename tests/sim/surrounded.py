@@ -8,9 +8,9 @@ import msgspec
 import numpy as np
 
 from sim import Integrator, Scene
-from sim.scene.surroundings import Gas, Ground, Liquid, Medium, Wall, Wind
+from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 from tests.sim.arrays import Arrays, Floats
-from tests.sim.bodies import body
+from tests.sim.bodies import body, tangle
 from tests.sim.touching import CONSTANT, HELD, SOFT, crumpled
 
 KINDS: dict[str, dict[str, Any]] = {
@@ -100,3 +100,38 @@ def force_around(scene: Scene) -> tuple[Floats, Floats]:
     ]
     at = [mass.position for mass in scene.masses] if scene.pose is None else scene.pose.positions
     return np.array(at), forces[0] - forces[1]
+
+
+OF_SURROUNDINGS = {
+    "wind_speed", "wind_direction", "turbulence", "wall_friction", "bounciness", "gas_pressure",
+    "liquid_stiffness", "contact_distance", "contact_stiffness", "contact_friction",
+    "drag_across", "drag_along", "ground_forward", "ground_backward", "ground_sideways",
+}  # fmt: skip
+OF_STRENGTH = {"strength", "yield_force"}
+
+
+def with_everything() -> Scene:
+    """A tangle in gusts, among walls, with fillings, some of whose springs break or yield."""
+    scene = tangle(4)
+    springs = list(scene.linear_springs)
+    springs[0] = msgspec.structs.replace(springs[0], strength=800.0)
+    springs[1] = msgspec.structs.replace(springs[1], strength=400.0)
+    springs[2] = msgspec.structs.replace(springs[2], yield_force=300.0)
+    return msgspec.structs.replace(
+        scene,
+        linear_springs=tuple(springs),
+        air_friction=0.01,
+        wind=Wind(velocity=(300.0, -400.0), turbulence=0.2),
+        medium=Medium(),
+        ground=Ground(),
+        walls=(
+            Wall(point=(0.0, 900.0), normal=(0.0, -1.0), friction=0.4, bounciness=0.6),
+            Wall(point=(-500.0, 0.0), normal=(1.0, 0.0), friction=0.2, bounciness=0.3),
+        ),
+        contact=Contact(distance=5.0, friction=0.3),
+        fillings=(
+            Gas(masses=(0, 1, 2), pressure=50.0, area=500.0),
+            Gas(masses=(2, 1, 3), pressure=20.0, area=500.0),
+            Liquid(masses=(0, 2, 3), bulk_modulus=90.0, area=500.0),
+        ),
+    )

@@ -22,9 +22,8 @@ from sim.edit.values import take_as_rest
 from sim.methods.registry import METHODS
 from sim.motion.stability import damped_limit, largest_step, quick_limit
 from sim.scene.types import ForceLaw, Method
-from tests.sim.bodies import LAWS, SHAPES, body
+from tests.sim.bodies import LAWS, SHAPES, body, flipped, some_flipped
 from tests.sim.builders import chain, row
-from tests.sim.directions import flipped, some_flipped
 
 REPLACE = msgspec.structs.replace
 

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
+from sim import AngularSpring, LinearSpring, Mass, Scene
 from sim.body.sparsity import fill
 from sim.forces.joints import JointsTwin
 from sim.kernels.linear.sparse import assemble
@@ -19,7 +19,7 @@ from sim.scene.types import ForceLaw
 from tests.amount import examples
 from tests.sim.arrays import Arrays, Floats, off
 from tests.sim.bodies import LAWS, SHAPES, body
-from tests.sim.builders import chain, row
+from tests.sim.builders import built, chain, row
 
 REPLACE = msgspec.structs.replace
 PATHS = [pytest.param(shape, False, id=shape) for shape in SHAPES] + [
@@ -30,6 +30,7 @@ DAMPINGS = [
     pytest.param({"damping": 0.0, "air": 0.0}, id="joint_damped"),
     pytest.param({"twist": 0.0}, id="damped"),
     pytest.param({}, id="all"),
+    pytest.param({"joints": False}, id="without_joints"),
 ]
 
 
@@ -80,13 +81,6 @@ def test_the_matrix_is_that_of_forces_that_yield(shape: str, law: ForceLaw) -> N
     expected, elastic = (each.by_differences(2e4, 150.0, speeds=0.1) for each in (arrays, Arrays(scene)))
     assert off(elastic, expected) >= 1e-2
     assert off(arrays.matrix_of(2e4, 150.0), expected) <= 1e-7
-
-
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("shape", ["chain", "ring"])
-def test_the_matrix_has_no_joints_where_there_are_none(shape: str, law: ForceLaw) -> None:
-    arrays = Arrays(body(shape, law, 3, joints=False, held=(2,)))
-    assert off(arrays.matrix_of(1e4, 100.0), arrays.by_differences(1e4, 100.0, speeds=0.1)) <= 1e-7
 
 
 @pytest.mark.parametrize("damping", DAMPINGS)
@@ -211,18 +205,6 @@ def test_a_singular_pivot_is_told_wherever_it_is(count: int) -> None:
         arrays.state.air[slot] = 0.0
 
 
-@pytest.mark.parametrize("count", [2, 5, 8, 9, 16, 17, 30, 33, 47, 64])
-def test_pivots_are_those_of_their_rows(count: int) -> None:
-    # Without springs each row is its own pivot.
-    arrays = Arrays(chain(row(count), velocities=[(m, 2.0 * m) for m in range(count)]))
-    arrays.state.air[1 : count + 1] = 0.5
-    assert arrays.factorise(3.0, 1.0)
-    expected = np.arange(count)[:, None] * [1.0, 0.0, 0.0, 2.0] + [3.0, 0.0, 0.0, 3.0]
-    matrix = arrays.matrix
-    pivots = 1.0 / matrix.blocks.reshape(-1, 4)[matrix.diagonal][:, [0, 3]]
-    assert pivots == pytest.approx(expected[matrix.order - 1][:, [0, 3]], rel=1e-12)
-
-
 # ------------------------------------------------------------------------- the pattern
 def dense(arrays: Arrays, g: float) -> Floats:
     """Jx + g Jv of the forces as `assemble` sums them, for all of `here`."""
@@ -234,37 +216,6 @@ def dense(arrays: Arrays, g: float) -> Floats:
             m, o = matrix.order[i] - 1, matrix.order[matrix.column[p]] - 1
             whole[np.ix_((m, n + m), (o, n + o))] = matrix.blocks[4 * p : 4 * p + 4].reshape(2, 2)
     return whole
-
-
-@pytest.mark.parametrize("shape", [shape for shape in SHAPES if shape != "chain"])
-def test_the_pattern_has_a_block_for_everything_that_acts_on_anything(shape: str) -> None:
-    arrays = Arrays(body(shape, seed=1))
-    matrix, tables = arrays.matrix, arrays.body
-    n = tables.masses
-    assert sorted(matrix.order) == list(range(1, n + 1))
-    rows = [matrix.column[matrix.row_start[i] : matrix.row_start[i + 1]] for i in range(n)]
-    block_masses = [(int(matrix.order[i]), int(matrix.order[c])) for i in range(n) for c in rows[i]]
-    for i, columns in enumerate(rows):
-        assert (np.diff(columns) > 0).all()
-        assert block_masses[matrix.diagonal[i]] == (matrix.order[i],) * 2
-    ends = list(zip(tables.spring_b.tolist(), tables.spring_a.tolist(), strict=True))
-    expected = [(x, y) for s in range(tables.springs) for x in ends[s] for y in ends[s]]
-    assert [block_masses[target] for target in matrix.spring_target] == expected
-    pairs = zip(tables.joint_a.tolist(), tables.joint_b.tolist(), strict=True)
-    expected = [
-        (x, y)
-        for a, b in pairs
-        for s, t in ((a, a), (a, b), (b, a), (b, b))
-        for x in ends[s]
-        for y in ends[t]
-    ]
-    assert [block_masses[target] for target in matrix.joint_target] == expected
-    # Symmetric, and closed under elimination: what a row hands on to later rows has room there.
-    known = set(block_masses)
-    assert {(c, r) for r, c in known} == known
-    for i, columns in enumerate(rows):
-        later = [int(matrix.order[c]) for c in columns if c > i]
-        assert {(x, y) for x in later for y in later} <= known
 
 
 def fill_in(scene: Scene) -> float:
@@ -326,24 +277,16 @@ def graphs(draw: st.DrawFn) -> Scene:
     held = draw(st.lists(st.integers(0, n - 1), max_size=3, unique=True))
     rng = np.random.default_rng(draw(st.integers(0, 99)))
     spots, speeds = rng.uniform(0.0, 300.0, (n, 2)).tolist(), rng.normal(0.0, 50.0, (n, 2)).tolist()
-    return Scene(
-        name="graph",
-        masses=tuple(
-            Mass(position=(x, y), velocity=(u, v), mass=rng.uniform(0.5, 3.0))
-            for (x, y), (u, v) in zip(spots, speeds, strict=True)
-        ),
-        linear_springs=tuple(
-            LinearSpring(a=a, b=b, stiffness=rng.uniform(10.0, 1e3), damping=5.0, rest_length=100.0)
-            for a, b in edges
-        ),
-        angular_springs=tuple(
-            AngularSpring(a=a, b=b, stiffness=rng.uniform(1.0, 1e2), damping=0.5, rest_angle=30.0)
-            for a, b in joined
-        ),
-        anchors=tuple(Anchor(mass=m) for m in held),
-        force_law=draw(st.sampled_from(LAWS)),
-        air_friction=0.01,
+    joints = tuple(
+        AngularSpring(a=a, b=b, stiffness=rng.uniform(1.0, 1e2), damping=0.5, rest_angle=30.0)
+        for a, b in joined
     )
+    return built(
+        [(x, y) for x, y in spots], edges, velocities=[(u, v) for u, v in speeds],
+        mass=rng.uniform(0.5, 3.0, n).tolist(), stiffness=rng.uniform(10.0, 1e3, len(edges)).tolist(),
+        damping=5.0, rest_length=100.0, angular_springs=joints, held=held,
+        force_law=draw(st.sampled_from(LAWS)), air_friction=0.01,
+    )  # fmt: skip
 
 
 @settings(max_examples=examples(150), derandomize=True, database=None)

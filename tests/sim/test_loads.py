@@ -12,10 +12,9 @@ import pytest
 import sim
 from sim import Anchor, Circle, Integrator, LinearSpring, Mass, Scene, Simulation
 from sim.scene.types import ForceLaw
-from tests.sim.around_everything import with_everything
 from tests.sim.bodies import SHAPES, body
 from tests.sim.builders import built
-from tests.sim.surrounded import surrounded
+from tests.sim.surrounded import surrounded, with_everything
 from tests.sim.touching import crumpled
 
 REPLACE = msgspec.structs.replace

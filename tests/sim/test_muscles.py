@@ -28,10 +28,9 @@ from sim.body.system import build_system, refresh, start_of
 from sim.methods.registry import METHODS
 from sim.motion.stability import limit_at_start
 from sim.scene.types import ForceLaw, Method
-from tests.sim.bodies import body
+from tests.sim.bodies import body, with_muscles
 from tests.sim.inside import same_state
 from tests.sim.laws import Laws
-from tests.sim.muscular import with_muscles
 
 REPLACE = msgspec.structs.replace
 ADAPTIVE = [name for name, info in METHODS.items() if info.adaptive]
