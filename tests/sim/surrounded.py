@@ -7,8 +7,9 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from sim import Integrator, Scene
+from sim import Integrator, Scene, Simulation
 from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
+from sim.scene.types import Method
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import body, tangle
 from tests.sim.touching import CONSTANT, HELD, SOFT, crumpled
@@ -135,3 +136,11 @@ def with_everything() -> Scene:
             Liquid(masses=(0, 2, 3), bulk_modulus=90.0, area=500.0),
         ),
     )
+
+
+def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
+    """The simulation of a scene after a while, by a method; `numbers` are of its integrator."""
+    integrator = Integrator(**{"method": method, "dt": 1e-3, "tolerance": 1e-6, **numbers})
+    simulation = Simulation(msgspec.structs.replace(scene, integrator=integrator))
+    simulation.advance(seconds)
+    return simulation

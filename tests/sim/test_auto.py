@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim import Integrator, Simulation
 from sim.motion.simulation import SolverStats
 from sim.motion.stability import largest_step
 from sim.scene.makers import fine_rope
 from sim.scene.types import Circle, ForceLaw
 from tests.sim.bodies import LAWS
+from tests.sim.builders import built
 from tests.sim.whole_step import spectral_radius
 
 
@@ -124,16 +125,11 @@ def test_where_stability_limits_all_steps_hardly_more_is_done_than_by_the_longes
 @pytest.mark.parametrize("law", LAWS)
 def test_no_tolerance_lets_a_light_mass_on_a_strong_damper_run_away(law: ForceLaw, tolerance: float) -> None:
     # Within a tolerance of 10 px, its velocity could be anything for the while that the damper takes.
-    scene = Scene(
-        name="light",
-        masses=(Mass(position=(100.0, 100.0), mass=1e-6), Mass(position=(100.0, 140.0), mass=1e-3)),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=1e4, damping=1e6, rest_length=1.0),),
-        anchors=(Anchor(mass=1),),
-        gravity=(0.0, 0.0),
-        air_friction=1.0,
-        force_law=law,
+    scene = built(
+        [(100.0, 100.0), (100.0, 140.0)], mass=(1e-6, 1e-3), stiffness=1e4, damping=1e6, rest_length=1.0,
+        held=(1,), air_friction=1.0, force_law=law,
         integrator=Integrator(method="auto", dt=1.0 / 60.0, tolerance=tolerance),
-    )
+    )  # fmt: skip
     simulation = Simulation(scene)
     start = simulation.energy().total
     for _ in range(5):

@@ -14,7 +14,7 @@ from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Damage, Method
 from tests.sim.arrays import Arrays, Floats, off
 from tests.sim.inside import KRYLOV, solver_of
-from tests.sim.surrounded import force_around
+from tests.sim.surrounded import force_around, run
 from tests.sim.touching import (
     CONSTANT,
     HARD,
@@ -28,13 +28,6 @@ from tests.sim.touching import (
     nearer,
     ring,
 )
-
-
-def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
-    integrator = Integrator(**{"method": method, "dt": 1e-3, "tolerance": 1e-6, **numbers})
-    simulation = Simulation(REPLACE(scene, integrator=integrator))
-    simulation.advance(seconds)
-    return simulation
 
 
 # ------------------------------------------------------------------------- forces

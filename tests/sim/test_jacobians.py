@@ -235,11 +235,7 @@ def test_elimination_fills_in_little() -> None:
     positions = [(30.0 * (i % side), 30.0 * (i // side)) for i in range(side * side)]
     edges = [(i, i + 1) for i in range(side * side) if i % side < side - 1]
     edges += [(i, i + side) for i in range(side * (side - 1))]
-    sheet = Scene(
-        name="sheet",
-        masses=tuple(Mass(position=position) for position in positions),
-        linear_springs=tuple(LinearSpring(a=a, b=b, stiffness=1.0, rest_length=30.0) for a, b in edges),
-    )
+    sheet = built(positions, edges, stiffness=1.0)
     # In the order of rows, a band of twenty would be full: over seven times as many.
     assert fill_in(sheet) <= 5.0
 

@@ -10,10 +10,11 @@ import msgspec
 import numpy as np
 import pytest
 
-from sim import AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim import Integrator, Scene, Simulation
 from sim.scene.types import ForceLaw
 from tests.sim.arrays import Arrays, off
 from tests.sim.bodies import LAWS, SHAPES, body
+from tests.sim.builders import built
 from tests.sim.inside import forces_of, general, put, spring_forces, system_of
 from tests.sim.laws import Laws, complexes, points
 
@@ -36,26 +37,16 @@ def two_springs(
     v: float,
     law: ForceLaw,
     rest: float = 20.0,
-    *,
-    damping: float = 0.0,
     lengths: tuple[float, float] = (30.0, 70.0),
-    velocities: tuple[tuple[float, float], ...] = ((0.0, 0.0),) * 3,
 ) -> Scene:
     """Two springs without linear forces, at an angle of v degrees."""
     turn, (a, b) = math.radians(v), lengths
-    positions = ((-a, 0.0), (0.0, 0.0), (b * math.cos(turn), b * math.sin(turn)))
-    return Scene(
-        name="pair",
-        masses=tuple(
-            Mass(position=position, velocity=speed)
-            for position, speed in zip(positions, velocities, strict=True)
-        ),
-        linear_springs=tuple(LinearSpring(a=i, b=i + 1, stiffness=0.0, rest_length=1.0) for i in (0, 1)),
-        angular_springs=(AngularSpring(a=0, b=1, stiffness=5.0, damping=damping, rest_angle=rest),),
-        force_law=law,
+    return built(
+        [(-a, 0.0), (0.0, 0.0), (b * math.cos(turn), b * math.sin(turn))], rest_length=1.0,
+        joint={"stiffness": 5.0, "rest_angle": rest}, force_law=law,
         # Whose forces are the law's to the last digit.
         integrator=Integrator(method="symplectic_euler"),
-    )
+    )  # fmt: skip
 
 
 # ------------------------------------------------------------------------- what each law is

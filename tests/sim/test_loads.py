@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import msgspec
 import numpy as np
 import pytest
 
 import sim
-from sim import Anchor, Circle, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim import Anchor, Circle, Integrator, Scene, Simulation
 from sim.scene.types import ForceLaw
 from tests.sim.bodies import SHAPES, body
 from tests.sim.builders import built
@@ -44,16 +43,12 @@ def by_differences(scene: Scene, steps: int = 400) -> tuple[Simulation, np.ndarr
     return simulation, forces, differences
 
 
-def oscillator(**changes: Any) -> Scene:
+def oscillator(damping: float = 0.0) -> Scene:
     """A mass of 2 kg on a spring along x, stretched by 50 px, and an anchor."""
-    return Scene(
-        name="oscillator",
-        masses=(Mass(position=(0.0, 0.0)), Mass(position=(150.0, 0.0), mass=2.0)),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=900.0, rest_length=100.0, **changes),),
-        anchors=(Anchor(mass=0),),
-        gravity=(0.0, 0.0),
-        integrator=Integrator(method="rk4", dt=1e-3),
-    )
+    return built(
+        [(0.0, 0.0), (150.0, 0.0)], mass=(1.0, 2.0), stiffness=900.0, rest_length=100.0, damping=damping,
+        held=(0,), integrator=Integrator(method="rk4", dt=1e-3),
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("law", ["tutorial", "conservative", "angle"])

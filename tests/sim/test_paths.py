@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Anchor, AngularSpring, ArrowKeys, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim import Anchor, AngularSpring, ArrowKeys, Integrator, LinearSpring, Scene, Simulation
 from sim.forces.all import accelerations
 from sim.scene.types import ForceLaw, Method
 from tests.sim.arrays import Arrays
-from tests.sim.builders import chain, row
+from tests.sim.builders import built, chain, row
 from tests.sim.inside import general, is_chain, is_ring
 
 REPLACE = msgspec.structs.replace
@@ -133,30 +133,19 @@ def ring(n: int, **settings: Any) -> Scene:
     turns = 2.0 * np.pi * np.arange(n) / n
     positions = np.column_stack((np.cos(turns), np.sin(turns))) * 8.0 * n + rng.uniform(-4.0, 4.0, (n, 2))
     speeds = rng.normal(0.0, 50.0, (n, 2))
-    return Scene(
-        name="ring",
-        masses=tuple(
-            Mass(position=(x, y), velocity=(u, v), mass=float(rng.uniform(0.5, 2.0)))
-            for (x, y), (u, v) in zip(positions.tolist(), speeds.tolist(), strict=True)
-        ),
-        linear_springs=tuple(
-            LinearSpring(
-                a=i, b=(i + 1) % n, stiffness=float(rng.uniform(2e3, 4e3)), damping=5.0, rest_length=50.0
-            )
-            for i in range(n)
-        ),
-        angular_springs=tuple(
-            AngularSpring(
-                a=i, b=(i + 1) % n, stiffness=float(rng.uniform(500.0, 900.0)), rest_angle=360.0 / n + i
-            )
-            for i in range(n)
-        ),
-        anchors=(Anchor(mass=1),),
-        gravity=(0.0, 300.0),
-        air_friction=0.01,
-        arrow_keys=ArrowKeys(rest_angle_step=3.0),
-        **settings,
+    joints = tuple(
+        AngularSpring(
+            a=i, b=(i + 1) % n, stiffness=float(rng.uniform(500.0, 900.0)), rest_angle=360.0 / n + i
+        )
+        for i in range(n)
     )
+    return built(
+        [(x, y) for x, y in positions.tolist()], [(i, (i + 1) % n) for i in range(n)],
+        velocities=[(u, v) for u, v in speeds.tolist()], mass=rng.uniform(0.5, 2.0, n).tolist(),
+        stiffness=rng.uniform(2e3, 4e3, n).tolist(), damping=5.0, rest_length=50.0, held=(1,),
+        angular_springs=joints, gravity=(0.0, 300.0), air_friction=0.01,
+        arrow_keys=ArrowKeys(rest_angle_step=3.0), **settings,
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("count", [3, 4, 7, 8, 9, 24])

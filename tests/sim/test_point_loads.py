@@ -17,6 +17,7 @@ from sim.methods.registry import METHODS
 from sim.scene.types import Integrator
 from sim.store.files import decode_link, decode_scene, encode_scene
 from sim.store.link import pack_scene
+from tests.sim.builders import built
 from tests.sim.inside import by_numpy
 
 replace = msgspec.structs.replace
@@ -24,14 +25,10 @@ replace = msgspec.structs.replace
 
 def hung(force: tuple[float, float] | None, **changes: Any) -> Scene:
     """A mass of 2 kg on a spring of 500 kg/s², 100 px long, below a held one, without gravity."""
-    end = sim.Mass(position=(0.0, 100.0), mass=2.0)
-    return Scene(
-        name="hung",
-        masses=(sim.Mass(position=(0.0, 0.0)), end if force is None else replace(end, force=force)),
-        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=500.0, rest_length=100.0),),
-        anchors=(sim.Anchor(mass=0),),
-        **changes,
-    )
+    places = [(0.0, 0.0), (0.0, 100.0)]
+    scene = built(places, mass=(1.0, 2.0), stiffness=500.0, held=(0,), name="hung", **changes)
+    top, end = scene.masses
+    return scene if force is None else replace(scene, masses=(top, replace(end, force=force)))
 
 
 def method(name: Any, dt: float = 1e-3) -> Integrator:

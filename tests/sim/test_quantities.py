@@ -85,15 +85,11 @@ def test_masses_and_rates_are_what_the_simulation_says() -> None:
 
 
 def test_what_has_yielded_and_broken_is_read_as_it_is_now() -> None:
-    soft = sim.LinearSpring(a=0, b=1, stiffness=100.0, rest_length=50.0, yield_force=800.0)
-    weak = sim.LinearSpring(a=0, b=2, stiffness=100.0, rest_length=50.0, strength=500.0)
-    scene = sim.Scene(
-        name="torn",
-        masses=tuple(sim.Mass(position=(50.0 * i, 0.0)) for i in (0, -1, 1)),
-        linear_springs=(soft, weak),
-        anchors=(sim.Anchor(mass=1), sim.Anchor(mass=2)),
-        integrator=sim.Integrator(method="rk4", dt=1e-3),
-    )
+    scene = chain([(0.0, 0.0), (-50.0, 0.0), (50.0, 0.0)], stiffness=100.0, rest_length=50.0, held=(1, 2))
+    soft, weak = scene.linear_springs
+    springs = (REPLACE(soft, yield_force=800.0), REPLACE(weak, a=0, strength=500.0))
+    integrator = sim.Integrator(method="rk4", dt=1e-3)
+    scene = REPLACE(scene, linear_springs=springs, integrator=integrator)
     simulation = Simulation(scene)
     simulation.lead(1, (-70.0, 0.0))
     simulation.lead(2, (70.0, 0.0))

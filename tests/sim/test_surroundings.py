@@ -13,7 +13,7 @@ import pytest
 from scipy.optimize import root_scalar
 
 import sim
-from sim import Integrator, LinearSpring, Mass, Scene, Simulation
+from sim import Integrator, Mass, Scene, Simulation
 from sim.body.system import build_system
 from sim.forces.air import wind_at, wind_gradient_at
 from sim.forces.push import damping_factor
@@ -24,9 +24,9 @@ from sim.scene.surroundings import Contact, Gas, Ground, Medium, Wall, Wind
 from sim.scene.types import Damage, Method
 from tests.amount import part_of
 from tests.sim.arrays import Arrays, Floats, off
-from tests.sim.builders import hoop
+from tests.sim.builders import built, hoop
 from tests.sim.inside import problem_of, solver_of
-from tests.sim.surrounded import AROUND, KINDS, TOUCHING, around, bare, force_around, surrounded
+from tests.sim.surrounded import AROUND, KINDS, TOUCHING, around, bare, force_around, run, surrounded
 from tests.sim.touching import SOFT
 
 REPLACE = msgspec.structs.replace
@@ -37,13 +37,6 @@ def single(position: tuple[float, float], velocity: tuple[float, float] = (0.0, 
     """One mass by itself, under no gravity unless `fields` say so."""
     mass = Mass(position=position, velocity=velocity, mass=3.0)
     return Scene(name="single", masses=(mass,), **fields)
-
-
-def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
-    integrator = Integrator(**{"method": method, "dt": 1e-3, "tolerance": 1e-6, **numbers})
-    simulation = Simulation(REPLACE(scene, integrator=integrator))
-    simulation.advance(seconds)
-    return simulation
 
 
 # ------------------------------------------------------------------------- forces and their derivatives
@@ -162,13 +155,8 @@ def test_still_wind_is_still_air() -> None:
 # ------------------------------------------------------------------------- a medium, and the ground
 def stick(turn: float, velocity: tuple[float, float] = (0.0, 0.0), **fields: Any) -> Scene:
     """A spring of 40 px at an angle in degrees, with 2 kg at each end."""
-    ends = ((0.0, 0.0), (40.0 * math.cos(math.radians(turn)), 40.0 * math.sin(math.radians(turn))))
-    return Scene(
-        name="stick",
-        masses=tuple(Mass(position=end, velocity=velocity, mass=2.0) for end in ends),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=1e4, rest_length=40.0),),
-        **fields,
-    )
+    ends = [(0.0, 0.0), (40.0 * math.cos(math.radians(turn)), 40.0 * math.sin(math.radians(turn)))]
+    return built(ends, velocities=[velocity] * 2, mass=2.0, stiffness=1e4, rest_length=40.0, **fields)
 
 
 @pytest.mark.parametrize("method", METHODS)
