@@ -172,3 +172,10 @@ def askew() -> Scene:
     return msgspec.structs.replace(
         scene, pose=Pose(positions=positions, velocities=((0.0, 0.0),) * len(positions))
     )
+
+
+def undisturbed(steps: int) -> sim.Simulation:
+    """The rope that hangs askew after some steps in which nothing is done to it."""
+    simulation = sim.Simulation(askew())
+    simulation.step(steps)
+    return simulation

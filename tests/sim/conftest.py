@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from sim import Simulation
 from sim.store.files import user_folder
+from tests.sim.builders import askew
 
 
 @pytest.fixture
@@ -16,3 +18,9 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     if tmp_path not in user_folder().parents:
         pytest.skip("this platform keeps data elsewhere than XDG_DATA_HOME says")
     return user_folder()
+
+
+@pytest.fixture
+def rope() -> Simulation:
+    """A rope in which everything moves."""
+    return Simulation(askew())

@@ -12,16 +12,10 @@ import sim
 from sim import Anchor, InputError, Integrator, Simulation
 from sim.methods.registry import METHODS
 from sim.scene.types import ForceLaw, Method
-from tests.sim.builders import askew, chain, row, tutorial_rope
+from tests.sim.builders import askew, chain, row, tutorial_rope, undisturbed
 from tests.sim.inside import same_state
 
 REPLACE = msgspec.structs.replace
-
-
-@pytest.fixture
-def rope() -> Simulation:
-    """A rope in which everything moves."""
-    return Simulation(askew())
 
 
 # ------------------------------------------------------------------------- pointer and grabs
@@ -185,9 +179,7 @@ def test_releasing_forgets_the_target_and_leaves_anchors_held(rope: Simulation) 
     rope.release(0)
     anchor = rope.positions[0]
     rope.step(10)
-    other = Simulation(askew())
-    other.step(10)
-    assert same_state(rope, other)
+    assert same_state(rope, undisturbed(10))
     assert np.array_equal(rope.positions[0], anchor)
 
 
@@ -196,9 +188,7 @@ def test_the_scene_does_not_show_grabs_and_reset_ends_them(rope: Simulation) -> 
     assert rope.scene == askew()
     rope.reset()
     rope.step(30)
-    other = Simulation(askew())
-    other.step(30)
-    assert same_state(rope, other)
+    assert same_state(rope, undisturbed(30))
 
 
 def test_a_body_that_is_held_everywhere_only_follows_the_pointer_and_keys() -> None:

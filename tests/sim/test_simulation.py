@@ -16,16 +16,10 @@ import pytest
 
 import sim
 from sim import Anchor, InputError, Simulation
-from tests.sim.builders import askew, chain, row
+from tests.sim.builders import askew, chain, row, undisturbed
 from tests.sim.inside import same_state
 
 REPLACE = msgspec.structs.replace
-
-
-@pytest.fixture
-def rope() -> Simulation:
-    """A rope in which everything moves."""
-    return Simulation(askew())
 
 
 # ------------------------------------------------------------------------- stepping
@@ -75,9 +69,7 @@ def test_advance_keeps_what_is_left_over(rope: Simulation) -> None:
     assert sum(done) == 40
     assert done[:4] == [0, 1, 0, 12]
     assert rope.time == pytest.approx(0.1)
-    other = Simulation(askew())
-    other.step(40)
-    assert same_state(rope, other)
+    assert same_state(rope, undisturbed(40))
 
 
 def test_advance_by_exact_multiples_is_not_short_of_a_step(rope: Simulation) -> None:
@@ -109,9 +101,7 @@ def test_positions_and_velocities_are_copies(rope: Simulation) -> None:
     rope.positions[:] = 0.0
     rope.velocities[:] = 1e5
     rope.step(10)
-    other = Simulation(askew())
-    other.step(10)
-    assert same_state(rope, other)
+    assert same_state(rope, undisturbed(10))
     before = rope.positions
     kept = before.copy()
     rope.step()
@@ -142,10 +132,8 @@ def test_reset_starts_over(rope: Simulation) -> None:
     assert not rope.rest_angles.any()
     # Neither the target nor the fraction of a step that was owed is left.
     assert rope.advance(0.0024) == 0
-    other = Simulation(askew())
     rope.step(20)
-    other.step(20)
-    assert same_state(rope, other)
+    assert same_state(rope, undisturbed(20))
 
 
 def test_replace_goes_on_where_the_topology_is_the_same(rope: Simulation) -> None:
