@@ -27,8 +27,8 @@ ADAPTIVE = [name for name, info in METHODS.items() if info.adaptive]
 def bits(simulation: Simulation) -> bytes:
     """All that a run leaves behind: also what has broken and yielded, and what sticks."""
     state = simulation.positions.tobytes() + simulation.velocities.tobytes()
-    state += np.array([simulation.time, simulation.rest_length_scale]).tobytes()
-    return state + repr((simulation.damage, simulation.capture().grips)).encode()
+    state += np.array([simulation.time, simulation.rest_length_scale, *simulation.rest_angles]).tobytes()
+    return state + repr((simulation.step_count, simulation.damage, simulation.capture().grips)).encode()
 
 
 def restless(**fields: object) -> Scene:
@@ -123,7 +123,9 @@ def test_a_reset_or_restored_simulation_depends_on_nothing_before(kind: str, met
     scene = REPLACE(scene, integrator=Integrator(method=method, dt=3e-4))
     simulation, fresh = Simulation(scene), Simulation(scene)
     fresh.step(20)
+    simulation.keys = {"up", "right"}
     simulation.step(5)
+    simulation.keys = ()
     moment = fresh.capture()
     ends = []
     for back in (simulation.reset, lambda: simulation.restore(moment)):

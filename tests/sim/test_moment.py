@@ -9,44 +9,12 @@ from hypothesis import strategies as st
 
 import sim
 from sim import Simulation
-from sim.methods.registry import METHODS
 from tests.amount import examples
 from tests.sim.builders import askew, tutorial_preset
 
 
 def bits(simulation: Simulation) -> bytes:
     return simulation.positions.tobytes() + simulation.velocities.tobytes()
-
-
-def disturbed(simulation: Simulation, steps: int) -> bytes:
-    """Do much at once, and where that leads."""
-    simulation.keys = {"up", "right"}
-    simulation.lead(0, (280.0, 170.0))
-    simulation.step(steps)
-    simulation.keys = set()
-    simulation.step(steps)
-    return bits(simulation)
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_going_on_twice_from_a_moment_gives_the_same_bits(method: str) -> None:
-    simulation = Simulation(sim.set_choice(sim.load_scene("tutorial-3.3"), "method", method))
-    disturbed(simulation, 30)
-    moment, there, time = simulation.capture(), bits(simulation), simulation.time
-    scale, angles = simulation.rest_length_scale, simulation.rest_angles
-    disturbed(simulation, 20)
-    ends = []
-    for _ in range(2):
-        simulation.restore(moment)
-        assert bits(simulation) == there
-        assert (simulation.time, simulation.step_count) == (time, 60)
-        assert simulation.rest_length_scale == scale
-        assert np.array_equal(simulation.rest_angles, angles)
-        ends.append((disturbed(simulation, 25), simulation.time))
-    assert ends[0] == ends[1]
-    other = Simulation(askew())
-    other.restore(moment)
-    assert (disturbed(other, 25), other.time) == ends[0]
 
 
 def test_a_step_without_a_memory_goes_on_as_if_nothing_had_been() -> None:
