@@ -231,6 +231,7 @@ def test_a_joint_that_is_led_round_and_round_yields_behind_it(law: ForceLaw) -> 
         assert simulation.damage is not None
         (set_angle,) = simulation.damage.set_angles
         assert 20.0 < math.remainder(angle - set_angle, 360.0) < 60.0
+        sim.validate(REPLACE(simulation.scene, pose=simulation.pose()))  # which a file may have
     other = Simulation(simulation.scene)
     other.restore(simulation.capture())
     for one in (simulation, other):
