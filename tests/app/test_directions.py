@@ -15,8 +15,7 @@ from app.export import instances
 from app.export.body.body import Body
 from app.export.body.program import python_program
 from tests.app.page_script import drawn, sketch_of
-from tests.sim.bodies import body
-from tests.sim.directions import some_flipped
+from tests.sim.bodies import body, some_flipped
 
 
 def pair(shape: str) -> tuple[sim.Scene, sim.Scene]:

@@ -14,9 +14,15 @@ from sim.forces.limits import yielding_accelerations
 from sim.kernels.energy.energies import energies
 from sim.kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from sim.motion.solver import Solver
+from sim.physics import Physics
 from tests.sim.inside import scratch_of
 
 Floats = NDArray[np.float64]
+
+
+def off(found: Floats, expected: Floats) -> float:
+    """The largest difference, as a part of the largest number that is expected."""
+    return float(np.abs(found - expected).max() / np.abs(expected).max())
 
 
 class Arrays:
@@ -76,6 +82,12 @@ class Arrays:
         forces(self.body, self.state, self.scratch, q, v, a)
         return a[self.here]
 
+    def by_numpy(self) -> Floats:
+        """The accelerations of all of `here` in the body's state, by `sim.physics`."""
+        state = self.state
+        found = Physics(self.body, state).accelerations(state.x + 1j * state.y, state.vx + 1j * state.vy)
+        return np.concatenate((found.real, found.imag))[self.here]
+
     def potential(self, q: Floats) -> float:
         """The energy of all that has one, but motion."""
         mass = np.zeros(self.slots)
@@ -107,6 +119,11 @@ class Arrays:
             columns.append((8.0 * (ends[0] - ends[1]) - (ends[2] - ends[3])) / (12.0 * step))
         return np.array(columns).T
 
+    def by_differences(self, a: float, g: float, places: float = 1e-3, speeds: float = 0.01) -> Floats:
+        """a I - g Jv - Jx, by differences of accelerations of these sizes, px and px/s."""
+        by_place, by_speed = self.derivative(False, places), self.derivative(True, speeds)
+        return np.array(a * np.eye(self.here.size) - g * by_speed - by_place, float)
+
     def factorise(self, a: float, g: float, definite: bool = False) -> bool:
         """Factorise a I - g Jv - Jx at the present state."""
         return bool(factorise_matrix(self.body, self.state, self.matrix, self.q, self.v, a, g, definite))
@@ -123,6 +140,10 @@ class Arrays:
         """The inverse of a I - g Jv - Jx, one column after the other."""
         assert self.factorise(a, g, definite)
         return np.array([self.solve(row) for row in np.eye(self.here.size)]).T
+
+    def matrix_of(self, a: float, g: float, definite: bool = False) -> Floats:
+        """a I - g Jv - Jx, as it is solved with."""
+        return np.array(np.linalg.inv(self.inverse(a, g, definite)), float)
 
     def resistance(self, z: Floats, factor: float, start: Floats) -> Floats:
         """start + factor Jv z, for numbers of all of `here`."""

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Collection
 from typing import get_args
 
+import msgspec
 import numpy as np
 
-from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
+from sim import Anchor, AngularSpring, Beat, JointMuscle, LinearSpring, Mass, Scene, SpringMuscle
+from sim.edit.build import in_turn
 from sim.scene.types import ForceLaw
 from tests.sim.builders import euler
 
@@ -160,3 +163,64 @@ def body(
         force_law=law,
         integrator=euler(1e-4),
     )
+
+
+def tangle(seed: int, held: tuple[int, ...] = ()) -> Scene:
+    """A body with no order to it and weak joints under the tutorial's law, which nothing pulls at."""
+    scene = body("tangle", "tutorial", seed, twist=0.0, air=0.0, gravity=(0.0, 0.0), held=held)
+    weak = tuple(msgspec.structs.replace(j, stiffness=0.1 * j.stiffness) for j in scene.angular_springs)
+    return msgspec.structs.replace(scene, angular_springs=weak)
+
+
+def with_muscles(scene: Scene, stretch: float = 0.08, turn: float = 8.0) -> Scene:
+    """The scene with a muscle in every spring and every joint: sines and pulses of many phases.
+
+    Args:
+        scene: a scene of masses and springs.
+        stretch: amplitude of springs, as a fraction.
+        turn: of joints, degrees.
+    """
+    return msgspec.structs.replace(
+        scene,
+        bodies=(),
+        beat=Beat(frequency=1.7, phase=40.0),
+        linear_springs=tuple(
+            msgspec.structs.replace(
+                spring,
+                muscle=SpringMuscle(
+                    amplitude=stretch if s % 3 else -stretch,
+                    phase=50.0 * s % 360.0,
+                    wave="pulse" if s % 4 == 1 else "sine",
+                    per_beat=1 + s % 2,
+                ),
+            )
+            for s, spring in enumerate(scene.linear_springs)
+        ),
+        angular_springs=tuple(
+            msgspec.structs.replace(
+                joint, muscle=JointMuscle(amplitude=turn, phase=35.0 * j % 360.0, wave="sine")
+            )
+            for j, joint in enumerate(scene.angular_springs)
+        ),
+    )
+
+
+def flipped(scene: Scene, springs: Collection[int]) -> Scene:
+    """The scene whose springs of these indices go from b to a. Angles with one of them are 180° larger."""
+    angular = tuple(
+        msgspec.structs.replace(j, rest_angle=in_turn(j.rest_angle + 180.0))
+        if (j.a in springs) != (j.b in springs)
+        else j
+        for j in scene.angular_springs
+    )
+    linear = tuple(
+        msgspec.structs.replace(s, a=s.b, b=s.a) if i in springs else s
+        for i, s in enumerate(scene.linear_springs)
+    )
+    return msgspec.structs.replace(scene, linear_springs=linear, angular_springs=angular)
+
+
+def some_flipped(scene: Scene, seed: int) -> Scene:
+    """The scene with about half of its springs flipped."""
+    rng = np.random.default_rng(seed)
+    return flipped(scene, set(np.flatnonzero(rng.random(len(scene.linear_springs)) < 0.5).tolist()))

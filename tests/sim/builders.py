@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import msgspec
-import numpy as np
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
@@ -56,36 +56,73 @@ def folded_rope() -> Scene:
     return msgspec.structs.replace(scene, pose=pose)
 
 
-def chain(
-    positions: list[tuple[float, float]],
+Places = Sequence[tuple[float, float]]
+Numbers = float | Sequence[float]
+"""One for all parts, or one for each."""
+
+
+def each(value: Numbers, count: int) -> list[float]:
+    return [value] * count if isinstance(value, int | float) else list(value)
+
+
+def built(
+    places: Places,
+    pairs: Sequence[tuple[int, int]] | None = None,
     *,
-    stiffness: float = 0.0,
-    angular_stiffness: float = 0.0,
-    damping: float = 0.0,
-    rest_length: float = 10.0,
-    held: tuple[int, ...] = (),
-    dt: float = 0.001,
-    velocities: list[tuple[float, float]] | None = None,
-    gravity: tuple[float, float] = (0.0, 0.0),
-    mass: float = 1.0,
+    stiffness: Numbers = 0.0,
+    damping: Numbers = 0.0,
+    rest_length: Numbers | None = None,
+    spring: dict[str, Any] | None = None,
+    joint: dict[str, Any] | None = None,
+    held: Sequence[int] = (),
+    mass: Numbers = 1.0,
+    velocities: Places | None = None,
+    **fields: Any,
 ) -> Scene:
-    """A row of equal masses and springs, with nothing acting on it but what is asked for."""
-    count = len(positions)
-    moving = velocities or [(0.0, 0.0)] * count
-    joints = range(count - 2 if angular_stiffness else 0)
-    return Scene(
-        name="chain",
-        masses=tuple(Mass(position=p, velocity=v, mass=mass) for p, v in zip(positions, moving, strict=True)),
-        linear_springs=tuple(
-            LinearSpring(a=i, b=i + 1, stiffness=stiffness, damping=damping, rest_length=rest_length)
-            for i in range(count - 1)
+    """A body of masses at these places, with nothing acting on it but what is asked for.
+
+    Args:
+        places: of the masses, px.
+        pairs: the masses that each spring joins; without them, each mass is joined to the next.
+        stiffness, damping, rest_length: of the springs, which are at rest where no lengths are given.
+        spring: further fields of all springs.
+        joint: fields of a joint between every two springs that follow each other, if there are any.
+        held: masses that are held.
+        mass, velocities: of the masses.
+        fields: of the scene.
+    """
+    ends = list(itertools.pairwise(range(len(places)))) if pairs is None else pairs
+    lengths = [math.dist(places[a], places[b]) for a, b in ends] if rest_length is None else rest_length
+    springs = zip(ends, *(each(n, len(ends)) for n in (stiffness, damping, lengths)), strict=True)
+    moving = velocities or [(0.0, 0.0)] * len(places)
+    joints = range(len(ends) - 1) if joint is not None else ()
+    parts = {
+        "masses": tuple(
+            Mass(position=at, velocity=v, mass=m)
+            for at, v, m in zip(places, moving, each(mass, len(places)), strict=True)
         ),
-        angular_springs=tuple(AngularSpring(a=j, b=j + 1, stiffness=angular_stiffness) for j in joints),
-        anchors=tuple(Anchor(mass=i) for i in held),
-        gravity=gravity,
-        force_law="tutorial",
-        integrator=euler(dt),
-    )
+        "linear_springs": tuple(
+            LinearSpring(a=a, b=b, stiffness=k, damping=c, rest_length=rest, **(spring or {}))
+            for (a, b), k, c, rest in springs
+        ),
+        "angular_springs": tuple(AngularSpring(a=j, b=j + 1, **(joint or {})) for j in joints),
+        "anchors": tuple(Anchor(mass=i) for i in held),
+    }
+    return Scene(**{"name": "built", **parts, **fields})
+
+
+def chain(
+    positions: Places,
+    *,
+    angular_stiffness: float = 0.0,
+    rest_length: Numbers = 10.0,
+    dt: float = 0.001,
+    **numbers: Any,
+) -> Scene:
+    """A row of equal masses and springs under the tutorial's law and method; `numbers` are of `built`."""
+    joint = {"stiffness": angular_stiffness} if angular_stiffness else None
+    tutorial: dict[str, Any] = {"name": "chain", "force_law": "tutorial", "integrator": euler(dt)}
+    return built(positions, rest_length=rest_length, joint=joint, **tutorial, **numbers)
 
 
 def row(count: int, spacing: float = 10.0) -> list[tuple[float, float]]:
@@ -93,52 +130,13 @@ def row(count: int, spacing: float = 10.0) -> list[tuple[float, float]]:
     return [(spacing * i, 0.0) for i in range(count)]
 
 
-def tangle(
-    seed: int, masses: int = 9, damping: float = 30.0, held: tuple[int, ...] = (), dt: float = 1e-4
-) -> Scene:
-    """A body with no order to it: springs at random, angular springs on many pairs that share a mass."""
-    rng = np.random.default_rng(seed)
-    positions = rng.uniform(0.0, 300.0, (masses, 2)).tolist()
-    speeds = rng.normal(0.0, 100.0, (masses, 2)).tolist()
-    pairs = list(itertools.combinations(range(masses), 2))
-    picked = sorted(rng.choice(len(pairs), min(len(pairs), 2 * masses), replace=False).tolist())
-    # Either mass may be the start, which turns the spring's direction, and with it its joints' angles, round.
-    ends = [pairs[i] if rng.random() < 0.5 else pairs[i][::-1] for i in picked]
-    sharing = [
-        (s, t)
-        for s, t in itertools.permutations(range(len(ends)), 2)
-        if s < t and set(ends[s]) & set(ends[t])
-    ]
-    joined = sorted(rng.choice(len(sharing), min(len(sharing), 3 * masses), replace=False).tolist())
-    return Scene(
-        name="tangle",
-        masses=tuple(
-            Mass(position=(p[0], p[1]), velocity=(v[0], v[1]), mass=float(rng.uniform(0.5, 3.0)))
-            for p, v in zip(positions, speeds, strict=True)
-        ),
-        linear_springs=tuple(
-            LinearSpring(
-                a=a,
-                b=b,
-                stiffness=float(rng.uniform(100.0, 1e4)),
-                damping=damping * float(rng.uniform(0.1, 1.0)),
-                rest_length=float(math.dist(positions[a], positions[b]) * rng.uniform(0.5, 1.5)),
-            )
-            for a, b in ends
-        ),
-        angular_springs=tuple(
-            AngularSpring(
-                a=sharing[i][0],
-                b=sharing[i][1],
-                stiffness=float(rng.uniform(1.0, 300.0)),
-                rest_angle=float(rng.uniform(-180.0, 180.0)),
-            )
-            for i in joined
-        ),
-        anchors=tuple(Anchor(mass=i) for i in held),
-        force_law="tutorial",
-        integrator=euler(dt),
-    )
+def hoop(count: int, radius: float, *, mass: float, stiffness: float, damping: float, **fields: Any) -> Scene:
+    """A ring of springs around the origin, at rest and without joints."""
+    turns = [math.tau * i / count for i in range(count)]
+    places = [(radius * math.cos(v), radius * math.sin(v)) for v in turns]
+    pairs = [(i, (i + 1) % count) for i in range(count)]
+    edge = 2.0 * radius * math.sin(math.pi / count)
+    return built(places, pairs, mass=mass, stiffness=stiffness, damping=damping, rest_length=edge, **fields)
 
 
 def star(arms: int) -> Scene:
@@ -174,3 +172,10 @@ def askew() -> Scene:
     return msgspec.structs.replace(
         scene, pose=Pose(positions=positions, velocities=((0.0, 0.0),) * len(positions))
     )
+
+
+def undisturbed(steps: int) -> sim.Simulation:
+    """The rope that hangs askew after some steps in which nothing is done to it."""
+    simulation = sim.Simulation(askew())
+    simulation.step(steps)
+    return simulation

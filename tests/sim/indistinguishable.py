@@ -12,6 +12,7 @@ import numpy as np
 import sim
 from sim.design.measurements import Column, Measurement
 from sim.settings import set_value
+from tests.sim.builders import built
 from tests.sim.measured import measure, spring_pendulum, swing
 
 REPLACE = msgspec.structs.replace
@@ -77,16 +78,8 @@ def springs_on_both_sides(draw: np.random.Generator) -> Open:
     """A mass between two springs that are both at rest in the middle: their stiffnesses add up."""
 
     def scene(left: float, right: float) -> sim.Scene:
-        return sim.Scene(
-            name="between",
-            masses=tuple(sim.Mass(position=(x, 0.0)) for x in (0.0, 110.0, 180.0)),
-            linear_springs=(
-                sim.LinearSpring(a=0, b=1, stiffness=left, damping=0.3, rest_length=80.0),
-                sim.LinearSpring(a=1, b=2, stiffness=right, damping=0.3, rest_length=100.0),
-            ),
-            anchors=(sim.Anchor(mass=0), sim.Anchor(mass=2)),
-            gravity=(0.0, 0.0),
-        )
+        places = [(x, 0.0) for x in (0.0, 110.0, 180.0)]
+        return built(places, stiffness=(left, right), damping=0.3, rest_length=(80.0, 100.0), held=(0, 2))
 
     left, right = draw.uniform(20.0, 60.0), draw.uniform(20.0, 60.0)
     return Open(
@@ -105,20 +98,9 @@ def springs_in_a_row(draw: np.random.Generator) -> Open:
     def scene(upper: float, lower: float) -> sim.Scene:
         # The mass between starts where both pull alike.
         between = 60.0 + 40.0 * lower / (upper + lower)
-        return sim.Scene(
-            name="in a row",
-            masses=(
-                sim.Mass(position=(0.0, 0.0)),
-                sim.Mass(position=(0.0, between), mass=2e-4),
-                sim.Mass(position=(0.0, 160.0)),
-            ),
-            linear_springs=(
-                sim.LinearSpring(a=0, b=1, stiffness=upper, rest_length=60.0),
-                sim.LinearSpring(a=1, b=2, stiffness=lower, rest_length=60.0),
-            ),
-            anchors=(sim.Anchor(mass=0),),
-            gravity=(0.0, 0.0),
-        )
+        places = [(0.0, 0.0), (0.0, between), (0.0, 160.0)]
+        mass = (1.0, 2e-4, 1.0)
+        return built(places, mass=mass, stiffness=(upper, lower), rest_length=60.0, held=(0,))
 
     upper, lower = draw.uniform(60.0, 240.0), draw.uniform(60.0, 240.0)
     return Open(
@@ -135,20 +117,10 @@ def masses_that_move_as_one(draw: np.random.Generator) -> Open:
     """Two masses, one held to the other by a stiff spring, on a soft one."""
 
     def scene(stiffness: float, upper: float, lower: float) -> sim.Scene:
-        return sim.Scene(
-            name="as one",
-            masses=(
-                sim.Mass(position=(0.0, 0.0)),
-                sim.Mass(position=(0.0, 140.0), mass=upper),
-                sim.Mass(position=(0.0, 160.0), mass=lower),
-            ),
-            linear_springs=(
-                sim.LinearSpring(a=0, b=1, stiffness=stiffness, rest_length=100.0),
-                sim.LinearSpring(a=1, b=2, stiffness=1e6, damping=300.0, rest_length=20.0),
-            ),
-            anchors=(sim.Anchor(mass=0),),
-            gravity=(0.0, 0.0),
-        )
+        return built(
+            [(0.0, 0.0), (0.0, 140.0), (0.0, 160.0)], mass=(1.0, upper, lower),
+            stiffness=(stiffness, 1e6), damping=(0.0, 300.0), rest_length=(100.0, 20.0), held=(0,),
+        )  # fmt: skip
 
     stiffness, upper, lower = draw.uniform(60.0, 120.0), draw.uniform(0.6, 1.4), draw.uniform(0.6, 1.4)
     return Open(
@@ -158,21 +130,6 @@ def masses_that_move_as_one(draw: np.random.Generator) -> Open:
         "The data cannot tell spring0.stiffness, mass1.mass and mass2.mass apart: of them only "
         "spring0.stiffness / (mass1.mass + mass2.mass) = {} is known.",
         [stiffness / (upper + lower)],
-    )
-
-
-def air_by_weight(draw: np.random.Generator) -> Open:
-    """What the air does to a pendulum goes by its mass."""
-    air, mass = draw.uniform(5e-4, 2e-3), draw.uniform(0.6, 1.6)
-    hidden = REPLACE(swing(), air_friction=air)
-    hidden = REPLACE(hidden, masses=(hidden.masses[0], REPLACE(hidden.masses[1], mass=mass)))
-    return Open(
-        REPLACE(swing(), air_friction=1e-3),
-        measure(hidden, ["spring0.direction"], 2.0, draw.uniform(0.01, 0.03), draw),
-        ["gravity", "air_friction", "mass1.mass"],
-        "The data cannot tell air_friction and mass1.mass apart: of them only "
-        "air_friction / mass1.mass = {} is known.",
-        [air / mass],
     )
 
 
@@ -197,13 +154,9 @@ def one_phase(draw: np.random.Generator) -> Open:
     """Seen at one phase of its swings only, a start farther out is as one that is faster."""
 
     def scene(x: float, speed: float) -> sim.Scene:
-        return sim.Scene(
-            name="one phase",
-            masses=(sim.Mass(position=(0.0, 0.0)), sim.Mass(position=(x, 0.0), velocity=(speed, 0.0))),
-            linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=80.0, rest_length=200.0),),
-            anchors=(sim.Anchor(mass=0),),
-            gravity=(0.0, 0.0),
-        )
+        moving = [(0.0, 0.0), (speed, 0.0)]
+        places = [(0.0, 0.0), (x, 0.0)]
+        return built(places, velocities=moving, stiffness=80.0, rest_length=200.0, held=(0,))
 
     x, speed = draw.uniform(230.0, 250.0), draw.uniform(100.0, 300.0)
     rate, phase = math.sqrt(80.0), draw.uniform(0.6, 1.0)
@@ -240,15 +193,9 @@ def fall_from_somewhere(draw: np.random.Generator) -> Open:
 def bending_that_never_moves(draw: np.random.Generator) -> Open:
     """A rod that hangs straight down and bounces: its joints never turn."""
     stiffness, joints = draw.uniform(2e3, 8e3), draw.uniform(1e3, 1e4)
-    rod = sim.Scene(
-        name="hanging rod",
-        masses=tuple(sim.Mass(position=(0.0, 50.0 * i)) for i in range(5)),
-        linear_springs=tuple(
-            sim.LinearSpring(a=i, b=i + 1, stiffness=4e3, damping=5.0, rest_length=50.0) for i in range(4)
-        ),
-        angular_springs=tuple(sim.AngularSpring(a=i, b=i + 1, stiffness=3e3) for i in range(3)),
-        anchors=(sim.Anchor(mass=0),),
-        gravity=(0.0, 1000.0),
+    places = [(0.0, 50.0 * i) for i in range(5)]
+    rod = built(
+        places, stiffness=4e3, damping=5.0, joint={"stiffness": 3e3}, held=(0,), gravity=(0.0, 1000.0)
     )
     hidden = set_value(set_value(rod, "linear_stiffness", stiffness), "angular_stiffness", joints)
     return Open(
@@ -256,33 +203,6 @@ def bending_that_never_moves(draw: np.random.Generator) -> Open:
         measure(hidden, ["mass4.y"], 1.0, noise(draw), draw),
         ["linear_stiffness", "angular_stiffness"],
         "The data do not tell angular_stiffness: whatever it is, the fit is as good.",
-        [],
-    )
-
-
-def another_body(draw: np.random.Generator) -> Open:
-    """Of two spring pendulums one is seen."""
-
-    def scene(one: float, other: float) -> sim.Scene:
-        springs = ((0, 1, one), (2, 3, other))
-        places = ((0.0, 0.0), (0.0, 140.0), (200.0, 0.0), (200.0, 130.0))
-        return sim.Scene(
-            name="two",
-            masses=tuple(sim.Mass(position=each) for each in places),
-            linear_springs=tuple(
-                sim.LinearSpring(a=a, b=b, stiffness=stiffness, damping=0.3, rest_length=100.0)
-                for a, b, stiffness in springs
-            ),
-            anchors=(sim.Anchor(mass=0), sim.Anchor(mass=2)),
-            gravity=(0.0, 0.0),
-        )
-
-    one, other = draw.uniform(50.0, 120.0, 2)
-    return Open(
-        scene(80.0, 80.0),
-        measure(scene(one, other), ["mass1.y"], 3.0, noise(draw), draw),
-        ["spring0.stiffness", "spring1.stiffness"],
-        "The data do not tell spring1.stiffness: whatever it is, the fit is as good.",
         [],
     )
 
@@ -311,11 +231,9 @@ KINDS: tuple[Callable[[np.random.Generator], Open], ...] = (
     springs_on_both_sides,
     springs_in_a_row,
     masses_that_move_as_one,
-    air_by_weight,
     hanging_still,
     one_phase,
     fall_from_somewhere,
     bending_that_never_moves,
-    another_body,
     stiff_enough,
 )

@@ -114,14 +114,6 @@ def put(simulation: Simulation, positions: Points, velocities: Points | None = N
     simulation._stepper.begin_anew()
 
 
-def take_over(simulation: Simulation, other: Simulation) -> None:
-    """Give a simulation the whole state of another one of the same scene; the methods of both begin anew."""
-    for name, array in other._state.arrays():
-        getattr(simulation._state, name)[:] = array
-    simulation._stepper.begin(other.time, other.step_count)
-    other._stepper.begin_anew()
-
-
 def spring_forces(simulation: Simulation) -> Points:
     """(n, 2) what all springs and joints do to each mass at the present state, without air and gravity."""
     scratch = simulation._scratch

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 import sim
 from sim.design.measurements import Column, Measurement
 from sim.settings import set_value, setting_of
+from tests.sim.builders import built
 
 REPLACE = msgspec.structs.replace
 
@@ -50,26 +51,18 @@ def measure(
 
 def spring_pendulum(mass: float = 1.0, stiffness: float = 80.0, damping: float = 0.3) -> sim.Scene:
     """A mass that hangs by a spring, and starts above where it would rest."""
-    return sim.Scene(
-        name="spring pendulum",
-        masses=(sim.Mass(position=(0.0, 0.0)), sim.Mass(position=(0.0, 102.0), mass=mass)),
-        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=stiffness, damping=damping, rest_length=100.0),),
-        anchors=(sim.Anchor(mass=0),),
-        gravity=(0.0, 1000.0),
-    )
+    return built(
+        [(0.0, 0.0), (0.0, 102.0)], mass=(1.0, mass), stiffness=stiffness, damping=damping,
+        rest_length=100.0, held=(0,), gravity=(0.0, 1000.0),
+    )  # fmt: skip
 
 
 def swing(length: float = 250.0, degrees: float = 40.0) -> sim.Scene:
     """A mass on a stiff spring, pulled aside."""
     angle = math.radians(degrees)
-    at = (length * math.sin(angle), length * math.cos(angle))
-    return sim.Scene(
-        name="swing",
-        masses=(sim.Mass(position=(0.0, 0.0)), sim.Mass(position=at)),
-        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=2e4, damping=40.0, rest_length=length),),
-        anchors=(sim.Anchor(mass=0),),
-        gravity=(0.0, 1000.0),
-    )
+    places = [(0.0, 0.0), (length * math.sin(angle), length * math.cos(angle))]
+    numbers: dict[str, Any] = {"stiffness": 2e4, "damping": 40.0, "rest_length": length}
+    return built(places, **numbers, held=(0,), gravity=(0.0, 1000.0), name="swing")
 
 
 def any_case(seed: int) -> Case:

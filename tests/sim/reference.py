@@ -10,8 +10,6 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from sim import Scene
-
 AngleLaw = Callable[[float, float, float], float]
 """(sin V, cos V, rest angle in degrees) -> force per stiffness, with the tutorial's minus sign."""
 
@@ -163,29 +161,3 @@ def example_2(template: int) -> Body:
 def example_3() -> Body:
     """The general rest angle."""
     return tutorial_rope([(300.0, 150.0 + (300.0 / 11.0) * (i + 1) - 1.0) for i in range(12)], 1, 0.0)
-
-
-def body_of(scene: Scene) -> Body:
-    """Any scene of the general law, so that the same sums can check other topologies."""
-    assert scene.template is None
-    assert scene.force_law == "tutorial" or not scene.angular_springs
-    assert not any(joint.damping for joint in scene.angular_springs)
-    held = {anchor.mass for anchor in scene.anchors}
-    body = Body(
-        points=[
-            Point(*m.position, mass=m.mass, held=i in held, vx=m.velocity[0], vy=m.velocity[1])
-            for i, m in enumerate(scene.masses)
-        ],
-        springs=[
-            Spring(s.a, s.b, s.stiffness, s.damping, s.rest_length * scene.rest_length_scale)
-            for s in scene.linear_springs
-        ],
-        joints=[Joint(j.a, j.b, j.stiffness, j.rest_angle) for j in scene.angular_springs],
-        gravity=scene.gravity,
-        air=scene.air_friction,
-        dt=scene.integrator.dt,
-    )
-    for point in body.points:
-        if point.held:
-            point.vx = point.vy = 0.0
-    return body

@@ -1,14 +1,18 @@
-"""Bodies of many shapes among walls, in the wind or a medium, on the ground, and with fillings."""
+"""Bodies of many shapes among walls, in wind or a medium, on the ground, with fillings, and in contact."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import msgspec
+import numpy as np
 
-from sim import Integrator, Scene
-from sim.scene.surroundings import Gas, Ground, Liquid, Medium, Wall, Wind
-from tests.sim.bodies import body
+from sim import Integrator, Scene, Simulation
+from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
+from sim.scene.types import Method
+from tests.sim.arrays import Arrays, Floats
+from tests.sim.bodies import body, tangle
+from tests.sim.touching import CONSTANT, HELD, SOFT, crumpled
 
 KINDS: dict[str, dict[str, Any]] = {
     # Walls that the body is in, at both sides of which there are masses; one is entered, one left.
@@ -62,3 +66,81 @@ def surrounded(kind: str, shape: str = "girder", seed: int = 0, **changes: Any) 
     # Not an explicit method with a fixed step: for that, walls are softened.
     exact = Integrator(method="generalized_alpha", dt=1e-4)
     return msgspec.structs.replace(body(shape, seed=seed, **changes), integrator=exact, **KINDS[kind])
+
+
+TOUCHING = {
+    f"{shape} in {kind}": (shape, contact)
+    for kind, contact in (("contact", SOFT), ("contact of a constant restitution", CONSTANT))
+    for shape in ("girder", "cloth", "ring", "chain")
+}
+"""Shapes that are crumpled so that they touch themselves, and their contact."""
+TOUCHING["girder that sticks to itself"] = ("girder", HELD)
+
+AROUND = [*KINDS, *TOUCHING]
+
+
+def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
+    """A body in surroundings of a kind, or in contact with itself; `changes` are arguments of `body`."""
+    if kind not in TOUCHING:
+        return surrounded(kind, seed=seed, **changes)
+    shape, contact = TOUCHING[kind]
+    return crumpled(shape, seed, contact, **changes)
+
+
+def bare(scene: Scene) -> Scene:
+    """The scene without anything that surrounds or touches the body."""
+    nothing = {"medium": msgspec.UNSET, "ground": msgspec.UNSET}
+    return msgspec.structs.replace(scene, walls=(), wind=None, fillings=(), contact=None, **nothing)
+
+
+def force_around(scene: Scene) -> tuple[Floats, Floats]:
+    """(n, 2) positions, and the forces of all that surrounds or touches the body."""
+    forces = [
+        arrays.pairs_of(arrays.weight * arrays.accelerations(arrays.q, arrays.v))
+        for arrays in (Arrays(scene), Arrays(bare(scene)))
+    ]
+    at = [mass.position for mass in scene.masses] if scene.pose is None else scene.pose.positions
+    return np.array(at), forces[0] - forces[1]
+
+
+OF_SURROUNDINGS = {
+    "wind_speed", "wind_direction", "turbulence", "wall_friction", "bounciness", "gas_pressure",
+    "liquid_stiffness", "contact_distance", "contact_stiffness", "contact_friction",
+    "drag_across", "drag_along", "ground_forward", "ground_backward", "ground_sideways",
+}  # fmt: skip
+OF_STRENGTH = {"strength", "yield_force"}
+
+
+def with_everything() -> Scene:
+    """A tangle in gusts, among walls, with fillings, some of whose springs break or yield."""
+    scene = tangle(4)
+    springs = list(scene.linear_springs)
+    springs[0] = msgspec.structs.replace(springs[0], strength=800.0)
+    springs[1] = msgspec.structs.replace(springs[1], strength=400.0)
+    springs[2] = msgspec.structs.replace(springs[2], yield_force=300.0)
+    return msgspec.structs.replace(
+        scene,
+        linear_springs=tuple(springs),
+        air_friction=0.01,
+        wind=Wind(velocity=(300.0, -400.0), turbulence=0.2),
+        medium=Medium(),
+        ground=Ground(),
+        walls=(
+            Wall(point=(0.0, 900.0), normal=(0.0, -1.0), friction=0.4, bounciness=0.6),
+            Wall(point=(-500.0, 0.0), normal=(1.0, 0.0), friction=0.2, bounciness=0.3),
+        ),
+        contact=Contact(distance=5.0, friction=0.3),
+        fillings=(
+            Gas(masses=(0, 1, 2), pressure=50.0, area=500.0),
+            Gas(masses=(2, 1, 3), pressure=20.0, area=500.0),
+            Liquid(masses=(0, 2, 3), bulk_modulus=90.0, area=500.0),
+        ),
+    )
+
+
+def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
+    """The simulation of a scene after a while, by a method; `numbers` are of its integrator."""
+    integrator = Integrator(**{"method": method, "dt": 1e-3, "tolerance": 1e-6, **numbers})
+    simulation = Simulation(msgspec.structs.replace(scene, integrator=integrator))
+    simulation.advance(seconds)
+    return simulation

@@ -96,14 +96,3 @@ def test_vibrations_that_nothing_damps_do_not_hold_steps() -> None:
     assert simulation.stats().forces < 75_000
     exact, _ = moved(sim.load_scene("study-w4"), 1e-8)
     assert np.hypot(*(simulation.positions - exact.positions).T).max() < 3e-7
-
-
-@pytest.mark.parametrize("name", ["study-w1", "study-w2"])
-def test_errors_keep_to_the_tolerance_whatever_the_degrees(name: str) -> None:
-    exact = Simulation(
-        REPLACE(sim.load_scene(name), integrator=Integrator(method="adams", tolerance=1e-9, dt=1.0))
-    )
-    assert exact.step() == 1
-    for tolerance in (1e-2, 1e-4, 1e-6):
-        simulation, _ = moved(sim.load_scene(name), tolerance)
-        assert np.hypot(*(simulation.positions - exact.positions).T).max() < tolerance

@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim import Integrator, Simulation
 from sim.motion.simulation import SolverStats
 from sim.motion.stability import largest_step
 from sim.scene.makers import fine_rope
 from sim.scene.types import Circle, ForceLaw
-from tests.sim.amplification import dynamics, radius
 from tests.sim.bodies import LAWS
+from tests.sim.builders import built
+from tests.sim.whole_step import spectral_radius
 
 
 def test_far_from_its_limit_verlet_leaves_most_of_the_tolerance_to_what_may_come() -> None:
@@ -72,14 +73,13 @@ def test_long_steps_of_stiff_bodies_keep_to_large_tolerances(tolerance: float) -
 @pytest.mark.parametrize("tolerance", [0.1, 0.3, 1.0])
 def test_steps_of_damped_bodies_are_longer_than_textbook_verlet_bears(tolerance: float) -> None:
     """Near the limit, forces go by velocities that are predicted so that it is symplectic Euler's."""
-    scene = sim.load_scene("study-cloth")
-    positions, velocities = (
-        np.array([getattr(mass, name) for mass in scene.masses]) for name in ("position", "velocity")
-    )
-    k, c = dynamics(scene, positions, velocities)
     mean = 1.0 / effort_of("study-cloth", tolerance).steps
-    assert radius("velocity_verlet", k, c, 0.9 * mean) > 1.01
-    assert radius("symplectic_euler", k, c, mean) < 1.0 + 1e-6
+    verlet, euler = (
+        Simulation(sim.load_scene("study-cloth"), integrator=method)
+        for method in ("velocity_verlet", "symplectic_euler")
+    )
+    assert spectral_radius(verlet, 0.9 * mean) > 1.01
+    assert spectral_radius(euler, mean) < 1.0 + 1e-6
 
 
 @pytest.mark.parametrize("tolerance", [0.5, 0.8, 1.0])
@@ -125,16 +125,11 @@ def test_where_stability_limits_all_steps_hardly_more_is_done_than_by_the_longes
 @pytest.mark.parametrize("law", LAWS)
 def test_no_tolerance_lets_a_light_mass_on_a_strong_damper_run_away(law: ForceLaw, tolerance: float) -> None:
     # Within a tolerance of 10 px, its velocity could be anything for the while that the damper takes.
-    scene = Scene(
-        name="light",
-        masses=(Mass(position=(100.0, 100.0), mass=1e-6), Mass(position=(100.0, 140.0), mass=1e-3)),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=1e4, damping=1e6, rest_length=1.0),),
-        anchors=(Anchor(mass=1),),
-        gravity=(0.0, 0.0),
-        air_friction=1.0,
-        force_law=law,
+    scene = built(
+        [(100.0, 100.0), (100.0, 140.0)], mass=(1e-6, 1e-3), stiffness=1e4, damping=1e6, rest_length=1.0,
+        held=(1,), air_friction=1.0, force_law=law,
         integrator=Integrator(method="auto", dt=1.0 / 60.0, tolerance=tolerance),
-    )
+    )  # fmt: skip
     simulation = Simulation(scene)
     start = simulation.energy().total
     for _ in range(5):

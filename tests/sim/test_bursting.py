@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import msgspec
@@ -10,40 +9,27 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Integrator, LinearSpring, Mass, Pose, Scene, Simulation
+from sim import Integrator, Pose, Scene, Simulation
 from sim.body.system import build_system, start_of
 from sim.forces.limits import leaking
 from sim.methods.registry import METHODS
 from sim.physics import Physics
 from sim.scene.types import Damage, Method
+from tests.sim.builders import hoop
 
 REPLACE = msgspec.structs.replace
 
 
 def burst(method: Method = "auto", filling: Any = None, weak: int = 5, joined: bool = True) -> Scene:
     """A blown-up ring of 12 masses, of which one spring is weaker than the others."""
-    count, radius = 12, 50.0
-    turns = [math.tau * i / count for i in range(count)]
-    edge = 2.0 * radius * math.sin(math.pi / count)
-    rim = tuple(range(count))
-    return Scene(
-        name="burst",
-        masses=tuple(Mass(position=(radius * math.cos(v), radius * math.sin(v)), mass=0.5) for v in turns),
-        linear_springs=tuple(
-            LinearSpring(
-                a=i,
-                b=(i + 1) % count,
-                stiffness=2000.0,
-                damping=1.0,
-                rest_length=edge,
-                strength=8000.0 if i == weak else 1e9,
-            )
-            for i in range(count if joined else count - 1)
-        ),
-        gravity=(0.0, 0.0),
+    rim = tuple(range(12))
+    scene = hoop(
+        12, 50.0, mass=0.5, stiffness=2000.0, damping=1.0,
         fillings=(filling or sim.Gas(masses=rim, pressure=400.0, outside=100.0),),
         integrator=Integrator(method=method, dt=1e-4, tolerance=1e-3),
-    )
+    )  # fmt: skip
+    springs = [REPLACE(s, strength=8000.0 if i == weak else 1e9) for i, s in enumerate(scene.linear_springs)]
+    return REPLACE(scene, linear_springs=tuple(springs if joined else springs[:-1]))
 
 
 FILLINGS = {

@@ -16,8 +16,8 @@ from sim.scene.types import Method
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import body
 from tests.sim.inside import solver_of
-from tests.sim.surrounded import KINDS, surrounded
-from tests.sim.touching import SOFT, crumpled
+from tests.sim.surrounded import KINDS, around, surrounded
+from tests.sim.touching import crumpled
 
 REPLACE = msgspec.structs.replace
 FIXED = [name for name, info in METHODS.items() if not info.adaptive]
@@ -25,18 +25,33 @@ ADAPTIVE = [name for name, info in METHODS.items() if info.adaptive]
 
 
 def bits(simulation: Simulation) -> bytes:
+    """All that a run leaves behind: also what has broken and yielded, and what sticks."""
     state = simulation.positions.tobytes() + simulation.velocities.tobytes()
-    return state + np.array([simulation.time, simulation.rest_length_scale]).tobytes()
+    state += np.array([simulation.time, simulation.rest_length_scale, *simulation.rest_angles]).tobytes()
+    return state + repr((simulation.step_count, simulation.damage, simulation.capture().grips)).encode()
 
 
 def restless(**fields: object) -> Scene:
-    """A body that time itself drives: an anchor that goes round, and gusts."""
+    """A body that time drives, by gusts and an anchor that goes round, and that breaks, yields and sticks."""
+    scene = REPLACE(around("girder that sticks to itself", 8), **KINDS["all"])
     circle = Circle(radius=20.0, frequency=3.0, ramp=0.1)
-    anchors = (Anchor(mass=0, driven=True, circle=circle),)
-    springs = surrounded("all", seed=8).linear_springs
-    weak = tuple(REPLACE(spring, strength=5e4, yield_force=2e4) for spring in springs)
-    scene = REPLACE(surrounded("all", seed=8), linear_springs=weak, anchors=anchors, arrow_keys=ArrowKeys())
-    return REPLACE(scene, contact=SOFT, **fields)
+    limits = ({"strength": 2e4}, {"strength": 5e4, "yield_force": 2e4})
+    return REPLACE(
+        scene,
+        anchors=(Anchor(mass=0, driven=True, circle=circle),),
+        arrow_keys=ArrowKeys(),
+        linear_springs=tuple(REPLACE(s, **limits[i % 2]) for i, s in enumerate(scene.linear_springs)),
+        walls=tuple(REPLACE(wall, tangential_hardness=40.0) for wall in scene.walls),
+        **fields,
+    )
+
+
+def test_a_restless_body_breaks_yields_and_sticks() -> None:
+    simulation = Simulation(restless(integrator=Integrator(method="rk4", dt=3e-4)))
+    simulation.step(20)
+    damage, grips = simulation.damage, simulation.capture().grips
+    assert damage is not None and damage.broken and any(damage.set_lengths)
+    assert grips is not None and grips.walls and grips.springs
 
 
 # ------------------------------------------------------------------------- calls
@@ -108,7 +123,9 @@ def test_a_reset_or_restored_simulation_depends_on_nothing_before(kind: str, met
     scene = REPLACE(scene, integrator=Integrator(method=method, dt=3e-4))
     simulation, fresh = Simulation(scene), Simulation(scene)
     fresh.step(20)
+    simulation.keys = {"up", "right"}
     simulation.step(5)
+    simulation.keys = ()
     moment = fresh.capture()
     ends = []
     for back in (simulation.reset, lambda: simulation.restore(moment)):

@@ -9,9 +9,10 @@ import msgspec
 import pytest
 
 import sim
-from sim import AngularSpring, LinearSpring, Mass, Scene, Simulation
+from sim import Scene, Simulation
 from sim.methods.registry import METHODS
 from sim.scene.types import Method
+from tests.sim.builders import built, row
 
 REPLACE = msgspec.structs.replace
 STRENGTHS = [0.1, 1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6]
@@ -22,33 +23,16 @@ REDUCED = MASSES[0] * MASSES[1] / sum(MASSES)
 
 def pair(damping: float) -> Scene:
     """Two masses that fly apart, and nothing but a damper between them."""
-    return Scene(
-        name="pair",
-        masses=(
-            Mass(position=(0.0, 0.0), mass=MASSES[0]),
-            Mass(position=(50.0, 0.0), mass=MASSES[1], velocity=(SPEED, 0.0)),
-        ),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=0.0, damping=damping, rest_length=50.0),),
-        gravity=(0.0, 0.0),
-        air_friction=0.0,
+    return built(
+        [(0.0, 0.0), (50.0, 0.0)], mass=MASSES, velocities=[(0.0, 0.0), (SPEED, 0.0)], damping=damping
     )
 
 
 def hinge(damping: float) -> Scene:
     """Three masses in line, held together by damped springs; their joint has nothing but a damper."""
-    return Scene(
-        name="hinge",
-        masses=tuple(
-            Mass(position=(40.0 * i, 0.0), velocity=(0.0, speed))
-            for i, speed in enumerate((SPEED, -2.0 * SPEED, SPEED))
-        ),
-        linear_springs=tuple(
-            LinearSpring(a=i, b=i + 1, stiffness=1e5, damping=40.0, rest_length=40.0) for i in range(2)
-        ),
-        angular_springs=(AngularSpring(a=0, b=1, stiffness=0.0, rest_angle=0.0, damping=damping),),
-        gravity=(0.0, 0.0),
-        air_friction=0.0,
-    )
+    speeds = [(0.0, speed) for speed in (SPEED, -2.0 * SPEED, SPEED)]
+    joint = {"stiffness": 0.0, "damping": damping}
+    return built(row(3, 40.0), velocities=speeds, stiffness=1e5, damping=40.0, joint=joint)
 
 
 @pytest.mark.parametrize("damping", STRENGTHS)
@@ -94,16 +78,12 @@ def test_the_balance_closes_at_any_damping(name: str, key: str) -> None:
 def test_strong_friction_takes_what_there_is(method: Any, friction: float) -> None:
     """Two masses on a spring that fall aslant on a rough floor, and creep on it within a step's errors."""
     floor = sim.Wall(point=(0.0, 0.0), normal=(0.0, -1.0), friction=friction, bounciness=0.5)
-    spring = sim.LinearSpring(a=0, b=1, stiffness=2000.0, damping=2.0, rest_length=30.0)
     dt = 1.0 / 60.0 if METHODS[method].adaptive else 1e-3
-    scene = sim.Scene(
-        name="two",
-        masses=tuple(sim.Mass(position=(x, -30.0), velocity=(300.0, 200.0)) for x in (0.0, 30.0)),
-        linear_springs=(spring,),
-        gravity=(0.0, 1000.0),
-        walls=(floor,),
+    scene = built(
+        [(0.0, -30.0), (30.0, -30.0)], velocities=[(300.0, 200.0)] * 2, stiffness=2000.0, damping=2.0,
+        gravity=(0.0, 1000.0), walls=(floor,),
         integrator=sim.Integrator(method=method, dt=dt, tolerance=0.1),
-    )
+    )  # fmt: skip
     simulation = sim.Simulation(scene)
     simulation.energy()
     simulation.advance(1.5)

@@ -23,6 +23,7 @@ from sim.errors import SceneError, SettingError
 from sim.scene.types import Damage
 from sim.scene.validate import validate
 from tests.amount import examples
+from tests.sim.builders import built
 
 SCENES = ("tutorial-3.2", "tutorial-3.3", "ring", "box", "girder", "air-balloon", "pile", "hair-tuft")
 Positions = list[tuple[float, float]]
@@ -30,15 +31,12 @@ Positions = list[tuple[float, float]]
 
 def square(joints: bool = False) -> sim.Scene:
     """Four masses, joined around."""
-    corners = ((0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0))
-    scene = sim.Scene(
-        name="square",
-        masses=tuple(sim.Mass(position=at) for at in corners),
-        linear_springs=tuple(
-            sim.LinearSpring(a=i, b=(i + 1) % 4, stiffness=1000.0, damping=3.0, rest_length=100.0)
-            for i in range(4)
-        ),
+    corners, around = (
+        [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)],
+        [(0, 1), (1, 2), (2, 3), (3, 0)],
     )
+    around = [(0, 1), (1, 2), (2, 3), (3, 0)]
+    scene = built(corners, around, stiffness=1000.0, damping=3.0)
     return add_corners(scene, range(4), starts(scene)).scene if joints else scene
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import random
 import stat
 import sys
 import time
@@ -27,23 +26,14 @@ from sim.store.files import (
     encode_scene,
     safe_name,
     save_user_scene,
-    user_folder,
     write_atomically,
 )
 from sim.store.own_scenes import trash_user_scene
-from tests.sim.builders import PRESETS, star, tangle
+from tests.sim.bodies import tangle
+from tests.sim.builders import PRESETS, star
 from tests.sim.fuzzing import with_muscles
 
 REPLACE = msgspec.structs.replace
-
-
-@pytest.fixture
-def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A data folder of the test's own."""
-    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
-    if tmp_path not in user_folder().parents:
-        pytest.skip("this platform keeps data elsewhere than XDG_DATA_HOME says")
-    return user_folder()
 
 
 def refused(data: bytes | dict[str, Any]) -> str:
@@ -90,16 +80,9 @@ def test_presets_load_and_run(preset: str) -> None:
 
 
 # ------------------------------------------------------------------------- round trips
-def posed(preset: str) -> Scene:
-    simulation = Simulation(load_scene(preset))
-    simulation.keys = {"down", "right"}
-    simulation.step(777)
-    return REPLACE(simulation.scene, pose=simulation.pose())
 
 
 SCENES = [
-    *(load_scene(preset) for preset in PRESETS),
-    *(posed(preset) for preset in PRESETS),
     sim.rope(),
     sim.rope(masses=2, joints=False, held=(), driven=None, direction=(-0.3, 1e-9), length=0.1 + 0.2),
     sim.rope(masses=700, arrow_keys=ArrowKeys(rest_length_factor=1.0 + 2.0**-52), gravity=(5e-324, -1e6)),
@@ -195,7 +178,7 @@ def test_files_that_are_no_json_object(data: bytes, sentence: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("raw", "field"),
+    ("raw", "sentence"),
     [
         (minimal(format=4), "format: version 4 is newer than 3"),
         (minimal(format=10**30), "format: version"),
@@ -214,21 +197,48 @@ def test_files_that_are_no_json_object(data: bytes, sentence: str) -> None:
         (minimal(masses=[{"position": [0, 1], "mass": True}]), "masses[0].mass: "),
         (minimal(masses=[{"position": [0, 1], "mass": None}]), "masses[0].mass: "),
         (minimal(masses=[{"position": [0, 1], "mass": 10**400}]), "masses[0].mass: "),
-        (minimal(masses=None), "masses: "),
         (minimal(anchors=[{"mass": 1}]), "anchors[0].mass: mass 1 does not exist (0..0)"),
         (minimal(anchors=[{"mass": -1}]), "anchors[0].mass: -1 is not in the range 0..99999"),
         (minimal(rope={"masses": 3}), "rope: a scene has either recipes or masses"),
         ({"name": "a", "rope": {"masses": 1}}, "rope.masses: 1 is not in the range 2..20000"),
         ({"name": "a", "rope": {"direction": [0, 0]}}, "rope.direction: "),
-        (minimal(template=30), "template: "),
-        (minimal(name=""), "name: "),
         (minimal(name="x" * 61), "name: "),
         (minimal(integrator={"dt": 2}), "integrator.dt: 2 is not in the range 1e-06..1 s"),
+        (minimal(template=30), "template: 30 is not one of 180, 135, 90, 45, 0, -45, -90, -135"),
+        (minimal(force_law=None), "force_law: null is not one of tutorial, conservative, angle"),
+        (minimal(view={"unit": "centimetre"}), "view.unit: 10 characters are more than 8"),
+        (minimal(name=""), "name: it must not be empty"),
+        (minimal(name=[]), "name: a text is expected, not an array"),
+        (minimal(air_friction=True), "air_friction: a number is expected, not true"),
+        (minimal(anchors=[{"mass": {}}]), "anchors[0].mass: a whole number is expected, not an object"),
+        (minimal(air_friction=10**400), "air_friction: a whole number as large as this is not allowed"),
+        (minimal(masses=None), "masses: an array is expected, not null"),
+        ({"name": "a", "bodies": [{"recipe": "rod", "length": 0}]},
+         "bodies[0].length: 0 is not in the range 0.001..1e+06 px"),
+        ({"name": "a", "bodies": [{"recipe": "rod", "sides": 3}]}, "bodies[0]: there is no field `sides`"),
+        ({"name": "a", "bodies": [{"recipe": "girder", "truss": "howe"}]},
+         "bodies[0].truss: 'howe' is not one of warren, pratt"),
+        ({"name": "a", "bodies": [{"recipe": "girder", "strength": -2}]},
+         "bodies[0].strength: -2 is not in the range 0..1e+15 kg px/s²"),
+        ({"name": "a", "bodies": [{"recipe": "rope"}, {}]}, "bodies[1]: the field `recipe` is missing"),
+        ({"name": "a", "bodies": [7]}, "bodies[0]: an object is expected, not a whole number"),
+        ({"name": "a", "bodies": [{"recipe": "raft"}]},
+         "bodies[0].recipe: 'raft' is not one of rope, rod, box, polygon, hair_tuft, flag_pole, tree, "
+         "air_balloon, water_balloon, cloth, girder, jelly, bridge, worm, swimmer, walker, heart, hand"),
+        (minimal(fillings=[{"kind": "foam", "masses": [0]}]),
+         "fillings[0].kind: 'foam' is not one of gas, liquid"),
+        (minimal(fillings=[{"kind": "gas", "masses": [0], "pressure": -1}]),
+         "fillings[0].pressure: -1 is not in the range 0..1e+09 kg/s²"),
+        (minimal(fillings=[{"kind": "liquid", "masses": [0], "pressure": 1}]),
+         "fillings[0]: there is no field `pressure`"),
+        (
+            minimal(masses=[{"position": [0, 0], "x - at `$.masses[0].position": 1}]),
+            "masses[0]: there is no field `x - at `$.masses[0].position`",
+        ),
     ],
-    ids=range(27),
 )  # fmt: skip
-def test_files_with_a_wrong_field_name_it(raw: dict[str, Any], field: str) -> None:
-    assert refused(raw).startswith(field)
+def test_files_with_a_wrong_field_say_what_is_expected(raw: dict[str, Any], sentence: str) -> None:
+    assert refused(raw).startswith(sentence)
 
 
 @pytest.mark.parametrize("number", ["NaN", "Infinity", "-Infinity", "1e999"])
@@ -489,10 +499,3 @@ def test_a_broken_file_of_the_user_is_left_out_of_the_list(home: Path) -> None:
     (home / "Ring.json").write_bytes((home / "good.json").read_bytes())
     assert [info.name for info in list_scenes() if not info.built_in] == ["good"]
     assert load_scene("ring").description == load_scene(built_in_folder() / "ring.json").description
-
-
-def test_every_field_matters_to_a_round_trip() -> None:
-    # A file with a random field changed must not compare equal: the test above would then prove nothing.
-    raw = json.loads(encode_scene(star(5)))
-    random.Random(4).choice(raw["linear_springs"])["damping"] += 1e-9
-    assert decode_scene(json.dumps(raw).encode(), "scene") != star(5)

@@ -131,16 +131,6 @@ def test_an_anchor_torn_away_costs_no_more_than_a_calm_one(masses: int, far: flo
     assert 250.0 < stretched < 450.0
 
 
-def test_led_straight_it_would_cost_a_hundred_times_that() -> None:
-    simulation = Simulation(rod(100))
-    simulation.step(140)
-    simulation.stats()
-    x, y = simulation.positions[0]
-    simulation.lead(0, (x + 500.0, y))
-    simulation.step(7)
-    assert simulation.stats().steps > 500
-
-
 def test_it_comes_to_its_goal_and_stays() -> None:
     simulation = Simulation(rod(100))
     simulation.follow(0, (350.0, 60.0))

@@ -9,10 +9,11 @@ import msgspec
 import numpy as np
 import pytest
 
-from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation, polygon
+from sim import Anchor, Integrator, Scene, Simulation, polygon
 from sim.methods.registry import METHODS
 from sim.scene.surroundings import Gas, Wall, Wind
 from sim.scene.types import Method
+from tests.sim.builders import built
 from tests.sim.surrounded import surrounded
 
 REPLACE = msgspec.structs.replace
@@ -28,16 +29,8 @@ def jelly(y: float, **fields: Any) -> Scene:
         for k in range(i + 1, 16)
         if abs(i % 4 - k % 4) <= 1 and abs(i // 4 - k // 4) <= 1
     ]
-    return Scene(
-        name="jelly",
-        masses=tuple(Mass(position=p, mass=0.5) for p in at),
-        linear_springs=tuple(
-            LinearSpring(a=a, b=b, stiffness=4000.0, damping=4.0, rest_length=math.dist(at[a], at[b]))
-            for a, b in pairs
-        ),
-        gravity=(0.0, 2000.0),
-        **fields,
-    )
+    numbers: dict[str, Any] = {"mass": 0.5, "stiffness": 4000.0, "damping": 4.0}
+    return built(at, pairs, **numbers, gravity=(0.0, 2000.0), **fields)
 
 
 def frames(scene: Scene, method: Method, count: int = 60, dt: float = 1e-3) -> Simulation:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import math
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -21,7 +22,7 @@ from sim.scene.makers import fine_rope
 from sim.scene.types import Damage
 from tests.amount import part_of
 from tests.sim.bodies import LAWS, SHAPES, body
-from tests.sim.builders import PRESETS
+from tests.sim.builders import PRESETS, built
 
 HANGING = {
     "air-balloon", "box", "jelly", "lesson-catenary", "lesson-chaos", "lesson-explosion", "octagon",
@@ -266,16 +267,8 @@ def test_refusals_name_the_part_and_show_the_motion() -> None:
 
 def test_a_joint_that_bears_too_much_is_named_with_the_stiffness_that_it_needs() -> None:
     """A weight at the end of a rod of one joint: its torque is the weight times the arm."""
-    scene = sim.Scene(
-        name="arm",
-        masses=tuple(sim.Mass(position=(100.0 * i, 0.0)) for i in range(3)),
-        linear_springs=tuple(
-            sim.LinearSpring(a=i, b=i + 1, stiffness=1e4, rest_length=100.0) for i in range(2)
-        ),
-        angular_springs=(sim.AngularSpring(a=0, b=1, stiffness=5.0),),
-        anchors=(sim.Anchor(mass=0), sim.Anchor(mass=1)),
-        gravity=(0.0, 1000.0),
-    )
+    places, joint = [(100.0 * i, 0.0) for i in range(3)], {"stiffness": 5.0}
+    scene = built(places, stiffness=1e4, joint=joint, held=(0, 1), gravity=(0.0, 1000.0))
     factor = 1000.0 * 100.0 / (5.0 * 100.0 * 100.0 * math.sin(math.radians(60.0)))
     with pytest.raises(
         sim.DesignError, match=f"joint 0 would need {factor:.3g} times its stiffness"
@@ -290,17 +283,10 @@ def test_a_joint_that_bears_too_much_is_named_with_the_stiffness_that_it_needs()
 
 def column(stiffness: float, weight: float) -> sim.Scene:
     """A mast of five springs that is held by its lowest two masses, with a weight on top."""
-    masses = [sim.Mass(position=(0.0, -40.0 * i), mass=1e-3) for i in range(6)]
-    masses[-1] = msgspec.structs.replace(masses[-1], mass=weight)
-    springs = (sim.LinearSpring(a=i, b=i + 1, stiffness=1e6, damping=1.0, rest_length=40.0) for i in range(5))
-    return sim.Scene(
-        name="mast",
-        masses=tuple(masses),
-        linear_springs=tuple(springs),
-        angular_springs=tuple(sim.AngularSpring(a=i, b=i + 1, stiffness=stiffness) for i in range(4)),
-        anchors=(sim.Anchor(mass=0), sim.Anchor(mass=1)),
-        gravity=(0.0, 1000.0),
-    )
+    places, mass = [(0.0, -40.0 * i) for i in range(6)], [*[1e-3] * 5, weight]
+    springs: dict[str, Any] = {"stiffness": 1e6, "damping": 1.0}
+    joint = {"stiffness": stiffness}
+    return built(places, mass=mass, **springs, joint=joint, held=(0, 1), gravity=(0.0, 1000.0))
 
 
 def test_a_mast_buckles_at_eulers_load_and_stands_with_the_stiffness_that_is_named() -> None:

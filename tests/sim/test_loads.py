@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import msgspec
 import numpy as np
 import pytest
 
 import sim
-from sim import Anchor, AngularSpring, Circle, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim import Anchor, Circle, Integrator, Scene, Simulation
 from sim.scene.types import ForceLaw
-from tests.sim.around_everything import with_everything
 from tests.sim.bodies import SHAPES, body
-from tests.sim.surrounded import surrounded
+from tests.sim.builders import built
+from tests.sim.surrounded import surrounded, with_everything
 from tests.sim.touching import crumpled
 
 REPLACE = msgspec.structs.replace
@@ -44,16 +43,12 @@ def by_differences(scene: Scene, steps: int = 400) -> tuple[Simulation, np.ndarr
     return simulation, forces, differences
 
 
-def oscillator(**changes: Any) -> Scene:
+def oscillator(damping: float = 0.0) -> Scene:
     """A mass of 2 kg on a spring along x, stretched by 50 px, and an anchor."""
-    return Scene(
-        name="oscillator",
-        masses=(Mass(position=(0.0, 0.0)), Mass(position=(150.0, 0.0), mass=2.0)),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=900.0, rest_length=100.0, **changes),),
-        anchors=(Anchor(mass=0),),
-        gravity=(0.0, 0.0),
-        integrator=Integrator(method="rk4", dt=1e-3),
-    )
+    return built(
+        [(0.0, 0.0), (150.0, 0.0)], mass=(1.0, 2.0), stiffness=900.0, rest_length=100.0, damping=damping,
+        held=(0,), integrator=Integrator(method="rk4", dt=1e-3),
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("law", ["tutorial", "conservative", "angle"])
@@ -102,22 +97,6 @@ def test_a_joint_whose_spring_is_broken_has_no_torque() -> None:
     assert np.abs(simulation.loads.torques[~loose]).min() > 0.0
 
 
-def test_a_mass_on_a_spring_is_pulled_as_its_closed_form_says() -> None:
-    k, m, c, x0 = 900.0, 2.0, 6.0, 50.0
-    scene = oscillator(damping=c)
-    simulation = Simulation(scene)
-    decay = c / (2.0 * m)
-    omega = math.sqrt(k / m - decay**2)
-    for t in (0.0, 0.05, 0.31):
-        simulation.step(round((t - simulation.time) / 1e-3))
-        fade, phase = math.exp(-decay * t), omega * t
-        x = x0 * fade * (math.cos(phase) + decay / omega * math.sin(phase))
-        v = -x0 * fade * (decay**2 + omega**2) / omega * math.sin(phase)
-        support, force = simulation.loads.forces
-        assert force == pytest.approx((-k * x - c * v, 0.0), rel=1e-6, abs=1e-3)
-        assert support == pytest.approx(-force, rel=1e-12), "the anchor bears what the spring pulls with"
-
-
 def test_supports_bear_the_weight_of_a_body_at_rest() -> None:
     scene = sim.load_scene("cloth")
     simulation = Simulation(REPLACE(scene, pose=sim.equilibrium(scene)))
@@ -144,22 +123,12 @@ def test_torques_are_those_of_the_law(law: ForceLaw) -> None:
     v, rest, stiffness, damping, spin = math.radians(60.0), math.radians(20.0), 500.0, 7.0, 3.0
     one, other = 30.0, 70.0
     tip = np.array((other * math.cos(v), other * math.sin(v)))
-    scene = Scene(
-        name="joint",
-        masses=(
-            Mass(position=(-one, 0.0)),
-            Mass(position=(0.0, 0.0)),
-            Mass(position=(tip[0], tip[1]), velocity=(-spin * tip[1], spin * tip[0])),
-        ),
-        linear_springs=(
-            LinearSpring(a=0, b=1, stiffness=0.0, rest_length=one),
-            LinearSpring(a=1, b=2, stiffness=0.0, rest_length=other),
-        ),
-        angular_springs=(AngularSpring(a=0, b=1, stiffness=stiffness, damping=damping, rest_angle=20.0),),
-        gravity=(0.0, 0.0),
-        force_law=law,
+    scene = built(
+        [(-one, 0.0), (0.0, 0.0), (tip[0], tip[1])], force_law=law,
+        velocities=[(0.0, 0.0), (0.0, 0.0), (-spin * tip[1], spin * tip[0])],
+        joint={"stiffness": stiffness, "damping": damping, "rest_angle": 20.0},
         integrator=Integrator(method="rk4", dt=1e-4),
-    )
+    )  # fmt: skip
     simulation = Simulation(scene)
     loads = simulation.loads
     size = v - rest if law == "angle" else math.sin(v - rest)

@@ -54,15 +54,6 @@ def test_a_rod_whose_end_is_torn_away_is_solved_for_all_the_same() -> None:
     assert np.abs(found.positions - right.positions).max() <= 0.2
 
 
-def test_nothing_is_carried_over_a_reset() -> None:
-    one, other = (Simulation(led_rod(MASSES)) for _ in range(2))
-    one.step(12)
-    one.reset()
-    one.step(6)
-    other.step(6)
-    assert np.array_equal(one.positions, other.positions)
-
-
 def test_a_very_long_rod_is_not_upset_by_how_it_begins() -> None:
     # Short steps follow vibrations that long ones cannot: handed on, they would make those fail for long.
     simulation = Simulation(led_rod(3000))

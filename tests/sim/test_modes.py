@@ -201,31 +201,6 @@ def test_damping_takes_from_a_mode_by_its_ratio() -> None:
     assert math.log(kept) == pytest.approx(-rate * seconds, rel=0.01)
 
 
-# ------------------------------------------------------------------------- spectra
-@pytest.mark.parametrize("name", ["rod", "bridge"])
-def test_a_run_has_its_peaks_at_the_frequencies(name: str) -> None:
-    scene = expanded(sim.load_scene(name))
-    modes = Modes(scene, 5)
-    simulation = start(modes, scene)
-    for mode in range(5):
-        put(modes, simulation, mode, 1e-4 * modes.size / (mode + 1))
-    periods = 2.0 * math.pi / modes.frequencies
-    every = max(1, int(periods[-1] / 8.0 / simulation.dt))
-    count = int(40.0 * periods[0] / simulation.dt / every)
-    places = np.empty((count, 2 * len(scene.masses)))
-    for i in range(count):
-        simulation.step(every)
-        places[i] = simulation.positions.ravel()
-    window = np.hanning(count)[:, None]
-    spectrum = (np.abs(np.fft.rfft((places - places.mean(0)) * window, n=16 * count, axis=0)) ** 2).sum(1)
-    hertz = np.fft.rfftfreq(16 * count, every * simulation.dt)
-    for frequency in modes.frequencies / (2.0 * math.pi):
-        near = np.flatnonzero(np.abs(hertz / frequency - 1.0) < 0.05)
-        top = near[np.argmax(spectrum[near])]
-        assert hertz[top] == pytest.approx(frequency, rel=2e-3)
-        assert spectrum[top] > 3.0 * max(spectrum[near[0]], spectrum[near[-1]])
-
-
 # ------------------------------------------------------------------------- putting a body into a mode
 def test_a_body_is_put_into_a_mode_and_the_others_stay() -> None:
     scene = expanded(sim.load_scene("girder"))

@@ -2,54 +2,19 @@
 
 from __future__ import annotations
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from sim import Circle, Simulation
-from sim.methods.registry import METHODS
+from sim import Simulation
 from tests.amount import examples
-from tests.sim.builders import askew, rod, tutorial_preset
-
-REPLACE = msgspec.structs.replace
+from tests.sim.builders import askew, tutorial_preset
 
 
 def bits(simulation: Simulation) -> bytes:
     return simulation.positions.tobytes() + simulation.velocities.tobytes()
-
-
-def disturbed(simulation: Simulation, steps: int) -> bytes:
-    """Do much at once, and where that leads."""
-    simulation.keys = {"up", "right"}
-    simulation.lead(0, (280.0, 170.0))
-    simulation.step(steps)
-    simulation.keys = set()
-    simulation.step(steps)
-    return bits(simulation)
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_going_on_twice_from_a_moment_gives_the_same_bits(method: str) -> None:
-    simulation = Simulation(sim.set_choice(sim.load_scene("tutorial-3.3"), "method", method))
-    disturbed(simulation, 30)
-    moment, there, time = simulation.capture(), bits(simulation), simulation.time
-    scale, angles = simulation.rest_length_scale, simulation.rest_angles
-    disturbed(simulation, 20)
-    ends = []
-    for _ in range(2):
-        simulation.restore(moment)
-        assert bits(simulation) == there
-        assert (simulation.time, simulation.step_count) == (time, 60)
-        assert simulation.rest_length_scale == scale
-        assert np.array_equal(simulation.rest_angles, angles)
-        ends.append((disturbed(simulation, 25), simulation.time))
-    assert ends[0] == ends[1]
-    other = Simulation(askew())
-    other.restore(moment)
-    assert (disturbed(other, 25), other.time) == ends[0]
 
 
 def test_a_step_without_a_memory_goes_on_as_if_nothing_had_been() -> None:
@@ -146,18 +111,6 @@ def test_a_moment_keeps_what_it_had_and_shares_its_scene() -> None:
     assert np.array_equal(moment.rows, kept)
     assert moment.scene is simulation.capture().scene
     assert moment.rows.nbytes == 4 * 8 * 12
-
-
-def test_an_anchor_goes_on_round_its_circle() -> None:
-    scene = rod(12, circle=Circle(radius=50.0, frequency=1.0))
-    simulation, straight = Simulation(scene), Simulation(scene)
-    simulation.advance(0.4)
-    moment = simulation.capture()
-    simulation.advance(0.3)
-    simulation.restore(moment)
-    simulation.advance(0.35)
-    straight.advance(0.75)
-    assert simulation.positions[0] == pytest.approx(straight.positions[0], abs=1e-9)
 
 
 def test_the_energy_balance_begins_anew() -> None:

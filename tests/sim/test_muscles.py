@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -14,13 +14,9 @@ import pytest
 
 import sim
 from sim import (
-    Anchor,
-    AngularSpring,
     Beat,
     Integrator,
     JointMuscle,
-    LinearSpring,
-    Mass,
     Scene,
     Simulation,
     SpringMuscle,
@@ -29,10 +25,10 @@ from sim.body.system import build_system, refresh, start_of
 from sim.methods.registry import METHODS
 from sim.motion.stability import limit_at_start
 from sim.scene.types import ForceLaw, Method
-from tests.sim.bodies import body
+from tests.sim.bodies import body, with_muscles
+from tests.sim.builders import built, row
 from tests.sim.inside import same_state
 from tests.sim.laws import Laws
-from tests.sim.muscular import with_muscles
 
 REPLACE = msgspec.structs.replace
 ADAPTIVE = [name for name, info in METHODS.items() if info.adaptive]
@@ -44,16 +40,11 @@ STIFFNESS, KILOGRAMS, LENGTH, AMPLITUDE, FREQUENCY, PHASE = 400.0, 2.0, 100.0, 0
 
 def driven(method: Method, **changes: float) -> Scene:
     """A mass at rest on a spring without damping, whose rest length follows a sine."""
-    muscle = SpringMuscle(amplitude=AMPLITUDE, phase=PHASE)
-    spring = LinearSpring(a=0, b=1, stiffness=STIFFNESS, rest_length=LENGTH, muscle=muscle)
-    return Scene(
-        name="driven",
-        masses=(Mass(position=(0.0, 0.0)), Mass(position=(LENGTH, 0.0), mass=KILOGRAMS)),
-        linear_springs=(spring,),
-        anchors=(Anchor(mass=0),),
-        beat=Beat(frequency=FREQUENCY),
-        integrator=Integrator(method=method, **changes),
-    )
+    return built(
+        [(0.0, 0.0), (LENGTH, 0.0)], mass=(1.0, KILOGRAMS), stiffness=STIFFNESS,
+        spring={"muscle": SpringMuscle(amplitude=AMPLITUDE, phase=PHASE)}, held=(0,),
+        beat=Beat(frequency=FREQUENCY), integrator=Integrator(method=method, **changes),
+    )  # fmt: skip
 
 
 def closed_form(t: float) -> float:
@@ -139,15 +130,9 @@ def test_the_kernels_and_numpy_let_them_move_alike(shape: str) -> None:
 # ------------------------------------------------------------------------- the stability limit
 def hinged(amplitude: float) -> Scene:
     """A mass that hardly more than a joint holds, straight ahead of two that are held."""
-    return Scene(
-        name="hinged",
-        masses=tuple(Mass(position=(100.0 * i, 0.0)) for i in range(3)),
-        linear_springs=tuple(LinearSpring(a=i, b=i + 1, stiffness=1e-3, rest_length=100.0) for i in (0, 1)),
-        angular_springs=(AngularSpring(a=0, b=1, stiffness=1000.0, muscle=JointMuscle(amplitude=amplitude)),),
-        anchors=(Anchor(mass=0), Anchor(mass=1)),
-        beat=Beat(frequency=0.7),
-        force_law="angle",
-    )
+    joint = {"stiffness": 1000.0, "muscle": JointMuscle(amplitude=amplitude)}
+    fields: dict[str, Any] = {"beat": Beat(frequency=0.7), "force_law": "angle"}
+    return built(row(3, 100.0), stiffness=1e-3, joint=joint, held=(0, 1), **fields)
 
 
 @pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet", "rk4"])
@@ -186,15 +171,6 @@ def test_analyses_let_muscles_rest() -> None:
 
 
 # ------------------------------------------------------------------------- files
-def test_files_leave_out_what_a_scene_does_not_have(tmp_path: Path) -> None:
-    scene, path = body("chain", "conservative", 1), tmp_path / "scene.json"
-    sim.save_scene(scene, path)
-    text = path.read_text(encoding="utf-8")
-    assert "muscle" not in text
-    assert "beat" not in text
-    moving = with_muscles(scene)
-    sim.save_scene(moving, path)
-    assert sim.load_scene(path) == moving
 
 
 @pytest.mark.parametrize(

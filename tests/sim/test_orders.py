@@ -17,10 +17,9 @@ from sim.methods.registry import METHODS
 from sim.motion.driving import Driver
 from sim.scene.types import Circle, ForceLaw, Method
 from tests.sim.arrays import Arrays
-from tests.sim.bodies import body
+from tests.sim.bodies import body, with_muscles
 from tests.sim.inside import run_in_steps
 from tests.sim.laws import Laws, Path
-from tests.sim.muscular import with_muscles
 
 REPLACE = msgspec.structs.replace
 DURATION = 0.4

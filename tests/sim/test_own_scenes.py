@@ -9,7 +9,7 @@ import pytest
 import sim
 from sim.errors import SceneError
 from sim.store import own_scenes
-from sim.store.files import load_scene, save_user_scene, user_folder
+from sim.store.files import load_scene, save_user_scene
 from sim.store.own_scenes import (
     duplicate_user_scene,
     rename_user_scene,
@@ -17,15 +17,6 @@ from sim.store.own_scenes import (
     trash_folder,
     trash_user_scene,
 )
-
-
-@pytest.fixture
-def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A data folder of the test's own."""
-    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
-    if tmp_path not in user_folder().parents:
-        pytest.skip("this platform keeps data elsewhere than XDG_DATA_HOME says")
-    return user_folder()
 
 
 def save(name: str, masses: int = 3) -> None:

@@ -99,18 +99,6 @@ def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) ->
             assert force == pytest.approx(-slope, rel=1e-6, abs=1e-4 * float(np.abs(forces).max()))
 
 
-@pytest.mark.parametrize("law", LAWS)
-def test_springs_and_joints_exert_no_force_and_no_torque_on_the_whole(law: ForceLaw) -> None:
-    simulation = Simulation(body("girder", law, 1))
-    system, state = simulation.tables
-    x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
-    physics = Physics(system.body, state)
-    forces = physics.springs.forces(x, v) + physics.joints.forces(x, v)
-    size = float(np.abs(forces).max())
-    assert abs(forces.sum()) < 1e-12 * size
-    assert abs((x.conj() * forces).imag.sum()) < 1e-12 * size * float(np.abs(x).max())
-
-
 def test_a_body_that_runs_away_from_its_fixed_step_stops_at_its_last_good_state() -> None:
     scene = sim.set_value(sim.load_scene("tutorial-3.3"), "linear_stiffness", 1e6)
     one, other = plain(scene), Simulation(scene)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ import pytest
 import sim
 from sim.analysis.predictability import Shadow, growth_within, hair_of, horizon, verdict
 from sim.errors import InputError
-from tests.sim.builders import chain
+from tests.sim.builders import built, chain
 
 EXACTLY = sim.Integrator(method="auto", tolerance=1e-3)
 
@@ -21,33 +22,14 @@ def swinging(*degrees: float, length: float = 100.0, stiffness: float = 1e6) -> 
     for angle in map(math.radians, degrees):
         x, y = places[-1]
         places.append((x + length * math.sin(angle), y + length * math.cos(angle)))
-    return sim.validate(
-        sim.Scene(
-            name="pendulum",
-            masses=tuple(sim.Mass(position=place, mass=1.0) for place in places),
-            linear_springs=tuple(
-                sim.LinearSpring(a=i, b=i + 1, stiffness=stiffness, damping=0.0, rest_length=length)
-                for i in range(len(degrees))
-            ),
-            anchors=(sim.Anchor(mass=0),),
-            gravity=(0.0, 1000.0),
-            integrator=EXACTLY,
-        )
-    )
+    return built(places, stiffness=stiffness, held=(0,), gravity=(0.0, 1000.0), integrator=EXACTLY)
 
 
 def bouncing(damping: float, method: str = "auto") -> sim.Scene:
     """A mass that swings about once a second between four springs."""
-    ends = ((0.0, 100.0), (0.0, -100.0), (100.0, 0.0), (-100.0, 0.0))
-    scene = sim.Scene(
-        name="cross",
-        masses=(sim.Mass(position=(2.0, 1.0), mass=1.0), *(sim.Mass(position=end, mass=1.0) for end in ends)),
-        linear_springs=tuple(
-            sim.LinearSpring(a=0, b=i, stiffness=20.0, damping=damping, rest_length=100.0)
-            for i in range(1, 5)
-        ),
-        anchors=tuple(sim.Anchor(mass=i) for i in range(1, 5)),
-    )
+    places = [(2.0, 1.0), (0.0, 100.0), (0.0, -100.0), (100.0, 0.0), (-100.0, 0.0)]
+    numbers: dict[str, Any] = {"stiffness": 20.0, "damping": damping, "rest_length": 100.0}
+    scene = built(places, [(0, i) for i in range(1, 5)], **numbers, held=range(1, 5))
     return sim.set_choice(scene, "method", method)
 
 

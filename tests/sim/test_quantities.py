@@ -15,7 +15,8 @@ from sim import InputError, Simulation, quantity
 from sim.analysis.swings import swings
 from sim.motion.energy import ENERGY_FIELDS
 from sim.physics import Physics
-from tests.sim.builders import chain, rod, tangle
+from tests.sim.bodies import tangle
+from tests.sim.builders import chain, rod
 
 REPLACE = msgspec.structs.replace
 
@@ -68,15 +69,6 @@ def test_forces_and_torques_are_those_that_move_the_masses(seed: int) -> None:
     assert forces == pytest.approx(wanted[system.mass_index], rel=1e-9, abs=1e-6)
 
 
-def test_the_angle_law_has_its_own_torque() -> None:
-    scene = REPLACE(pendulum(30.0).scene, force_law="angle")
-    joint = REPLACE(scene.angular_springs[0], stiffness=7.0, rest_angle=-40.0)
-    simulation = Simulation(REPLACE(scene, angular_springs=(joint,)))
-    assert read(simulation, "joint0.angle") == pytest.approx(-30.0)
-    assert read(simulation, "joint0.rest_angle") == -40.0
-    assert read(simulation, "joint0.torque") == pytest.approx(7.0 * 100.0**2 * math.radians(10.0), rel=1e-6)
-
-
 def test_masses_and_rates_are_what_the_simulation_says() -> None:
     simulation = Simulation(tangle(3))
     simulation.step(50)
@@ -86,22 +78,18 @@ def test_masses_and_rates_are_what_the_simulation_says() -> None:
         found = [read(simulation, f"mass{i}.{what}") for what in ("x", "y", "vx", "vy", "speed")]
         assert found == [x, y, vx, vy, pytest.approx(math.hypot(vx, vy))]
     before, dt = simulation.angles, 1e-4
-    rates = [read(simulation, f"joint{j}.rate") for j in range(len(before))]
     simulation.step(1)
+    rates = [read(simulation, f"joint{j}.rate") for j in range(len(before))]  # with which it has come here
     change = (simulation.angles - before + 180.0) % 360.0 - 180.0
-    assert change / dt == pytest.approx(rates, rel=0.02, abs=5.0)
+    assert change / dt == pytest.approx(rates, rel=0.01, abs=1.0)
 
 
 def test_what_has_yielded_and_broken_is_read_as_it_is_now() -> None:
-    soft = sim.LinearSpring(a=0, b=1, stiffness=100.0, rest_length=50.0, yield_force=800.0)
-    weak = sim.LinearSpring(a=0, b=2, stiffness=100.0, rest_length=50.0, strength=500.0)
-    scene = sim.Scene(
-        name="torn",
-        masses=tuple(sim.Mass(position=(50.0 * i, 0.0)) for i in (0, -1, 1)),
-        linear_springs=(soft, weak),
-        anchors=(sim.Anchor(mass=1), sim.Anchor(mass=2)),
-        integrator=sim.Integrator(method="rk4", dt=1e-3),
-    )
+    scene = chain([(0.0, 0.0), (-50.0, 0.0), (50.0, 0.0)], stiffness=100.0, rest_length=50.0, held=(1, 2))
+    soft, weak = scene.linear_springs
+    springs = (REPLACE(soft, yield_force=800.0), REPLACE(weak, a=0, strength=500.0))
+    integrator = sim.Integrator(method="rk4", dt=1e-3)
+    scene = REPLACE(scene, linear_springs=springs, integrator=integrator)
     simulation = Simulation(scene)
     simulation.lead(1, (-70.0, 0.0))
     simulation.lead(2, (70.0, 0.0))

@@ -10,6 +10,7 @@ import pytest
 
 import sim
 from sim.design.measurements import read_measurement
+from tests.sim.builders import built
 
 DATA = Path(__file__).with_name("free_swing.csv")
 ZERO = 0.7
@@ -41,17 +42,10 @@ def test_a_recorded_swing_gives_the_length_and_the_loss_that_are_read_off_it() -
     says that something is lacking, and its intervals are wide."""
     table = read_measurement(DATA)
     length, damping = read_off(table.time, table.columns[0].values)
-    guess = sim.Scene(
-        name="recorded",
-        masses=(
-            sim.Mass(position=(0.0, 0.0)),
-            sim.Mass(position=(0.0, LENGTH), velocity=(-500.0, 0.0)),
-        ),
-        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=2e5, rest_length=LENGTH),),
-        anchors=(sim.Anchor(mass=0),),
-        gravity=(0.0, 9810.0),
-        air_friction=1e-3,
-    )
+    guess = built(
+        [(0.0, 0.0), (0.0, LENGTH)], velocities=[(0.0, 0.0), (-500.0, 0.0)], stiffness=2e5, held=(0,),
+        gravity=(0.0, 9810.0), air_friction=1e-3,
+    )  # fmt: skip
     match = {"angle": f"{90.0 + ZERO} - spring0.direction"}
     found = sim.fit(guess, DATA, ["gravity", "mass1.vx", "air_friction"], match)
     gravity, (series,) = found.values["gravity"], found.series

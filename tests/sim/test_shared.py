@@ -13,15 +13,7 @@ from sim.store import shared
 from sim.store.shared import LETTERS, share_scene, shared_folder, shared_scene
 
 
-@pytest.fixture
-def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A data folder of the test's own."""
-    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
-    if tmp_path not in shared_folder().parents:
-        pytest.skip("this platform keeps data elsewhere than XDG_DATA_HOME says")
-
-
-def test_a_scene_is_found_by_its_code(home: None) -> None:
+def test_a_scene_is_found_by_its_code(home: Path) -> None:
     scene = sim.rope(masses=7)
     code = share_scene(scene)
     assert len(code) == 4
@@ -32,7 +24,7 @@ def test_a_scene_is_found_by_its_code(home: None) -> None:
     assert {path.suffix for path in shared_folder().iterdir()} == {".json"}
 
 
-def test_two_scenes_that_would_share_a_code_do_not(home: None, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_two_scenes_that_would_share_a_code_do_not(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shared, "letters_of", lambda digest: "BCDF" + f"{digest[0] % 8 + 2}" * 8)
     scenes = [sim.rope(masses=n) for n in range(3, 8)]
     codes = [share_scene(scene) for scene in scenes]
@@ -42,7 +34,7 @@ def test_two_scenes_that_would_share_a_code_do_not(home: None, monkeypatch: pyte
     assert [share_scene(scene) for scene in scenes] == codes
 
 
-def test_what_nobody_opened_for_long_makes_room(home: None, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_nobody_opened_for_long_makes_room(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shared, "MOST_KEPT", 3)
     codes = [share_scene(sim.rope(masses=n)) for n in (3, 4, 5)]
     for age, code in enumerate(codes):
@@ -55,7 +47,7 @@ def test_what_nobody_opened_for_long_makes_room(home: None, monkeypatch: pytest.
         shared_scene(codes[1])
 
 
-def test_all_that_is_kept_has_a_size(home: None, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_all_that_is_kept_has_a_size(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     codes = [share_scene(sim.rope(masses=3))]
     (path,) = shared_folder().iterdir()
     os.utime(path, (1e9, 1e9))
@@ -64,7 +56,7 @@ def test_all_that_is_kept_has_a_size(home: None, monkeypatch: pytest.MonkeyPatch
     assert {path.stem for path in shared_folder().iterdir()} == {codes[1]}
 
 
-def test_what_cannot_be_kept_is_one_sentence(home: None, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_cannot_be_kept_is_one_sentence(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(SceneError, match=r"takes \d+ bytes, more than the 300 that are kept") as caught:
         monkeypatch.setattr(shared, "MOST_BYTES", 300)
         share_scene(sim.rope())
@@ -72,13 +64,13 @@ def test_what_cannot_be_kept_is_one_sentence(home: None, monkeypatch: pytest.Mon
 
 
 @pytest.mark.parametrize("code", ["", "AB", "../x", "ZZZZ", "0000", "x" * 500, "BCDF\n", "BC.F", "B\0DF"])
-def test_what_is_no_code_is_one_sentence(home: None, code: str) -> None:
+def test_what_is_no_code_is_one_sentence(home: Path, code: str) -> None:
     with pytest.raises(SceneError, match="no scene is kept under") as caught:
         shared_scene(code)
     assert "\n" not in str(caught.value)
 
 
-def test_a_folder_that_cannot_be_written_is_one_sentence(home: None) -> None:
+def test_a_folder_that_cannot_be_written_is_one_sentence(home: Path) -> None:
     shared_folder().parent.mkdir(parents=True)
     shared_folder().write_text("a file where the folder should be")
     with pytest.raises(SceneError, match="the scene cannot be kept there") as caught:

@@ -10,9 +10,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from scipy.interpolate import BSpline
 
 import sim
+from tests.sim.builders import built
 
 LENGTH, PERIOD = 350.0, 2.0
 """mm, which a px is here, and s."""
@@ -37,31 +39,20 @@ def snake(n: int, **around: Any) -> sim.Scene:
     knots = [0.0, 0.0, 0.0, 0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0, 1.0, 1.0, 1.0]
     torque = BSpline(knots, TORQUES, 3)
     mass = DENSITY * area * piece
-    return sim.Scene(
-        name="snake",
-        masses=tuple(
-            sim.Mass(position=(piece * i, 0.0), mass=mass if 0 < i < n else mass / 2.0) for i in range(n + 1)
-        ),
-        linear_springs=tuple(
-            sim.LinearSpring(a=i, b=i + 1, stiffness=YOUNG * area / piece, rest_length=piece)
-            for i in range(n)
-        ),
-        angular_springs=tuple(
-            sim.AngularSpring(
-                a=j - 1,
-                b=j,
-                stiffness=bending / piece**3,
-                muscle=sim.JointMuscle(
-                    amplitude=math.degrees(float(torque(1.0 - j / n)) * piece / bending), phase=360.0 * j / n
-                ),
-            )
-            for j in range(1, n)
-        ),
-        beat=sim.Beat(frequency=1.0 / PERIOD),
-        **around,
-        force_law="angle",
-        integrator=sim.Integrator(method="generalized_alpha", dt=0.01),
-    )
+    muscles = [
+        sim.JointMuscle(
+            amplitude=math.degrees(float(torque(1.0 - j / n)) * piece / bending), phase=360.0 * j / n
+        )
+        for j in range(1, n)
+    ]
+    scene = built(
+        [(piece * i, 0.0) for i in range(n + 1)], mass=[mass / 2.0, *[mass] * (n - 1), mass / 2.0],
+        stiffness=YOUNG * area / piece, rest_length=piece, joint={"stiffness": bending / piece**3},
+        beat=sim.Beat(frequency=1.0 / PERIOD), force_law="angle",
+        integrator=sim.Integrator(method="generalized_alpha", dt=0.01), **around,
+    )  # fmt: skip
+    joints = zip(scene.angular_springs, muscles, strict=True)
+    return replace(scene, angular_springs=tuple(replace(joint, muscle=muscle) for joint, muscle in joints))
 
 
 def speed(scene: sim.Scene, periods: int) -> float:

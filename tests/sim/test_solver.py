@@ -15,10 +15,10 @@ from sim.methods.registry import METHODS
 from sim.motion.auto_costs import LONG
 from sim.scene.types import Circle, Method
 from tests.sim.bodies import body
+from tests.sim.builders import built
 from tests.sim.inside import drive, solver_of
 
 REPLACE = msgspec.structs.replace
-FLOWS: tuple[Method, ...] = tuple(m.name for m in METHODS.values() if m.order != 1)
 
 
 def test_methods_and_tracking_may_be_changed_on_the_way() -> None:
@@ -66,17 +66,9 @@ def test_lengths_are_softened_far_below_the_tolerance_and_not_at_all_for_the_tut
 
 def collapsing() -> Scene:
     """Two masses that fly through each other, a hair off the middle."""
-    return Scene(
-        name="pass",
-        masses=(
-            Mass(position=(0.0, 0.0), velocity=(1500.0, 0.0)),
-            Mass(position=(10.0, 0.003), velocity=(-1500.0, 0.0)),
-        ),
-        linear_springs=(LinearSpring(a=0, b=1, stiffness=1e4, rest_length=10.0),),
-        gravity=(0.0, 0.0),
-        air_friction=0.0,
-        integrator=Integrator(dt=0.005),
-    )
+    places, speeds = [(0.0, 0.0), (10.0, 0.003)], [(1500.0, 0.0), (-1500.0, 0.0)]
+    integrator = Integrator(dt=0.005)
+    return built(places, velocities=speeds, stiffness=1e4, rest_length=10.0, integrator=integrator)
 
 
 @pytest.mark.parametrize("method", ["auto", "adams", "rodas4", "rodas5p"])
@@ -135,23 +127,6 @@ def test_attempts_that_end_in_a_dead_end_only_delay(method: Method, attempts: in
     assert fallbacks > 0
     assert simulation.energy().fallbacks < 0.0
     assert simulation.time > 0.0
-
-
-def test_what_goes_round_starts_anew_from_where_it_is_put() -> None:
-    scene = sim.rope(5)
-    circle = Circle(radius=30.0, frequency=2.0, ramp=0.05)
-    simulation = Simulation(REPLACE(scene, bodies=(), anchors=(Anchor(mass=0, driven=True, circle=circle),)))
-    simulation.step(40)
-    away = simulation.positions[0]
-    simulation.move(0, (float(away[0]) + 50.0, float(away[1])))
-    simulation.step(40)
-    moved = simulation.positions[0]
-    other = Simulation(REPLACE(scene, bodies=(), anchors=(Anchor(mass=0, driven=True, circle=circle),)))
-    other.step(80)
-    assert moved - other.positions[0] == pytest.approx(np.array([50.0, 0.0]), abs=1e-9)
-    simulation.reset()
-    simulation.step(80)
-    assert simulation.positions[0] == pytest.approx(other.positions[0], abs=1e-9)
 
 
 @pytest.mark.parametrize("method", [name for name, info in METHODS.items() if info.adaptive])

@@ -15,18 +15,22 @@ from sim import Integrator, Scene, Simulation
 from sim.body.system import build_system
 from sim.methods import limits
 from sim.methods.registry import METHODS
-from sim.methods.tableaux import explicit
-from sim.motion.stability import quick_limit
-from sim.scene.types import ForceLaw
+from sim.methods.tableaux import RK4, explicit
+from sim.motion.stability import largest_step, quick_limit
+from sim.scene.types import ForceLaw, Method
 from tests.amount import part_of
-from tests.sim.amplification import dynamics, exact_limit, spectral_radius
-from tests.sim.bodies import LAWS, body
-from tests.sim.builders import chain, euler, row, tangle, tutorial_preset
+from tests.sim.bodies import LAWS, body, tangle
+from tests.sim.builders import chain, euler, row, tutorial_preset
 from tests.sim.inside import put
+from tests.sim.whole_step import hold
 
 REPLACE = msgspec.structs.replace
 SMALL = 1e-6
 """px, the motion that is watched: small enough for every force to be linear in it."""
+
+
+def by(scene: Scene, method: Method, dt: float = 0.001) -> Scene:
+    return REPLACE(scene, integrator=Integrator(method=method, dt=dt))
 
 
 def growth(scene: Scene, dt: float, axis: int, steps: int = 3000) -> float:
@@ -52,45 +56,73 @@ def wobbly(count: int, axis: int) -> list[tuple[float, float]]:
 
 
 # ------------------------------------------------------------------------- formulas
-@pytest.mark.parametrize("count", [3, 4, 10, 30])
-def test_axial_limit(count: int) -> None:
-    stiffness, mass = 5000.0, 2.0
-    scene = chain(wobbly(count, 0), stiffness=stiffness, mass=mass, held=(0, count - 1))
-    springs = count - 1
-    limit = math.sqrt(mass / stiffness) / math.sin((springs - 1) * math.pi / (2 * springs))
-    assert limit >= math.sqrt(mass / stiffness)
-    assert growth(scene, 0.98 * limit, 0) < 100.0
-    assert growth(scene, 1.02 * limit, 0) == 1e6
-    assert Simulation(scene).stability().limit == pytest.approx(limit, rel=1e-3)
-    assert Simulation(scene).stability().cause == "linear stiffness"
+@pytest.mark.parametrize(
+    ("cause", "count"),
+    [
+        *(("linear stiffness", count) for count in (3, 4, 10, 30)),
+        *(("angular stiffness", count) for count in (5, 10, 30)),
+    ],
+)
+def test_limit_of_a_row(cause: str, count: int) -> None:
+    # The sine of the fastest mode's half wave number is what a finite row lacks of a long one.
+    bends, stiffness, mass = cause == "angular stiffness", 800.0, 0.5
+    along, across = (0.0, stiffness) if bends else (stiffness, 0.0)
+    places, held = wobbly(count, int(bends)), (0, count - 1)
+    scene = chain(places, stiffness=along, angular_stiffness=across, mass=mass, held=held)
+    sine = math.sin((count - 2) * math.pi / (2 * (count - 1)))
+    limit = math.sqrt(mass / stiffness) * (0.5 / sine**2 if bends else 1.0 / sine)
+    assert growth(scene, 0.98 * limit, int(bends)) < 100.0
+    assert growth(scene, 1.02 * limit, int(bends)) == 1e6
+    estimate = Simulation(scene).stability()
+    assert (estimate.limit, estimate.cause) == (pytest.approx(limit, rel=1e-3), cause)
 
 
-@pytest.mark.parametrize("count", [5, 10, 30])
-def test_bending_limit(count: int) -> None:
-    # Pinned ends: sin² of the fastest mode's half wave number is what a finite chain lacks of a long one.
-    stiffness, mass = 800.0, 0.5
-    scene = chain(wobbly(count, 1), angular_stiffness=stiffness, mass=mass, held=(0, count - 1))
-    springs = count - 1
-    limit = 0.5 * math.sqrt(mass / stiffness) / math.sin((springs - 1) * math.pi / (2 * springs)) ** 2
-    assert limit >= 0.5 * math.sqrt(mass / stiffness)
-    assert growth(scene, 0.98 * limit, 1) < 100.0
-    assert growth(scene, 1.02 * limit, 1) == 1e6
-    assert Simulation(scene).stability().limit == pytest.approx(limit, rel=1e-3)
-    assert Simulation(scene).stability().cause == "angular stiffness"
-
-
-@pytest.mark.parametrize("zeta", [0.05, 0.3, 1.0, 3.0])
-def test_damped_limit(zeta: float) -> None:
+def oscillator(zeta: float, method: Method, dt: float = 0.001) -> tuple[Scene, float]:
+    """A slightly displaced mass on a spring, and its angular frequency."""
     stiffness, mass = 4000.0, 1.5
     omega = math.sqrt(stiffness / mass)
-    positions = [(0.0, 0.0), (10.0 + SMALL, 0.0)]
-    scene = chain(positions, stiffness=stiffness, mass=mass, damping=2.0 * zeta * omega * mass, held=(0,))
-    limit = 2.0 * (math.sqrt(1.0 + zeta * zeta) - zeta) / omega
-    assert growth(scene, 0.98 * limit, 0) < 100.0
-    assert growth(scene, 1.02 * limit, 0) == 1e6
-    assert Simulation(scene).stability().limit == pytest.approx(limit, rel=1e-3)
-    expected = "linear damping" if zeta >= 0.5 else "linear stiffness"
-    assert Simulation(scene).stability().cause == expected
+    positions, damping = [(0.0, 0.0), (10.0 + SMALL, 0.0)], 2.0 * zeta * omega * mass
+    return by(chain(positions, stiffness=stiffness, mass=mass, damping=damping, held=(0,)), method, dt), omega
+
+
+FORMULAS = {
+    "symplectic_euler": lambda zeta: 2.0 * (math.sqrt(1.0 + zeta**2) - zeta),
+    "velocity_verlet": lambda zeta: 2.0 * (math.sqrt(1.0 + 4.0 * zeta**2) - 2.0 * zeta),
+}
+"""Limits of omega dt."""
+
+
+@pytest.mark.parametrize("zeta", [0.0, 0.3, 1.0, 3.0])
+@pytest.mark.parametrize("method", FORMULAS)
+def test_limit_of_a_damped_mode(method: Method, zeta: float) -> None:
+    scene, omega = oscillator(zeta, method)
+    limit, damps = FORMULAS[method](zeta) / omega, 0.25 if method == "velocity_verlet" else 0.5
+    estimate = Simulation(scene).stability()
+    assert estimate.limit == pytest.approx(limit, rel=1e-4)
+    assert estimate.cause == ("linear damping" if zeta >= damps else "linear stiffness")
+    assert largest_step(scene, method) == pytest.approx(limit, rel=1e-4)
+    assert growth(scene, 0.99 * limit, 0) < 300.0
+    assert growth(scene, 1.01 * limit, 0) > 300.0
+
+
+@pytest.mark.parametrize(("zeta", "reach"), [(0.0, math.sqrt(8.0)), (10.0, 2.785293563)])
+def test_limit_of_runge_kutta(zeta: float, reach: float) -> None:
+    # Along the imaginary axis, and along the negative real one (Hairer & Wanner II, IV.2).
+    scene, omega = oscillator(zeta, "rk4")
+    fastest = omega * (zeta + math.sqrt(max(zeta**2 - 1.0, 0.0))) if zeta else omega
+    assert Simulation(scene).stability().limit == pytest.approx(reach / fastest, rel=1e-5)
+
+
+@pytest.mark.parametrize("zeta", [0.0, 0.1, 0.5, 0.9, 1.5])
+def test_runge_kutta_on_both_sides(zeta: float) -> None:
+    scene, _ = oscillator(zeta, "rk4")
+    limit = largest_step(scene, "rk4")
+    assert growth(scene, 0.98 * limit, 0) < 300.0
+    assert growth(scene, 1.02 * limit, 0) > 300.0
+
+
+def test_stability_polynomial_is_that_of_the_exponential() -> None:
+    assert limits.stability_polynomial(RK4) == pytest.approx([1.0, 1.0, 1 / 2, 1 / 6, 1 / 24])
 
 
 def test_nothing_that_pulls_has_no_limit() -> None:
@@ -142,7 +174,7 @@ def test_quick_limit_where_nothing_pulls_or_moves() -> None:
     assert quick(chain(row(3), stiffness=1.0, held=(0, 1, 2))) == math.inf
 
 
-# ------------------------------------------------------------------------- against dense matrices
+# ------------------------------------------------------------------------- against the whole step
 PRESETS_AND_LAWS = [
     *itertools.product(["tutorial-3.3", "ring", "box"], LAWS),
     ("hair-tuft", "conservative"),
@@ -150,31 +182,16 @@ PRESETS_AND_LAWS = [
 ]
 
 
-def estimate_and_limit(simulation: Simulation) -> tuple[float, float, tuple[np.ndarray, np.ndarray]]:
-    k, c = dynamics(simulation.scene, simulation.positions, simulation.velocities)
-    return simulation.stability().limit, exact_limit(k, c), (k, c)
-
-
 @pytest.mark.parametrize(("preset", "law"), part_of(PRESETS_AND_LAWS, 3))
 def test_meter_on_presets(preset: str, law: ForceLaw) -> None:
-    # The dense matrices know no wind.
-    simulation = Simulation(REPLACE(sim.load_scene(preset), force_law=law, integrator=euler(), wind=None))
-    estimate, limit, (k, c) = estimate_and_limit(simulation)
-    assert estimate == pytest.approx(limit, rel=0.01)
-    # And it is the limit of stability: nothing grows below it, something does above.
-    assert spectral_radius(k, c, 0.98 * limit) <= 1.0 + 1e-4
-    assert spectral_radius(k, c, 1.02 * limit) > 1.01
+    hold(Simulation(REPLACE(sim.load_scene(preset), force_law=law, integrator=euler())))
 
 
 @pytest.mark.parametrize("damping", [0.5, 1.5, 5.0])
 def test_the_first_estimate_is_as_good_as_later_ones(damping: float) -> None:
     # The flag's damping and the pole's stiffness each have a limit of their own, far from the step that the
     # meter begins with.
-    simulation = Simulation(sim.flag_pole(flag_damping=damping, wind=None, integrator=euler()))
-    estimate, limit, (k, c) = estimate_and_limit(simulation)
-    assert estimate == pytest.approx(limit, rel=1e-3)
-    assert spectral_radius(k, c, 0.995 * limit) <= 1.0 + 1e-4
-    assert spectral_radius(k, c, 1.005 * limit) > 1.001
+    hold(Simulation(sim.flag_pole(flag_damping=damping, wind=None, integrator=euler())), 1e-3)
 
 
 def test_the_meter_sees_when_another_body_gets_stiffer() -> None:
@@ -196,22 +213,20 @@ def test_the_meter_sees_when_another_body_gets_stiffer() -> None:
 
 @pytest.mark.parametrize(("preset", "law"), part_of(PRESETS_AND_LAWS, 4))
 def test_meter_follows_a_body_in_motion(preset: str, law: ForceLaw) -> None:
-    scene = REPLACE(sim.load_scene(preset), force_law=law, integrator=euler(), wind=None)
+    scene = REPLACE(sim.load_scene(preset), force_law=law, integrator=euler())
     simulation = Simulation(scene)
     driven = next(a.mass for a in scene.anchors if a.driven)
     x, y = scene.masses[driven].position
     for frame in range(4):
         simulation.lead(driven, (x + 60.0 * math.sin(frame), y + 30.0 * math.cos(2.0 * frame)))
         simulation.step(40)
-        estimate, limit, _ = estimate_and_limit(simulation)
-        assert estimate == pytest.approx(limit, rel=0.01)
+        hold(simulation)
 
 
 @pytest.mark.parametrize("seed", range(8))
 def test_meter_on_random_bodies(seed: int) -> None:
     scene = REPLACE(tangle(seed, held=(0, 3)), air_friction=0.01)
-    estimate, limit, _ = estimate_and_limit(Simulation(scene))
-    assert estimate == pytest.approx(limit, rel=0.01)
+    hold(Simulation(scene))
 
 
 @pytest.mark.parametrize("damping", [0.0, 30.0])
@@ -219,8 +234,7 @@ def test_meter_on_random_bodies(seed: int) -> None:
 @pytest.mark.parametrize("shape", part_of(["chain", "girder", "hub"], 3))
 def test_meter_sees_angular_damping(shape: str, law: ForceLaw, damping: float) -> None:
     scene = body(shape, law, 3, damping=damping, twist=200.0, held=(1,))
-    estimate, limit, _ = estimate_and_limit(Simulation(scene))
-    assert estimate == pytest.approx(limit, rel=0.01)
+    limit = hold(Simulation(scene))
     # It matters: without it, longer steps would do.
     without = body(shape, law, 3, damping=damping, twist=0.0, held=(1,))
     assert Simulation(without).stability().limit > 1.3 * limit
@@ -233,8 +247,7 @@ def test_meter_at_random_positions(preset: str, seed: int) -> None:
     rng = np.random.default_rng(seed)
     positions = simulation.positions
     put(simulation, positions + rng.normal(0.0, 6.0, positions.shape))
-    estimate, limit, _ = estimate_and_limit(simulation)
-    assert estimate == pytest.approx(limit, rel=0.01)
+    hold(simulation)
 
 
 def test_meter_sees_keys_and_grabs() -> None:
@@ -250,19 +263,8 @@ def test_meter_sees_keys_and_grabs() -> None:
     simulation.keys = set()
     simulation.step(2000)
     # The torques grow with the lengths but so do the levers; what must hold is that it follows.
-    estimate, limit, _ = estimate_and_limit(simulation)
-    assert estimate == pytest.approx(limit, rel=0.01)
+    hold(simulation)
     assert before == pytest.approx(0.005, rel=0.05)
-
-
-def test_meter_only_reads() -> None:
-    simulation, other = (Simulation(REPLACE(sim.load_scene("ring"), integrator=euler())) for _ in range(2))
-    for _ in range(5):
-        simulation.stability()
-        simulation.step(20)
-        other.step(20)
-    assert np.array_equal(simulation.positions, other.positions)
-    assert np.array_equal(simulation.velocities, other.velocities)
 
 
 @pytest.mark.parametrize("law", ["tutorial", "conservative", "angle"])
@@ -316,3 +318,35 @@ def test_a_look_in_parts_finds_the_same() -> None:
         parts += 1
         other.step(1)
     assert parts > 20
+
+
+# ------------------------------------------------------------------------- methods without a limit
+@pytest.mark.parametrize("damping", [0.0, 40.0, 4000.0])
+@pytest.mark.parametrize("method", ["generalized_alpha", "stable_spring"])
+def test_no_step_is_too_long(method: Method, damping: float) -> None:
+    scene = chain(row(6), stiffness=1e5, angular_stiffness=1e5, damping=damping, held=(0,))
+    positions = np.array(row(6)) + SMALL * np.random.default_rng(3).normal(size=(6, 2))
+    off = REPLACE(
+        scene, pose=sim.Pose(positions=tuple(map(tuple, positions.tolist())), velocities=((0.0, 0.0),) * 6)
+    )
+    assert largest_step(scene, method) == math.inf
+    for factor in (1.5, 10.0, 100.0):
+        dt = factor * largest_step(scene, "symplectic_euler")
+        assert max(growth(by(off, method), dt, axis, 400) for axis in (0, 1)) < 300.0
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_only_explicit_methods_with_a_fixed_step_have_a_limit(method: Method) -> None:
+    limit = Simulation(by(sim.load_scene("tutorial-3.3"), method)).stability().limit
+    info = METHODS[method]
+    assert (limit < math.inf) == (not info.adaptive and not info.implicit) == (info.limit is not None)
+
+
+def test_the_stable_spring_has_a_limit_where_proportions_are_lost() -> None:
+    # A torque is levered by the ratio of the lengths, and clamped by that of the rest lengths.
+    positions = [(0.0, 0.0), (10.0, 0.0), (11.0, 0.0), (21.0, 0.0)]
+    scene = chain(positions, angular_stiffness=1e4, held=(0,))
+    limit = largest_step(scene, "stable_spring")
+    assert limit < 1.0
+    for dt, beyond in ((0.98 * limit, False), (1.02 * limit, True)):
+        assert (dt > Simulation(by(scene, "stable_spring", dt)).stability().limit) == beyond

@@ -83,22 +83,21 @@ def wandered(scene: Scene) -> float:
 
 
 # ------------------------------------------------------------------------- never
-@pytest.mark.parametrize("ratio", [1e-3, 1.0, 1e3])
-@pytest.mark.parametrize("preset", SHAPES)
-def test_it_never_explodes(preset: str, ratio: float) -> None:
-    cases = [*itertools.product(STIFFNESSES, STEPS, (0.0, 40.0, 1e6), (0.0, 1e6))]
-    for stiffness, dt, damping, twist in part_of(cases, 5):
-        scene = shaken(preset, stiffness=stiffness, dt=dt, damping=damping, twist=twist, ratio=ratio)
-        assert wandered(scene) <= 600.0, (stiffness, dt, damping, twist)
-
-
-@pytest.mark.parametrize("law", ["tutorial", "angle"])
-@pytest.mark.parametrize("preset", SHAPES)
-def test_it_never_explodes_under_other_laws(preset: str, law: ForceLaw) -> None:
+RATIOS = (1e-3, 1.0, 1e3)
+CASES = {
+    "conservative": [*itertools.product(STIFFNESSES, STEPS, (0.0, 40.0, 1e6), (0.0, 1e6), RATIOS)],
     # With some damping: without any, a law that is no gradient does work for ever.
-    for stiffness, dt, ratio in part_of([*itertools.product(STIFFNESSES, STEPS, (1e-3, 1.0, 1e3))], 5):
-        scene = shaken(preset, stiffness=stiffness, dt=dt, damping=40.0, ratio=ratio, law=law)
-        assert wandered(scene) <= 600.0, (stiffness, dt, ratio)
+    "tutorial": [*itertools.product(STIFFNESSES, STEPS, (40.0,), (0.0,), RATIOS)],
+    "angle": [*itertools.product(STIFFNESSES, STEPS, (40.0,), (0.0,), RATIOS)],
+}
+
+
+@pytest.mark.parametrize("law", CASES)
+@pytest.mark.parametrize("preset", SHAPES)
+def test_it_never_explodes(preset: str, law: ForceLaw) -> None:
+    for stiffness, dt, damping, twist, ratio in part_of(CASES[law], 5):
+        scene = shaken(preset, stiffness=stiffness, dt=dt, damping=damping, twist=twist, ratio=ratio, law=law)
+        assert wandered(scene) <= 600.0, (stiffness, dt, damping, twist, ratio)
 
 
 @pytest.mark.parametrize("preset", SHAPES)

@@ -19,7 +19,7 @@ from sim.methods.registry import METHODS
 from sim.motion.stability import largest_step
 from sim.scene.types import Method
 from tests.amount import examples, part_of
-from tests.sim.builders import euler
+from tests.sim.builders import built, euler
 
 EULER, VERLET = euler(), sim.Integrator(method="velocity_verlet")
 
@@ -28,30 +28,19 @@ def weight(
     k: float = 500.0, c: float = 3.0, mass: float = 2.0, gravity: float = 90.0, **changes: object
 ) -> sim.Scene:
     """A mass that hangs by a spring."""
-    scene = sim.Scene(
-        name="weight",
-        masses=(sim.Mass(position=(0.0, 0.0)), sim.Mass(position=(0.0, 100.0), mass=mass)),
-        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=k, damping=c, rest_length=100.0),),
-        anchors=(sim.Anchor(mass=0),),
-        gravity=(0.0, gravity),
-        integrator=EULER,
-    )
+    scene = built(
+        [(0.0, 0.0), (0.0, 100.0)], mass=(1.0, mass), stiffness=k, damping=c, held=(0,),
+        gravity=(0.0, gravity), integrator=EULER,
+    )  # fmt: skip
     return replace(scene, **changes)
 
 
 def row(stiffness: list[float], damping: list[float], masses: list[float], dt: float = 0.0025) -> sim.Scene:
     """Springs in a row, held at both ends, without gravity."""
     count = len(stiffness)
-    return sim.Scene(
-        name="row",
-        masses=tuple(sim.Mass(position=(10.0 * i, 0.0), mass=masses[i]) for i in range(count + 1)),
-        linear_springs=tuple(
-            sim.LinearSpring(a=i, b=i + 1, stiffness=stiffness[i], damping=damping[i], rest_length=10.0)
-            for i in range(count)
-        ),
-        anchors=(sim.Anchor(mass=0), sim.Anchor(mass=count)),
-        integrator=euler(dt),
-    )
+    places = [(10.0 * i, 0.0) for i in range(count + 1)]
+    numbers: dict[str, Any] = {"stiffness": stiffness, "damping": damping, "mass": masses}
+    return built(places, **numbers, held=(0, count), integrator=euler(dt))
 
 
 # ------------------------------------------------------------------------- what numbers mean
@@ -119,29 +108,6 @@ def test_a_row_of_springs_has_the_frequencies_of_the_textbook() -> None:
     assert found.springs.frequency[1:-1] == pytest.approx([alone] * (n - 1))
     # At both ends one mass is held.
     assert found.springs.frequency[[0, -1]] == pytest.approx([alone / math.sqrt(2.0)] * 2)
-
-
-def test_a_joint_alone_is_that_of_three_masses() -> None:
-    scene = sim.Scene(
-        name="three",
-        masses=tuple(sim.Mass(position=(x, 0.0), mass=m) for x, m in ((0.0, 1.0), (30.0, 2.0), (80.0, 0.5))),
-        linear_springs=(
-            sim.LinearSpring(a=0, b=1, stiffness=1e7, rest_length=30.0),
-            sim.LinearSpring(a=1, b=2, stiffness=1e7, rest_length=50.0),
-        ),
-        angular_springs=(sim.AngularSpring(a=0, b=1, stiffness=4.0, damping=0.02),),
-    )
-    found = sim.tuning(scene)
-    assert found.elastic is not None
-    assert found.joints.frequency == pytest.approx([found.elastic.frequency], rel=1e-4)
-    assert found.joints.damping_ratio == pytest.approx([found.elastic.damping_ratio], rel=1e-4)
-    # Turned around, and with the parts in another order, it is the same.
-    springs = (scene.linear_springs[1], scene.linear_springs[0])
-    other = replace(
-        scene, linear_springs=springs, angular_springs=(replace(scene.angular_springs[0], a=1, b=0),)
-    )
-    assert sim.tuning(other).joints.frequency == pytest.approx(found.joints.frequency)
-    assert sim.tuning(other).springs.frequency[::-1] == pytest.approx(found.springs.frequency)
 
 
 @pytest.mark.parametrize("name", part_of(["rod", "ring", "cloth", "air-balloon", "tutorial-3.3"], 3))
@@ -297,35 +263,6 @@ def test_a_spring_is_damped_critically_by_the_known_solution() -> None:
         assert whole.linear_springs[0].damping == pytest.approx(2.0 * math.sqrt(k * mass), rel=1e-6)
 
 
-def test_a_damped_rod_comes_back_as_the_known_solution_says() -> None:
-    rod = sim.rod(masses=7, length=200.0)
-    rod = replace(rod, gravity=(0.0, 0.0), air_friction=0.0, force_law="conservative")
-    made = sim.damp_vibration(rod)
-    found = sim.tuning(made)
-    assert found.elastic is not None
-    assert found.elastic.damping_ratio == pytest.approx(1.0, rel=1e-6)
-    # Joints have what it takes, springs what they had.
-    assert [s.damping for s in made.linear_springs] == [s.damping for s in rod.linear_springs]
-    assert all(j.damping > 0.0 for j in made.angular_springs)
-    # Bent a little, it comes back without passing: by (1 + w t) exp(-w t).
-    rest = np.array([m.position for m in made.masses])
-    bent = rest + 0.5 * found.elastic.shape
-    start = replace(
-        made,
-        pose=sim.Pose(positions=tuple(map(tuple, bent.tolist())), velocities=((0.0, 0.0),) * len(bent)),
-        integrator=sim.Integrator(method="rodas5p", tolerance=1e-7, dt=0.01),
-    )
-    simulation = sim.Simulation(start)
-    omega = math.tau * found.elastic.frequency
-    free = np.argmax(np.abs(found.elastic.shape).max(1))
-    for _ in range(5):
-        simulation.advance(round(1.0 / omega / 0.01) * 0.01)
-        part = (simulation.positions - rest)[free] @ found.elastic.shape[free] * 2.0
-        part /= float((found.elastic.shape[free] ** 2).sum())
-        wt = omega * simulation.time
-        assert part == pytest.approx((1.0 + wt) * math.exp(-wt), abs=0.01)
-
-
 def test_the_swing_under_gravity_is_passed_over_unless_it_is_asked_for() -> None:
     scene = sim.load_scene("tutorial-3.3")
     made = sim.damp_vibration(scene)
@@ -371,18 +308,10 @@ def test_dampings_of_the_other_kind_stay_unless_they_are_too_much_alone() -> Non
         [j.damping for j in row_of.angular_springs], rel=1e-6
     )
     # A mass at the corner of two springs and a weak joint: the springs hold it, the joint damps too much.
-    corner = sim.Scene(
-        name="corner",
-        masses=tuple(sim.Mass(position=p) for p in ((0.0, 0.0), (50.0, 0.0), (80.0, 40.0))),
-        linear_springs=(
-            sim.LinearSpring(a=0, b=1, stiffness=500.0, damping=1.0, rest_length=50.0),
-            sim.LinearSpring(a=1, b=2, stiffness=500.0, damping=1.0, rest_length=50.0),
-        ),
-        angular_springs=(
-            sim.AngularSpring(a=0, b=1, stiffness=1.0, damping=900.0, rest_angle=53.130102354155980),
-        ),
-        anchors=(sim.Anchor(mass=0), sim.Anchor(mass=2)),
-    )
+    corner = built(
+        [(0.0, 0.0), (50.0, 0.0), (80.0, 40.0)], stiffness=500.0, damping=1.0, rest_length=50.0, held=(0, 2),
+        joint={"stiffness": 1.0, "damping": 900.0, "rest_angle": 53.130102354155980},
+    )  # fmt: skip
     made = sim.damp_vibration(corner)
     assert [s.damping for s in made.linear_springs] == [0.0, 0.0]
     assert 0.0 < made.angular_springs[0].damping < 900.0
@@ -427,14 +356,9 @@ def test_friction_damps_a_small_vibration_as_at_a_creep(slip: float) -> None:
         point=(0.0, 0.0), normal=(0.0, -1.0), hardness=1e4, friction=0.02, slip_speed=slip, bounciness=1.0
     )
     depth = math.sqrt(1000.0 / 1e4)
-    scene = sim.Scene(
-        name="lying",
-        masses=(sim.Mass(position=(0.0, depth)), sim.Mass(position=(50.0, depth), mass=2.0)),
-        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=100.0, rest_length=50.0),),
-        anchors=(sim.Anchor(mass=0),),
-        gravity=(0.0, 1000.0),
-        walls=(floor,),
-    )
+    places = [(0.0, depth), (50.0, depth)]
+    fields: dict[str, Any] = {"gravity": (0.0, 1000.0), "walls": (floor,)}
+    scene = built(places, mass=(1.0, 2.0), stiffness=100.0, held=(0,), **fields)
     found = sim.tuning(scene).slowest
     assert found is not None
     omega = math.tau * found.frequency
@@ -446,14 +370,12 @@ def test_what_is_told_of_a_body_on_a_floor_does_not_depend_on_its_method(own: An
     """Two masses that lie on a floor, which some methods soften: each swings on it with sqrt(2 H d)."""
     hardness, depth = 1e4, math.sqrt(1000.0 / 1e4)
     floor = sim.Wall(point=(0.0, 0.0), normal=(0.0, -1.0), hardness=hardness, friction=0.0, bounciness=0.5)
-    scene = sim.Scene(
-        name="lying",
-        masses=tuple(sim.Mass(position=(x, depth)) for x in (0.0, 50.0)),
-        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=10.0, rest_length=50.0),),
-        gravity=(0.0, 1000.0),
-        walls=(floor,),
-        integrator=sim.Integrator(method=own, dt=0.01),
-    )
+    fields: dict[str, Any] = {
+        "gravity": (0.0, 1000.0),
+        "walls": (floor,),
+        "integrator": sim.Integrator(method=own, dt=0.01),
+    }
+    scene = built([(0.0, depth), (50.0, depth)], stiffness=10.0, **fields)
     told = sim.tuning(scene)
     assert told.fastest is not None
     omega = math.sqrt(2.0 * hardness * depth)

@@ -15,8 +15,9 @@ from sim import Integrator, Scene, Simulation
 from sim.edit.edit import of_parts
 from sim.scene.types import Damage, Method, Pose
 from tests.amount import part_of
+from tests.sim.bodies import body
 from tests.sim.builders import chain
-from tests.sim.whole_step import whole_limit
+from tests.sim.whole_step import hold
 
 REPLACE = msgspec.structs.replace
 METHODS_WITH_LIMIT: tuple[Method, ...] = ("symplectic_euler", "velocity_verlet", "rk4")
@@ -38,11 +39,15 @@ def turning(scene: Scene, rate: float) -> Scene:
     return REPLACE(scene, masses=masses, anchors=(), gravity=(0.0, 0.0))
 
 
-def hold(simulation: Simulation, within: float = 0.01) -> None:
-    said = simulation.stability().limit
-    assert said == pytest.approx(whole_limit(simulation, said), rel=within)
-    # And so do later looks, which start from what the first has found.
-    assert simulation.stability().limit == pytest.approx(said, rel=0.005)
+SHAPES = (("chain", 0), ("ring", 0), ("hub", 0), ("girder", 3))
+RESTING = [*product(SHAPES, (0.0, 30.0, 300.0), METHODS_WITH_LIMIT)]
+
+
+@pytest.mark.parametrize(("shape", "damping", "method"), part_of(RESTING, 3))
+def test_bodies_of_any_shape_at_rest(shape: tuple[str, int], damping: float, method: Method) -> None:
+    name, seed = shape
+    scene = by(body(name, "conservative", seed, damping=damping, held=(1,)), method)
+    hold(Simulation(REPLACE(scene, pose=sim.equilibrium(scene))))
 
 
 @pytest.mark.parametrize(("rate", "method"), part_of([*product((0.0, 0.5, 3.0), METHODS_WITH_LIMIT)], 3))

@@ -12,12 +12,14 @@ from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Sce
 from sim.scene.surroundings import Contact
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import body
+from tests.sim.builders import built
 
 REPLACE = msgspec.structs.replace
 SOFT = Contact(distance=12.0, stiffness=50.0, friction=0.7, slip_speed=80.0, bounciness=0.6)
 SMOOTH = REPLACE(SOFT, friction=0.0, bounciness=1.0)
 HARD = Contact(distance=6.0, stiffness=500.0, friction=0.4, bounciness=0.3)
 CONSTANT = REPLACE(SOFT, restitution="constant")
+HELD = REPLACE(CONSTANT, tangential_stiffness=900.0)
 Pairs = set[tuple[int, int]]
 """Springs, and slots of masses."""
 
@@ -61,48 +63,27 @@ def ring(
 ) -> Scene:
     """A ring of masses of 0.1 kg, as one body."""
     turns = [math.tau * i / count for i in range(count)]
-    edge = 2.0 * radius * math.sin(math.pi / count)
     x, y = centre
-    return Scene(
-        name="ring",
-        masses=tuple(
-            Mass(position=(x + radius * math.cos(v), y + radius * math.sin(v)), velocity=velocity, mass=0.1)
-            for v in turns
-        ),
-        linear_springs=tuple(
-            LinearSpring(a=i, b=(i + 1) % count, stiffness=3000.0, damping=0.5, rest_length=edge)
-            for i in range(count)
-        ),
-        angular_springs=tuple(
-            AngularSpring(a=i, b=(i + 1) % count, stiffness=2000.0, rest_angle=360.0 / count)
-            for i in range(count)
-        ),
-    )
+    pairs = [(i, (i + 1) % count) for i in range(count)]
+    joint = AngularSpring(a=0, b=1, stiffness=2000.0, rest_angle=360.0 / count)
+    return built(
+        [(x + radius * math.cos(v), y + radius * math.sin(v)) for v in turns], pairs, mass=0.1,
+        velocities=[velocity] * count, stiffness=3000.0, damping=0.5,
+        rest_length=2.0 * radius * math.sin(math.pi / count),
+        angular_springs=tuple(REPLACE(joint, a=a, b=b) for a, b in pairs),
+    )  # fmt: skip
 
 
 def line(start: tuple[float, float], step: tuple[float, float], count: int, held: tuple[int, ...]) -> Scene:
     """A rope of masses of 0.1 kg in a straight line."""
-    return Scene(
-        name="line",
-        masses=tuple(
-            Mass(position=(start[0] + step[0] * i, start[1] + step[1] * i), mass=0.1) for i in range(count)
-        ),
-        linear_springs=tuple(
-            LinearSpring(a=i, b=i + 1, stiffness=4000.0, damping=2.0, rest_length=math.hypot(*step))
-            for i in range(count - 1)
-        ),
-        anchors=tuple(Anchor(mass=mass) for mass in held),
-    )
-
-
-def contact_force(scene: Scene) -> tuple[Floats, Floats]:
-    """(n, 2) positions, and the forces of contact."""
-    with_it, without = Arrays(scene), Arrays(REPLACE(scene, contact=None))
-    forces = [
-        arrays.pairs_of(arrays.weight * arrays.accelerations(arrays.q, arrays.v))
-        for arrays in (with_it, without)
-    ]
-    return with_it.pairs(with_it.q), forces[0] - forces[1]
+    places = [(start[0] + step[0] * i, start[1] + step[1] * i) for i in range(count)]
+    numbers: dict[str, Any] = {
+        "mass": 0.1,
+        "stiffness": 4000.0,
+        "damping": 2.0,
+        "rest_length": math.hypot(*step),
+    }
+    return built(places, **numbers, held=held)
 
 
 def listed(arrays: Arrays) -> Pairs:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 from sim import Simulation
@@ -59,6 +60,11 @@ def step_matrix(simulation: Simulation, h: float) -> Floats:
     return np.column_stack(columns)[:, order]
 
 
+def spectral_radius(simulation: Simulation, h: float) -> float:
+    """By how much the small motion that grows fastest grows in a step of h seconds."""
+    return float(np.abs(np.linalg.eigvals(step_matrix(simulation, h))).max())
+
+
 def whole_limit(simulation: Simulation, near: float) -> float:
     """The step at which a motion begins to grow that would not by itself, to 0.05 %.
 
@@ -67,14 +73,19 @@ def whole_limit(simulation: Simulation, near: float) -> float:
         near: s, where to start from.
     """
     fine = 0.02 * near
-    own = float(np.log(np.abs(np.linalg.eigvals(step_matrix(simulation, fine))).max())) / fine
+    values = np.linalg.eigvals(step_matrix(simulation, fine))
+    rates = np.log(values[np.abs(values) > 0.5]) / fine
+    own = float(rates.real.max(initial=0.0))
+    # Under the tutorial's law fast vibrations may grow by themselves, too.
+    fast = rates[(np.abs(rates) > 0.5 * np.abs(rates).max()) & (rates.imag != 0.0)]
+    vibrating = float(fast.real.max(initial=0.0))
 
     def grows(h: float) -> bool:
         values = np.linalg.eigvals(step_matrix(simulation, h))
         if simulation.method == "rk4":
-            return bool(np.abs(values).max() > GROWS * np.exp(1.1 * max(own, 0.0) * h))
+            return bool(np.abs(values).max() > GROWS * np.exp(1.1 * own * h))
         # What the step resolves grows as it does by itself; what it causes changes its direction.
-        return bool((np.abs(values[values.real < 0.0]) > GROWS).any())
+        return bool((np.abs(values[values.real < 0.0]) > GROWS * np.exp(2.0 * vibrating * h)).any())
 
     return bisected(grows, near)
 
@@ -90,3 +101,12 @@ def bisected(grows: Callable[[float], bool], near: float) -> float:
         middle = (low * high) ** 0.5
         low, high = (low, middle) if grows(middle) else (middle, high)
     return low
+
+
+def hold(simulation: Simulation, within: float = 0.01) -> float:
+    """Hold the stability meter against the whole step, and return the limit that it says."""
+    said = simulation.stability().limit
+    assert said == pytest.approx(whole_limit(simulation, said), rel=within)
+    # And so do later looks, which start from what the first has found.
+    assert simulation.stability().limit == pytest.approx(said, rel=0.005)
+    return said

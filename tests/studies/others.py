@@ -5,10 +5,10 @@ from __future__ import annotations
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import msgspec
 
@@ -28,6 +28,24 @@ def wait_for_rows(path: Path, count: int, process: subprocess.Popen[str]) -> Non
         assert process.poll() is None, "it ended before anything could be done to it"
         assert time.monotonic() < patience
         time.sleep(0.005)
+
+
+def disturbed(
+    words: Sequence[str],
+    rows: Path,
+    count: int,
+    disturb: Callable[[subprocess.Popen[str]], None],
+    **more: Any,
+) -> tuple[int, str]:
+    """The exit status of a command to which something is done after so many runs, and what it said."""
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **more)
+    try:
+        wait_for_rows(rows, count, process)
+        disturb(process)
+        said, _ = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    return process.returncode, said
 
 
 class Cluster(NamedTuple):

@@ -11,7 +11,7 @@ import pytest
 
 import sim
 from tests.studies.improving import improved, rows_by_number, wanted_of
-from tests.studies.others import CLUSTERS, PATIENCE, cluster, wait_for_rows
+from tests.studies.others import CLUSTERS, cluster, disturbed
 
 SETTINGS, VARY = ("method=rk4", "dt=2e-5", "masses=8"), ("gravity=200..2000", "rest_angle=-20..50")
 GOAL, DURATION, RUNS, SEED = "min mean mass7.y", 0.4, 16, 7
@@ -50,17 +50,13 @@ def assert_same(out: Path, other: Path) -> None:
 
 def test_a_worker_that_is_killed_loses_nothing(undisturbed: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
-    process = subprocess.Popen(
-        command(out, "--jobs", "2"), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
-    )
-    try:
-        wait_for_rows(out / "improve.jsonl", 7, process)
+
+    def kill_a_worker(process: subprocess.Popen[str]) -> None:
         children = psutil.Process(process.pid).children()
         next(child for child in children if "spawn_main" in " ".join(child.cmdline())).kill()
-        said, _ = process.communicate(timeout=PATIENCE)
-    finally:
-        process.kill()
-    assert process.returncode == 1, said
+
+    status, said = disturbed(command(out, "--jobs", "2"), out / "improve.jsonl", 7, kill_a_worker)
+    assert status == 1, said
     assert "softrod: improve: a worker was lost" in said
     assert "what is done is kept, and the same command goes on" in said
     assert "Traceback" not in said
@@ -78,19 +74,13 @@ def test_a_worker_that_is_killed_loses_nothing(undisturbed: Path, tmp_path: Path
 def test_a_cluster_finds_the_same_though_a_worker_is_lost(undisturbed: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     with cluster(tmp_path / "cluster") as there, there.another_worker():
-        process = subprocess.Popen(
-            command(out, "--cluster", there.address),
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-        )
-        try:
-            wait_for_rows(out / "improve.jsonl", 4, process)
+
+        def lose_a_worker(_: subprocess.Popen[str]) -> None:
             there.worker.kill()
             assert len(rows_by_number(out)) < RUNS
-            said, _ = process.communicate(timeout=PATIENCE)
-        finally:
-            process.kill()
-    assert process.returncode == 0, said
+
+        words = command(out, "--cluster", there.address)
+        status, said = disturbed(words, out / "improve.jsonl", 4, lose_a_worker)
+    assert status == 0, said
     assert_same(out, undisturbed)
     assert "softrod: " not in said

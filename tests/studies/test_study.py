@@ -22,7 +22,6 @@ from sim.methods.registry import METHODS
 from sim.scene.types import Circle
 from studies.bench.growth import rod
 from studies.commands import COMMANDS
-from studies.reporting.output import make_folder
 from studies.speed import measure, others
 from studies.speed import report as study_report
 from studies.speed.contenders import Ours, Theirs, Trial, distance, reference
@@ -75,16 +74,6 @@ def test_a_chain_has_a_narrow_band() -> None:
     # A ring in its own order would have a block in the far corner.
     ring = Equations(sim.load_scene("study-ring"))
     assert ring.below < 30
-
-
-def test_held_masses_are_where_their_circles_lead_them() -> None:
-    equations = Equations(ROPE)
-    simulation = sim.Simulation(ROPE, integrator="adams")
-    simulation.advance(0.3)
-    assert (
-        np.abs(equations.positions(simulation.time, equations.start)[0] - simulation.positions[0]).max()
-        < 1e-9
-    )
 
 
 @pytest.mark.parametrize("scene", part_of(BODIES[:3], 3))
@@ -331,12 +320,6 @@ def test_cvode_that_is_not_installed_is_said_in_one_line(monkeypatch: pytest.Mon
     with pytest.raises(InputError, match="uv sync --extra compare"):
         known(("cvode_bdf",))
     assert "CVODE is missing" in markdown(Study((1.0,)), [], "")
-
-
-def test_a_folder_that_cannot_be_made_is_one_sentence(tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("")
-    with pytest.raises(InputError, match="the folder cannot be made"):
-        make_folder(tmp_path / "file")
 
 
 def test_nothing_that_runs_a_page_loads_the_studies_and_what_only_they_need() -> None:

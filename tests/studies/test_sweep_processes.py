@@ -12,7 +12,7 @@ import pytest
 
 import sim
 from tests.amount import NIGHT
-from tests.studies.others import CLUSTERS, PATIENCE, Cluster, cluster, wait_for_rows
+from tests.studies.others import CLUSTERS, Cluster, cluster, disturbed
 from tests.studies.sweeping import numbers_of, rows_of, swept
 
 SETTINGS, VARY = ("method=rk4", "dt=2e-5", "masses=8"), ("gravity=200..2000:4", "rest_angle=-20,20,50")
@@ -44,21 +44,11 @@ def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> bytes:
 # ------------------------------------------------------------------------- processes
 def test_a_sweep_that_was_interrupted_ends_with_the_same_table(undisturbed: bytes, tmp_path: Path) -> None:
     out = tmp_path / "out"
-    process = subprocess.Popen(
-        command(out, "--jobs", "2"),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        # What a shell runs in the background ignores Ctrl-C, and so do its children.
-        preexec_fn=partial(signal.signal, signal.SIGINT, signal.SIG_DFL),
-    )
-    try:
-        wait_for_rows(out / "sweep.jsonl", 1, process)
-        process.send_signal(signal.SIGINT)
-        said, _ = process.communicate(timeout=PATIENCE)
-    finally:
-        process.kill()
-    assert process.returncode == 130, said
+    # What a shell runs in the background ignores Ctrl-C, and so do its children.
+    heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
+    words, rows = command(out, "--jobs", "2"), out / "sweep.jsonl"
+    status, said = disturbed(words, rows, 1, lambda it: it.send_signal(signal.SIGINT), preexec_fn=heeding)
+    assert status == 130, said
     assert "Traceback" not in said
     before = numbers_of(out)
     assert 1 <= len(before) < 12
@@ -73,21 +63,13 @@ def test_a_sweep_that_was_interrupted_ends_with_the_same_table(undisturbed: byte
 # ------------------------------------------------------------------------- a cluster
 def swept_by(cluster: Cluster, out: Path, rows: int, doomed: subprocess.Popen[str]) -> tuple[int, str]:
     """The exit status of a sweep during which a process is ended, after so many rows, and what it said."""
-    process = subprocess.Popen(
-        command(out, "--cluster", cluster.address),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    )
-    try:
-        wait_for_rows(out / "sweep.jsonl", rows, process)
+
+    def end(_: subprocess.Popen[str]) -> None:
         assert doomed.poll() is None
         doomed.kill()
         assert len(numbers_of(out)) < 12
-        said, _ = process.communicate(timeout=PATIENCE)
-    finally:
-        process.kill()
-    return process.returncode, said
+
+    return disturbed(command(out, "--cluster", cluster.address), out / "sweep.jsonl", rows, end)
 
 
 @pytest.mark.skipif("sweep" not in CLUSTERS, reason="the cluster is a search's today")
