@@ -36,7 +36,7 @@ class Page(SessionPage):
     """A session with its gallery."""
 
     def __init__(self, owned: bool = True) -> None:
-        super().__init__(sim.load_scene("ring"))
+        super().__init__("ring")
         self.letters, self.notices = Letters(), list[Notice]()
         self.page = page_of(self.session, None, self.letters, self.notices.append, owned)
         self.gallery = Gallery(self.page)

@@ -160,10 +160,10 @@ def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server:
     page.frames(1)
     assert page.session.playing
     # A page that goes on in the middle of a step does not begin it anew.
-    time = page.session.simulation.time
+    time = page.simulation.time
     panel.begin(BeginStep(1, "on"))
     page.frames(1)
-    assert page.session.simulation.time > time
+    assert page.simulation.time > time
     assert panel.controls == ("angular_stiffness",)
     panel.begin(BeginStep(7))  # a page can send anything
     assert panel.step == steps[1]
@@ -183,12 +183,12 @@ def test_nothing_is_to_be_undone_of_a_lesson_that_has_just_been_opened(server: v
     assert versions.undoable
     # Opened in the place of another scene, the lesson is one step with its beginning.
     page.frames(1, commands.Open(sim.load_scene("ring")))
-    ring = page.session.simulation.capture().scene
+    ring = page.simulation.capture().scene
     page.frames(1, commands.Open(lesson))
     panel.begin(BeginStep(0))
     page.frames(1)
     page.frames(1, commands.Undo())
-    assert page.session.simulation.capture().scene is ring
+    assert page.simulation.capture().scene is ring
     page.frames(1, commands.Redo())
     assert page.session.scene.gravity == (0.0, 0.0)
 
@@ -232,7 +232,7 @@ def test_a_step_begins_when_a_scene_is_opened_and_not_when_it_goes_on(server: vi
 
 
 def test_leaving_a_question_lets_the_next_scene_run(server: viser.ViserServer) -> None:
-    page = SessionPage(sim.load_scene("lesson-hooke"))
+    page = SessionPage("lesson-hooke")
     panel = lesson_panel(server, page, [])
     lesson = page.session.scene.lesson
     assert lesson is not None
@@ -255,7 +255,7 @@ def test_leaving_a_question_lets_the_next_scene_run(server: viser.ViserServer) -
 def test_a_step_of_a_lesson_that_was_made_since_begins_with_the_body_as_it_is(
     server: viser.ViserServer,
 ) -> None:
-    page, told = SessionPage(sim.load_scene("rope")), []
+    page, told = SessionPage("rope"), []
     panel = lesson_panel(server, page, told)
     page.frames(1, commands.Change(lambda moment, _: add_mass(moment.scene, (9.0, 9.0))))
     page.frames(1, commands.Change(lambda moment, _: add_step(moment.scene, 0)))
@@ -280,7 +280,7 @@ def test_every_step_of_a_lesson_begins_with_its_sliders_and_plots(name: str) -> 
         ]
         assert sorted(page.gui.labels("slider", "dropdown", tab="Lesson")) == sorted(wanted)
         assert page.gui.text("Lesson").count("softrod-plot-title") == len(step.plots or ())
-        assert page.session.playing and page.session.simulation.time > 0.0
+        assert page.session.playing and page.simulation.time > 0.0
     assert not page.notices
 
 

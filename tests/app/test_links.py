@@ -74,7 +74,7 @@ def test_a_link_has_the_scene_as_it_is_now() -> None:
     assert scene == page.session.scene
     assert plain.qr.startswith("data:image/svg+xml")
     there = decode_link(posed.link.removeprefix(f"{PAGE}s#"))
-    assert (sim.Simulation(there).positions == page.session.simulation.positions).all()
+    assert (sim.Simulation(there).positions == page.simulation.positions).all()
 
 
 def test_a_long_link_has_no_qr_code() -> None:

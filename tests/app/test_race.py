@@ -174,8 +174,8 @@ def test_the_body_waits_for_a_slower_rival(monkeypatch: pytest.MonkeyPatch) -> N
     in_one_piece(rival.costs, 1_000_000)
     page.frames(40, commands.Play(True))
     dt = rival.simulation.dt
-    assert 60 * dt < page.session.simulation.time < 90 * dt
-    assert page.session.simulation.time - rival.simulation.time < 10 * dt
+    assert 60 * dt < page.simulation.time < 90 * dt
+    assert page.simulation.time - rival.simulation.time < 10 * dt
     assert page.session.pacer.rates(page.wall()).behind > 0.3
 
 
@@ -200,12 +200,12 @@ def test_what_is_done_on_the_way_is_noted_and_reaches_only_the_terrain() -> None
 def test_going_back_in_time_takes_both_along() -> None:
     page, rival = racing()
     page.frames(30, commands.Play(True))
-    half, at = rival.simulation.positions, page.session.simulation.time
-    ways = rival.ways(page.session.simulation)
+    half, at = rival.simulation.positions, page.simulation.time
+    ways = rival.ways(page.simulation)
     page.frames(30)
     page.frames(1, commands.GoTo(at))
     assert np.array_equal(rival.simulation.positions, half)
-    assert rival.ways(page.session.simulation) == ways
+    assert rival.ways(page.simulation) == ways
     assert rival.seconds == pytest.approx(at)
     page.frames(1, commands.GoTo(0.0))
     assert rival.simulation.time == rival.seconds == 0.0
@@ -223,7 +223,7 @@ def test_a_rival_that_explodes_is_out_and_the_other_goes_on() -> None:
     page.frames(120, commands.Play(True))
     assert rival.out == "it exploded"
     assert not rival.is_late
-    assert page.session.simulation.time > 1.8
+    assert page.simulation.time > 1.8
 
 
 def test_a_rival_begins_outside_the_walls() -> None:
@@ -260,7 +260,7 @@ def test_what_does_not_go_with_the_terrain_is_refused(view: dict[str, object], w
     ],
 )
 def test_a_rival_is_found_by_a_link_or_a_name(text: str, problem: str) -> None:
-    page, letters = SessionPage(sim.load_scene("worm")), Letters()
+    page, letters = SessionPage("worm"), Letters()
     seen = MagicMock(session=page.session, mail=letters, shelf=Shelf(owned=False))
     races = Races(seen)
     link = pack_scene(sim.load_scene("walker"))
