@@ -29,8 +29,7 @@ def hud(page: SessionPage) -> str:
 
 def torn(page: SessionPage, far: float, reports: int = 12) -> tuple[float, float]:
     """Tear the anchor to and fro; where it was."""
-    x, y = map(float, page.simulation.positions[0])
-    page.frames(1, commands.DragStart(0, x, y))
+    x, y = page.drag(0)
     for report in range(reports):
         page.frames(3, commands.Point(x + far * (report % 2), y))
     return x, y
@@ -76,8 +75,7 @@ def test_time_stands_for_the_hand_of_a_demanding_body_too() -> None:
 def test_a_ghost_is_led_as_the_body_is(method: str) -> None:
     page = rate_limited()
     page.frames(1, commands.Compare(method, ""))
-    x, y = map(float, page.simulation.positions[0])
-    page.frames(1, commands.DragStart(0, x, y))
+    x, y = page.drag(0)
     ghost = page.ghost
     for report in range(8):
         page.frames(3, commands.Point(x + 300.0 * (report % 2), y))
@@ -97,8 +95,7 @@ def test_a_ghost_of_finer_steps_shows_how_wrong_the_body_s_are() -> None:
         page.frames(1, commands.Reset(), commands.Compare("symplectic_euler", "", finer))
         ghost = page.ghost
         assert ghost.simulation.dt == pytest.approx(0.0025 / finer)
-        x, y = map(float, page.simulation.positions[0])
-        page.frames(30, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+        page.drag(0, 60.0, frames=30)
         assert ghost.simulation.time == pytest.approx(page.simulation.time)
         assert ghost.simulation.positions[0] == pytest.approx(page.simulation.positions[0])
         page.frames(1, commands.DragEnd())
@@ -153,8 +150,7 @@ def test_a_reset_forgets_how_far_off_the_ghost_has_been() -> None:
     page = SessionPage()
     page.frames(1, commands.Compare("symplectic_euler", "", 4))
     ghost = page.ghost
-    x, y = map(float, page.simulation.positions[0])
-    page.frames(30, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+    page.drag(0, 60.0, frames=30)
     page.frames(30, commands.DragEnd())
     assert 0.0 < ghost.distance <= ghost.worst
     page.frames(1, commands.Play(False), commands.Reset())

@@ -220,8 +220,7 @@ def test_what_was_changed_while_paused_is_not_lost_by_looking_back(page: Session
 
 
 def test_a_mass_in_hand_is_let_go(page: SessionPage) -> None:
-    x, y = page.simulation.positions[8]
-    page.frames(20, commands.DragStart(8, x, y), commands.Point(x + 40.0, y))
+    page.drag(8, 40.0, frames=20)
     page.frames(1, commands.GoBack(0.2))
     assert not page.session.hands.masses
     place = page.simulation.positions
@@ -416,8 +415,7 @@ def test_there_is_a_way_back_to_before_a_divergence(preset: str, method: str, ov
 
 def test_a_body_that_runs_away_from_the_first_step_goes_back_there() -> None:
     page = SessionPage(sim.set_value(tutorial_preset("ring"), "angular_stiffness", 1e8))
-    x, y = page.simulation.positions[0]
-    page.frames(300, commands.DragStart(0, x, y), commands.Point(x + 1.0, y))
+    page.drag(0, 1.0, frames=300)
     assert page.session.offer_back
     page.frames(1, commands.BackBeforeDivergence())
     assert page.simulation.time < 0.1

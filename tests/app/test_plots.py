@@ -229,8 +229,7 @@ def test_values_that_are_none_leave_a_gap() -> None:
 
 def test_energies_add_up_and_leave_the_log_as_it_is() -> None:
     page = PlotPage("energy.total", "energy.residual")
-    x, y = page.simulation.positions[0]
-    page.frames(20, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+    page.drag(0, 60.0, frames=20)
     page.frames(20, commands.DragEnd())
     assert page.plot.rows[-1, 1] == page.simulation.energy().total
     assert not page.session.follows_energy

@@ -127,8 +127,7 @@ def test_a_log_of_a_body_that_comes_late() -> None:
 
     page = SessionPage(frames.rod(100, sim.Integrator()))
     page.frames(10)
-    x, y = page.simulation.positions[0]
-    page.frames(20, commands.DragStart(0, x, y), commands.Point(x + 300.0, y))
+    page.drag(0, 300.0, frames=20)
     assert page.simulation.behind
     page.frames(40, commands.DragEnd())
     agrees(page)

@@ -110,8 +110,7 @@ def test_a_log_of_endless_changes_does_not_stop_the_page() -> None:
 
 def test_the_energy_of_a_replay_is_followed_from_its_beginning(tmp_path: Path) -> None:
     page = SessionPage()
-    x, y = page.simulation.positions[0]
-    page.frames(20, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+    page.drag(0, 60.0, frames=20)
     page.frames(20, commands.DragEnd(), commands.FollowEnergy(True))
     page.frames(20, commands.FollowEnergy(False))
     recorded = decode_log(log_of(page), "log")
