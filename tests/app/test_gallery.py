@@ -42,12 +42,6 @@ class Page(SessionPage):
         self.gallery = Gallery(self.page)
 
 
-@pytest.fixture
-def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
-    return files.user_folder()
-
-
 # ------------------------------------------------------------------------- pictures
 def test_the_pictures_are_of_the_presets_as_they_are() -> None:
     known = msgspec.json.decode(thumbnails.DIGESTS.read_bytes())

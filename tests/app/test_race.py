@@ -12,7 +12,6 @@ import pytest
 from rich.console import Console
 
 import sim
-from app.cli import main
 from app.export.clip import Clip
 from app.export.making import simulated
 from app.export.race import race, result
@@ -25,17 +24,11 @@ from app.wire.to_page import RaceAnswer
 from sim.errors import SceneError
 from sim.scene.types import Damage
 from sim.store.link import pack_scene
+from tests.app.command import Softrod, refused
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage, answered, in_one_piece
 
 REPLACE = msgspec.structs.replace
-
-
-def status(*words: str) -> int:
-    """The exit status of a command."""
-    with pytest.raises(SystemExit) as ended:
-        main(list(words))
-    return int(ended.value.code or 0)
 
 
 def test_each_moves_as_it_does_alone_on_that_terrain() -> None:
@@ -93,14 +86,11 @@ def test_what_is_broken_of_either_is_drawn_so() -> None:
         assert len(damage.set_lengths) == 2 * count
 
 
-def test_the_command_writes_a_race_and_says_how_far_each_went(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_command_writes_a_race_and_says_how_far_each_went(tmp_path: Path, softrod: Softrod) -> None:
     link = tmp_path / "rival.json"
     sim.save_scene(REPLACE(sim.load_scene("rod"), name="rival", title="A rod"), link)
     out = tmp_path / "race.html"
-    assert status("export", "rope", "--race", str(link), "--seconds", "0.4", "--html", str(out)) == 0
-    said = capsys.readouterr().out
+    said = softrod("export", "rope", "--race", link, "--seconds", 0.4, "--html", out).stdout
     assert "A rod: " in said
     assert " px in 0.4 s" in said
     assert out.stat().st_size > 10_000
@@ -122,11 +112,12 @@ def test_how_far_is_that_of_the_centre_of_mass() -> None:
     "options", [["--glb", "a.glb"], ["--motion", "a.csv"], ["--html", "a.html", "--json", "a.json"]]
 )
 def test_what_cannot_show_two_bodies_is_refused(
-    options: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    options: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, softrod: Softrod
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    assert status("export", "rope", "--race", "rod", *options) == 1
-    assert "--race: it is shown by --png, --gif and --html" in capsys.readouterr().err
+    refused(
+        softrod("export", "rope", "--race", "rod", *options), "--race: it is shown by --png, --gif and --html"
+    )
     assert not list(tmp_path.iterdir())
 
 

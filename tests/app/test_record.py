@@ -20,9 +20,9 @@ from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.store.files import encode_fields
 from tests.amount import examples
+from tests.app.command import Softrod, refused, rows_of
 from tests.app.pages import SessionPage, in_one_piece
 from tests.app.recording import agrees, busy_page, joined, lines_of, log_of, perturbed, replayed
-from tests.app.test_cli import refused, rows_of, softrod_here
 from tests.sim.fuzzing import with_muscles
 
 
@@ -275,28 +275,26 @@ def test_a_step_less_differs(data: bytes) -> None:
     assert "(check 1 of" in player.verdict
 
 
-def test_run_replays_what_a_page_saved(
-    data: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_run_replays_what_a_page_saved(data: bytes, tmp_path: Path, softrod: Softrod) -> None:
     saved, out = tmp_path / "log.jsonl", tmp_path / "o.csv"
     saved.write_bytes(data)
-    result = softrod_here(capsys, "run", "--inputs", saved, "--every", "50", "--out", out)
+    result = softrod("run", "--inputs", saved, "--every", "50", "--out", out)
     assert result.returncode == 0, result.stderr
     player = replayed(data)
     assert result.stdout.strip() == player.verdict
     assert f"replayed {player.steps} steps; all {player.record.checks} checks agree, digest" in result.stdout
     rows = rows_of(out)[1:]
     assert len(rows) > 5
-    assert softrod_here(capsys, "run", "tutorial-3.3", "--inputs", saved).returncode == 0
-    refused(softrod_here(capsys, "run", "ring", "--inputs", saved), "another scene than ring")
-    refused(softrod_here(capsys, "run", "--inputs", saved, "--set", "gravity=0"), "--set")
+    assert softrod("run", "tutorial-3.3", "--inputs", saved).returncode == 0
+    refused(softrod("run", "ring", "--inputs", saved), "another scene than ring")
+    refused(softrod("run", "--inputs", saved, "--set", "gravity=0"), "--set")
     saved.write_bytes(perturbed(data))
-    refused(softrod_here(capsys, "run", "--inputs", saved), "differs first at t = ", "(check 2 of")
+    refused(softrod("run", "--inputs", saved), "differs first at t = ", "(check 2 of")
 
 
-def test_run_still_needs_a_scene_and_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    refused(softrod_here(capsys, "run", "--steps", "3", "--out", tmp_path / "o.csv"), "name a scene")
-    refused(softrod_here(capsys, "run", "ring", "--steps", "3"), "--out")
+def test_run_still_needs_a_scene_and_a_table(tmp_path: Path, softrod: Softrod) -> None:
+    refused(softrod("run", "--steps", "3", "--out", tmp_path / "o.csv"), "name a scene")
+    refused(softrod("run", "ring", "--steps", "3"), "--out")
 
 
 # ------------------------------------------------------------------------- nothing in a log is trusted
