@@ -8,6 +8,7 @@ from typing import TypeVar
 
 import sim
 from app.session import commands
+from app.session.ghost import Ghost
 from app.session.pacing import Costs
 from app.session.session import Session
 
@@ -30,11 +31,31 @@ class Wall:
 
 
 class SessionPage:
-    """A session and its wall clock."""
+    """A session and its wall clock.
 
-    def __init__(self, scene: sim.Scene) -> None:
+    Args:
+        scene: what it shows; a preset's name, or a scene.
+    """
+
+    def __init__(self, scene: sim.Scene | str = "tutorial-3.3") -> None:
         self.wall = Wall()
-        self.session = Session(scene, clock=self.wall)
+        self.session = Session(sim.load_scene(scene) if isinstance(scene, str) else scene, clock=self.wall)
+
+    @property
+    def simulation(self) -> sim.Simulation:
+        return self.session.simulation
+
+    @property
+    def ghost(self) -> Ghost:
+        """The second body, which must be there."""
+        assert self.session.ghost is not None
+        return self.session.ghost
+
+    @property
+    def told(self) -> str:
+        """The text of the session's only notice."""
+        (notice,) = self.session.notices
+        return notice.text
 
     def frames(self, count: int, *posts: commands.Command) -> None:
         """Post the commands, then let frames pass."""
@@ -44,6 +65,12 @@ class SessionPage:
             self.wall.time += FRAME
             self.session.drain()
             self.session.tick(BUDGET)
+
+    def drag(self, mass: int, dx: float = 0.0, dy: float = 0.0, frames: int = 1) -> tuple[float, float]:
+        """Take hold of a mass, lead it aside by some px, and let frames pass; where it was."""
+        x, y = map(float, self.simulation.positions[mass])
+        self.frames(frames, commands.DragStart(mass, x, y), commands.Point(x + dx, y + dy))
+        return x, y
 
 
 def in_one_piece(costs: Costs, attempts: int) -> None:

@@ -23,7 +23,7 @@ def busy_page(scene: sim.Scene, play_on: bool = True) -> SessionPage:
     """A page whose user drags, presses keys, moves sliders, looks back and goes on, for some seconds."""
     page = SessionPage(scene)
     page.frames(10)
-    x, y = page.session.simulation.positions[0]
+    x, y = page.simulation.positions[0]
     page.frames(1, commands.DragStart(0, x, y))
     for i in range(12):
         page.frames(2, commands.Point(x + 4.0 * i, y - 2.0 * i))
@@ -33,7 +33,7 @@ def busy_page(scene: sim.Scene, play_on: bool = True) -> SessionPage:
     page.frames(3, commands.HoldKeys(frozenset()))
     page.frames(20, commands.SetValue("gravity", 600.0))
     last = len(scene.masses) - 1
-    x, y = page.session.simulation.positions[last]
+    x, y = page.simulation.positions[last]
     page.frames(8, commands.DragStart(last, x, y), commands.Point(x + 20.0, y - 30.0))
     page.frames(10, commands.DragEnd())
     page.frames(2, commands.DoSteps(5))
@@ -58,7 +58,7 @@ def agrees(page: SessionPage) -> Player:
     """Whether a page's log leads to where the page is, to the last bit; the replay."""
     player = replayed(log_of(page))
     assert player.agrees, player.verdict
-    shown = page.session.simulation
+    shown = page.simulation
     assert np.array_equal(player.simulation.positions, shown.positions)
     assert np.array_equal(player.simulation.velocities, shown.velocities)
     assert player.simulation.time == shown.time

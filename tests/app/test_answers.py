@@ -189,6 +189,5 @@ def test_a_log_that_an_editor_has_saved_is_played() -> None:
     page, other = busy_page(sim.load_scene("tutorial-3.3")), Page()
     open_file(other.page, packed("again.jsonl", codecs.BOM_UTF8 + log_of(page)))
     other.frames(500)
-    (notice,) = other.session.notices
-    assert "It agrees with the log" in notice.text
-    assert (other.session.simulation.positions == page.session.simulation.positions).all()
+    assert "It agrees with the log" in other.told
+    assert (other.simulation.positions == page.simulation.positions).all()

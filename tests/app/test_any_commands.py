@@ -116,7 +116,7 @@ def test_before_a_runaway_is_found_though_an_edit_has_added_masses() -> None:
     line = asks.Line(a=11, end=(1.0, 1.0))
     page.frames(3, change(line), commands.SetValue("angular_stiffness", 1e9))
     page.frames(60)
-    assert page.session.simulation.divergence is not None
+    assert page.simulation.divergence is not None
     page.frames(1, commands.BackBeforeDivergence())
-    assert page.session.simulation.divergence is None
+    assert page.simulation.divergence is None
     check(page)

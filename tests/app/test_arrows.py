@@ -51,11 +51,11 @@ class Wire:
 
 
 def test_the_numbers_are_those_of_the_solver() -> None:
-    page, wire = SessionPage(sim.load_scene("tutorial-3.3")), Wire()
+    page, wire = SessionPage(), Wire()
     page.frames(20)
     assert wire.draw(page, ALL)
     head, held, forces, velocities, torques = wire.sent()
-    simulation = page.session.simulation
+    simulation = page.simulation
     assert head[:4].tolist() == [3.0, np.float32(simulation.time), 1.0, 1.0]
     assert held.tolist() == [0.0]
     assert forces.reshape(-1, 2) == pytest.approx(simulation.loads.forces, rel=1e-6, abs=1e-3)
@@ -64,7 +64,7 @@ def test_the_numbers_are_those_of_the_solver() -> None:
 
 
 def test_nothing_is_sent_while_no_switch_is_on_and_only_what_is_asked_for() -> None:
-    page, wire = SessionPage(sim.load_scene("ring")), Wire()
+    page, wire = SessionPage("ring"), Wire()
     assert not wire.draw(page, frozenset())
     assert wire.draw(page, frozenset({"velocities"}))
     assert [len(section) for section in wire.sent()[2:]] == [0, 32, 0]
@@ -74,34 +74,32 @@ def test_nothing_is_sent_while_no_switch_is_on_and_only_what_is_asked_for() -> N
 
 
 def test_they_are_right_when_paused_and_after_going_back_in_time() -> None:
-    page, wire = SessionPage(sim.load_scene("tutorial-3.3")), Wire()
+    page, wire = SessionPage(), Wire()
     page.frames(10)
     page.frames(30, commands.SetValue("gravity", 0.0))
-    then = page.session.simulation.loads.forces
+    then = page.simulation.loads.forces
     page.frames(30, commands.SetValue("rest_angle", 20.0))
     page.frames(1, commands.Play(False))
     wire.draw(page, ALL)
     assert not wire.draw(page, ALL), "it stands"
-    time = page.session.simulation.time
+    time = page.simulation.time
     page.frames(1, commands.GoTo(time - 30 / 60))
     assert wire.draw(page, ALL)
     assert wire.sent()[2].reshape(-1, 2) == pytest.approx(then, rel=0.2, abs=0.05 * np.abs(then).max())
-    assert wire.sent()[2].reshape(-1, 2) == pytest.approx(
-        page.session.simulation.loads.forces, rel=1e-6, abs=1e-3
-    )
+    assert wire.sent()[2].reshape(-1, 2) == pytest.approx(page.simulation.loads.forces, rel=1e-6, abs=1e-3)
     page.frames(1, commands.SetValue("gravity", 500.0))
     assert wire.draw(page, ALL), "another setting, at the same moment"
 
 
 def test_a_body_in_motion_is_told_of_thirty_times_a_second_and_one_at_rest_no_more() -> None:
-    page, wire = SessionPage(sim.load_scene("tutorial-3.3")), Wire()
+    page, wire = SessionPage(), Wire()
     page.session.post(commands.SetValue("rest_angle", 10.0))
     count = 0
     for frame in range(60):
         page.frames(1)
         count += wire.draw(page, ALL, frame / 60, exactly=False)
     assert 28 <= count <= 31
-    page, wire = SessionPage(sim.load_scene("tutorial-3.3")), Wire()
+    page, wire = SessionPage(), Wire()
     page.frames(900)
     wire.draw(page, ALL, 0.0, exactly=False)
     page.frames(2)
@@ -118,15 +116,13 @@ def test_of_a_thousand_masses_some_have_arrows_and_the_held_ones_in_any_case() -
     chosen = [*range(0, 1000, step), *(int(m) for m in held if m % step)]
     assert len(forces) == 2 * len(chosen) <= 2 * (MOST + len(held))
     assert {anchor.mass for anchor in scene.anchors} == set(held.astype(int)) <= set(chosen)
-    assert forces.reshape(-1, 2) == pytest.approx(
-        page.session.simulation.loads.forces[chosen], rel=1e-5, abs=0.1
-    )
+    assert forces.reshape(-1, 2) == pytest.approx(page.simulation.loads.forces[chosen], rel=1e-5, abs=0.1)
     assert len(torques) <= MOST
     assert len(wire.numbers) < 4 * MOST + 500
 
 
 def test_the_mass_in_hand_counts_as_held() -> None:
-    page, wire = SessionPage(sim.load_scene("tutorial-3.3")), Wire()
+    page, wire = SessionPage(), Wire()
     page.frames(2, commands.DragStart(5, 300.0, 300.0))
     wire.draw(page, ALL)
     assert wire.sent()[1].tolist() == [0.0, 5.0]
@@ -160,7 +156,7 @@ def panel_of(scene: sim.Scene) -> tuple[ToolsPanel, Letters]:
 
 
 def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones() -> None:
-    client, session = MagicMock(), SessionPage(sim.load_scene("ring")).session
+    client, session = MagicMock(), SessionPage("ring").session
     switches: dict[str, MagicMock] = {}
     client.gui.add_checkbox.side_effect = lambda label, **_: switches.setdefault(
         label, MagicMock(value=False)
@@ -186,7 +182,7 @@ def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones()
 def test_the_switches_stand_below_the_plots_however_many_pages_there_were() -> None:
     client = MagicMock()
     client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
-    ToolsPanel(page_of(SessionPage(sim.load_scene("ring")).session, client))
+    ToolsPanel(page_of(SessionPage("ring").session, client))
     gui = client.gui
     added = (gui.add_checkbox, gui.add_dropdown, gui.add_button, gui.add_html)
     orders = [call.kwargs["order"] for add in added for call in add.call_args_list]

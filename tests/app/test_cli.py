@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import signal
@@ -19,53 +18,15 @@ import platformdirs
 import pytest
 
 import sim
-from app.cli import main
 from app.page.tab import told_of_compiling
 from app.session.log import Keys, read_log
 from sim.errors import InputError
-
-Result = subprocess.CompletedProcess[str]
-
-
-def softrod(*words: str | Path) -> Result:
-    """Run the command to its end, in a process of its own: for what depends on that."""
-    return subprocess.run(
-        [sys.executable, "-m", "app", *map(str, words)],
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
-    )
+from tests.app.command import Result, Softrod, refused, rows_of
 
 
-def softrod_here(capsys: pytest.CaptureFixture[str], *words: str | Path) -> Result:
-    """As `softrod`, in this process, without the second that a new one takes to start."""
-    capsys.readouterr()
-    with pytest.raises(SystemExit) as ended:
-        main([*map(str, words)])
-    said = capsys.readouterr()
-    assert isinstance(ended.value.code, int)
-    return Result(words, ended.value.code, said.out, said.err)
-
-
-def refused(result: Result, *fragments: str) -> None:
-    """One clear sentence on the error stream, no traceback, status 1."""
-    assert result.returncode == 1
-    assert "Traceback" not in result.stderr
-    assert result.stderr.startswith("softrod: ")
-    assert result.stderr.count("\n") == 1
-    for fragment in fragments:
-        assert fragment in result.stderr
-
-
-def rows_of(path: Path) -> list[list[str]]:
-    with path.open(newline="") as file:
-        return list(csv.reader(file))
-
-
-def test_run_writes_a_table_that_reads_back_exactly(tmp_path: Path) -> None:
+def test_run_writes_a_table_that_reads_back_exactly(tmp_path: Path, softrod: Softrod) -> None:
     out = tmp_path / "rope.csv"
-    assert softrod("run", "tutorial-3.3", "--steps", "100", "--every", "40", "--out", out).returncode == 0
+    assert softrod("run", "tutorial-3.3", "--steps", 100, "--every", 40, "--out", out).returncode == 0
     header, *rows = rows_of(out)
     assert header[:4] == ["step", "time", "x0", "y0"]
     assert len(header) == 2 + 24
@@ -76,21 +37,19 @@ def test_run_writes_a_table_that_reads_back_exactly(tmp_path: Path) -> None:
     assert float(rows[1][1]) == simulation.time
 
 
-def test_tables_have_decimal_commas_if_they_are_to(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_tables_have_decimal_commas_if_they_are_to(tmp_path: Path, softrod: Softrod) -> None:
     plain, commas = tmp_path / "plain.csv", tmp_path / "commas.csv"
     for words in ((), ("--energy",), ("--record", "joint0.angle", "--record", "mass3.x")):
         run = "run", "ring", "--steps", "20", "--every", "5", *words, "--out"
-        assert softrod_here(capsys, *run, plain).returncode == 0
-        assert softrod_here(capsys, *run, commas, "--csv-comma").returncode == 0
+        assert softrod(*run, plain).returncode == 0
+        assert softrod(*run, commas, "--csv-comma").returncode == 0
         text = commas.read_text()
         head, *rows = plain.read_text().splitlines()
         wanted = [head.replace(",", ";"), *(row.replace(",", ";").replace(".", ",") for row in rows)]
         assert text.splitlines() == wanted
 
 
-def test_run_replays_moves_and_keys(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_run_replays_moves_and_keys(tmp_path: Path, softrod: Softrod) -> None:
     log, out = tmp_path / "log.jsonl", tmp_path / "out.npz"
     lines = [
         {"do": "move", "mass": 0, "to": [310.0, 170.0]},
@@ -101,7 +60,7 @@ def test_run_replays_moves_and_keys(tmp_path: Path, capsys: pytest.CaptureFixtur
         {"do": "move", "mass": 0, "to": [350.0, 190.0]},
     ]
     log.write_text("\n".join(map(json.dumps, lines)))
-    result = softrod_here(capsys, "run", "tutorial-3.3", "--duration", "0.1", "--inputs", log, "--out", out)
+    result = softrod("run", "tutorial-3.3", "--duration", "0.1", "--inputs", log, "--out", out)
     assert result.returncode == 0, result.stderr
     table = np.load(out)
     assert table["step"].tolist() == list(range(1, 41))
@@ -117,21 +76,10 @@ def test_run_replays_moves_and_keys(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert np.array_equal(table["positions"][-1], simulation.positions)
 
 
-def test_settings_are_applied_and_checked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_settings_are_applied_and_checked(tmp_path: Path, softrod: Softrod) -> None:
     out = tmp_path / "o.csv"
-    words = (
-        "run",
-        "tutorial-3.2",
-        "--steps",
-        "1",
-        "--out",
-        out,
-        "--set",
-        "template=-135",
-        "--set",
-        "masses=5",
-    )
-    assert softrod_here(capsys, *words).returncode == 0
+    words = ("run", "tutorial-3.2", "--steps", 1, "--out", out)
+    assert softrod(*words, "--set", "template=-135", "--set", "masses=5").returncode == 0
     assert len(rows_of(out)[0]) == 2 + 10
     for assignment, fragment in (
         ("gravity=1e99", "-1e+06..1e+06"),
@@ -141,18 +89,15 @@ def test_settings_are_applied_and_checked(tmp_path: Path, capsys: pytest.Capture
         ("template=30", "180, 135, 90"),
         ("masses=2.5", "whole number"),
     ):
-        words = ("run", "tutorial-3.2", "--steps", "1", "--out", out, "--set", assignment)
-        refused(softrod_here(capsys, *words), fragment)
+        refused(softrod(*words, "--set", assignment), fragment)
 
 
-def test_a_runaway_keeps_its_good_rows_and_says_why(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_runaway_keeps_its_good_rows_and_says_why(tmp_path: Path, softrod: Softrod) -> None:
     log, out = tmp_path / "log.jsonl", tmp_path / "o.csv"
     log.write_text('{"do": "move", "mass": 0, "to": [400, 150]}\n')
     words = ("run", "tutorial-3.3", "--steps", "5000", "--inputs", log, "--out", out)
     refused(
-        softrod_here(capsys, *words, "--set", "angular_stiffness=60000"),
+        softrod(*words, "--set", "angular_stiffness=60000"),
         "stability limit",
         "angular stiffness",
     )
@@ -178,13 +123,11 @@ def test_a_runaway_keeps_its_good_rows_and_says_why(
         ('{"do": "step", "n": -1}', "line 1"),
     ],
 )
-def test_bad_inputs_are_refused(
-    tmp_path: Path, line: str, fragment: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_bad_inputs_are_refused(tmp_path: Path, line: str, fragment: str, softrod: Softrod) -> None:
     log = tmp_path / "log.jsonl"
     log.write_text(line)
     words = ("run", "tutorial-3.3", "--steps", "3", "--inputs", log, "--out", tmp_path / "o.csv")
-    refused(softrod_here(capsys, *words), fragment)
+    refused(softrod(*words), fragment)
     assert not (tmp_path / "o.csv").exists()
 
 
@@ -201,30 +144,26 @@ def test_bad_inputs_are_refused(
         (("--out", "x.csv", "--steps", "3", "--every", "4"), "no row would be written"),
     ],
 )
-def test_bad_arguments_are_refused(
-    words: tuple[str, ...], fragment: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    refused(softrod_here(capsys, "run", "ring", *words), fragment)
+def test_bad_arguments_are_refused(words: tuple[str, ...], fragment: str, softrod: Softrod) -> None:
+    refused(softrod("run", "ring", *words), fragment)
 
 
 def test_a_run_that_ends_before_its_first_row_has_a_table_without_rows(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, softrod: Softrod
 ) -> None:
     out = tmp_path / "o.csv"
     words = ("--set", "dt=0.5", "--set", "method=symplectic_euler", "--steps", "5000", "--every", "5000")
-    refused(softrod_here(capsys, "run", "ring", *words, "--out", str(out)), "the 0 rows before it")
+    refused(softrod("run", "ring", *words, "--out", str(out)), "the 0 rows before it")
     assert out.read_text().startswith("step,time,x0,y0")
     assert len(out.read_text().splitlines()) == 1
 
 
-def test_an_unknown_scene_names_those_there_are(capsys: pytest.CaptureFixture[str]) -> None:
-    refused(
-        softrod_here(capsys, "run", "no-such", "--steps", "1", "--out", "x.csv"), "no-such", "tutorial-3.3"
-    )
+def test_an_unknown_scene_names_those_there_are(softrod: Softrod) -> None:
+    refused(softrod("run", "no-such", "--steps", "1", "--out", "x.csv"), "no-such", "tutorial-3.3")
 
 
-def test_scenes_are_listed_with_descriptions(capsys: pytest.CaptureFixture[str]) -> None:
-    result = softrod_here(capsys, "scenes")
+def test_scenes_are_listed_with_descriptions(softrod: Softrod) -> None:
+    result = softrod("scenes")
     assert result.returncode == 0
     for info in sim.list_scenes():
         if info.built_in:
@@ -233,12 +172,12 @@ def test_scenes_are_listed_with_descriptions(capsys: pytest.CaptureFixture[str])
     assert "scenes of `softrod study`" in result.stdout
 
 
-def test_check_tells_good_from_bad(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_tells_good_from_bad(tmp_path: Path, softrod: Softrod) -> None:
     good, bad = tmp_path / "good.json", tmp_path / "bad.json"
     sim.save_scene(sim.rope(), good)
     bad.write_text('{"name": "x", "rope": {"mass": -1}}')
-    assert softrod_here(capsys, "check", good).returncode == 0
-    result = softrod_here(capsys, "check", good, bad, tmp_path / "missing.json")
+    assert softrod("check", good).returncode == 0
+    result = softrod("check", good, bad, tmp_path / "missing.json")
     assert result.returncode == 1
     assert "good.json: rope, 12 masses, is valid" in result.stdout
     assert "bad.json: rope.mass: -1 is not in the range 1e-06..1e+06 kg" in result.stderr
@@ -248,7 +187,7 @@ def test_check_tells_good_from_bad(tmp_path: Path, capsys: pytest.CaptureFixture
 
 @pytest.mark.parametrize("encoding", ["cp1252", "ascii"])
 def test_letters_that_the_terminal_lacks_are_no_error(
-    encoding: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    encoding: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, softrod: Softrod
 ) -> None:
     path = tmp_path / "Маятник.json"
     sim.save_scene(sim.rope(name="Маятник"), path)
@@ -257,7 +196,7 @@ def test_letters_that_the_terminal_lacks_are_no_error(
         terminal = io.TextIOWrapper(io.BytesIO(), encoding=encoding)
         with monkeypatch.context() as patch:
             patch.setattr(sys, "stdout", terminal)
-            result = softrod_here(capsys, *words)
+            result = softrod(*words)
         terminal.flush()
         return terminal.buffer.getvalue().decode(encoding), result  # type: ignore[attr-defined]
 
@@ -284,42 +223,40 @@ def test_inputs_of_other_programs(tmp_path: Path) -> None:
 
 
 def test_a_log_that_was_written_by_hand_needs_a_scene_and_ends_where_it_ends(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, softrod: Softrod
 ) -> None:
     log, out = tmp_path / "log.jsonl", tmp_path / "o.csv"
     log.write_text('{"do": "step", "n": 1, "times": 7}\n{"do": "step", "n": 5}')
     words = ("--inputs", log, "--out", out, "--every", "3")
-    refused(softrod_here(capsys, "run", *words), "line 1")
-    result = softrod_here(capsys, "run", "ring", *words)
+    refused(softrod("run", *words), "line 1")
+    result = softrod("run", "ring", *words)
     assert (result.returncode, result.stdout) == (0, "")
     # The last five steps are one call.
     assert [row[0] for row in rows_of(out)[1:]] == ["3", "6", "12"]
-    assert softrod_here(capsys, "run", "ring", *words, "--steps", "20").returncode == 0
+    assert softrod("run", "ring", *words, "--steps", "20").returncode == 0
     assert [row[0] for row in rows_of(out)[1:]] == ["3", "6", "12", "15", "18"]
-    refused(softrod_here(capsys, "run", "ring", "--inputs", log), "--out")
+    refused(softrod("run", "ring", "--inputs", log), "--out")
 
 
 def test_a_cache_folder_that_cannot_be_written_is_said_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, softrod: Softrod
 ) -> None:
     (tmp_path / "file").write_bytes(b"")
     monkeypatch.setattr(platformdirs, "user_cache_path", lambda *_, **__: tmp_path / "file")
     trouble = f"compiled anew at every start, since the folder {tmp_path / 'file'} cannot be written"
-    result = softrod_here(capsys, "run", "ring", "--steps", "3", "--out", tmp_path / "ring.csv")
+    result = softrod("run", "ring", "--steps", "3", "--out", tmp_path / "ring.csv")
     assert result.returncode == 0
     assert result.stderr == f"softrod: the solver is {trouble}\n"
-    assert softrod_here(capsys, "check", tmp_path / "file").stderr.count("anew") == 0
+    assert softrod("check", tmp_path / "file").stderr.count("anew") == 0
     # The page says it in the line that tells how far the compiler is.
     assert told_of_compiling(3, 19, "forces", "") == f"preparing forces: 3 of 19 parts ready; {trouble}"
     assert told_of_compiling(19, 19, "", "") == ""
 
 
-def test_check_notes_a_tolerance_that_is_coarse_for_its_body(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_check_notes_a_tolerance_that_is_coarse_for_its_body(tmp_path: Path, softrod: Softrod) -> None:
     metres = sim.rope(length=1.0, view=sim.View(unit="m"))
     sim.save_scene(metres, path := tmp_path / "metres.json")
-    result = softrod_here(capsys, "check", path)
+    result = softrod("check", path)
     assert result.returncode == 0
     note = "integrator.tolerance: 0.1 m is coarse for a body of 1 m; 0.001 m is a thousandth of it"
     assert result.stdout.splitlines()[1] == f"{path}: note: {note}"
@@ -328,11 +265,11 @@ def test_check_notes_a_tolerance_that_is_coarse_for_its_body(
     alone = sim.Scene(name="alone", masses=(sim.Mass(position=(0.0, 0.0)),))
     for scene in (fine, euler, alone, *map(sim.load_scene, ("tutorial-3.3", "pile"))):
         sim.save_scene(scene, path)
-        assert ": note: " not in softrod_here(capsys, "check", path).stdout
+        assert ": note: " not in softrod("check", path).stdout
 
 
-def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
-    result = softrod_here(capsys, "--help")
+def test_help_lists_every_command(softrod: Softrod) -> None:
+    result = softrod("--help")
     assert result.returncode == 0
     for command in ("run", "scenes", "check", "bench"):
         assert f"softrod {command}" in result.stdout
@@ -376,18 +313,18 @@ def test_serving_ends_cleanly() -> None:
     assert "Traceback" not in output
 
 
-def test_a_busy_port_names_the_next_free_one(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_busy_port_names_the_next_free_one(softrod: Softrod) -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         port = taken.getsockname()[1]
-        refused(softrod_here(capsys, "ring", "--port", str(port), "--no-open"), f"{port}", "free")
+        refused(softrod("ring", "--port", str(port), "--no-open"), f"{port}", "free")
 
 
-def test_a_scene_that_is_not_valid_is_not_served(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_scene_that_is_not_valid_is_not_served(tmp_path: Path, softrod: Softrod) -> None:
     bad = tmp_path / "bad.json"
     bad.write_text('{"name": "x"}')
-    refused(softrod_here(capsys, bad, "--port", "0", "--no-open"), "bad.json", "masses")
+    refused(softrod(bad, "--port", "0", "--no-open"), "bad.json", "masses")
 
 
 def test_an_open_address_says_what_it_exposes_and_its_server_ends_when_it_is_told() -> None:
@@ -410,13 +347,11 @@ def test_an_open_address_says_what_it_exposes_and_its_server_ends_when_it_is_tol
     assert "start it with --allow-host school.example" in output
 
 
-def test_run_records_quantities_with_units_instead_of_positions(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_run_records_quantities_with_units_instead_of_positions(tmp_path: Path, softrod: Softrod) -> None:
     out = tmp_path / "swing.csv"
     words = ("run", "tutorial-3.3", "--steps", "100", "--every", "25", "--out", out)
     asked = ("--record", "mass11.y", "--record", "energy.residual", "--record", "joint3.angle")
-    assert softrod_here(capsys, *words, *asked).returncode == 0
+    assert softrod(*words, *asked).returncode == 0
     header, *rows = rows_of(out)
     assert header == ["time [s]", "mass11.y [px]", "energy.residual [kg px^2/s^2]", "joint3.angle [deg]"]
     simulation = sim.Simulation(sim.load_scene("tutorial-3.3"))
@@ -425,4 +360,4 @@ def test_run_records_quantities_with_units_instead_of_positions(
     row = [simulation.time, simulation.positions[11, 1], simulation.energy().residual, simulation.angles[3]]
     assert [float(value) for value in rows[-1]] == row
     assert len(rows) == 4
-    refused(softrod_here(capsys, *words, "--record", "joint99.angle"), "joint 99 does not exist (0..9)")
+    refused(softrod(*words, "--record", "joint99.angle"), "joint 99 does not exist (0..9)")

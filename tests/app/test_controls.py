@@ -9,12 +9,12 @@ import msgspec
 import pytest
 
 import sim
-from app.cli import main
 from app.page import controls
 from app.page.controls import ALL, PARTS, Controls, of_query, of_scene
 from sim.errors import InputError, SceneError
 from sim.settings import setting_keys, settings_of
 from sim.store.files import decode_scene, encode_scene
+from tests.app.command import Softrod
 from tests.app.hostile import Sandbox, answer
 
 
@@ -81,15 +81,13 @@ def test_a_file_s_list_is_held_to_its_type(names: object) -> None:
         decode_scene(msgspec.json.encode(fields), "x")
 
 
-def test_softrod_check_knows_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_softrod_check_knows_them(tmp_path: Path, softrod: Softrod) -> None:
     path = tmp_path / "lesson.json"
     for name, status in (("keys", 0), ("kees", 1)):
         sim.save_scene(with_controls("play", name), path)
-        with pytest.raises(SystemExit) as ended:
-            main(["check", str(path)])
-        assert ended.value.code == status
-    error = capsys.readouterr().err
-    assert error.startswith(f"softrod: {path}: view.controls: there is no control called 'kees'")
+        checked = softrod("check", path)
+        assert checked.returncode == status
+    assert checked.stderr.startswith(f"softrod: {path}: view.controls: there is no control called 'kees'")
 
 
 # ------------------------------------------------------------------------- the gate

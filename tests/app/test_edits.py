@@ -122,16 +122,14 @@ def turn_by_keys(page: Page) -> None:
     for _ in range(20):
         page.frames(1, commands.HoldKeys(frozenset({"left"})))
     page.frames(1, commands.HoldKeys(frozenset()), commands.Play(False))
-    assert page.session.simulation.rest_angle_shift != 0.0
+    assert page.simulation.rest_angle_shift != 0.0
 
 
 def test_a_corner_gets_a_joint_at_its_present_angle_whatever_keys_have_added(page: Page) -> None:
     page.do(Hold(0, 1))
     turn_by_keys(page)
-    shift = page.session.simulation.rest_angle_shift
-    present = build.angle_between(
-        page.session.scene, 1, 2, build.positions_of(page.session.simulation.capture())
-    )
+    shift = page.simulation.rest_angle_shift
+    present = build.angle_between(page.session.scene, 1, 2, build.positions_of(page.simulation.capture()))
     scene = page.do(Hold(1, 2))
     assert page.session.selection == Selection(joints=frozenset({1}))
     assert scene.angular_springs[0].rest_angle == pytest.approx(90.0)
@@ -191,16 +189,16 @@ def test_what_is_selected_is_moved_and_rests_if_that_is_wanted(page: Page) -> No
     scene = page.do(Move(dx, dy))
     assert scene.masses[2].position == pytest.approx((100.0, 140.0))
     assert scene.linear_springs[1].rest_length == 100.0
-    np.testing.assert_allclose(page.session.simulation.positions[3], (0.0, 140.0), atol=1e-6)
+    np.testing.assert_allclose(page.simulation.positions[3], (0.0, 140.0), atol=1e-6)
     scene = page.do(commands.Undo(), Move(dx, dy, rest=True))
     assert scene.linear_springs[1].rest_length == pytest.approx(140.0)
     assert scene.linear_springs[2].rest_length == pytest.approx(100.0)
     page.do(commands.Undo())
-    np.testing.assert_allclose(page.session.simulation.positions[3], (0.0, 100.0), atol=1e-6)
+    np.testing.assert_allclose(page.simulation.positions[3], (0.0, 100.0), atol=1e-6)
     page.do(Select(), Move(dx, dy))
     assert "nothing is selected" in page.session.notices.pop().text
     page.do(Move(dx, dy, under=0))
-    np.testing.assert_allclose(page.session.simulation.positions[0], (0.0, 40.0), atol=1e-6)
+    np.testing.assert_allclose(page.simulation.positions[0], (0.0, 40.0), atol=1e-6)
 
 
 def test_moves_by_keys_are_one_step(page: Page) -> None:
@@ -214,9 +212,9 @@ def test_the_joint_of_a_moved_corner_rests_as_it_is_under_shifted_angles(page: P
     page.do(Hold(0, 1))
     turn_by_keys(page)
     page.do(Move(0.5, 0.3, under=2, rest=True), Act("rest"))
-    loads = page.session.simulation.loads
+    loads = page.simulation.loads
     assert np.abs(loads.torques).max() < 1e-6  # nothing pulls
-    assert page.session.simulation.rest_angle_shift != 0.0
+    assert page.simulation.rest_angle_shift != 0.0
 
 
 def test_actions_need_no_place(page: Page) -> None:
@@ -252,7 +250,7 @@ def test_what_is_under_the_pointer_is_meant_where_nothing_is_selected(page: Page
     assert {a.mass for a in page.do(Act("pin", mass=2)).anchors} == {1, 2, 3}
     dx = page.world(10.0, 0.0)[0] - page.world(0.0, 0.0)[0]
     page.do(Move(dx, 0.0, under=2))
-    np.testing.assert_allclose(page.session.simulation.positions[1:3, 0], (110.0, 100.0))
+    np.testing.assert_allclose(page.simulation.positions[1:3, 0], (110.0, 100.0))
 
 
 def test_a_body_rests_as_it_is(page: Page) -> None:
@@ -277,16 +275,16 @@ def test_what_is_copied_is_pasted_into_another_page(page: Page) -> None:
     assert len(other.session.scene.masses) == n + 2
     assert other.session.selection.masses == {n, n + 1}
     middle = Mapping.of(other.session.scene).to_scene(0.2, 0.1)
-    assert other.session.simulation.positions[n:].mean(0) == pytest.approx(middle)
+    assert other.simulation.positions[n:].mean(0) == pytest.approx(middle)
     page.do(Select(), Act("copy"))
     assert "nothing is selected" in page.notices.pop().text
 
 
 @pytest.mark.parametrize("text", ["", "{}", "hello", '{"type":"softrod-fragment","masses":[]}', "[" * 5000])
 def test_what_is_no_fragment_is_refused_in_one_sentence(page: Page, text: str) -> None:
-    before = page.session.simulation.capture().scene
+    before = page.simulation.capture().scene
     pasted(page, text)
-    assert page.session.simulation.capture().scene is before
+    assert page.simulation.capture().scene is before
     if text:
         (notice,) = page.notices
         assert notice.title == "That cannot be pasted"
@@ -339,14 +337,14 @@ def test_forged_gestures_are_no_gestures(text: str) -> None:
 def test_what_cannot_be_done_leaves_all_as_it_was(page: Page, gesture: Gesture) -> None:
     decoded = read(msgspec.json.encode(gesture).decode())
     assert decoded == gesture
-    before = page.session.simulation.capture().scene
+    before = page.simulation.capture().scene
     scene = page.do(gesture)
     assert scene is before
     for notice in page.session.notices:
         assert len(notice.text.splitlines()) == 1
         assert "Error" not in notice.text
     page.frames(5, commands.Play(True))
-    assert np.isfinite(page.session.simulation.positions).all()
+    assert np.isfinite(page.simulation.positions).all()
 
 
 def test_what_is_told_is_told_once(page: Page) -> None:
@@ -363,15 +361,15 @@ def test_what_is_added_after_the_arrow_keys_is_at_rest(page: Page) -> None:
     for _ in range(20):
         page.frames(1, commands.HoldKeys(frozenset({"up", "left"})))
     page.frames(1, commands.HoldKeys(frozenset()), commands.Play(False))
-    simulation = page.session.simulation
+    simulation = page.simulation
     assert simulation.rest_length_scale > 1.2
     page.do(Act("rest"), Line(a=0, b=2), Line(a=2, end=page.of_mass(2, 40.0, 10.0)), Select(), Act("corners"))
     page.do(Line(a=1, end=page.of_mass(1, 30.0, -30.0)), Select(), Act("triangulate"))
     page.do(Move(0.1, 0.1, under=3, rest=True))
-    loads = page.session.simulation.loads
+    loads = page.simulation.loads
     assert len(page.session.scene.linear_springs) > 7
     assert np.abs(loads.torques).max() < 1e-6
-    moment = page.session.simulation.capture()
+    moment = page.simulation.capture()
     at = moment.positions
     for spring in moment.scene.linear_springs:
         present = math.dist(at[spring.a], at[spring.b])
@@ -415,11 +413,11 @@ def test_forged_texts_are_none(fields: dict[str, Any]) -> None:
 
 def test_a_body_keeps_its_shape_in_one_step_of_undo() -> None:
     page = Page(sim.load_scene("rod"))
-    before = page.session.simulation.positions.copy()
+    before = page.simulation.positions.copy()
     scene = page.do(Act("keep"))
     assert page.session.versions.undoable == "keep this shape"
     page.frames(60, commands.Play(True))
-    assert np.abs(page.session.simulation.positions - before).max() < 2e-3  # of a tolerance of 0.1
+    assert np.abs(page.simulation.positions - before).max() < 2e-3  # of a tolerance of 0.1
     assert page.do(commands.Play(False), commands.Undo()).linear_springs != scene.linear_springs
 
 
@@ -427,13 +425,13 @@ def test_in_motion_it_stops_where_it_is_and_starts_there() -> None:
     page = Page(sim.load_scene("rod"))
     page.frames(20, commands.Play(True))
     page.frames(1, commands.Play(False))
-    there = page.session.simulation.positions.copy()
+    there = page.simulation.positions.copy()
     page.do(Act("keep"))
-    assert np.abs(page.session.simulation.velocities).max() == 0.0
+    assert np.abs(page.simulation.velocities).max() == 0.0
     page.frames(60, commands.Play(True))
-    assert np.abs(page.session.simulation.positions - there).max() < 2e-3  # of a tolerance of 0.1
+    assert np.abs(page.simulation.positions - there).max() < 2e-3  # of a tolerance of 0.1
     page.frames(1, commands.Play(False), commands.Reset())
-    assert np.abs(page.session.simulation.positions - there).max() < 1e-9
+    assert np.abs(page.simulation.positions - there).max() < 1e-9
 
 
 def test_a_shape_that_cannot_be_kept_is_refused_with_the_motion_and_an_offer() -> None:
@@ -468,7 +466,7 @@ def test_a_shape_that_cannot_be_kept_is_refused_with_the_motion_and_an_offer() -
     # The line stays where it is, while the body leaves the shape.
     page.frames(5, commands.Play(True))
     page.frames(1, commands.Play(False))
-    assert page.session.simulation.positions[2, 1] > 1.0
+    assert page.simulation.positions[2, 1] > 1.0
     still = picture_of(page.session).ghost
     assert still is not None
     assert np.array_equal(still, shown)

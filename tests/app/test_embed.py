@@ -55,25 +55,14 @@ def test_an_origin_is_written_as_browsers_do(text: str, written: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "",
-        "*",
-        "null",
-        "'self'",
-        "school.example",
-        "https://",
-        "https://.",
-        "https://*.school.example",
-        "https://school.example/moodle",
-        "https://school.example https://evil.example",
-        "https://school.example; script-src *",
-        "https://school.example\r\nX-Evil: 1",
-        "https://user@school.example",
-        "https://school.example:0",
-        "https://school.example:65536",
-        "ftp://school.example",
+        "", "*", "null", "'self'", "school.example", "https://", "https://.",
+        "https://*.school.example", "https://school.example/moodle",
+        "https://school.example https://evil.example", "https://school.example; script-src *",
+        "https://school.example\r\nX-Evil: 1", "https://user@school.example",
+        "https://school.example:0", "https://school.example:65536", "ftp://school.example",
         "javascript:alert(1)",
     ],
-)
+)  # fmt: skip
 def test_what_is_no_origin_is_refused_before_anything_is_served(text: str) -> None:
     with pytest.raises(GateError, match=r"^[^\n]+ is not the origin of a site[^\n]+\.$"):
         open_server("127.0.0.1", 0, embed=[text])

@@ -19,7 +19,6 @@ from msgspec.structs import replace as changed
 from PIL import Image
 
 import sim
-from app.cli import main
 from app.drawing.plan import Picture
 from app.export import film, model, replay
 from app.export.bundle import BundleError, bundle
@@ -30,6 +29,7 @@ from app.session.session import Session
 from sim.errors import InputError
 from sim.scene.types import Damage
 from tests.app.clips import swing
+from tests.app.command import Softrod, refused
 from tests.app.pages import answered
 
 ROPE = sim.rope(masses=5, length=200.0)
@@ -246,21 +246,16 @@ def test_walls_and_wedges_are_in_a_model_where_there_are_any() -> None:
 
 
 # ------------------------------------------------------------------------- the command
-def export(*words: object) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(["export", *map(str, words)])
-    return int(ended.value.code or 0)
-
-
-def test_the_command_writes_all_four(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_writes_all_four(tmp_path: Path, softrod: Softrod) -> None:
     files = {kind: tmp_path / f"rope.{kind}" for kind in ("png", "gif", "html", "glb")}
     words = [word for kind, path in files.items() for word in (f"--{kind}", path)]
-    assert export("tutorial-3.3", *words, "--seconds", 0.4, "--size", "120x90", "--dark") == 0
+    made = softrod("export", "tutorial-3.3", *words, "--seconds", 0.4, "--size", "120x90", "--dark")
+    assert made.returncode == 0
     assert Image.open(files["png"]).size == Image.open(files["gif"]).size == (120, 90)
     assert np.asarray(Image.open(files["png"]))[2, 2].max() < 60
     assert files["html"].read_text().startswith("<!doctype html>")
     assert files["glb"].read_bytes()[:4] == b"glTF"
-    assert str(files["glb"]) in capsys.readouterr().out
+    assert str(files["glb"]) in made.stdout
     assert {path.name for path in tmp_path.iterdir()} == {path.name for path in files.values()}
 
 
@@ -290,17 +285,14 @@ def test_the_command_says_what_is_wrong_and_writes_nothing(
     said: str,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    softrod: Softrod,
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    assert export("tutorial-3.3", *words) == 1
-    error = capsys.readouterr().err
-    assert said in error
-    assert error.count("\n") == 1
+    refused(softrod("export", "tutorial-3.3", *words), said)
     assert not list(tmp_path.iterdir())
 
 
-def test_the_command_shows_a_recorded_log(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_shows_a_recorded_log(tmp_path: Path, softrod: Softrod) -> None:
     clock = iter(np.arange(0.0, 1e3, 1.0 / 60.0))
     session = Session(sim.load_scene("tutorial-3.3"), lambda: float(next(clock)))
     session.post(commands.SetValue("rest_angle", 20.0))
@@ -310,14 +302,15 @@ def test_the_command_shows_a_recorded_log(tmp_path: Path, capsys: pytest.Capture
     log = tmp_path / "log.jsonl"
     log.write_bytes(session.recorder.file())
     out, table = tmp_path / "rope.html", tmp_path / "rope.csv"
-    assert export("--inputs", log, "--html", out, "--motion", table, "--seconds", 0.3) == 0
+    made = softrod("export", "--inputs", log, "--html", out, "--motion", table, "--seconds", 0.3)
+    assert made.returncode == 0
     _, frames = parts(out.read_text())
     assert frames[-1][0] == pytest.approx(session.simulation.time)
     rows = np.loadtxt(table, delimiter=",", skiprows=1)
     assert rows[:, 0] == pytest.approx(np.arange(19) / 60)
     assert rows[-1, 1:] == pytest.approx(session.simulation.positions.ravel(), abs=1e-3)
-    assert "differs" not in capsys.readouterr().err
-    assert export("ring", "--inputs", log, "--html", out) == 1
+    assert "differs" not in made.stderr
+    assert softrod("export", "ring", "--inputs", log, "--html", out).returncode == 1
 
 
 # ------------------------------------------------------------------------- the workshop

@@ -49,25 +49,25 @@ def test_errors_grow_as_fast_as_they_do() -> None:
 
 
 def test_the_body_does_not_notice() -> None:
-    pages = [SessionPage(sim.load_scene("tutorial-3.3")) for _ in range(2)]
+    pages = [SessionPage() for _ in range(2)]
     pages[1].frames(0, commands.Foretell(True))
     for page in pages:
-        x, y = map(float, page.session.simulation.positions[0])
+        x, y = map(float, page.simulation.positions[0])
         page.frames(10, commands.DragStart(5, x, y))
         page.frames(10, commands.Point(x + 50.0, y), commands.HoldKeys(frozenset({"up"})))
         page.frames(10, commands.DragEnd(), commands.SetValue("gravity", 500.0))
-    one, other = (page.session.simulation for page in pages)
+    one, other = (page.simulation for page in pages)
     assert np.array_equal(one.positions, other.positions)
     assert one.time == other.time
 
 
 def test_hands_and_keys_reach_it() -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
-    x, y = map(float, page.session.simulation.positions[5])
+    page = SessionPage()
+    x, y = map(float, page.simulation.positions[5])
     page.frames(1, commands.Foretell(True), commands.DragStart(5, x, y), commands.HoldKeys(frozenset({"up"})))
     for _ in range(10):
         page.frames(2, commands.Point(x + 80.0, y))
-    body = page.session.simulation
+    body = page.simulation
     for one in foresight_of(page).shadow.pair:
         assert one.time == pytest.approx(body.time)
         assert one.positions[5] == pytest.approx(body.positions[5])
@@ -80,7 +80,7 @@ def test_hands_and_keys_reach_it() -> None:
 def test_going_back_finds_the_growth_of_then() -> None:
     page = SessionPage(upright())
     page.frames(100, commands.Foretell(True))
-    then, at = foresight_of(page).growth, page.session.simulation.time
+    then, at = foresight_of(page).growth, page.simulation.time
     page.frames(50, commands.SetValue("gravity", 4000.0))
     assert foresight_of(page).growth != then
     page.frames(1, commands.GoTo(at))
@@ -92,7 +92,7 @@ def test_going_back_finds_the_growth_of_then() -> None:
 
 
 def test_another_body_and_a_reset_begin_anew() -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page = SessionPage()
     page.frames(80, commands.Foretell(True))
     assert foresight_of(page).growth is not None
     page.frames(2, commands.Reset())
@@ -127,13 +127,13 @@ def test_without_enough_time_it_sees_only_parts_of_the_motion(monkeypatch: pytes
 def test_it_is_there_again_after_a_restart() -> None:
     page = SessionPage(upright())
     page.frames(1, commands.Foretell(True))
-    again = SessionPage(sim.load_scene("ring"))
+    again = SessionPage("ring")
     again.frames(1, commands.Resume(page.session.keepsake()))
     assert again.session.foresight is not None
 
 
 def test_nothing_is_told_where_every_mass_is_held() -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.1"))
+    page = SessionPage("tutorial-3.1")
     page.frames(80, commands.Foretell(True))
     assert "no mass is free" in readouts.predictability_table(page.session)
     assert foresight_of(page).verdict == ""

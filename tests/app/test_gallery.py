@@ -36,16 +36,10 @@ class Page(SessionPage):
     """A session with its gallery."""
 
     def __init__(self, owned: bool = True) -> None:
-        super().__init__(sim.load_scene("ring"))
+        super().__init__("ring")
         self.letters, self.notices = Letters(), list[Notice]()
         self.page = page_of(self.session, None, self.letters, self.notices.append, owned)
         self.gallery = Gallery(self.page)
-
-
-@pytest.fixture
-def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
-    return files.user_folder()
 
 
 # ------------------------------------------------------------------------- pictures

@@ -19,7 +19,7 @@ def rate_limited() -> SessionPage:
     """The tutorial's rope in a hundred pieces, hanging already."""
     page = SessionPage(frames.rod(100, sim.Integrator()))
     page.frames(30)
-    assert page.session.simulation.rate_limited
+    assert page.simulation.rate_limited
     return page
 
 
@@ -29,8 +29,7 @@ def hud(page: SessionPage) -> str:
 
 def torn(page: SessionPage, far: float, reports: int = 12) -> tuple[float, float]:
     """Tear the anchor to and fro; where it was."""
-    x, y = map(float, page.session.simulation.positions[0])
-    page.frames(1, commands.DragStart(0, x, y))
+    x, y = page.drag(0)
     for report in range(reports):
         page.frames(3, commands.Point(x + far * (report % 2), y))
     return x, y
@@ -44,7 +43,7 @@ def test_an_anchor_torn_away_does_not_stop_the_clock(far: float) -> None:
     behind, light = page.session.pacer.behind, hud(page)
     torn(page, far)
     assert page.session.pacer.behind - behind <= FRAME
-    assert page.session.simulation.divergence is None
+    assert page.simulation.divergence is None
     told = hud(page)
     assert "cannot follow" not in light
     assert "the body cannot follow so fast: the hand is" in told
@@ -56,9 +55,9 @@ def test_an_anchor_that_was_let_go_still_comes_to_where_the_pointer_left_it() ->
     x, y = torn(page, 400.0)
     page.frames(1, commands.DragEnd())
     assert not page.session.hands.masses
-    assert np.hypot(*(page.session.simulation.positions[0] - (x + 400.0, y))) > 0.0
+    assert np.hypot(*(page.simulation.positions[0] - (x + 400.0, y))) > 0.0
     page.frames(120)
-    assert page.session.simulation.positions[0] == pytest.approx((x + 400.0, y), abs=1e-6)
+    assert page.simulation.positions[0] == pytest.approx((x + 400.0, y), abs=1e-6)
     assert "behind" not in hud(page)
 
 
@@ -66,24 +65,22 @@ def test_time_stands_for_the_hand_of_a_demanding_body_too() -> None:
     page = rate_limited()
     page.frames(1, commands.Play(False))
     x, y = torn(page, 400.0, reports=2)
-    assert page.session.simulation.positions[0] == pytest.approx((x, y))
+    assert page.simulation.positions[0] == pytest.approx((x, y))
     page.frames(1, commands.DragEnd())
     page.frames(120, commands.Play())
-    assert page.session.simulation.positions[0] == pytest.approx((x + 400.0, y), abs=1e-6)
+    assert page.simulation.positions[0] == pytest.approx((x + 400.0, y), abs=1e-6)
 
 
 @pytest.mark.parametrize("method", ["rk4", "symplectic_euler", "auto", "adams"])
 def test_a_ghost_is_led_as_the_body_is(method: str) -> None:
     page = rate_limited()
     page.frames(1, commands.Compare(method, ""))
-    x, y = map(float, page.session.simulation.positions[0])
-    page.frames(1, commands.DragStart(0, x, y))
-    ghost = page.session.ghost
-    assert ghost is not None
+    x, y = page.drag(0)
+    ghost = page.ghost
     for report in range(8):
         page.frames(3, commands.Point(x + 300.0 * (report % 2), y))
         if ghost.simulation.divergence is None:  # as explicit methods with such a step do
-            apart = ghost.simulation.positions[0] - page.session.simulation.positions[0]
+            apart = ghost.simulation.positions[0] - page.simulation.positions[0]
             assert np.hypot(*apart) < 0.5
     page.frames(1, commands.DragEnd())
 
@@ -92,17 +89,15 @@ def test_a_ghost_is_led_as_the_body_is(method: str) -> None:
 
 
 def test_a_ghost_of_finer_steps_shows_how_wrong_the_body_s_are() -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page = SessionPage()
     apart = {}
     for finer in FINER:
         page.frames(1, commands.Reset(), commands.Compare("symplectic_euler", "", finer))
-        ghost = page.session.ghost
-        assert ghost is not None
+        ghost = page.ghost
         assert ghost.simulation.dt == pytest.approx(0.0025 / finer)
-        x, y = map(float, page.session.simulation.positions[0])
-        page.frames(30, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
-        assert ghost.simulation.time == pytest.approx(page.session.simulation.time)
-        assert ghost.simulation.positions[0] == pytest.approx(page.session.simulation.positions[0])
+        page.drag(0, 60.0, frames=30)
+        assert ghost.simulation.time == pytest.approx(page.simulation.time)
+        assert ghost.simulation.positions[0] == pytest.approx(page.simulation.positions[0])
         page.frames(1, commands.DragEnd())
         apart[finer] = ghost.worst
     assert apart[1] == 0.0
@@ -113,31 +108,29 @@ def test_a_ghost_of_finer_steps_shows_how_wrong_the_body_s_are() -> None:
 
 
 def test_a_ghost_that_is_late_is_not_compared_and_catches_up() -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page = SessionPage()
     page.frames(20, commands.Compare("symplectic_euler", "", 10))
-    ghost = page.session.ghost
-    assert ghost is not None
+    ghost = page.ghost
     before = ghost.distance
     costs, ghost.costs = ghost.costs, Costs()
     in_one_piece(ghost.costs, 9)
     page.frames(20, commands.SetValue("gravity", 10.0))
-    late = page.session.simulation.time - ghost.simulation.time
+    late = page.simulation.time - ghost.simulation.time
     assert late > 0.2
     assert ghost.distance == before
     page.frames(1, commands.GoBack(0.1))
     page.frames(1, commands.GoTo(1e9))
-    assert page.session.simulation.time - ghost.simulation.time == pytest.approx(late)
+    assert page.simulation.time - ghost.simulation.time == pytest.approx(late)
     ghost.costs = costs
     page.frames(5, commands.Play(True))
-    assert ghost.simulation.time == pytest.approx(page.session.simulation.time)
+    assert ghost.simulation.time == pytest.approx(page.simulation.time)
     assert ghost.distance != before
 
 
 def test_a_ghost_has_the_time_that_the_body_leaves() -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page = SessionPage()
     page.frames(5, commands.Compare("rk4", "", 10))
-    ghost = page.session.ghost
-    assert ghost is not None
+    ghost = page.ghost
     ghost.costs.learn(1, 10.0 * BUDGET / 20.0, 10)
     tried: list[int] = []
     step = ghost.simulation.step
@@ -154,12 +147,10 @@ def test_a_ghost_has_the_time_that_the_body_leaves() -> None:
 
 
 def test_a_reset_forgets_how_far_off_the_ghost_has_been() -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page = SessionPage()
     page.frames(1, commands.Compare("symplectic_euler", "", 4))
-    ghost = page.session.ghost
-    assert ghost is not None
-    x, y = map(float, page.session.simulation.positions[0])
-    page.frames(30, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+    ghost = page.ghost
+    page.drag(0, 60.0, frames=30)
     page.frames(30, commands.DragEnd())
     assert 0.0 < ghost.distance <= ghost.worst
     page.frames(1, commands.Play(False), commands.Reset())
@@ -168,12 +159,11 @@ def test_a_reset_forgets_how_far_off_the_ghost_has_been() -> None:
 
 
 def test_a_ghost_of_a_finer_tolerance() -> None:
-    page = SessionPage(sim.load_scene("study-w1"))
+    page = SessionPage("study-w1")
     page.frames(20, commands.Compare("adams", "conservative", 10))
-    ghost = page.session.ghost
-    assert ghost is not None
+    ghost = page.ghost
     assert ghost.simulation.scene.integrator.tolerance == pytest.approx(0.01)
-    assert ghost.simulation.dt == page.session.simulation.dt
+    assert ghost.simulation.dt == page.simulation.dt
     assert "Adams, tolerance / 10, conservative law" in readouts.ghost_table(page.session)
 
 
@@ -181,10 +171,9 @@ def test_a_ghost_s_step_is_one_that_a_scene_may_have() -> None:
     page = SessionPage(sim.set_value(sim.load_scene("tutorial-3.3"), "dt", 2.5e-6))
     page.frames(2, commands.Play(False), commands.Compare("rk4", "", 10), commands.DoSteps(10))
     assert not page.session.notices
-    ghost = page.session.ghost
-    assert ghost is not None
+    ghost = page.ghost
     assert 1e-6 <= ghost.simulation.dt <= 1.3e-6
     page.frames(2, commands.SetValue("dt", 1e-6), commands.DoSteps(10))
     assert not page.session.notices
     assert ghost.simulation.dt == 1e-6
-    assert ghost.simulation.time == pytest.approx(page.session.simulation.time)
+    assert ghost.simulation.time == pytest.approx(page.simulation.time)

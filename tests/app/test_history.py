@@ -30,7 +30,7 @@ SCENE = sim.rope(masses=3)
 
 @pytest.fixture
 def page() -> SessionPage:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page = SessionPage()
     page.frames(90)
     return page
 
@@ -138,11 +138,11 @@ def test_going_back_shows_what_was(page: SessionPage) -> None:
 
 
 def test_scrubbing_does_not_lose_what_is_newer(page: SessionPage) -> None:
-    end, positions = page.session.history.end, page.session.simulation.positions
+    end, positions = page.session.history.end, page.simulation.positions
     for time in (0.1, 1.2, 0.3, -5.0, 1e9):
         page.frames(2, commands.GoTo(time))
-    assert page.session.simulation.time == end
-    assert np.array_equal(page.session.simulation.positions, positions)
+    assert page.simulation.time == end
+    assert np.array_equal(page.simulation.positions, positions)
     assert not page.session.history.scrubbed
 
 
@@ -166,10 +166,10 @@ def test_frames_back_and_forward(page: SessionPage) -> None:
 
 @pytest.mark.parametrize("time", [math.nan, math.inf, -math.inf])
 def test_no_time_at_all_is_refused(page: SessionPage, time: float) -> None:
-    before = page.session.simulation.time
+    before = page.simulation.time
     page.frames(1, commands.Play(False), commands.GoTo(time), commands.GoBack(time))
     assert len(page.session.notices) == 2
-    assert page.session.simulation.time == before
+    assert page.simulation.time == before
 
 
 def test_settings_and_keys_come_back(page: SessionPage) -> None:
@@ -220,24 +220,23 @@ def test_what_was_changed_while_paused_is_not_lost_by_looking_back(page: Session
 
 
 def test_a_mass_in_hand_is_let_go(page: SessionPage) -> None:
-    x, y = page.session.simulation.positions[8]
-    page.frames(20, commands.DragStart(8, x, y), commands.Point(x + 40.0, y))
+    page.drag(8, 40.0, frames=20)
     page.frames(1, commands.GoBack(0.2))
     assert not page.session.hands.masses
-    place = page.session.simulation.positions
+    place = page.simulation.positions
     page.frames(10, commands.Point(0.0, 0.0))
-    assert np.array_equal(page.session.simulation.positions, place)
+    assert np.array_equal(page.simulation.positions, place)
 
 
 def test_what_follows_the_pointer_does_not_disturb_the_past(page: SessionPage) -> None:
     page.frames(20, commands.Follow(True), commands.Point(250.0, 150.0))
     page.frames(1, commands.GoTo(0.5))
-    place = page.session.simulation.positions
+    place = page.simulation.positions
     page.frames(10, commands.Point(400.0, 300.0))
-    assert np.array_equal(page.session.simulation.positions, place)
+    assert np.array_equal(page.simulation.positions, place)
     page.frames(20, commands.Play(True))
     page.frames(20, commands.Point(400.0, 300.0))
-    assert page.session.simulation.positions[0] == pytest.approx((400.0, 300.0))
+    assert page.simulation.positions[0] == pytest.approx((400.0, 300.0))
 
 
 def ghost_of(page: SessionPage) -> Ghost:
@@ -248,31 +247,31 @@ def ghost_of(page: SessionPage) -> Ghost:
 def test_the_ghost_goes_back_to_where_it_was(page: SessionPage) -> None:
     page.frames(30, commands.Compare("rk4", "angle", 1), commands.SetValue("rest_angle", 30.0))
     ghost = ghost_of(page)
-    time, positions, worst = page.session.simulation.time, ghost.simulation.positions, ghost.worst
+    time, positions, worst = page.simulation.time, ghost.simulation.positions, ghost.worst
     assert worst > 0.0
     page.frames(30)
     page.frames(30, commands.SetValue("gravity", 10.0))
     page.frames(1, commands.GoTo(time))
-    assert ghost.simulation.time == page.session.simulation.time == time
+    assert ghost.simulation.time == page.simulation.time == time
     assert np.array_equal(ghost.simulation.positions, positions)
     assert ghost.simulation.scene.gravity == page.session.scene.gravity
     assert ghost.worst == worst
     page.frames(30, commands.Play(True))
-    assert ghost.simulation.time == pytest.approx(page.session.simulation.time)
-    assert page.session.simulation.time > time
+    assert ghost.simulation.time == pytest.approx(page.simulation.time)
+    assert page.simulation.time > time
 
 
 def test_the_ghost_starts_from_a_moment_before_it_was_there_and_before_it_was_another(
     page: SessionPage,
 ) -> None:
-    time = page.session.simulation.time
+    time = page.simulation.time
     page.frames(10, commands.HoldKeys(frozenset({"up", "right"})))
-    keyed = page.session.simulation.time
+    keyed = page.simulation.time
     page.frames(30, commands.HoldKeys(frozenset()), commands.Compare("rk4", "", 1))
     page.frames(30, commands.Compare("adams", "", 1))
     for moment in (keyed + 0.3, keyed, time):
         page.frames(1, commands.GoTo(moment))
-        ghost, body = ghost_of(page).simulation, page.session.simulation
+        ghost, body = ghost_of(page).simulation, page.simulation
         assert np.array_equal(ghost.positions, body.positions)
         assert (ghost.time, ghost_of(page).worst) == (body.time, 0.0)
         # What keys have changed until then is in both.
@@ -286,7 +285,7 @@ def test_a_body_and_a_ghost_that_do_the_same_are_never_apart(page: SessionPage) 
     page.frames(10, commands.HoldKeys(frozenset()))
     page.frames(1, commands.GoBack(0.2))
     page.frames(30, commands.Play(True))
-    assert ghost_of(page).simulation.time == page.session.simulation.time
+    assert ghost_of(page).simulation.time == page.simulation.time
     assert ghost_of(page).worst == 0.0
 
 
@@ -334,7 +333,7 @@ def test_the_old_future_stays_for_comparison(page: SessionPage) -> None:
 def test_single_steps_from_the_past_branch_too(page: SessionPage) -> None:
     page.frames(1, commands.GoTo(0.5), commands.DoSteps(3))
     assert page.session.old_future is not None
-    assert page.session.history.end == page.session.simulation.time == pytest.approx(0.5075, abs=0.01)
+    assert page.session.history.end == page.simulation.time == pytest.approx(0.5075, abs=0.01)
 
 
 def test_an_old_future_is_a_copy() -> None:
@@ -416,8 +415,7 @@ def test_there_is_a_way_back_to_before_a_divergence(preset: str, method: str, ov
 
 def test_a_body_that_runs_away_from_the_first_step_goes_back_there() -> None:
     page = SessionPage(sim.set_value(tutorial_preset("ring"), "angular_stiffness", 1e8))
-    x, y = page.session.simulation.positions[0]
-    page.frames(300, commands.DragStart(0, x, y), commands.Point(x + 1.0, y))
+    page.drag(0, 1.0, frames=300)
     assert page.session.offer_back
     page.frames(1, commands.BackBeforeDivergence())
-    assert page.session.simulation.time < 0.1
+    assert page.simulation.time < 0.1

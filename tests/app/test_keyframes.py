@@ -15,7 +15,6 @@ from msgspec.structs import replace as changed
 from rich.console import Console
 
 import sim
-from app.cli import main
 from app.drawing.plan import Picture
 from app.export import keyframes
 from app.export.animation import animated_glb
@@ -25,14 +24,9 @@ from app.export.making import simulated
 from app.export.model import glb
 from sim.errors import InputError
 from sim.scene.types import Damage
+from tests.app.command import Softrod
 
 EULER = sim.Integrator(method="symplectic_euler")
-
-
-def command(*words: object) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main([*map(str, words)])
-    return int(ended.value.code or 0)
 
 
 def clip_of(scene: sim.Scene, seconds: float, rate: int) -> Clip:
@@ -97,13 +91,15 @@ def in_metres(scene: sim.Scene, positions: np.ndarray) -> np.ndarray:
 
 # ------------------------------------------------------------------------- the motion
 @pytest.mark.parametrize(("name", "after"), [("tutorial-3.3", 0.0), ("jelly", 0.1)])
-def test_keyframes_are_the_motion_of_the_run(name: str, after: float, tmp_path: Path) -> None:
+def test_keyframes_are_the_motion_of_the_run(
+    name: str, after: float, tmp_path: Path, softrod: Softrod
+) -> None:
     table, model, run = tmp_path / "motion.csv", tmp_path / "motion.glb", tmp_path / "run.csv"
     # Methods with error control see where a run pauses, and may take other steps then.
     scene_words = (name, "--set", "method=symplectic_euler")
     words = ("--fps", 50, "--seconds", 0.6, "--after", after)
-    assert command("export", *scene_words, "--motion", table, "--animation", model, *words) == 0
-    assert command("run", *scene_words, "--duration", after + 0.6, "--every", 8, "--out", run) == 0
+    assert softrod("export", *scene_words, "--motion", table, "--animation", model, *words).returncode == 0
+    assert softrod("run", *scene_words, "--duration", after + 0.6, "--every", 8, "--out", run).returncode == 0
     scene = sim.load_scene(name)
     assert scene.integrator.dt * 8 == pytest.approx(1 / 50)
     wanted = np.loadtxt(run, delimiter=",", skiprows=1)[:, 2:]

@@ -27,14 +27,9 @@ def test_it_is_the_line_of_least_squares_through_the_logarithms() -> None:
 @pytest.mark.parametrize(
     "points",
     [
-        [],
-        [(1.0, 2.0)],
-        [(3.0, 1.0), (3.0, 2.0)],
-        [(1.0, 2.0), (2.0, 0.0)],
-        [(-1.0, 2.0), (2.0, 3.0)],
-        [(1.0, 2.0), (2.0, math.nan)],
-        [(1.0, 2.0), (math.inf, 3.0)],
+        [], [(1.0, 2.0)], [(3.0, 1.0), (3.0, 2.0)], [(1.0, 2.0), (2.0, 0.0)], [(-1.0, 2.0), (2.0, 3.0)],
+        [(1.0, 2.0), (2.0, math.nan)], [(1.0, 2.0), (math.inf, 3.0)],
     ],
-)
+)  # fmt: skip
 def test_without_two_settings_and_positive_numbers_there_is_none(points: list[tuple[float, float]]) -> None:
     assert power_law(points) is None

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import msgspec
 import pytest
-import viser
 
 import sim
 from app.cli import Check
@@ -28,7 +26,7 @@ from sim.store.files import built_in_folder, decode_scene, encode_scene
 from tests.amount import part_of
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
-from tests.app.panels import page_of
+from tests.app.panels import Client, page_of
 from tests.app.whole import WholePage
 
 LESSONS = sorted(path.stem for path in (built_in_folder() / "lessons").glob("*.json"))
@@ -42,14 +40,15 @@ def with_lesson(*steps: Step) -> sim.Scene:
 def test_a_message_begins_a_step_and_nonsense_does_not() -> None:
     for how in ("run", "wait", "on"):
         assert read(f'{{"do":"beginStep","step":12,"how":"{how}"}}') == BeginStep(12, how)
-    for nonsense in (
+    nonsense_said = (
         '"step":-1',
         '"step":123',
         '"step":1.5',
         '"step":"1"',
         '"step":1,"how":"walk"',
         '"how":"on"',
-    ):
+    )
+    for nonsense in nonsense_said:
         assert read(f'{{"do":"beginStep",{nonsense}}}') is None
 
 
@@ -102,34 +101,25 @@ def test_a_plot_that_cannot_be_is_said(tmp_path: Path, capsys: pytest.CaptureFix
         decode_scene(path.read_bytes().replace(b'"forces"', b'"force"'), "x")
 
 
-@pytest.fixture
-def server() -> Iterator[viser.ViserServer]:
-    server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
-    yield server
-    server.stop()
-
-
-def lesson_panel(
-    server: viser.ViserServer, page: SessionPage, told: list[Notice], letters: Letters | None = None
-) -> LessonPanel:
-    client: Any = server  # has the same `gui`
-    tab = server.gui.add_tab_group().add_tab("Lesson")
+def lesson_panel(page: SessionPage, told: list[Notice], letters: Letters | None = None) -> LessonPanel:
+    client: Any = Client()
+    tab = client.gui.add_tab_group().add_tab("Lesson")
     return LessonPanel(page_of(page.session, client, letters, told.append), tab)
 
 
-def test_the_page_is_told_what_it_shows_of_a_lesson(server: viser.ViserServer) -> None:
+def test_the_page_is_told_what_it_shows_of_a_lesson() -> None:
     page, letters = (
         SessionPage(with_lesson(Step(title="A", do="B", question=QUESTION, settings=("gravity=0",)))),
         Letters(),
     )
-    panel = lesson_panel(server, page, [], letters)
+    panel = lesson_panel(page, [], letters)
     panel.build()
     panel.build()
     # The settings are the server's.
     assert letters.sent == [LessonState(steps=(LessonStep("A", "B", "", QUESTION),))]
 
 
-def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server: viser.ViserServer) -> None:
+def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own() -> None:
     steps = (
         Step(
             title="A",
@@ -142,7 +132,7 @@ def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server:
         Step(title="A", do="B", controls=("angular_stiffness",)),
     )
     page, told = SessionPage(with_lesson(*steps)), []
-    panel = lesson_panel(server, page, told)
+    panel = lesson_panel(page, told)
     panel.begin(BeginStep(0))
     page.frames(1)
     panel.build()
@@ -160,20 +150,20 @@ def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server:
     page.frames(1)
     assert page.session.playing
     # A page that goes on in the middle of a step does not begin it anew.
-    time = page.session.simulation.time
+    time = page.simulation.time
     panel.begin(BeginStep(1, "on"))
     page.frames(1)
-    assert page.session.simulation.time > time
+    assert page.simulation.time > time
     assert panel.controls == ("angular_stiffness",)
     panel.begin(BeginStep(7))  # a page can send anything
     assert panel.step == steps[1]
     assert not told
 
 
-def test_nothing_is_to_be_undone_of_a_lesson_that_has_just_been_opened(server: viser.ViserServer) -> None:
+def test_nothing_is_to_be_undone_of_a_lesson_that_has_just_been_opened() -> None:
     lesson = with_lesson(Step(title="A", do="B", settings=("gravity=0",)), Step(title="C", do="D"))
     page = SessionPage(lesson)
-    panel, versions = lesson_panel(server, page, []), page.session.versions
+    panel, versions = lesson_panel(page, []), page.session.versions
     panel.begin(BeginStep(0))
     page.frames(1)
     assert page.session.scene.gravity == (0.0, 0.0)
@@ -183,12 +173,12 @@ def test_nothing_is_to_be_undone_of_a_lesson_that_has_just_been_opened(server: v
     assert versions.undoable
     # Opened in the place of another scene, the lesson is one step with its beginning.
     page.frames(1, commands.Open(sim.load_scene("ring")))
-    ring = page.session.simulation.capture().scene
+    ring = page.simulation.capture().scene
     page.frames(1, commands.Open(lesson))
     panel.begin(BeginStep(0))
     page.frames(1)
     page.frames(1, commands.Undo())
-    assert page.session.simulation.capture().scene is ring
+    assert page.simulation.capture().scene is ring
     page.frames(1, commands.Redo())
     assert page.session.scene.gravity == (0.0, 0.0)
 
@@ -213,11 +203,11 @@ def test_what_a_step_cannot_have_is_told_by_check(tmp_path: Path, capsys: pytest
     assert Check((path,)).run() == 0
 
 
-def test_a_step_begins_when_a_scene_is_opened_and_not_when_it_goes_on(server: viser.ViserServer) -> None:
+def test_a_step_begins_when_a_scene_is_opened_and_not_when_it_goes_on() -> None:
     scene = with_lesson(Step(title="A", do="B"))
     page = SessionPage(scene)
     assert not page.session.lesson_begun
-    lesson_panel(server, page, []).begin(BeginStep(0))
+    lesson_panel(page, []).begin(BeginStep(0))
     page.frames(5)
     assert page.session.lesson_begun
     kept, log = page.session.keepsake(), page.session.recorder.file()
@@ -231,9 +221,9 @@ def test_a_step_begins_when_a_scene_is_opened_and_not_when_it_goes_on(server: vi
         page.frames(1, commands.Open(scene))
 
 
-def test_leaving_a_question_lets_the_next_scene_run(server: viser.ViserServer) -> None:
-    page = SessionPage(sim.load_scene("lesson-hooke"))
-    panel = lesson_panel(server, page, [])
+def test_leaving_a_question_lets_the_next_scene_run() -> None:
+    page = SessionPage("lesson-hooke")
+    panel = lesson_panel(page, [])
     lesson = page.session.scene.lesson
     assert lesson is not None
     asks = next(i for i, step in enumerate(lesson.steps) if step.question is not None)
@@ -252,11 +242,9 @@ def test_leaving_a_question_lets_the_next_scene_run(server: viser.ViserServer) -
     assert not page.session.playing
 
 
-def test_a_step_of_a_lesson_that_was_made_since_begins_with_the_body_as_it_is(
-    server: viser.ViserServer,
-) -> None:
-    page, told = SessionPage(sim.load_scene("rope")), []
-    panel = lesson_panel(server, page, told)
+def test_a_step_of_a_lesson_that_was_made_since_begins_with_the_body_as_it_is() -> None:
+    page, told = SessionPage("rope"), []
+    panel = lesson_panel(page, told)
     page.frames(1, commands.Change(lambda moment, _: add_mass(moment.scene, (9.0, 9.0))))
     page.frames(1, commands.Change(lambda moment, _: add_step(moment.scene, 0)))
     masses = len(page.session.scene.masses)
@@ -280,7 +268,7 @@ def test_every_step_of_a_lesson_begins_with_its_sliders_and_plots(name: str) -> 
         ]
         assert sorted(page.gui.labels("slider", "dropdown", tab="Lesson")) == sorted(wanted)
         assert page.gui.text("Lesson").count("softrod-plot-title") == len(step.plots or ())
-        assert page.session.playing and page.session.simulation.time > 0.0
+        assert page.session.playing and page.simulation.time > 0.0
     assert not page.notices
 
 

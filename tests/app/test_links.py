@@ -11,7 +11,6 @@ import msgspec
 import pytest
 
 import sim
-from app.cli import main
 from app.gate import address
 from app.gate.address import address_for_others, public_address
 from app.page import controls
@@ -27,6 +26,7 @@ from sim.errors import SceneError
 from sim.store.files import decode_link, save_user_scene
 from sim.store.link import pack_scene
 from sim.store.shared import shared_folder, shared_scene
+from tests.app.command import Softrod, refused
 from tests.app.hostile import Sandbox, answer
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
@@ -74,7 +74,7 @@ def test_a_link_has_the_scene_as_it_is_now() -> None:
     assert scene == page.session.scene
     assert plain.qr.startswith("data:image/svg+xml")
     there = decode_link(posed.link.removeprefix(f"{PAGE}s#"))
-    assert (sim.Simulation(there).positions == page.session.simulation.positions).all()
+    assert (sim.Simulation(there).positions == page.simulation.positions).all()
 
 
 def test_a_long_link_has_no_qr_code() -> None:
@@ -210,45 +210,32 @@ def test_the_gate_serves_a_page_for_links() -> None:
         sandbox.close()
 
 
-def ran(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
-    """Exit status, output and error output of a command."""
-    with pytest.raises(SystemExit) as ended:
-        main(list(words))
-    out, error = capsys.readouterr()
-    assert isinstance(ended.value.code, int)
-    return ended.value.code, out, error
-
-
-def test_the_command_prints_a_link_that_every_command_takes(capsys: pytest.CaptureFixture[str]) -> None:
-    status, out, _ = ran(capsys, "link", "ring", "--set", "gravity=321", "--address", "http://10.0.0.4:8080/")
+def test_the_command_prints_a_link_that_every_command_takes(softrod: Softrod) -> None:
+    out = softrod("link", "ring", "--set", "gravity=321", "--address", "http://10.0.0.4:8080/").stdout
     link = out.strip()
-    assert status == 0
     assert link.startswith("http://10.0.0.4:8080/s#1.")
     assert sim.load_scene(link) == sim.set_value(sim.load_scene("ring"), "gravity", 321.0)
-    assert ran(capsys, "link", link, "--address", "http://10.0.0.4:8080")[1] == out
-    status, out, _ = ran(capsys, "link", "ring", "--qr")
-    assert len(out.splitlines()) > 20
+    assert softrod("link", link, "--address", "http://10.0.0.4:8080").stdout == out
+    assert len(softrod("link", "ring", "--qr").stdout.splitlines()) > 20
 
 
-def test_the_command_prints_a_short_address(capsys: pytest.CaptureFixture[str], home: None) -> None:
+def test_the_command_prints_a_short_address(softrod: Softrod, home: None) -> None:
     where = ("--address", "https://school.example/lab/", "--short")
-    assert ran(capsys, "link", "ring", *where)[1] == "https://school.example/lab/?scene=ring\n"
-    _, out, _ = ran(capsys, "link", "ring", "--set", "gravity=321", *where)
+    assert softrod("link", "ring", *where).stdout == "https://school.example/lab/?scene=ring\n"
+    out = softrod("link", "ring", "--set", "gravity=321", *where).stdout
     code = out.strip().removeprefix("https://school.example/lab/?s=")
     assert shared_scene(code) == sim.set_value(sim.load_scene("ring"), "gravity", 321.0)
-    assert len(ran(capsys, "link", "study-cloth", "--short", "--qr")[1].splitlines()) > 10
+    assert len(softrod("link", "study-cloth", "--short", "--qr").stdout.splitlines()) > 10
 
 
-def test_the_command_keeps_a_pose_where_it_is_told_to(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
+def test_the_command_keeps_a_pose_where_it_is_told_to(softrod: Softrod, tmp_path: Path) -> None:
     simulation = sim.Simulation(sim.load_scene("ring"))
     simulation.step(50)
     posed = msgspec.structs.replace(simulation.scene, pose=simulation.pose())
     sim.save_scene(posed, tmp_path / "posed.json")
     path = str(tmp_path / "posed.json")
-    assert sim.load_scene(ran(capsys, "link", path)[1].strip()).pose is None
-    assert sim.load_scene(ran(capsys, "link", path, "--pose")[1].strip()) == posed
+    assert sim.load_scene(softrod("link", path).stdout.strip()).pose is None
+    assert sim.load_scene(softrod("link", path, "--pose").stdout.strip()) == posed
 
 
 @pytest.mark.parametrize(
@@ -260,10 +247,5 @@ def test_the_command_keeps_a_pose_where_it_is_told_to(
         (("link", "study-cloth", "--address", "http://" + "x" * 3000, "--qr"), "too long for a QR code"),
     ],
 )
-def test_a_command_that_cannot_be_done_says_why(
-    capsys: pytest.CaptureFixture[str], words: tuple[str, ...], said: str
-) -> None:
-    status, _, error = ran(capsys, *words)
-    assert status == 1
-    assert said in error
-    assert error.count("\n") == 1
+def test_a_command_that_cannot_be_done_says_why(softrod: Softrod, words: tuple[str, ...], said: str) -> None:
+    refused(softrod(*words), said)

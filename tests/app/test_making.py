@@ -212,10 +212,10 @@ def test_undo_takes_back_what_was_done_to_the_lesson() -> None:
 def test_the_body_moves_on_while_its_lesson_is_written() -> None:
     form = Form()
     form.page.frames(20)
-    time, rows = form.page.session.simulation.time, form.page.session.simulation.positions.copy()
+    time, rows = form.page.simulation.time, form.page.simulation.positions.copy()
     form.say(asks.AddStep(0), asks.WriteStep(0, "title", "T"))
-    assert form.page.session.simulation.time > time > 0.0
-    assert (form.page.session.simulation.positions != rows).any()
+    assert form.page.simulation.time > time > 0.0
+    assert (form.page.simulation.positions != rows).any()
     assert form.page.session.openings == 0
 
 

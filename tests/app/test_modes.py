@@ -39,7 +39,7 @@ def found(page: SessionPage, before: int = 0) -> ModesWatch:
     end = time.monotonic() + 60.0
     while watch.number <= before and time.monotonic() < end:
         time.sleep(0.005)
-        watch.tick(page.session.simulation, busy=False)
+        watch.tick(page.simulation, busy=False)
     assert watch.number > before
     return watch
 
@@ -48,7 +48,7 @@ def amplitude(page: SessionPage, mode: int) -> float:
     """Of a mode now, in that of a full bar."""
     watch = page.session.modes
     assert watch is not None
-    now = watch.excitation(page.session.simulation)
+    now = watch.excitation(page.simulation)
     assert now is not None
     assert watch.found is not None
     reach = np.hypot(now.amplitudes, now.rates / watch.found.frequencies) / watch.full
@@ -62,7 +62,7 @@ def numbers(letters: Letters, kind: str) -> np.ndarray:
 
 
 def test_nothing_is_done_while_nobody_looks() -> None:
-    page = SessionPage(sim.load_scene("bridge"))
+    page = SessionPage("bridge")
     letters = Letters()
     view = ModesView(letters)
     for _ in range(5):
@@ -101,13 +101,13 @@ def test_a_body_is_put_into_a_mode_by_one_step_of_undo() -> None:
 def test_undo_comes_back_to_the_motion_at_the_present_time() -> None:
     page, _ = opened()
     page.frames(10)
-    before = page.session.simulation.capture()
+    before = page.simulation.capture()
     page.frames(20, commands.PutMode(0, 0.5))
-    now = page.session.simulation.time
+    now = page.simulation.time
     page.frames(0, commands.Play(False), commands.Undo())
     page.session.drain()
-    assert page.session.simulation.time == now
-    assert np.array_equal(page.session.simulation.capture().rows, before.rows)
+    assert page.simulation.time == now
+    assert np.array_equal(page.simulation.capture().rows, before.rows)
 
 
 @pytest.mark.parametrize(
@@ -116,14 +116,14 @@ def test_undo_comes_back_to_the_motion_at_the_present_time() -> None:
 def test_what_cannot_be_put_in_is_nothing(command: commands.PutMode) -> None:
     page, _ = opened()
     page.frames(1, commands.Play(False))
-    rows = page.session.simulation.capture().rows
+    rows = page.simulation.capture().rows
     page.frames(1, command)
-    assert np.array_equal(page.session.simulation.capture().rows, rows)
+    assert np.array_equal(page.simulation.capture().rows, rows)
 
 
 def test_a_mode_is_driven_while_it_is_said_and_its_support_comes_back() -> None:
     page, watch = opened("lesson-bridge-modes")
-    session, start = page.session, page.session.simulation.positions
+    session, start = page.session, page.simulation.positions
     for _ in range(90):
         page.frames(1, commands.DriveMode(1))
     drive = session.driving.drive
@@ -165,10 +165,10 @@ def test_a_body_that_nothing_holds_is_driven_where_it_swings_most() -> None:
     found(page)
     page.frames(30, commands.DriveMode(0))
     assert page.session.driving.drive is not None
-    assert page.session.simulation.grabbed
+    assert page.simulation.grabbed
     page.frames(1, commands.DriveMode(-1))
     assert page.session.driving.drive is None
-    assert not page.session.simulation.grabbed
+    assert not page.simulation.grabbed
 
 
 def test_a_mode_that_is_not_there_cannot_be_driven() -> None:
@@ -237,8 +237,8 @@ def test_a_page_is_told_when_the_body_begins_to_touch() -> None:
     found(page)
     page.frames(1, commands.Play())
     touching: list[float] = []
-    while max(touching, default=0.0) <= 1e-4 and page.session.simulation.time < 2.0:
-        lowest = page.session.simulation.positions[:, 1].max()
+    while max(touching, default=0.0) <= 1e-4 and page.simulation.time < 2.0:
+        lowest = page.simulation.positions[:, 1].max()
         view.tell(page.session)
         touching.append(float(sections(numbers(letters, "ModeLevels"))[0][3]))
         if lowest < 440.0:

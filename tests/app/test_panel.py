@@ -86,7 +86,7 @@ def test_undo_is_seen_in_sliders_boxes_and_lists() -> None:
     page.enter("Gravity", 700.0)
     page.enter("Angle template", "90°")
     assert page.scene.template == 90
-    assert (page.session.simulation.rest_angles == 90.0).all()
+    assert (page.simulation.rest_angles == 90.0).all()
     page.shown(commands.Undo())
     assert page.gui["Angle template"].value == f"{page.scene.template}°" != "90°"
     page.shown(commands.Undo())

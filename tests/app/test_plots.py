@@ -58,7 +58,7 @@ def test_there_is_a_row_for_each_frame_in_which_time_passed(page: PlotPage) -> N
     page.frames(30)
     rows = page.plot.rows
     assert len(rows) == 30
-    assert rows[-1].tolist() == [page.session.simulation.time, page.session.simulation.positions[11, 1]]
+    assert rows[-1].tolist() == [page.simulation.time, page.simulation.positions[11, 1]]
     assert (np.diff(rows[:, 0]) > 0.0).all()
     page.frames(10, commands.Play(False))
     assert len(page.plot.rows) == 30
@@ -70,7 +70,7 @@ def test_back_in_time_what_is_ahead_stays_until_something_else_comes(page: PlotP
     page.frames(60)
     before = page.plot.rows.copy()
     page.frames(3, commands.GoBack(0.5))
-    shown = page.session.simulation.time
+    shown = page.simulation.time
     assert np.array_equal(page.plot.rows, before)
     assert page.plot.shown == shown < before[-1, 0]
     values, past = curve(page.plot, 10.0, 200)
@@ -88,7 +88,7 @@ def test_back_in_time_what_is_ahead_stays_until_something_else_comes(page: PlotP
     page.frames(5, commands.SetValue("gravity", 100.0), commands.Play(True))
     rows = page.plot.rows
     assert (np.diff(rows[:, 0]) > 0.0).all()
-    assert rows[-1, 0] == page.session.simulation.time < before[-1, 0]
+    assert rows[-1, 0] == page.simulation.time < before[-1, 0]
     kept = int((before[:, 0] <= shown).sum())
     assert np.array_equal(rows[:kept], before[:kept])
     assert len(rows) <= kept + 5
@@ -99,7 +99,7 @@ def test_a_reset_and_another_scene_begin_anew(page: PlotPage, command: commands.
     page.frames(60)
     page.frames(2, command)
     assert len(page.plot.rows) <= 2
-    assert page.plot.rows[-1, 0] == page.session.simulation.time
+    assert page.plot.rows[-1, 0] == page.simulation.time
 
 
 def test_the_ring_is_bounded_and_in_order(page: PlotPage) -> None:
@@ -184,7 +184,7 @@ def test_over_another_quantity_a_disc_marks_the_moment_and_what_is_ahead_is_pale
 
 
 def test_plots_that_nobody_sees_run_on_and_are_not_sent() -> None:
-    page = SessionPage(sim.load_scene("rod"))
+    page = SessionPage("rod")
     server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
     try:
         noted = Noted(server)
@@ -209,7 +209,7 @@ def test_plots_that_nobody_sees_run_on_and_are_not_sent() -> None:
         assert chart.data is before
         panel.plots.looked_at = True
         panel.tick()
-        assert chart.data[0][-1] == pytest.approx(page.session.simulation.time, abs=1e-3)
+        assert chart.data[0][-1] == pytest.approx(page.simulation.time, abs=1e-3)
         assert np.diff(chart.data[0]).max() < 0.03, "no frame is missing"
     finally:
         server.stop()
@@ -219,7 +219,7 @@ def test_values_that_are_none_leave_a_gap() -> None:
     page = PlotPage("ghost.distance", "stability.dt_over_limit")
     page.frames(3)
     assert np.isnan(page.plot.rows[:, 1]).all()
-    assert page.plot.rows[-1, 2] == pytest.approx(page.session.simulation.dt / page.session.stability.limit)
+    assert page.plot.rows[-1, 2] == pytest.approx(page.simulation.dt / page.session.stability.limit)
     page.frames(3, commands.Compare("rk4", "", 4))
     assert page.session.ghost is not None
     assert page.plot.rows[-1, 1] == page.session.ghost.distance
@@ -229,10 +229,9 @@ def test_values_that_are_none_leave_a_gap() -> None:
 
 def test_energies_add_up_and_leave_the_log_as_it_is() -> None:
     page = PlotPage("energy.total", "energy.residual")
-    x, y = page.session.simulation.positions[0]
-    page.frames(20, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+    page.drag(0, 60.0, frames=20)
     page.frames(20, commands.DragEnd())
-    assert page.plot.rows[-1, 1] == page.session.simulation.energy().total
+    assert page.plot.rows[-1, 1] == page.simulation.energy().total
     assert not page.session.follows_energy
     agrees(page)
 
@@ -259,14 +258,14 @@ def test_a_plot_has_room_for_two_units() -> None:
 def test_a_body_that_ran_away_leaves_finite_values() -> None:
     page = PlotPage("mass11.speed")
     page.frames(90, commands.SetValue("angular_stiffness", 1e8), commands.SetValue("rest_angle", 10.0))
-    assert page.session.simulation.divergence is not None
+    assert page.simulation.divergence is not None
     drawn = curve(page.plot, 10.0, 50).values
     assert len(drawn[0]) >= 1
     assert all(map(math.isfinite, drawn[0]))
 
 
 def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots() -> None:
-    page = SessionPage(sim.load_scene("rod"))
+    page = SessionPage("rod")
     server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
     told: list[Notice] = []
     try:
@@ -444,7 +443,7 @@ def test_the_limit_that_is_found_while_the_clock_stands_is_plotted() -> None:
     page.frames(40)
     limit = page.session.stability.limit
     assert np.isfinite(limit)
-    assert page.plot.rows[-1, 1] == pytest.approx(page.session.simulation.dt / limit)
+    assert page.plot.rows[-1, 1] == pytest.approx(page.simulation.dt / limit)
 
 
 def test_marks_of_many_digits_stand_beside_the_label_of_their_axis() -> None:

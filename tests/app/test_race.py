@@ -12,7 +12,6 @@ import pytest
 from rich.console import Console
 
 import sim
-from app.cli import main
 from app.export.clip import Clip
 from app.export.making import simulated
 from app.export.race import race, result
@@ -25,17 +24,11 @@ from app.wire.to_page import RaceAnswer
 from sim.errors import SceneError
 from sim.scene.types import Damage
 from sim.store.link import pack_scene
+from tests.app.command import Softrod, refused
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage, answered, in_one_piece
 
 REPLACE = msgspec.structs.replace
-
-
-def status(*words: str) -> int:
-    """The exit status of a command."""
-    with pytest.raises(SystemExit) as ended:
-        main(list(words))
-    return int(ended.value.code or 0)
 
 
 def test_each_moves_as_it_does_alone_on_that_terrain() -> None:
@@ -93,14 +86,11 @@ def test_what_is_broken_of_either_is_drawn_so() -> None:
         assert len(damage.set_lengths) == 2 * count
 
 
-def test_the_command_writes_a_race_and_says_how_far_each_went(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_command_writes_a_race_and_says_how_far_each_went(tmp_path: Path, softrod: Softrod) -> None:
     link = tmp_path / "rival.json"
     sim.save_scene(REPLACE(sim.load_scene("rod"), name="rival", title="A rod"), link)
     out = tmp_path / "race.html"
-    assert status("export", "rope", "--race", str(link), "--seconds", "0.4", "--html", str(out)) == 0
-    said = capsys.readouterr().out
+    said = softrod("export", "rope", "--race", link, "--seconds", 0.4, "--html", out).stdout
     assert "A rod: " in said
     assert " px in 0.4 s" in said
     assert out.stat().st_size > 10_000
@@ -122,11 +112,12 @@ def test_how_far_is_that_of_the_centre_of_mass() -> None:
     "options", [["--glb", "a.glb"], ["--motion", "a.csv"], ["--html", "a.html", "--json", "a.json"]]
 )
 def test_what_cannot_show_two_bodies_is_refused(
-    options: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    options: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, softrod: Softrod
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    assert status("export", "rope", "--race", "rod", *options) == 1
-    assert "--race: it is shown by --png, --gif and --html" in capsys.readouterr().err
+    refused(
+        softrod("export", "rope", "--race", "rod", *options), "--race: it is shown by --png, --gif and --html"
+    )
     assert not list(tmp_path.iterdir())
 
 
@@ -174,8 +165,8 @@ def test_the_body_waits_for_a_slower_rival(monkeypatch: pytest.MonkeyPatch) -> N
     in_one_piece(rival.costs, 1_000_000)
     page.frames(40, commands.Play(True))
     dt = rival.simulation.dt
-    assert 60 * dt < page.session.simulation.time < 90 * dt
-    assert page.session.simulation.time - rival.simulation.time < 10 * dt
+    assert 60 * dt < page.simulation.time < 90 * dt
+    assert page.simulation.time - rival.simulation.time < 10 * dt
     assert page.session.pacer.rates(page.wall()).behind > 0.3
 
 
@@ -200,12 +191,12 @@ def test_what_is_done_on_the_way_is_noted_and_reaches_only_the_terrain() -> None
 def test_going_back_in_time_takes_both_along() -> None:
     page, rival = racing()
     page.frames(30, commands.Play(True))
-    half, at = rival.simulation.positions, page.session.simulation.time
-    ways = rival.ways(page.session.simulation)
+    half, at = rival.simulation.positions, page.simulation.time
+    ways = rival.ways(page.simulation)
     page.frames(30)
     page.frames(1, commands.GoTo(at))
     assert np.array_equal(rival.simulation.positions, half)
-    assert rival.ways(page.session.simulation) == ways
+    assert rival.ways(page.simulation) == ways
     assert rival.seconds == pytest.approx(at)
     page.frames(1, commands.GoTo(0.0))
     assert rival.simulation.time == rival.seconds == 0.0
@@ -223,7 +214,7 @@ def test_a_rival_that_explodes_is_out_and_the_other_goes_on() -> None:
     page.frames(120, commands.Play(True))
     assert rival.out == "it exploded"
     assert not rival.is_late
-    assert page.session.simulation.time > 1.8
+    assert page.simulation.time > 1.8
 
 
 def test_a_rival_begins_outside_the_walls() -> None:
@@ -260,7 +251,7 @@ def test_what_does_not_go_with_the_terrain_is_refused(view: dict[str, object], w
     ],
 )
 def test_a_rival_is_found_by_a_link_or_a_name(text: str, problem: str) -> None:
-    page, letters = SessionPage(sim.load_scene("worm")), Letters()
+    page, letters = SessionPage("worm"), Letters()
     seen = MagicMock(session=page.session, mail=letters, shelf=Shelf(owned=False))
     races = Races(seen)
     link = pack_scene(sim.load_scene("walker"))

@@ -20,16 +20,16 @@ from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.store.files import encode_fields
 from tests.amount import examples
+from tests.app.command import Softrod, refused, rows_of
 from tests.app.pages import SessionPage, in_one_piece
 from tests.app.recording import agrees, busy_page, joined, lines_of, log_of, perturbed, replayed
-from tests.app.test_cli import refused, rows_of, softrod_here
 from tests.sim.fuzzing import with_muscles
 
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_log_leads_to_the_same_bits(method: str) -> None:
     page = busy_page(sim.set_choice(sim.load_scene("tutorial-3.3"), "method", method))
-    assert page.session.simulation.divergence is None
+    assert page.simulation.divergence is None
     player = agrees(page)
     assert player.steps > 300
     assert player.record.checks >= 2
@@ -44,11 +44,11 @@ def test_a_log_of_muscles_leads_to_the_same_bits_also_through_another_tempo() ->
     scene = with_muscles(sim.load_scene("tutorial-3.3"), np.random.default_rng(5))
     page = busy_page(scene)
     page.frames(1, commands.Play(False))
-    simulation = page.session.simulation
+    simulation = page.simulation
     beat, time = simulation.scene.beat, simulation.time
     page.frames(1, commands.SetValue("tempo", 0.7))
     assert beat
-    assert page.session.simulation.scene.beat == beat.at_tempo(0.7, time)
+    assert page.simulation.scene.beat == beat.at_tempo(0.7, time)
     page.frames(20, commands.Play(True))
     page.frames(5, commands.GoBack(0.1))
     page.frames(20, commands.Play(True))
@@ -56,7 +56,7 @@ def test_a_log_of_muscles_leads_to_the_same_bits_also_through_another_tempo() ->
 
 
 def test_a_log_of_a_follower_of_choices_and_of_the_energy() -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page = SessionPage()
     page.frames(20, commands.FollowEnergy(True), commands.Follow(True), commands.Point(290.0, 170.0))
     page.frames(20, commands.SetChoice("method", "adams"), commands.Point(340.0, 190.0))
     page.frames(20, commands.Follow(False), commands.SetChoice("force_law", "conservative"))
@@ -112,7 +112,7 @@ ACTS: st.SearchStrategy[commands.Command] = st.one_of(
 @given(st.lists(st.tuples(ACTS, st.integers(0, 12)), max_size=25))
 @settings(max_examples=examples(60))
 def test_whatever_is_done_a_log_leads_to_the_same_bits(acts: list[tuple[commands.Command, int]]) -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page = SessionPage()
     for command, frames in acts:
         page.session.post(command)
         page.session.drain()
@@ -127,9 +127,8 @@ def test_a_log_of_a_body_that_comes_late() -> None:
 
     page = SessionPage(frames.rod(100, sim.Integrator()))
     page.frames(10)
-    x, y = page.session.simulation.positions[0]
-    page.frames(20, commands.DragStart(0, x, y), commands.Point(x + 300.0, y))
-    assert page.session.simulation.behind
+    page.drag(0, 300.0, frames=20)
+    assert page.simulation.behind
     page.frames(40, commands.DragEnd())
     agrees(page)
 
@@ -147,19 +146,19 @@ def test_a_log_starts_anew_with_another_body_and_at_reset() -> None:
 
 
 def test_keys_that_are_held_while_a_log_starts_anew_are_in_it() -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page = SessionPage()
     page.frames(5, commands.HoldKeys(frozenset({"up"})))
     page.frames(5, commands.Reset(), commands.Play(True))
-    assert page.session.simulation.rest_length_scale > 1.0
+    assert page.simulation.rest_length_scale > 1.0
     agrees(page)
 
 
 def test_equal_entries_are_folded_and_only_the_last_of_many_moments_is_noted() -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page = SessionPage()
     page.frames(30)
     page.frames(1, commands.Play(False))
     size = len(log_of(page))
-    x, y = page.session.simulation.positions[0]
+    x, y = page.simulation.positions[0]
     page.frames(600, commands.DragStart(0, x, y))
     for i in range(100):
         page.frames(1, commands.GoTo(0.004 * i))
@@ -171,8 +170,8 @@ def test_equal_entries_are_folded_and_only_the_last_of_many_moments_is_noted() -
 
 def test_a_log_that_grows_too_long_starts_anew(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(log, "MAX_LOG_BYTES", 3000)
-    page = SessionPage(sim.load_scene("ring"))
-    x, y = page.session.simulation.positions[3]
+    page = SessionPage("ring")
+    x, y = page.simulation.positions[3]
     page.frames(1, commands.DragStart(3, x, y))
     for i in range(400):
         page.frames(1, commands.Point(x + 0.1 * i, y), commands.HoldKeys(frozenset({"up"})))
@@ -189,9 +188,9 @@ def test_a_log_that_grows_too_long_starts_anew(monkeypatch: pytest.MonkeyPatch) 
 
 def test_a_log_stays_short_while_time_stands(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(log, "MAX_LOG_BYTES", 3000)
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page = SessionPage()
     page.frames(10)
-    x, y = page.session.simulation.positions[8]
+    x, y = page.simulation.positions[8]
     page.frames(1, commands.Play(False), commands.DragStart(8, x, y))
     acts: list[commands.Command] = []
     for i in range(25):
@@ -242,14 +241,14 @@ def test_steps_by_numpy_are_left_out_and_what_follows_is_exact(monkeypatch: pyte
     complete = sim.Simulation.complete.fget
     assert complete is not None
     monkeypatch.setattr(sim.Simulation, "complete", property(lambda self: not late[0] and complete(self)))
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
-    x, y = page.session.simulation.positions[5]
+    page = SessionPage()
+    x, y = page.simulation.positions[5]
     page.frames(20, commands.DragStart(5, x, y), commands.HoldKeys(frozenset({"up"})))
     early = replayed(log_of(page))
     assert (early.steps, early.agrees) == (0, True)
     late[0] = False
     page.frames(10, commands.Point(x + 20.0, y))
-    assert 0 < agrees(page).steps < page.session.simulation.step_count
+    assert 0 < agrees(page).steps < page.simulation.step_count
 
 
 # ------------------------------------------------------------------------- differing
@@ -276,28 +275,26 @@ def test_a_step_less_differs(data: bytes) -> None:
     assert "(check 1 of" in player.verdict
 
 
-def test_run_replays_what_a_page_saved(
-    data: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_run_replays_what_a_page_saved(data: bytes, tmp_path: Path, softrod: Softrod) -> None:
     saved, out = tmp_path / "log.jsonl", tmp_path / "o.csv"
     saved.write_bytes(data)
-    result = softrod_here(capsys, "run", "--inputs", saved, "--every", "50", "--out", out)
+    result = softrod("run", "--inputs", saved, "--every", "50", "--out", out)
     assert result.returncode == 0, result.stderr
     player = replayed(data)
     assert result.stdout.strip() == player.verdict
     assert f"replayed {player.steps} steps; all {player.record.checks} checks agree, digest" in result.stdout
     rows = rows_of(out)[1:]
     assert len(rows) > 5
-    assert softrod_here(capsys, "run", "tutorial-3.3", "--inputs", saved).returncode == 0
-    refused(softrod_here(capsys, "run", "ring", "--inputs", saved), "another scene than ring")
-    refused(softrod_here(capsys, "run", "--inputs", saved, "--set", "gravity=0"), "--set")
+    assert softrod("run", "tutorial-3.3", "--inputs", saved).returncode == 0
+    refused(softrod("run", "ring", "--inputs", saved), "another scene than ring")
+    refused(softrod("run", "--inputs", saved, "--set", "gravity=0"), "--set")
     saved.write_bytes(perturbed(data))
-    refused(softrod_here(capsys, "run", "--inputs", saved), "differs first at t = ", "(check 2 of")
+    refused(softrod("run", "--inputs", saved), "differs first at t = ", "(check 2 of")
 
 
-def test_run_still_needs_a_scene_and_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    refused(softrod_here(capsys, "run", "--steps", "3", "--out", tmp_path / "o.csv"), "name a scene")
-    refused(softrod_here(capsys, "run", "ring", "--steps", "3"), "--out")
+def test_run_still_needs_a_scene_and_a_table(tmp_path: Path, softrod: Softrod) -> None:
+    refused(softrod("run", "--steps", "3", "--out", tmp_path / "o.csv"), "name a scene")
+    refused(softrod("run", "ring", "--steps", "3"), "--out")
 
 
 # ------------------------------------------------------------------------- nothing in a log is trusted

@@ -24,7 +24,7 @@ def data() -> bytes:
 
 
 def played(data: bytes, frames: int) -> SessionPage:
-    page = SessionPage(sim.load_scene("ring"))
+    page = SessionPage("ring")
     page.frames(3)
     page.frames(frames, commands.Replay(decode_log(data, "log")))
     return page
@@ -33,16 +33,15 @@ def played(data: bytes, frames: int) -> SessionPage:
 def test_a_page_plays_a_log_in_its_own_time(data: bytes) -> None:
     page = played(data, 30)
     assert page.session.replay is not None
-    assert page.session.simulation.time == pytest.approx(0.5, abs=0.05)
+    assert page.simulation.time == pytest.approx(0.5, abs=0.05)
     page.frames(30, commands.Play(False))
-    assert page.session.simulation.time == pytest.approx(0.5, abs=0.05)
+    assert page.simulation.time == pytest.approx(0.5, abs=0.05)
     page.frames(400, commands.Play(True))
     assert page.session.replay is None
     assert not page.session.playing
-    (notice,) = page.session.notices
-    assert "agrees" in notice.text
+    assert "agrees" in page.told
     end = replayed(data).simulation
-    assert np.array_equal(page.session.simulation.positions, end.positions)
+    assert np.array_equal(page.simulation.positions, end.positions)
     page.frames(30, commands.Play(True))
     agrees(page)
 
@@ -51,11 +50,10 @@ def test_looking_back_in_a_replay_does_not_disturb_it(data: bytes) -> None:
     page = played(data, 60)
     page.frames(3, commands.GoTo(0.2))
     assert not page.session.playing
-    assert page.session.simulation.time == pytest.approx(0.2, abs=0.02)
+    assert page.simulation.time == pytest.approx(0.2, abs=0.02)
     page.frames(3, commands.GoForward(), commands.GoBack(0.1))
     page.frames(400, commands.Play(True))
-    (notice,) = page.session.notices
-    assert "agrees" in notice.text
+    assert "agrees" in page.told
 
 
 def test_a_page_says_that_a_replay_differs(data: bytes) -> None:
@@ -79,14 +77,13 @@ def test_whoever_acts_takes_over(data: bytes, command: commands.Command, scrubbe
     page = played(data, 30)
     if scrubbed:
         page.frames(2, commands.GoTo(0.1))
-    before = page.session.simulation.time
+    before = page.simulation.time
     page.frames(1, command)
     assert page.session.replay is None
-    (notice,) = page.session.notices
-    assert "taken over" in notice.text
+    assert "taken over" in page.told
     page.frames(20, commands.DragEnd(), commands.Play(True))
     if not isinstance(command, commands.Reset):
-        assert page.session.simulation.time == pytest.approx(before + 21 / 60, abs=0.05)
+        assert page.simulation.time == pytest.approx(before + 21 / 60, abs=0.05)
     agrees(page)
 
 
@@ -97,8 +94,7 @@ def test_a_page_refuses_frames_that_would_stop_it() -> None:
     ):
         page = played(log.encode_header(sim.load_scene(preset)) + b"\n" + entry, 5)
         assert page.session.replay is None
-        (notice,) = page.session.notices
-        assert "line 2: this frame is too heavy" in notice.text
+        assert "line 2: this frame is too heavy" in page.told
 
 
 def test_a_log_of_endless_changes_does_not_stop_the_page() -> None:
@@ -113,9 +109,8 @@ def test_a_log_of_endless_changes_does_not_stop_the_page() -> None:
 
 
 def test_the_energy_of_a_replay_is_followed_from_its_beginning(tmp_path: Path) -> None:
-    page = SessionPage(sim.load_scene("tutorial-3.3"))
-    x, y = page.session.simulation.positions[0]
-    page.frames(20, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+    page = SessionPage()
+    page.drag(0, 60.0, frames=20)
     page.frames(20, commands.DragEnd(), commands.FollowEnergy(True))
     page.frames(20, commands.FollowEnergy(False))
     recorded = decode_log(log_of(page), "log")

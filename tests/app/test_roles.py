@@ -108,12 +108,10 @@ def test_a_teacher_leads_and_is_told_who_is_there(klass: Class, session: Session
     desk.hear(LED[0], session)
     assert klass.room.phase is Phase.TRY
     desk.frame(session)
-    told = next(message for message in letters.sent if isinstance(message, Desk))
-    assert [one.here for one in told.seats] == [True]
+    assert [one.here for one in letters.last(Desk).seats] == [True]
     seat.leave()
     desk.frame(session)
-    told = [message for message in letters.sent if isinstance(message, Desk)][-1]
-    assert [one.here for one in told.seats] == [False]
+    assert [one.here for one in letters.last(Desk).seats] == [False]
 
 
 def test_a_pupil_is_told_whether_a_teachers_page_is_there(klass: Class, session: Session) -> None:
@@ -171,12 +169,11 @@ def test_the_wall_has_no_name_and_no_sealed_bar(klass: Class, session: Session) 
     seat.hear(a_vote(1, 1), session)
     assert isinstance(klass.room.answers[f"{1:016x}"].content, Vote)
     wall.frame(session)
-    told = [message for message in letters.sent if isinstance(message, Wall)][-1]
+    told = letters.last(Wall)
     assert (told.answered, told.bars) == (1, ())
     klass.room.go(0, Phase.RESULTS)
     wall.frame(session)
-    told = [message for message in letters.sent if isinstance(message, Wall)][-1]
-    assert told.bars == (0, 1, 0)
+    assert letters.last(Wall).bars == (0, 1, 0)
     assert all("Zaphod" not in str(message) for message in letters.sent)
 
 
@@ -206,8 +203,9 @@ def test_a_device_that_only_tries_is_told_to_the_teacher_and_to_nobody_else(
     CheckRole(None).hear(found, session)
 
 
-def an_order(desk: DeskRole, session: Session, text: bytes, kind: type[from_page.Lead]) -> None:
-    desk.hear(msgspec.json.decode(text, type=kind), session)
+def an_order(desk: DeskRole, session: Session, what: str, seat: int = 0) -> None:
+    """Have the teacher arrange something, or do something with one seat."""
+    desk.hear(from_page.OneSeat(seat, what) if seat else from_page.Arrange(what), session)  # type: ignore[arg-type]
 
 
 def a_desk(klass: Class, session: Session, letters: Letters | None = None) -> DeskRole:
@@ -233,8 +231,7 @@ def test_a_seat_follows_the_teacher_and_comes_back_to_its_own_body(klass: Class,
     assert not seat.allows(from_page.Perform("reset"))
     seat.frame(own)
     desk.frame(session)
-    told = [message for message in letters.sent if isinstance(message, Desk)][-1]
-    assert [one.follows for one in told.seats] == [True]
+    assert [one.follows for one in letters.last(Desk).seats] == [True]
     seat.hear(from_page.Follow(False), own)
     seat.frame(own)
     own.drain()
@@ -242,10 +239,10 @@ def test_a_seat_follows_the_teacher_and_comes_back_to_its_own_body(klass: Class,
     assert own.openings == opened
     assert (own.simulation.positions == places).all()
     # The teacher has all look at one body, and nobody can help it; then each one has theirs back.
-    an_order(desk, session, b'{"do":"arrange","what":"gather"}', from_page.Arrange)
+    an_order(desk, session, "gather")
     seat.hear(from_page.Follow(False), own)
     assert seat.front is klass.front
-    an_order(desk, session, b'{"do":"arrange","what":"giveBack"}', from_page.Arrange)
+    an_order(desk, session, "giveBack")
     assert seat.front is None
     assert (own.simulation.positions == places).all()
 
@@ -260,7 +257,7 @@ def test_the_wall_shows_the_body_of_a_seat_and_its_pupil_is_told(klass: Class, s
     own.drain()
     own.do_steps(5)
     assert wall.front is klass.front
-    an_order(desk, session, b'{"do":"oneSeat","seat":1,"what":"show"}', from_page.OneSeat)
+    an_order(desk, session, "show", seat=1)
     seat.frame(own)
     assert wall.front is not None
     assert wall.front is not klass.front
@@ -268,8 +265,8 @@ def test_the_wall_shows_the_body_of_a_seat_and_its_pupil_is_told(klass: Class, s
     # Pages know two bodies apart by that number.
     assert klass.front is not None
     assert wall.front.opening != klass.front.opening
-    assert [message for message in letters.sent if isinstance(message, Seat)][-1].on_wall
-    an_order(desk, session, b'{"do":"oneSeat","seat":1,"what":"hide"}', from_page.OneSeat)
+    assert letters.last(Seat).on_wall
+    an_order(desk, session, "hide", seat=1)
     assert wall.front is klass.front
 
 
@@ -297,7 +294,7 @@ def test_the_run_is_seen_again_slowly_and_bit_for_bit_the_same(klass: Class) -> 
     end = session.simulation.positions.copy()
     assert klass.run
     for _ in range(2):
-        an_order(desk, session, b'{"do":"arrange","what":"again"}', from_page.Arrange)
+        an_order(desk, session, "again")
         session.drain()
         again = run()
         assert session.simulation.time == stood
@@ -315,7 +312,7 @@ def test_the_run_is_seen_again_slowly_and_bit_for_bit_the_same(klass: Class) -> 
 
 def test_there_is_nothing_to_see_again_before_a_run(klass: Class, session: Session) -> None:
     desk = a_desk(klass, session)
-    an_order(desk, session, b'{"do":"arrange","what":"again"}', from_page.Arrange)
+    an_order(desk, session, "again")
     assert session.notices[-1].text == "There is no run to see again."
 
 
@@ -337,8 +334,7 @@ def test_the_wall_counts_every_seat_once(klass: Class, session: Session) -> None
     for seat, own in zip(seats, sessions, strict=True):
         seat.frame(own)
     wall.frame(session)
-    told = [message for message in letters.sent if isinstance(message, Wall)][-1]
-    assert told.doing == {"stable": 1, "exploded": 0, "not begun": 3}
+    assert letters.last(Wall).doing == {"stable": 1, "exploded": 0, "not begun": 3}
 
 
 def test_the_law_is_on_the_wall_only_when_it_is_asked_for(klass: Class, session: Session) -> None:
@@ -353,18 +349,18 @@ def test_the_law_is_on_the_wall_only_when_it_is_asked_for(klass: Class, session:
 
     def law() -> Law | None:
         wall.frame(session)
-        return [message for message in letters.sent if isinstance(message, Wall)][-1].law
+        return letters.last(Wall).law
 
     assert law() is None
-    an_order(desk, session, b'{"do":"arrange","what":"law"}', from_page.Arrange)
+    an_order(desk, session, "law")
     found = law()
     assert found is not None
     assert (found.factor, found.exponent) == (pytest.approx(2.0), pytest.approx(0.5))
     desk.frame(session)
-    told = [message for message in desk_letters.sent if isinstance(message, Desk)][-1]
+    told = desk_letters.last(Desk)
     assert told.shows_law
     assert [len(answer.places) for answer in told.answers] == [4, 4, 4]
-    an_order(desk, session, b'{"do":"arrange","what":"noLaw"}', from_page.Arrange)
+    an_order(desk, session, "noLaw")
     assert law() is None
     # What was handed in stands on the wall as it was.
     klass.room.put_on_wall(f"{2:016x}")

@@ -128,17 +128,17 @@ def test_a_mass_is_put_exactly_where_it_is_to_start() -> None:
     page.frames(30, commands.Play())
     page.frames(1, commands.Play(False))
     page.select(masses=(3,))
-    start, now = page.scene.masses[3].position, page.session.simulation.positions[3]
+    start, now = page.scene.masses[3].position, page.simulation.positions[3]
     assert (page.shown()["Start x"], page.shown()["Start y"]) == start
     page.enter("Start x", 350.0)
     page.enter("Start y", 86.60254)
     assert page.scene.masses[3].position == pytest.approx((350.0, 86.60254), abs=1e-12)
     # What moves now is moved by as much.
-    moved = page.session.simulation.positions[3] - now
+    moved = page.simulation.positions[3] - now
     assert moved == pytest.approx(np.subtract((350.0, 86.60254), start), abs=1e-9)
     assert page.scene.linear_springs == rope().linear_springs
     page.frames(10, commands.Reset())
-    assert page.session.simulation.positions[3] == pytest.approx((350.0, 86.60254), abs=1e-12)
+    assert page.simulation.positions[3] == pytest.approx((350.0, 86.60254), abs=1e-12)
     assert len(page.session.versions) == 2
     page.frames(10, commands.Undo())
     assert page.scene.masses[3].position == (350.0, start[1])
@@ -226,13 +226,13 @@ def test_hardening_is_there_for_what_yields() -> None:
 
 def test_rest_angles_are_with_what_the_arrow_keys_did() -> None:
     page = Page(sim.load_scene("tutorial-3.3"))
-    page.session.simulation.keys = {"right"}
-    page.session.simulation.step(50)
-    page.session.simulation.keys = set()
+    page.simulation.keys = {"right"}
+    page.simulation.step(50)
+    page.simulation.keys = set()
     page.select(joints=(2,))
     assert page.shown()["Rest angle"] == pytest.approx(5.0)
     page.enter("Rest angle", -20.0)
-    rest = page.session.simulation.rest_angles
+    rest = page.simulation.rest_angles
     assert rest[[1, 2, 3]] == pytest.approx([5.0, -20.0, 5.0])
     assert page.shown()["Rest angle"] == pytest.approx(-20.0)
 
@@ -256,17 +256,17 @@ def test_masses_are_pinned_let_go_and_deleted() -> None:
 def test_springs_and_joints_rest_as_they_are() -> None:
     """With all that makes a rest length and a rest angle: the factor and the shift of keys."""
     page = Page(sim.load_scene("tutorial-3.3"))
-    simulation = page.session.simulation
+    simulation = page.simulation
     simulation.keys = {"up", "right"}
     simulation.step(80)
     simulation.keys = set()
     page.select(springs=(4,), joints=(4,))
     page.made["Rest as it is now"].enter(None)
     page.frames(1)
-    way = np.diff(page.session.simulation.positions[4:6], axis=0)
-    rest = page.scene.linear_springs[4].rest_length * page.session.simulation.rest_length_scale
+    way = np.diff(page.simulation.positions[4:6], axis=0)
+    rest = page.scene.linear_springs[4].rest_length * page.simulation.rest_length_scale
     assert rest == pytest.approx(float(np.hypot(*way[0])))
-    angles = page.session.simulation.angles, page.session.simulation.rest_angles
+    angles = page.simulation.angles, page.simulation.rest_angles
     assert angles[0][4] == pytest.approx(angles[1][4])
     assert abs(angles[0][5] - angles[1][5]) > 1e-3
     assert page.scene.linear_springs[5] == page.session.opened.linear_springs[5]

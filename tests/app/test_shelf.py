@@ -13,14 +13,6 @@ from sim.store import files
 from sim.store.own_scenes import trash_user_scene
 
 
-@pytest.fixture
-def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
-    folder = files.user_folder()
-    folder.mkdir(parents=True)
-    return folder
-
-
 def own() -> list[str]:
     return [info.name for info in shelf.scenes() if not info.built_in]
 

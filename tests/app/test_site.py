@@ -21,7 +21,7 @@ from app.site.entries import shown
 from app.site.folder import MARKER, Folder
 from sim.store import files
 from sim.store.link import pack_scene
-from tests.app.test_cli import refused, softrod_here
+from tests.app.command import Softrod, refused
 
 WICKED = '"><script>alert(1)</script><img src=x onerror=alert(1)>'
 
@@ -64,12 +64,6 @@ class Page(html.parser.HTMLParser):
             self.parts[self._open[-1]][-1] += data
 
 
-@pytest.fixture
-def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
-    return files.user_folder()
-
-
 @pytest.fixture(scope="module")
 def presets(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The gallery of all presets."""
@@ -79,8 +73,8 @@ def presets(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return out
 
 
-def make(capsys: pytest.CaptureFixture[str], out: Path, *words: str | Path) -> None:
-    result = softrod_here(capsys, "gallery", "--out", out, *words)
+def make(softrod: Softrod, out: Path, *words: str | Path) -> None:
+    result = softrod("gallery", "--out", out, *words)
     assert result.returncode == 0, result.stderr
 
 
@@ -154,23 +148,20 @@ def test_each_page_may_load_nothing_and_run_nothing_but_its_scripts(presets: Pat
 
 
 # ------------------------------------------------------------------------- what is shown
-def test_named_scenes_files_links_and_the_shelf(
-    home: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    home.mkdir(parents=True)
+def test_named_scenes_files_links_and_the_shelf(home: Path, tmp_path: Path, softrod: Softrod) -> None:
     files.save_user_scene(sim.rope(masses=5), "mine")
     files.save_user_scene(sim.rope(masses=6), "other")
     sim.save_scene(replace(sim.load_scene("ring"), title="A ring of ours"), tmp_path / "Größe 1.json")
     link = f"http://127.0.0.1:8080/s#{pack_scene(replace(sim.load_scene('box'), name='linked', title=''))}"
     out = tmp_path / "site"
-    make(capsys, out, "ring", tmp_path / "Größe 1.json", link, "mine")
+    make(softrod, out, "ring", tmp_path / "Größe 1.json", link, "mine")
     assert {path.name for path in out.glob("*.html")} == {
         "index.html", "ring.html", "groe-1.html", "linked.html", "mine.html",
     }  # fmt: skip
     index = Page(out / "index.html")
     assert index.parts["b"] == ["A ring of ours", "linked", "mine", sim.load_scene("ring").title]
     check_links(out)
-    make(capsys, out, "ring", "--own", "--title", "Class <3>")
+    make(softrod, out, "ring", "--own", "--title", "Class <3>")
     assert {path.name for path in out.glob("*.html")} == {
         "index.html", "ring.html", "mine.html", "other.html",
     }  # fmt: skip
@@ -181,20 +172,20 @@ def test_named_scenes_files_links_and_the_shelf(
 
 
 def test_scenes_of_one_name_are_refused_and_files_of_one_name_told_apart(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, softrod: Softrod
 ) -> None:
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()
         sim.save_scene(sim.load_scene("ring"), tmp_path / folder / "x.json")
     out = tmp_path / "site"
     both = [tmp_path / folder / "x.json" for folder in ("a", "b")]
-    refused(softrod_here(capsys, "gallery", "--out", out, *both), "two scenes are called 'x'")
-    refused(softrod_here(capsys, "gallery", "--out", out, "ring", "ring"), "two scenes are called 'ring'")
+    refused(softrod("gallery", "--out", out, *both), "two scenes are called 'x'")
+    refused(softrod("gallery", "--out", out, "ring", "ring"), "two scenes are called 'ring'")
     assert not out.exists()
     names = ["index", "日本", "中国", "con", "X y", "x!y", "..", "a" * 90, "pictures", "nul.x", ".hidden"]
     for name in names:
         sim.save_scene(sim.load_scene("ring"), tmp_path / f"{name}.json")
-    make(capsys, out, *(tmp_path / f"{name}.json" for name in names))
+    make(softrod, out, *(tmp_path / f"{name}.json" for name in names))
     written = sorted(path.stem for path in out.glob("*.html"))
     assert len(set(map(str.casefold, written))) == len(names) + 1
     assert all(re.fullmatch(r"[a-z0-9][a-z0-9.-]{0,65}", stem) for stem in written)
@@ -205,14 +196,14 @@ def test_scenes_of_one_name_are_refused_and_files_of_one_name_told_apart(
     assert len(set(titles)) == len(names)
 
 
-def test_hostile_texts_show_as_text(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_hostile_texts_show_as_text(tmp_path: Path, softrod: Softrod) -> None:
     scene = replace(
         sim.load_scene("ring"), title=WICKED[:60], description=f"{WICKED} Two. {WICKED}", name="x"
     )
     out = tmp_path / "site"
     for name in ("x' onclick=alert(1) '", "javascript:alert(1)"):
         sim.save_scene(scene, tmp_path / f"{name}.json")
-    make(capsys, out, *sorted(tmp_path.glob("*.json")), "--title", WICKED)
+    make(softrod, out, *sorted(tmp_path.glob("*.json")), "--title", WICKED)
     check_links(out)
     for path in out.glob("*.html"):
         page = Page(path)  # which looks for handlers
@@ -226,56 +217,52 @@ def test_hostile_texts_show_as_text(tmp_path: Path, capsys: pytest.CaptureFixtur
 
 
 # ------------------------------------------------------------------------- the folder
-def test_a_folder_that_is_no_gallery_is_left_alone(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    refused(softrod_here(capsys, "gallery", "ring"), "--out: name the folder")
-    refused(softrod_here(capsys, "gallery", "--out", tmp_path / "no" / "where", "ring"), "does not exist")
+def test_a_folder_that_is_no_gallery_is_left_alone(tmp_path: Path, softrod: Softrod) -> None:
+    refused(softrod("gallery", "ring"), "--out: name the folder")
+    refused(softrod("gallery", "--out", tmp_path / "no" / "where", "ring"), "does not exist")
     file = tmp_path / "file"
     file.write_text("mine")
-    refused(softrod_here(capsys, "gallery", "--out", file, "ring"), "is no folder")
+    refused(softrod("gallery", "--out", file, "ring"), "is no folder")
     full = tmp_path / "full"
     full.mkdir()
     (full / "index.html").write_text("mine")
-    refused(softrod_here(capsys, "gallery", "--out", full, "ring"), "is not empty and has no gallery")
+    refused(softrod("gallery", "--out", full, "ring"), "is not empty and has no gallery")
     assert found(full) == {"index.html"}
     (full / MARKER).write_text('{"format": "softrod-gallery", "version": 1, "files": ["../file"]}')
-    refused(softrod_here(capsys, "gallery", "--out", full, "ring"), MARKER, "left as it is")
+    refused(softrod("gallery", "--out", full, "ring"), MARKER, "left as it is")
     assert file.read_text() == (full / "index.html").read_text() == "mine"
-    refused(softrod_here(capsys, "gallery", "--out", tmp_path / "new", "nothing-like-it"), "no scene called")
+    refused(softrod("gallery", "--out", tmp_path / "new", "nothing-like-it"), "no scene called")
     broken = tmp_path / "broken.json"
     broken.write_text("{")
-    refused(softrod_here(capsys, "gallery", "--out", tmp_path / "new", broken), "not a JSON file")
+    refused(softrod("gallery", "--out", tmp_path / "new", broken), "not a JSON file")
     assert not (tmp_path / "new").exists()
 
 
-def test_a_gallery_is_replaced_and_nothing_else_is_touched(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_gallery_is_replaced_and_nothing_else_is_touched(tmp_path: Path, softrod: Softrod) -> None:
     out = tmp_path / "site"
     out.mkdir()
-    make(capsys, out, "ring", "rope")
+    make(softrod, out, "ring", "rope")
     (out / "notes.txt").write_text("mine")
     (out / ".git").mkdir()
     (out / ".git" / "HEAD").write_text("mine")
     (out / "pictures" / "mine.png").write_text("mine")
-    make(capsys, out, "ring", "box")
+    make(softrod, out, "ring", "box")
     own = {"index.html", "ring.html", "box.html", MARKER}
     own |= {f"pictures/{kind}/{name}.webp" for kind in ("light", "dark") for name in ("ring", "box")}
     assert found(out) == own | {"notes.txt", ".git/HEAD", "pictures/mine.png"}
     (out / "rope.html").write_text("mine")
     before = (out / "index.html").read_bytes()
-    refused(softrod_here(capsys, "gallery", "--out", out, "rope"), "rope.html is there", "move it")
+    refused(softrod("gallery", "--out", out, "rope"), "rope.html is there", "move it")
     assert (out / "rope.html").read_text() == "mine"
     assert (out / "index.html").read_bytes() == before
 
 
 def test_a_gallery_that_fails_on_the_way_leaves_the_old_one(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, softrod: Softrod
 ) -> None:
     out, new, empty = tmp_path / "site", tmp_path / "new", tmp_path / "empty"
     empty.mkdir()
-    make(capsys, out, "ring", "rope")
+    make(softrod, out, "ring", "rope")
     before = {path: (out / path).read_bytes() for path in found(out)}
 
     opened = Path.open
@@ -287,7 +274,7 @@ def test_a_gallery_that_fails_on_the_way_leaves_the_old_one(
 
     monkeypatch.setattr(Path, "open", full)
     for folder in (out, new, empty):
-        refused(softrod_here(capsys, "gallery", "--out", folder, "box"), "cannot be written (No space left")
+        refused(softrod("gallery", "--out", folder, "box"), "cannot be written (No space left")
     assert {path: (out / path).read_bytes() for path in found(out)} == before
     assert not new.exists()
     assert not found(empty)
@@ -295,15 +282,15 @@ def test_a_gallery_that_fails_on_the_way_leaves_the_old_one(
     (out / ".softrod-new").mkdir()
     (out / ".softrod-new" / "half.html").write_text("<")
     monkeypatch.undo()
-    make(capsys, out, "box")
+    make(softrod, out, "box")
     assert not (out / ".softrod-new").exists()
 
 
 def test_a_disk_that_fails_while_files_take_their_places_leaves_links_that_lead_somewhere(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, softrod: Softrod
 ) -> None:
     out = tmp_path / "site"
-    make(capsys, out, "ring", "rope")
+    make(softrod, out, "ring", "rope")
     real = Path.replace
 
     def failing(path: Path, target: Path) -> Path:
@@ -312,16 +299,16 @@ def test_a_disk_that_fails_while_files_take_their_places_leaves_links_that_lead_
         return real(path, target)
 
     monkeypatch.setattr(Path, "replace", failing)
-    refused(softrod_here(capsys, "gallery", "--out", out, "ring", "box"), "cannot be written (Input/output")
+    refused(softrod("gallery", "--out", out, "ring", "box"), "cannot be written (Input/output")
     check_links(out, whole=False)
     monkeypatch.undo()
-    make(capsys, out, "ring", "box")
+    make(softrod, out, "ring", "box")
     assert {path.name for path in out.glob("*.html")} == {"index.html", "ring.html", "box.html"}
 
 
-def test_the_same_scenes_make_the_same_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_same_scenes_make_the_same_files(tmp_path: Path, softrod: Softrod) -> None:
     for name in ("a", "b"):
-        make(capsys, tmp_path / name, "pile", "lesson-hooke")
+        make(softrod, tmp_path / name, "pile", "lesson-hooke")
     assert found(tmp_path / "a") == found(tmp_path / "b")
     for path in found(tmp_path / "a"):
         assert (tmp_path / "a" / path).read_bytes() == (tmp_path / "b" / path).read_bytes()

@@ -30,7 +30,7 @@ def page() -> SessionPage:
 
 
 def grips_of(page: SessionPage) -> Grips:
-    grips = page.session.simulation.capture().grips
+    grips = page.simulation.capture().grips
     assert grips is not None
     return grips
 

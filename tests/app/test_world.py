@@ -211,7 +211,7 @@ def test_damage_is_sent_when_it_changes_and_only_then() -> None:
 
 # ------------------------------------------------------------------------- in time
 def broken(page: SessionPage) -> int:
-    damage = page.session.simulation.damage
+    damage = page.simulation.damage
     return len(damage.broken) if damage else 0
 
 

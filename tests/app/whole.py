@@ -75,6 +75,10 @@ class WholePage:
         return session
 
     @property
+    def simulation(self) -> sim.Simulation:
+        return self.session.simulation
+
+    @property
     def scene(self) -> sim.Scene:
         return self.session.scene
 

@@ -20,7 +20,7 @@ from studies.improve.ranges import Range
 from studies.improve.search import Search
 from studies.improve.trials import trial
 from tests.amount import NIGHT
-from tests.app.test_cli import refused, softrod_here
+from tests.app.command import refused, softrod_here
 from tests.studies.improving import SWINGS, improved, rows_by_number, wanted_of
 
 

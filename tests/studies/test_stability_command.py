@@ -30,7 +30,7 @@ from studies.stability.map import (
     track_of,
 )
 from studies.stability.stability import as_csv, stability
-from tests.app.test_cli import refused, softrod_here
+from tests.app.command import refused, softrod_here
 from tests.studies.results import read_table
 
 QUIET = Console(file=io.StringIO())

@@ -32,7 +32,7 @@ from studies.speed.random_bodies import random_body
 from studies.speed.report import Study, markdown, points_csv, targets
 from studies.speed.study import parse_errors, parse_integrators, study, study_scenes
 from tests.amount import part_of
-from tests.app.test_cli import refused, softrod_here
+from tests.app.command import refused, softrod_here
 from tests.studies.results import read_table, some_body
 
 ROPE = sim.rope(masses=4, length=90.0, direction=(1.0, 0.0), circle=Circle(radius=20.0, frequency=2.0))

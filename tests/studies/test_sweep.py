@@ -21,7 +21,7 @@ from studies.sweep.measures import GAVE_UP, MEASURES, parse_measures
 from studies.sweep.plot import COLOURS, plot
 from studies.sweep.runs import Row, reference_of, run, run_reference, run_several
 from studies.sweep.sweep import TOGETHER, sweep
-from tests.app.test_cli import refused, softrod_here
+from tests.app.command import refused, softrod_here
 from tests.studies.sweeping import ROPE, numbers_of, rows_of, swept
 
 

@@ -18,7 +18,7 @@ from studies.validate import exact
 from studies.validate.figures import FIGURES
 from studies.validate.results import Case, Result, compared, converging, fitted_slope, percent
 from studies.validate.validate import CASES, validate
-from tests.app.test_cli import refused, softrod_here
+from tests.app.command import refused, softrod_here
 from tests.studies.results import read_table
 
 MISSED = {
