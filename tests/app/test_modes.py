@@ -187,8 +187,9 @@ def test_another_number_and_another_body_have_other_modes() -> None:
     assert watch.found.frequencies[3] > 1.2 * before[3]
     page.frames(1, commands.Open(sim.load_scene("rod")))
     page.frames(1)
-    assert watch.found is None or len(watch.found.rest) == 10
-    assert found(page, watch.number).found is not None
+    if watch.found is None:  # a small body's are there at once, now and then
+        found(page, watch.number)
+    assert watch.found is not None
     assert len(watch.found.rest) == 10
 
 
