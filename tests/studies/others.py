@@ -11,11 +11,19 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import msgspec
+import pytest
 
 from tests.amount import part_of
 
-CLUSTERS = part_of(("sweep", "search"), 2)
-"""Whose cluster is started, which takes several processes: by day one, the next day the other."""
+DISTURBED = part_of((("sweep", "search by a cluster"), ("search", "sweep by a cluster")), 2)
+"""What is disturbed, which takes several processes: by day two of four, the next day the others."""
+
+
+def disturbed_today(what: str) -> pytest.MarkDecorator:
+    """For a test that disturbs one of them."""
+    there = any(what in some for some in DISTURBED)
+    return pytest.mark.skipif(not there, reason="it is another's turn today")
+
 
 PATIENCE = 300.0
 """Seconds after which a process that should have done something has failed, however busy the machine is."""

@@ -9,7 +9,7 @@ from pathlib import Path
 from studies.bench.classroom import Host, Storm, a_lesson, survive
 from tests.amount import NIGHT
 
-STORM = Storm(pupils=3, there=(0.5, 1.2), away=(0.1, 0.4), asked=1.5, seed=3, masses=4)
+STORM = Storm(pupils=3, there=(0.4, 0.9), away=(0.1, 0.3), asked=1.0, seed=3, masses=4)
 if NIGHT:
     STORM = Storm(pupils=3, there=(0.8, 2.0), away=(0.1, 0.8), asked=4.0, seed=3, masses=6)
 

@@ -11,7 +11,7 @@ import pytest
 
 import sim
 from tests.studies.improving import improved, rows_by_number, wanted_of
-from tests.studies.others import CLUSTERS, cluster, disturbed
+from tests.studies.others import cluster, disturbed, disturbed_today
 
 SETTINGS, VARY = ("method=rk4", "dt=2e-5", "masses=8"), ("gravity=200..2000", "rest_angle=-20..50")
 GOAL, DURATION, RUNS, SEED = "min mean mass7.y", 0.4, 16, 7
@@ -48,6 +48,7 @@ def assert_same(out: Path, other: Path) -> None:
         assert (out / name).read_bytes() == (other / name).read_bytes(), name
 
 
+@disturbed_today("search")
 def test_a_worker_that_is_killed_loses_nothing(undisturbed: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
 
@@ -70,7 +71,7 @@ def test_a_worker_that_is_killed_loses_nothing(undisturbed: Path, tmp_path: Path
     assert_same(out, undisturbed)
 
 
-@pytest.mark.skipif("search" not in CLUSTERS, reason="the cluster is a sweep's today")
+@disturbed_today("search by a cluster")
 def test_a_cluster_finds_the_same_though_a_worker_is_lost(undisturbed: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     with cluster(tmp_path / "cluster") as there, there.another_worker():

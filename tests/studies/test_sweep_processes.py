@@ -12,7 +12,7 @@ import pytest
 
 import sim
 from tests.amount import NIGHT
-from tests.studies.others import CLUSTERS, Cluster, cluster, disturbed
+from tests.studies.others import Cluster, cluster, disturbed, disturbed_today
 from tests.studies.sweeping import numbers_of, rows_of, swept
 
 SETTINGS, VARY = ("method=rk4", "dt=2e-5", "masses=8"), ("gravity=200..2000:4", "rest_angle=-20,20,50")
@@ -42,6 +42,7 @@ def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> bytes:
 
 
 # ------------------------------------------------------------------------- processes
+@disturbed_today("sweep")
 def test_a_sweep_that_was_interrupted_ends_with_the_same_table(undisturbed: bytes, tmp_path: Path) -> None:
     out = tmp_path / "out"
     # What a shell runs in the background ignores Ctrl-C, and so do its children.
@@ -72,7 +73,7 @@ def swept_by(cluster: Cluster, out: Path, rows: int, doomed: subprocess.Popen[st
     return disturbed(command(out, "--cluster", cluster.address), out / "sweep.jsonl", rows, end)
 
 
-@pytest.mark.skipif("sweep" not in CLUSTERS, reason="the cluster is a search's today")
+@disturbed_today("sweep by a cluster")
 def test_a_sweep_bears_the_loss_of_its_scheduler_and_by_night_of_a_worker(
     undisturbed: bytes, tmp_path: Path
 ) -> None:
