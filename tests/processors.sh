@@ -56,6 +56,7 @@ print("fused" if re.search("fn?m(add|sub|la|ls)", "".join(fused.inspect_asm().va
 kernels=$(mktemp -d)
 trap 'rm -rf "$kernels"' EXIT
 
+failed=()
 [ $# -gt 0 ] || set -- generic old wide unfused
 for processor in "$@"; do
     settings=$(settings_of "$processor")
@@ -75,7 +76,12 @@ for processor in "$@"; do
     chosen=(tests/sim tests/studies)
     for day in "${days[@]}"; do
         echo "== $processor, day $day, after $SECONDS s"
-        as env SOFTROD_DAY="$day" pytest --numprocesses=2 --dist=loadfile "${chosen[@]}"
+        as env SOFTROD_DAY="$day" pytest --numprocesses=2 --dist=loadfile "${chosen[@]}" ||
+            failed+=("$processor, day $day")
         chosen=("${random[@]}")
     done
 done
+if [ ${#failed[@]} -gt 0 ]; then
+    printf '== failed: %s\n' "${failed[@]}" >&2
+    exit 1
+fi
