@@ -24,6 +24,8 @@ from ..scene.validate import validate
 
 _MOST_STEPS = 3000
 """Largest number of steps."""
+_STUCK = 1000
+"""Steps after which another start is tried."""
 _MAX_ROTATION = 0.5
 """Largest relative movement of a spring's ends in a step, as a fraction of its length."""
 _CONTRACTION = 0.5
@@ -351,9 +353,13 @@ def _continuation(body: Resting) -> Floats:
     q = body.start
     neutral = NEUTRAL if body.system.held.any() else NEUTRAL_FREE
     a = body.accelerations(q)
-    shift = float(np.abs(a).max()) / body.typical + _LOWEST
+    first = shift = float(np.abs(a).max()) / body.typical + _LOWEST
     nudges = balanced = 0
-    for _ in range(_MOST_STEPS):
+    for number in range(_MOST_STEPS):
+        if number and number % _STUCK == 0:
+            # A crumpled body may go to and fro between two folds; from elsewhere it folds in another way.
+            q = body.nudge(body.start, number // _STUCK * _NUDGE)
+            a, shift, nudges, balanced = body.accelerations(q), first, 0, 0
         if (np.abs(a) <= body.rounding(q)).all():
             # A few more steps reach the accuracy that rounding permits.
             balanced += shift <= 1e4 * neutral

@@ -133,6 +133,21 @@ def masses_that_move_as_one(draw: np.random.Generator) -> Open:
     )
 
 
+def air_by_weight(draw: np.random.Generator) -> Open:
+    """What the air does to a pendulum goes by its mass."""
+    air, mass = draw.uniform(5e-4, 2e-3), draw.uniform(0.6, 1.6)
+    hidden = REPLACE(swing(), air_friction=air)
+    hidden = REPLACE(hidden, masses=(hidden.masses[0], REPLACE(hidden.masses[1], mass=mass)))
+    return Open(
+        REPLACE(swing(), air_friction=1e-3),
+        measure(hidden, ["spring0.direction"], 2.0, draw.uniform(0.01, 0.03), draw),
+        ["gravity", "air_friction", "mass1.mass"],
+        "The data cannot tell air_friction and mass1.mass apart: of them only "
+        "air_friction / mass1.mass = {} is known.",
+        [air / mass],
+    )
+
+
 def hanging_still(draw: np.random.Generator) -> Open:
     """How far a spring is stretched tells the weight over the stiffness."""
     gravity, stiffness, mass = draw.uniform(800.0, 1200.0), draw.uniform(50.0, 110.0), draw.uniform(0.7, 1.4)
@@ -207,6 +222,24 @@ def bending_that_never_moves(draw: np.random.Generator) -> Open:
     )
 
 
+def another_body(draw: np.random.Generator) -> Open:
+    """Of two spring pendulums one is seen."""
+
+    def scene(one: float, other: float) -> sim.Scene:
+        places = [(0.0, 0.0), (0.0, 140.0), (200.0, 0.0), (200.0, 130.0)]
+        springs = [(0, 1), (2, 3)]
+        return built(places, springs, stiffness=(one, other), damping=0.3, rest_length=100.0, held=(0, 2))
+
+    one, other = draw.uniform(50.0, 120.0, 2)
+    return Open(
+        scene(80.0, 80.0),
+        measure(scene(one, other), ["mass1.y"], 3.0, noise(draw), draw),
+        ["spring0.stiffness", "spring1.stiffness"],
+        "The data do not tell spring1.stiffness: whatever it is, the fit is as good.",
+        [],
+    )
+
+
 def stiff_enough(draw: np.random.Generator) -> Open:
     """A pendulum on a spring that hardly gives: it is stiff, but how stiff does not show."""
     gravity, stiffness = draw.uniform(800.0, 1200.0), draw.uniform(1e5, 3e5)
@@ -231,9 +264,11 @@ KINDS: tuple[Callable[[np.random.Generator], Open], ...] = (
     springs_on_both_sides,
     springs_in_a_row,
     masses_that_move_as_one,
+    air_by_weight,
     hanging_still,
     one_phase,
     fall_from_somewhere,
     bending_that_never_moves,
+    another_body,
     stiff_enough,
 )
