@@ -13,7 +13,7 @@ import pytest
 import sim
 from sim.design.combinations import candidates
 from sim.design.fit import counted_once
-from sim.design.measurements import Column, Measurement, parse_measurement
+from sim.design.measurements import Column, Measurement, parse_measurements
 from sim.design.parameters import Parameter
 from sim.design.residuals import Problem
 from sim.settings import set_value
@@ -184,7 +184,7 @@ def exported(scene: sim.Scene, seconds: float, noise: float, seed: int = 1) -> s
 
 def test_a_table_of_tracker_gives_gravity_scale_origin_and_start() -> None:
     """Of a pendulum whose length is known, everything else follows from how it swings."""
-    data = parse_measurement(exported(swing(), 1.6, 0.05).encode(), "tracker.txt")
+    (data,) = parse_measurements(exported(swing(), 1.6, 0.05).encode(), "tracker.txt")
     guess = swing(degrees=35.0)
     found = sim.fit(guess, data, ["gravity", "start", "origin"], scale=400.0)
     values = found.values
