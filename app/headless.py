@@ -164,7 +164,9 @@ def run(
             if not player.ended:
                 player.do()
             elif steps is not None:
-                player.steps += simulation.step(min(due, steps) - player.steps)
+                between = recording.steps_between(simulation.dt, every)
+                player.steps += simulation.step(min(due, steps, player.steps + between) - player.steps)
+                recording.look(simulation)
             else:
                 break
             if simulation.divergence is not None and (player.ended or not record.checks):

@@ -69,7 +69,7 @@ def rods_to_anchors(scene: Scene) -> Iterator[tuple[int, int]]:
 
 
 def other_radius(places: Floats, fitted: Floats) -> tuple[float, float] | None:
-    """The radius of the circle on which a mass was measured, and that of a run, where they differ for certain.
+    """The radius on which a mass was measured, and that of a run, where they differ for certain.
 
     Args:
         places, fitted: (k, 2) each; rows with NaN are left out.
