@@ -72,7 +72,9 @@ def test_a_joint_that_spins_counts_its_turns_however_seldom_it_is_noted(every: i
     # The second spring turns at 10 rad/s, without weight.
     moving = [(0.0, 0.0), (0.0, 0.0), (0.0, 1000.0)]
     places = [(0.0, 0.0), (100.0, 0.0), (200.0, 0.0)]
-    scene = built(places, velocities=moving, stiffness=1e7, rest_length=100.0, held=(0, 1), joint={"stiffness": 0.0})
+    scene = built(
+        places, velocities=moving, stiffness=1e7, rest_length=100.0, held=(0, 1), joint={"stiffness": 0.0}
+    )
     simulation = Simulation(REPLACE(scene, integrator=sim.Integrator(method="rk4", dt=1e-4)))
     angles = simulation.record(2.1, "joint0.angle", every=every)
     right = math.degrees(10.0) * angles.time
