@@ -103,7 +103,7 @@ def test_meanwhile_a_hard_wall_throws_nothing_higher_than_it_fell_from(
     while simulation.time < 2.0:
         simulation.advance(1.0 / 60.0)
         places.append(simulation.positions[:, 1])
-    assert 300.0 <= np.min(places) and np.max(places) < 450.0
+    assert np.min(places) >= 300.0 and np.max(places) < 450.0
     assert np.min(places[36:60]) < 390.0  # it bounces
 
 
