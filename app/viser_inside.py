@@ -7,7 +7,9 @@ viser's page may send are in `app/gate/messages.py`.
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
+import functools
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -19,6 +21,7 @@ import msgspec
 import numpy as np
 import viser
 import viser._messages
+import viser.infra._async_message_buffer
 import websockets.asyncio.server
 import zstandard
 from numpy.typing import NDArray
@@ -47,14 +50,42 @@ class SoftrodMessage(viser._messages.Message, include_in_scene_serialization=Fal
         return self._key
 
 
+class _Bell(asyncio.Event):
+    """An event that only the thread of its event loop sets.
+
+    Whoever puts a message into a queue of viser 1.1.1 sets the queue's event from any thread, and then has
+    the loop set it, too. Where the first comes just as the loop begins to wait, it marks the event as set and
+    wakes nobody; the loop then finds it set, and the page is never sent anything again.
+    """
+
+    def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
+        super().__init__()
+        self._of = loop
+
+    def set(self) -> None:
+        with contextlib.suppress(RuntimeError):  # this thread has no loop
+            if asyncio.get_running_loop() is self._of:
+                super().set()
+
+
+def _hang_bells(queue: type[viser.infra._async_message_buffer.AsyncMessageBuffer]) -> None:
+    """Have all queues that are made from now on woken by their event loops alone."""
+    made = queue.__init__
+
+    @functools.wraps(made)
+    def make(self: Any, *args: Any, **options: Any) -> None:
+        made(self, *args, **options)
+        self.message_event = _Bell(self.event_loop)
+
+    queue.__init__ = make
+
+
+_hang_bells(viser.infra._async_message_buffer.AsyncMessageBuffer)
+
+
 def send(client: viser.ClientHandle, message: SoftrodMessage) -> None:
     """Send a page a message; any thread may."""
-    try:
-        client._websock_connection.queue_message(message)
-    except RuntimeError:
-        # viser 1.1.1 sets an `asyncio.Event` from this thread, which raises if its event loop is just waking
-        # up. The message is in the queue then; by its key, a second one takes the place of the first.
-        client._websock_connection.queue_message(message)
+    client._websock_connection.queue_message(message)
 
 
 def listen(client: viser.ClientHandle, heard: Callable[[str], None]) -> None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import asyncio
+import threading
 import time
 from collections.abc import Callable, Iterator
 from typing import TypeVar
-from unittest.mock import MagicMock, call
 
 import msgspec
 import numpy as np
@@ -13,6 +14,7 @@ import pytest
 import viser
 import viser._messages
 import zstandard
+from viser.infra._async_message_buffer import AsyncMessageBuffer
 
 from app import viser_inside
 from app.gate.gate import GatedServer, open_server
@@ -108,11 +110,31 @@ def test_a_batch_goes_to_several_pages_at_once(server: GatedServer) -> None:
     viser_inside.send_at_once((), viser_inside.batch())
 
 
-def test_a_message_is_sent_though_the_event_loop_is_just_waking_up() -> None:
-    client, message = MagicMock(), SoftrodMessage("hello")
-    client._websock_connection.queue_message.side_effect = [RuntimeError("deque mutated"), None]
-    viser_inside.send(client, message)
-    assert client._websock_connection.queue_message.call_args_list == [call(message)] * 2
+def test_a_message_is_sent_that_comes_just_as_the_event_loop_falls_asleep() -> None:
+    sent: list[str] = []
+
+    async def take() -> None:
+        queue = AsyncMessageBuffer(asyncio.get_running_loop(), persistent_messages=False)
+        bell, texts = queue.message_event, iter(["first", "second"])
+
+        def loop_of_bell() -> asyncio.AbstractEventLoop:
+            # Between a look at the event and the sleep until it is set, another thread puts a message there.
+            for text in texts:
+                put = threading.Thread(target=queue.push, args=(SoftrodMessage(text, key=text),))
+                put.start()
+                put.join()
+                break
+            return asyncio.get_running_loop()
+
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(bell, "_get_loop", loop_of_bell)
+            async for window in queue.window_generator(0):
+                sent.extend(message.text for message in window if isinstance(message, SoftrodMessage))
+                if len(sent) == 2:
+                    break
+
+    asyncio.run(asyncio.wait_for(take(), 10.0))
+    assert sent == ["first", "second"]
 
 
 def test_the_script_of_the_page_is_found() -> None:
