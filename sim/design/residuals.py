@@ -279,10 +279,14 @@ class Problem:
         if any(name.endswith("rest_length") or name == "length_scale" for name in self.vary):
             return []
         if sought and all(all_are_angles([q.kind.unit for q in table.quantities]) for table in self.tables):
-            length = size_of(self.scene)
+            lengths = ", ".join(
+                f"spring{s} of {self.scene.linear_springs[s].rest_length:.4g} {self.scene.view.unit}"
+                for _, s in rods_to_anchors(self.scene)
+            )
             found.append(
-                "Angles tell gravity over length, and no length: this gravity belongs to the scene's lengths "
-                f"({length:.4g} {self.scene.view.unit} in all)."
+                "Angles tell gravity over length, and no length: this gravity belongs to "
+                + (lengths or "the scene's own lengths")
+                + "."
             )
         for t, (table, run) in enumerate(zip(self.tables, self.fitted(u), strict=True)):
             if run is None:

@@ -79,7 +79,8 @@ def test_a_page_of_viser_s_that_it_does_not_know_says_so(browser: Browser, serve
 def test_a_page_whose_graphics_are_taken_back_says_so_and_is_loaded_again(open_page: OpenPage) -> None:
     desk = open_page("ring", pixels=True)
     desk.page.evaluate("""
-      document.querySelector("#root canvas").getContext("webgl2").getExtension("WEBGL_lose_context").loseContext()
+      const context = document.querySelector("#root canvas").getContext("webgl2");
+      context.getExtension("WEBGL_lose_context").loseContext();
     """)
     alert = desk.page.get_by_role("alert").filter(has_text="The browser has taken back the graphics")
     expect(alert).to_be_visible(timeout=2_000)
