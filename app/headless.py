@@ -154,6 +154,7 @@ def run(
     if steps is not None and every > steps:
         raise InputError(f"--every: {every} is more than the run's {steps} steps, so no row would be written")
     recording = new_table(record.scene, energy, names)
+    followed = recording if isinstance(recording, sim.Recording) else None
     simulation = sim.Simulation(record.scene)
     player = Player(record, simulation, energy or _are_energies(names))
     in_log = sum(entry.n * entry.times for entry in record.entries if isinstance(entry, Step))
@@ -164,7 +165,10 @@ def run(
             if not player.ended:
                 player.do()
             elif steps is not None:
-                player.steps += simulation.step(min(due, steps) - player.steps)
+                between = followed.steps_between(simulation.dt, every) if followed else every
+                player.steps += simulation.step(min(due, steps, player.steps + between) - player.steps)
+                if followed:
+                    followed.look(simulation)
             else:
                 break
             if simulation.divergence is not None and (player.ended or not record.checks):

@@ -16,7 +16,7 @@ from .analysis.tuning import Tuning, Vibration, tuning
 from .analysis.vibrations import Vibrations, vibrations
 from .design.fit import Fit, fit
 from .design.keep_shape import DesignError, keep_shape
-from .design.measurements import Measurement, read_measurement
+from .design.measurements import Measurement, read_measurements
 from .design.sensitivity import Sensitivity, sensitivities
 from .design.wishes import Design, set_wishes
 from .edit.tune import damp_vibration, make_stable
@@ -152,7 +152,7 @@ __all__ = [
     "polygon",
     "predictability",
     "quantity",
-    "read_measurement",
+    "read_measurements",
     "rod",
     "rope",
     "run_many",

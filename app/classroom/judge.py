@@ -49,16 +49,19 @@ class Meter:
         self._of = reading.of
         self._times: list[float] = []
         self._values: list[float] = []
+        self._last, self._at = math.nan, math.inf
 
     def take(self, simulation: sim.Simulation) -> float | None:
         """The reading now; None where there is none, as of what does not swing.
 
         Time may have gone back: what was read after that is forgotten.
         """
-        value = self._quantity.read(simulation)
+        now = simulation.time
+        before = self._last if self._at <= now else math.nan
+        self._last, self._at = self._quantity.read(simulation, before), now
+        value = self._last
         if self._of == "value":
             return value if math.isfinite(value) else None
-        now = simulation.time
         while self._times and self._times[-1] >= now:
             self._times.pop()
             self._values.pop()

@@ -160,8 +160,10 @@ def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:
         picture: what is drawn.
     """
 
-    def moment(body: Picture) -> tuple[float, float, float]:
-        return body.time, body.rest_length_scale, body.rest_angle_shift
+    def moment(body: Picture) -> tuple[float, float, float, float]:
+        # After a day a time in single precision goes on by 8 ms at once; what it lacks comes last.
+        left = body.time - float(np.float32(body.time))
+        return body.time, body.rest_length_scale, body.rest_angle_shift, left
 
     beside: tuple[ArrayLike, ...] = ()
     if picture.ghost is not None:

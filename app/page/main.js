@@ -27,7 +27,7 @@ import { addMaker } from "./making/maker.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "./files/links.js";
 import { listenToOpenFile } from "./files/open_file.js";
 import { addLoads } from "./body/load_marks.js";
-import { beginViser, canDraw, complain, endLoading } from "./viser/loading.js";
+import { beginViser, canDraw, complain, endLoading, mindGraphics } from "./viser/loading.js";
 import { restoreLooks } from "./looks/looks.js";
 import { showMeasures } from "./measure/measure.js";
 import { addMenu } from "./looks/menu.js";
@@ -78,6 +78,7 @@ whenViser((viser) => {
     return;
   }
   endLoading();
+  mindGraphics();
   drawBody(viser);
   showHud();
   hearTools();

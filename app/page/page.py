@@ -43,7 +43,7 @@ class Page:
         makes_lesson: whether the scene's lesson is being made; it is not shown meanwhile.
         begin_class: begins a class with a scene, and returns the address of the teacher's page, from this
             page's; None where others cannot reach the server. The ticker's; raises `Refused`.
-        take_table: offers to fit the scene to a table of what was measured; None where there is no place for
+        take_tables: offers to fit the scene to a table of what was measured; None where there is no place for
             that. The ticker's.
     """
 
@@ -59,7 +59,7 @@ class Page:
     plots: list[PlotList] = field(default_factory=list)
     makes_lesson: bool = False
     begin_class: Callable[[Scene], str] | None = None
-    take_table: Callable[[Measurement], None] | None = None
+    take_tables: Callable[[tuple[Measurement, ...]], None] | None = None
     _asked: deque[Callable[[], None]] = field(default_factory=lambda: deque(maxlen=100))
 
     @property
@@ -80,7 +80,7 @@ class Page:
         """All controls are gone: forget them, and what was asked by them."""
         self._asked.clear()
         self.plots.clear()
-        self.take_table = None
+        self.take_tables = None
         self.commas.clear()
 
     # --------------------------------------------------------------------- controls

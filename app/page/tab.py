@@ -454,7 +454,7 @@ class Tab:
                 self._measure = MeasurePanel(page, self._panel.measure_tab)
                 self._measure.plots.remember(self._plots_kept)
                 self._fit = FitPanel(page, self._panel.measure_tab)
-                page.take_table = self._fit.take
+                page.take_tables = self._fit.take
             if "tools" in page.controls:
                 with self._panel.measure_tab:
                     self._tools = ToolsPanel(page)

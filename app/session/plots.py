@@ -168,7 +168,9 @@ class Plot:
         while self._end > self._first and self._room[self._end - 1, 0] > history.end:
             self._end -= 1
         if self._end == self._first or time > self._room[self._end - 1, 0]:
-            self.append((time, *(_value(session, q) for q in self.quantities)))
+            last = self.rows[-1, 1:] if len(self.rows) else np.full(len(self.quantities), np.nan)
+            each = zip(self.quantities, last.tolist(), strict=True)
+            self.append((time, *(_value(session, q, before) for q, before in each)))
         elif time == self._room[self._end - 1, 0]:
             self._look_again(session)
         if end != self._end or time != self.shown:
@@ -299,8 +301,8 @@ def _rounded(values: Floats) -> Floats:
     return np.rint(values / step) * step
 
 
-def _value(session: Session, quantity: sim.Quantity) -> float:
-    """The present value of a quantity; NaN where there is none."""
+def _value(session: Session, quantity: sim.Quantity, before: float = math.nan) -> float:
+    """The present value of a quantity; NaN where there is none. An angle goes on from the one before."""
     simulation, of = session.simulation, quantity.kind.of
     if of == "ghost":
         ghost = session.ghost
@@ -310,5 +312,5 @@ def _value(session: Session, quantity: sim.Quantity) -> float:
     elif of == "energy" and not simulation.track_energy(True):
         value = math.nan  # its kernels are still being compiled
     else:
-        value = quantity.read(simulation)
+        value = quantity.read(simulation, before)
     return value if math.isfinite(value) else math.nan

@@ -41,8 +41,24 @@ export function hear({ type, text, numbers }) {
   if (type !== CARRIER) return false;
   const message = { ...JSON.parse(text), ...(numbers && { numbers }) };
   if (message.tell === "pageState") heard = message;
-  for (const read of readers.get(message.tell) ?? []) read(message);
+  callAll(readers.get(message.tell) ?? [], message);
   return true;
+}
+
+/**
+ * Calls each of some functions; one that throws is reported, and keeps nothing from the others.
+ *
+ * @template {any[]} A
+ * @param {Iterable<(...args: A) => void>} callbacks @param {A} args
+ */
+export function callAll(callbacks, ...args) {
+  for (const call of callbacks) {
+    try {
+      call(...args);
+    } catch (error) {
+      reportError(error);
+    }
+  }
 }
 
 /** Says nothing more until the server has told how things are: the connection is lost. */

@@ -38,6 +38,7 @@ class Estimate:
             infinity where it is positive, and nothing bounds it.
         known: whether the data tell it.
         before: what it was in the scene.
+        also: the same with the unit of length of what was measured; empty where that is the scene's.
     """
 
     name: str
@@ -47,10 +48,16 @@ class Estimate:
     high: float
     known: bool
     before: float
+    also: str = ""
 
     @property
     def text(self) -> str:
-        """As people read it, as in "812 ± 9 kg/s²"."""
+        """As people read it, as in "998 ± 3 px/s² (2.495 ± 0.007 m/s²)"."""
+        return f"{self.alone} ({self.also})" if self.also else self.alone
+
+    @property
+    def alone(self) -> str:
+        """In the scene's unit."""
         unit = f" {self.unit}" if self.unit else ""
         if not self.known:
             if math.isinf(self.high) and (self.low == 0.0 or math.isinf(self.low)):

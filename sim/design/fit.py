@@ -27,7 +27,7 @@ from ..errors import InputError
 from ..scene.types import Scene
 from ..scene.validate import validate
 from .estimates import Estimate, Series, Told, at_ends, hanging_together
-from .measurements import Measurement, read_measurement
+from .measurements import Measurement, read_measurements
 from .residuals import Problem
 
 Floats = NDArray[np.float64]
@@ -106,7 +106,8 @@ def fit(
 
     Args:
         scene: a valid scene, to start from.
-        data: one or more measurements, or their files; see `parse_measurement`.
+        data: one or more measurements, or their files; see `parse_measurements`; several runs
+            in one file are several measurements.
         vary: one to six names of what is sought: settings (`sim.set_value`), numbers of parts
             ("spring0.stiffness", "mass1.mass"), what a mass starts with ("mass1.vx"), and those of
             `residuals.OF_MEASUREMENT`. With "start", the first row is the start; without it, time 0 is, and
@@ -127,7 +128,9 @@ def fit(
     """
     scene = validate(scene)
     every = [data] if isinstance(data, (Measurement, str, Path)) else list(data)
-    tables = [each if isinstance(each, Measurement) else read_measurement(each) for each in every]
+    tables: list[Measurement] = []
+    for each in every:
+        tables += [each] if isinstance(each, Measurement) else read_measurements(each)
     if not tables:
         raise InputError("fit: name at least one file of what was measured")
     problem = Problem(scene, tables, list(vary), match, scale)
@@ -303,7 +306,7 @@ class _Search:
             problem.parameters, u, spread, directions[~known], wide,
             partial(self._give_way, residuals, slopes, float((residuals(u) ** 2).sum()), wide**2),
         )  # fmt: skip
-        values = told.values()
+        values = problem.in_units_of_tables(told.values(), u)
         runs = problem.fitted(u)
         series = [
             Series(table.measurement.name, m.column.name, m.text, m.column.unit, table.measurement.time,
@@ -313,7 +316,9 @@ class _Search:
             for c, m in enumerate(table.matches)
         ]  # fmt: skip
         sentences = [
+            *(remark for table in problem.tables for remark in table.measurement.remarks),
             *told.sentences(),
+            *problem.lengths_told(u),
             *at_ends(problem.parameters, u, self._low, self._high, told.known),
             *hanging_together(series),
         ]

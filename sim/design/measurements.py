@@ -1,11 +1,10 @@
-"""Tables of what was measured, as phyphox, Tracker, spreadsheets and softrod itself write them."""
+"""Tables of what was measured, as loggers, spreadsheets, video programs and softrod itself write them."""
 
 from __future__ import annotations
 
-import csv
 import math
 import re
-import unicodedata
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,25 +12,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
-from .units import is_unit
+from .cells import is_gap, is_number, printable, value_of
+from .clocks import (
+    begins_with_start,
+    is_clock,
+    is_date,
+    is_of_day,
+    number_of,
+    seconds_of,
+    times_of_day,
+    unit_since_1970,
+)
+from .grid import Grid, Heading, read_grid
 
 Floats = NDArray[np.float64]
 
 MAX_BYTES = 5_000_000
 """Size of the largest file that is read."""
-MAX_ROWS = 20_000
-MAX_COLUMNS = 200
 
-_DELIMITERS = ("\t", ";", ",", " ")
-_COMMENTS = ("#", "%", "//")
-_NUMBER = re.compile(r"[-+]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?", re.ASCII)
-_NO_NUMBER = re.compile(r"[-+]?(?:nan|inf(?:inity)?|[∞])", re.IGNORECASE)
-_IN_BRACKETS = re.compile(r"(.*?)\s*[(\[]([^()\[\]]*)[)\]]\s*")
-_AFTER_SLASH = re.compile(r"(.*?\S)\s+/\s+(\S.*)")
-
-_TIMES = ("t", "time", "zeit", "temps", "tiempo", "tempo")
-"""What the column of the time is called, in the languages that exports often are in."""
-_SECONDS = {"": 1.0, "s": 1.0, "sec": 1.0, "ms": 1e-3, "min": 60.0}
+_POINT = re.compile(r"(?:mass|point|masse|punkt|ball|body)[ _]?[a-z0-9]?", re.IGNORECASE)
+"""What is measured at the same time as others are, and is no run of its own."""
+_FRAMES = ("frame", "frames", "bild", "index", "step", "sample", "image", "n", "i", "#", "nr", "no")
+_NO_TIMES = ("x", "y", "z", "vx", "vy", "v", "ax", "ay", "a", "angle", "theta", "θ", "phi", "φ", "force")
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,17 +58,21 @@ class Column:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """A table of what was measured.
+    """What was measured in one go.
 
     Attributes:
-        name: of the file.
+        name: of the file, and of the run where it has several.
         time: (k,) s, growing.
         columns: the others.
+        is_of_day: whether the time is that of a day, or since 1970, and not since anything began.
+        remarks: what was not read as one might think, in sentences.
     """
 
     name: str
     time: Floats
     columns: tuple[Column, ...]
+    is_of_day: bool = False
+    remarks: tuple[str, ...] = ()
 
     def column(self, name: str) -> Column:
         """A column by its name, or by its name with the unit.
@@ -81,8 +87,8 @@ class Measurement:
         raise InputError(f"{self.name}: there is no column {name!r}; there are {known}")
 
 
-def read_measurement(path: str | Path) -> Measurement:
-    """The table in a file; see `parse_measurement`.
+def read_measurements(path: str | Path) -> tuple[Measurement, ...]:
+    """The table in a file; see `parse_measurements`.
 
     Raises:
         InputError: there is no such file, or it is no such table.
@@ -93,166 +99,315 @@ def read_measurement(path: str | Path) -> Measurement:
             data = file.read(MAX_BYTES + 1)
     except OSError as error:
         raise InputError(f"{path}: it cannot be read ({error.strerror or error})") from None
-    return parse_measurement(data, path.name)
+    return parse_measurements(data, path.name)
 
 
-def parse_measurement(data: bytes, name: str) -> Measurement:
-    """A table of numbers over time.
+def parse_measurements(data: bytes, name: str) -> tuple[Measurement, ...]:
+    """A table of numbers over time: one measurement, or one for each run where runs stand side by side.
 
-    Cells stand between tabs, semicolons, commas or spaces; numbers have decimal points or commas. Lines that
-    begin with #, % or // are left out. A header may name the columns, with units as in "x (cm)", "x [cm]" or
-    "x / cm"; units may also be a line of their own below it, and names of several points, as of Tracker, one
-    above it. The time is the column that is called so, or the first. An empty place is a gap.
+    Cells stand between tabs, semicolons, commas, bars or spaces, or what a first line "sep=" says. Decimals
+    have points or commas, the same in all of a table, and thousands may be grouped. Lines that begin with #,
+    %, // or ; are left out. A header may name the columns, with units as in "x (cm)", "x [cm]" or "x / cm";
+    units may also be a line of their own below it, and names of points or runs stand above or in it. The time
+    is what is called so or is in a unit of time, or else the first column: in s or another unit, as h:mm:ss,
+    with a date, or since 1970. An empty cell, "-", "NaN", "n/a" and the like are gaps.
 
     Args:
         data: the file.
         name: the file's, for messages.
 
     Raises:
-        InputError: it is not such a table. The sentence names the line, and the column if it is one.
+        InputError: it is not such a table, or may be read in several ways. The sentence names the line, and
+            the column if it is one.
     """
+    name = printable(name)
     if len(data) > MAX_BYTES:
         raise InputError(f"{name}: it is larger than {MAX_BYTES // 1_000_000} MB")
-    lines = [
-        (number, line.strip(" \ufeff"))
-        for number, line in enumerate(re.split(r"\r\n?|\n", _decoded(data, name)), 1)
-        if line.strip() and not line.lstrip().startswith(_COMMENTS)
-    ]
-    cells = _split(lines)
-    first = next((i for i, (_, row) in enumerate(cells) if _is_data(row)), None)
-    if first is None:
-        raise InputError(f"{name}: no line of it has a time and a number, with the same sign between cells")
-    head, body = [row for _, row in cells[:first]], cells[first:]
-    width = max(len(row) for _, row in body)
-    if width > MAX_COLUMNS:
-        raise InputError(f"{name}: it has {width} columns, more than {MAX_COLUMNS}")
-    if len(body) > MAX_ROWS:
-        raise InputError(f"{name}: it has {len(body)} rows, more than {MAX_ROWS}")
-    names = _names(head, width)
-    numbers = np.array(
-        [
-            [_value(row[i] if i < len(row) else "", name, line, names[i][0]) for i in range(width)]
-            for line, row in body
+    return tuple(_Table(read_grid(data, name), name).measurements())
+
+
+class _Table:
+    """Columns of numbers, of which some are clocks.
+
+    Args:
+        grid: the cells.
+        name: the file's.
+    """
+
+    def __init__(self, grid: Grid, name: str) -> None:
+        self._name, self._decimal = name, grid.decimal
+        self._lines = [line for line, _ in grid.rows]
+        self._cells = list(zip(*(row for _, row in grid.rows), strict=True))
+        self._headings = grid.headings
+        self._remarks: list[str] = []
+        self._times: set[int] = set()
+        """Columns of times as clocks show them."""
+        self._values = [self._numbers(i) for i in range(len(grid.headings))]
+
+    def measurements(self) -> Iterator[Measurement]:
+        """One for each clock that is not the same as another one."""
+        clocks = self._clocks()
+        if len(clocks) > 1 and all(self._same(clocks[0], other) for other in clocks[1:]):
+            others = [i for i in self._filled() if i not in clocks]
+            yield self._measurement(clocks[0], others, "")
+            return
+        parts = self._parts(clocks)
+        if len(parts) > 1 and all(_POINT.fullmatch(self._headings[c].group) for c, _ in parts):
+            yield self._together(parts)
+            return
+        for number, (clock, others) in enumerate(parts, 1):
+            run = ""
+            if len(parts) > 1:
+                groups = {self._headings[i].group for i in (clock, *others)} - {""}
+                run = groups.pop() if len(groups) == 1 else f"run {number}"
+            yield self._measurement(clock, others, run)
+
+    # --------------------------------------------------------------------- the cells
+    def _numbers(self, i: int) -> Floats:
+        """(k,) the numbers of a column; NaN for gaps, and all NaN where it is a text.
+
+        Raises:
+            InputError: one is not a finite number.
+        """
+        cells = self._cells[i]
+        filled = [k for k, cell in enumerate(cells) if not is_gap(cell)]
+        found = np.full(len(cells), math.nan)
+        if any(is_of_day(cells[k]) for k in filled) and not any(is_number(cells[k]) for k in filled):
+            try:
+                found[filled] = times_of_day([cells[k] for k in filled])
+            except ValueError as error:
+                raise InputError(f"{self._name}, column {self._label(i)!r}: {error}") from None
+            self._times.add(i)
+        elif any(is_number(cells[k]) for k in filled):
+            found[filled] = [value_of(cells[k], self._decimal) for k in filled]
+        elif filled:
+            kind = "a date without a time" if is_date(cells[filled[0]]) else "no number"
+            self._remarks.append(f"Column {self._label(i)!r} has {kind} and is left out.")
+            return found
+        wrong = next((k for k in filled if not math.isfinite(found[k])), None)
+        if wrong is not None:
+            raise InputError(f"{self._place(wrong, i)}: {printable(cells[wrong])!r} is not a finite number")
+        return found
+
+    def _label(self, i: int) -> str:
+        return self._headings[i].name or f"column {i + 1}"
+
+    def _place(self, row: int, i: int) -> str:
+        return f"{self._name}, line {self._lines[row]}, column {self._label(i)!r}"
+
+    def _filled(self) -> list[int]:
+        return [i for i, each in enumerate(self._values) if not np.isnan(each).all()]
+
+    def _same(self, i: int, j: int) -> bool:
+        return bool(np.array_equal(self._seconds(i), self._seconds(j), equal_nan=True))
+
+    # --------------------------------------------------------------------- which are clocks
+    def _clocks(self) -> list[int]:
+        """The columns that are the time.
+
+        Raises:
+            InputError: there is none, or it cannot be told which.
+        """
+        filled, headings = self._filled(), self._headings
+        named = [
+            i
+            for i in filled
+            if is_clock(headings[i].name) and (not headings[i].unit or self._unit(i) is not None)
         ]
-    )
-    return _table(name, names, numbers, [line for line, _ in body])
+        wrong = next((i for i in filled if is_clock(headings[i].name) and i not in named), None)
+        if not named and wrong is not None:
+            unit = headings[wrong].unit
+            raise InputError(
+                f"{self._name}: the time {headings[wrong].name!r} is in {unit!r}, and not in s, ms, min or h"
+            )
+        found = named or [i for i in filled if self._unit(i) is not None] or sorted(self._times)
+        # "t1" beside "t" is no clock.
+        bare = [i for i in found if not number_of(headings[i].name)]
+        found = bare or found
+        since_start = [i for i in found if begins_with_start(headings[i].name)]
+        found = self._without(found, since_start)
+        found = self._without(found, [i for i in found if not self._is_of_day(i)])
+        return found or [self._first(filled)]
 
+    def _without(self, clocks: list[int], better: list[int]) -> list[int]:
+        """The better ones of some clocks, if there are any; what is left out is told."""
+        if not better:
+            return clocks
+        for i in clocks:
+            if i not in better:
+                self._remarks.append(
+                    f"The time is {self._label(better[0])!r}; the other clock {self._label(i)!r} is left out."
+                )
+        return better
 
-def _table(name: str, names: list[tuple[str, str]], numbers: Floats, lines: list[int]) -> Measurement:
-    """The table of columns; rows without a time or without anything else are left out."""
-    clock = next((i for i, (each, _) in enumerate(names) if _plain(each) in _TIMES), 0)
-    heading, unit = names[clock]
-    if unit not in _SECONDS:
-        raise InputError(f"{name}: the time {heading!r} is in {unit!r}, not in s, ms or min")
-    others = [i for i in range(len(names)) if i != clock and not np.isnan(numbers[:, i]).all()]
-    full = ~np.isnan(numbers[:, clock]) & ~np.isnan(numbers[:, others]).all(axis=1)
-    if not full.any():
-        raise InputError(f"{name}: no line of it has a time and a number")
-    time = numbers[full, clock] * _SECONDS[unit]
-    kept = np.array(lines)[full]
-    back = np.flatnonzero(np.diff(time) <= 0.0)
-    if back.size:
+    def _first(self, filled: list[int]) -> int:
+        """The first column, where nothing is called the time."""
+        i = filled[0]
+        heading = self._headings[i]
+        name = heading.name.lower()
+        if heading.unit or name in (*_NO_TIMES, *_FRAMES):
+            unit = f" in {heading.unit}" if heading.unit else ""
+            raise InputError(
+                f"{self._name}: no column is called the time, and the first one is {heading.name!r}{unit}; "
+                "call one t (s)"
+            )
+        if heading.name:
+            self._remarks.append(f"No column is called the time: {heading.name!r} is taken for it, in s.")
+        return i
+
+    def _unit(self, i: int) -> float | None:
+        return seconds_of(self._headings[i].unit)
+
+    def _is_of_day(self, i: int) -> bool:
+        """Whether a clock shows the time of a day, or since 1970."""
+        unit, first = self._unit(i) or 1.0, self._values[i][~np.isnan(self._values[i])][0]
+        if i in self._times:
+            return bool(first >= 3600.0)
+        return unit_since_1970(float(first)) is not None if not self._headings[i].unit else first * unit > 1e8
+
+    def _seconds(self, i: int) -> Floats:
+        """(k,) the time of a clock, s.
+
+        Raises:
+            InputError: its unit cannot be told.
+        """
+        values = self._values[i]
+        if i in self._times:
+            return values
+        unit = self._unit(i)
+        if unit is None:
+            unit = self._unit_by_others(i)
+        return values * unit
+
+    def _unit_by_others(self, i: int) -> float:
+        """Seconds of the unit of a clock that names none: since 1970, or as one beside it goes."""
+        values = self._values[i]
+        own = unit_since_1970(float(values[~np.isnan(values)][0]))
+        if own is not None:
+            return own
+        for other in self._filled():
+            if other == i or not is_clock(self._headings[other].name) or not self._is_of_day(other):
+                continue
+            both = ~np.isnan(values) & ~np.isnan(self._values[other])
+            here, there = np.ptp(values[both]), float(np.ptp(self._seconds(other)[both]))
+            if here > 0.0 and there > 0.0:
+                unit = next(
+                    (u for u in (1.0, 1e-3, 1e-6, 1e-9) if abs(here * u - there) < 0.05 * there), None
+                )
+                if unit is None:
+                    raise InputError(
+                        f"{self._name}: {self._label(i)!r} has no unit, and {self._label(other)!r} goes at "
+                        "another rate"
+                    )
+                return unit
+        return 1.0
+
+    # --------------------------------------------------------------------- what goes with which clock
+    def _parts(self, clocks: list[int]) -> list[tuple[int, list[int]]]:
+        """Each clock, and the columns that were measured by it.
+
+        Raises:
+            InputError: that cannot be told.
+        """
+        others = [i for i in self._filled() if i not in clocks and not self._is_another_clock(i)]
+        if len(clocks) == 1:
+            return [(clocks[0], others)]
+        # Either in rows of a clock and its columns, or as the numbers or groups in the names say.
+        bounds = [*clocks, len(self._headings)]
+        after = [(c, [i for i in others if c < i < end]) for c, end in zip(clocks, bounds[1:], strict=True)]
+        if others and others[0] > clocks[0] and all(columns for _, columns in after):
+            return after
+        before = [
+            (c, [i for i in others if begin < i < c])
+            for begin, c in zip([-1, *clocks[:-1]], clocks, strict=True)
+        ]
+        if others and others[-1] < clocks[-1] and all(columns for _, columns in before):
+            return before
+        for key in (lambda i: number_of(self._headings[i].name), lambda i: self._headings[i].group):
+            keys = [key(c) for c in clocks]
+            if len({*keys}) == len(keys) and {key(i) for i in others} == {*keys}:
+                return [
+                    (c, [i for i in others if key(i) == mine]) for c, mine in zip(clocks, keys, strict=True)
+                ]
+        names = " and ".join(repr(self._label(c)) for c in clocks)
         raise InputError(
-            f"{name}, line {kept[back[0] + 1]}, column {heading!r}: the time {time[back[0] + 1]:g} s "
-            f"does not come after {time[back[0]]:g} s"
+            f"{self._name}: there are several clocks, {names}, and it is not told which column goes with "
+            "which"
         )
-    columns = tuple(Column(*names[i], numbers[full, i]) for i in others)
-    return Measurement(name, time, columns)
 
+    def _is_another_clock(self, i: int) -> bool:
+        """Whether a column is a clock that was left out for a better one."""
+        name = self._headings[i].name
+        return i in self._times or (is_clock(name) and not number_of(name))
 
-def _decoded(data: bytes, name: str) -> str:
-    has_mark = data[:2] in (b"\xff\xfe", b"\xfe\xff")
-    for encoding in ("utf-16",) if has_mark else ("utf-8-sig", "cp1252"):
-        try:
-            text = data.decode(encoding)
-        except UnicodeDecodeError:
-            continue
-        if "\0" not in text:
-            return text
-    raise InputError(f"{name}: it is not a text")
+    def _together(self, parts: list[tuple[int, list[int]]]) -> Measurement:
+        """Points of one motion, each with a clock of its own, on all of their times."""
+        each = [self._measurement(clock, columns, "") for clock, columns in parts]
+        time = np.unique(np.concatenate([one.time for one in each]))
+        columns = []
+        for one in each:
+            at = np.searchsorted(time, one.time)
+            for column in one.columns:
+                values = np.full(time.size, math.nan)
+                values[at] = column.values
+                columns.append(Column(column.name, column.unit, values))
+        return Measurement(self._name, time, tuple(columns), each[0].is_of_day, tuple(self._remarks))
 
+    def _measurement(self, clock: int, others: Sequence[int], run: str) -> Measurement:
+        """What was measured by one clock.
 
-def _split(lines: list[tuple[int, str]]) -> list[tuple[int, list[str]]]:
-    """The cells of each line, cut where most lines become numbers."""
-    best: list[list[str]] = []
-    most = -1
-    texts = [line for _, line in lines]
-    for delimiter in _DELIMITERS:
-        rows = _cut(texts, delimiter)
-        count = sum(map(_is_data, rows))
-        if count > most:
-            best, most = rows, count
-    return [(number, row) for (number, _), row in zip(lines, best, strict=True)]
-
-
-def _cut(lines: list[str], delimiter: str) -> list[list[str]]:
-    if delimiter == " ":
-        return [line.split() for line in lines]
-    # One line at a time: a quotation mark that is never closed must not swallow what comes after it.
-    return [[cell.strip() for cell in next(csv.reader([line], delimiter=delimiter))] for line in lines]
-
-
-def _is_data(row: list[str]) -> bool:
-    """Whether a line has at least two numbers, the first cell among them or empty."""
-    filled = [cell for cell in row if cell]
-    found = sum(bool(_NUMBER.fullmatch(cell) or _NO_NUMBER.fullmatch(cell)) for cell in filled)
-    return found >= 2 and (found == len(filled) or bool(_NUMBER.fullmatch(row[0])))
-
-
-def _value(cell: str, name: str, line: int, column: str) -> float:
-    if not cell:
-        return math.nan
-    if _NO_NUMBER.fullmatch(cell):
-        raise InputError(
-            f"{name}, line {line}, column {column!r}: {cell} is not a finite number; leave the place of a "
-            "missing value empty"
+        Raises:
+            InputError: a number has no time, or the time does not grow.
+        """
+        name = f"{self._name}, {run}" if run else self._name
+        seconds = self._seconds(clock)
+        there = self._any(others)
+        lost = np.flatnonzero(there & np.isnan(seconds))
+        if lost.size:
+            raise InputError(f"{self._name}, line {self._lines[lost[0]]}: it has numbers, but no time")
+        full = np.flatnonzero(there)
+        if not full.size:
+            raise InputError(f"{name}: no line of it has a time and a number")
+        time = seconds[full]
+        back = np.flatnonzero(np.diff(time) <= 0.0)
+        if back.size:
+            place = self._place(int(full[back[0] + 1]), clock)
+            raise InputError(
+                f"{place}: the time {time[back[0] + 1]:.12g} s does not come after {time[back[0]]:.12g} s"
+            )
+        labels = self._labels(clock, others, run)
+        columns = tuple(
+            Column(label, self._headings[i].unit, self._values[i][full])
+            for label, i in zip(labels, others, strict=True)
         )
-    value = float(cell.replace(",", ".")) if _NUMBER.fullmatch(cell) else math.nan
-    if not math.isfinite(value):
-        raise InputError(f"{name}, line {line}, column {column!r}: {cell[:40]!r} is not a finite number")
-    return value
+        return Measurement(name, time, columns, self._is_of_day(clock), tuple(self._remarks))
 
+    def _any(self, columns: Sequence[int]) -> NDArray[np.bool_]:
+        """(k,) whether a line has a number in one of some columns."""
+        found = np.zeros(len(self._lines), np.bool_)
+        for i in columns:
+            found |= ~np.isnan(self._values[i])
+        return found
 
-def _names(head: list[list[str]], width: int) -> list[tuple[str, str]]:
-    """Names and units of columns, by the lines above the first numbers."""
-    rows = [row + [""] * (width - len(row)) for row in head if len(row) <= width]
-    units = [""] * width
-    if len(rows) >= 2 and all(cell == "" or _is_unit(cell) for cell in rows[-1]) and any(rows[-1]):
-        units = [cell.strip("()[] ") for cell in rows.pop()]
-    top = rows[-1] if rows else [""] * width
-    groups = _groups(rows[-2], top) if len(rows) >= 2 else [""] * width
-    found: list[tuple[str, str]] = []
-    taken: set[str] = set()
-    for i, (cell, group, unit) in enumerate(zip(top, groups, units, strict=True)):
-        match = _IN_BRACKETS.fullmatch(cell) or _AFTER_SLASH.fullmatch(cell)
-        base, given = match.groups() if match else (cell, "")
-        base = " ".join(part for part in (group, base or f"column {i + 1}") if part)
-        while base in taken:
-            base += "'"
-        taken.add(base)
-        found.append((base, unicodedata.normalize("NFKC", (given or unit).strip()).replace("−", "-")))
-    return found
+    def _labels(self, clock: int, columns: Sequence[int], run: str) -> list[str]:
+        """A name for each of some columns, with the group if that is not the whole run; none twice.
 
-
-def _groups(row: list[str], below: list[str]) -> list[str]:
-    """Names that stand above several columns each, as Tracker has them; the time has none."""
-    if sum(bool(cell) for cell in row) < 1 or len([cell for cell in row if cell]) == len(row):
-        return [""] * len(row)
-    current, found = "", []
-    for cell, name in zip(row, below, strict=True):
-        current = cell or current
-        found.append("" if _plain(_bare(name)) in _TIMES else current)
-    return found
-
-
-def _bare(cell: str) -> str:
-    match = _IN_BRACKETS.fullmatch(cell) or _AFTER_SLASH.fullmatch(cell)
-    return match.group(1) if match else cell
-
-
-def _plain(name: str) -> str:
-    return name.strip().lower()
-
-
-def _is_unit(cell: str) -> bool:
-    return is_unit(cell.strip("()[] ")) or cell.strip("()[] ") in _SECONDS
+        Of several runs the number is the clock's, and no part's: "x2" beside "t2" is x.
+        """
+        found: list[str] = []
+        number = number_of(self._headings[clock].name) if run else ""
+        for i in columns:
+            heading: Heading = self._headings[i]
+            whole = heading.group in (run, self._headings[clock].group) and not _POINT.fullmatch(
+                heading.group
+            )
+            name = heading.name or f"column {i + 1}"
+            if run:
+                name = name.rstrip("'") or name
+            if number and name.endswith(number):
+                name = name.removesuffix(number).rstrip(" _") or name
+            label = " ".join(part for part in ("" if whole else heading.group, name) if part)
+            while label in found:
+                label += "'"
+            found.append(label)
+        return found

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import msgspec
 import numpy as np
@@ -16,6 +17,8 @@ from ..motion.quantities import Quantity
 from ..motion.simulation import Simulation
 from ..scene.types import Scene
 from ..scene.validate import validate
+from .circles import all_are_angles, other_radius, rods_to_anchors
+from .estimates import Estimate, plus_minus
 from .matching import Match, matched
 from .measurements import Measurement
 from .parameters import Parameter, parameter, size_of, start_of, with_start
@@ -40,6 +43,8 @@ _FINE = 1e-8
 """Tolerance of runs, as a part of the body's size: differences of runs are to be smooth."""
 _FEWEST = 8
 """Smallest number of rows that are fitted before the others."""
+_LATEST = 1e6
+"""First row, s, beyond which no run comes to it from the scene's start."""
 _FAILED = 1e3
 """Residual, in units of noise, of a run that ends early."""
 
@@ -50,6 +55,11 @@ class _Table:
     def __init__(self, measurement: Measurement, matches: tuple[Match, ...], from_first: bool) -> None:
         self.measurement, self.matches = measurement, matches
         self.time = measurement.time - (measurement.time[0] if from_first else 0.0)
+        if not from_first and (measurement.is_of_day or self.time[0] > _LATEST):
+            raise InputError(
+                f"{measurement.name}: its clock begins at {measurement.time[0]:.12g} s, and the scene's "
+                "start is 0 s; vary start, and the first row is it"
+            )
         if self.time[0] < 0.0:
             raise InputError(
                 f"{measurement.name}: the time begins at {self.time[0]:g} s, before the scene's start "
@@ -261,6 +271,85 @@ class Problem:
                 run[c] += origin["xy".index(each.quantity.kind.what)] / each.unit.factor
         return run
 
+    # --------------------------------------------------------------------- what lengths say
+    def lengths_told(self, u: Floats) -> list[str]:
+        """Where the lengths that were measured are not the scene's, and what stands for what then."""
+        found = []
+        sought = "gravity" in self.vary
+        if any(name.endswith("rest_length") or name == "length_scale" for name in self.vary):
+            return []
+        if sought and all(all_are_angles([q.kind.unit for q in table.quantities]) for table in self.tables):
+            lengths = ", ".join(
+                f"spring{s} of {self.scene.linear_springs[s].rest_length:.4g} {self.scene.view.unit}"
+                for _, s in rods_to_anchors(self.scene)
+            )
+            found.append(
+                "Angles tell gravity over length, and no length: this gravity belongs to "
+                + (lengths or "the scene's own lengths")
+                + "."
+            )
+        for t, (table, run) in enumerate(zip(self.tables, self.fitted(u), strict=True)):
+            if run is None:
+                continue
+            for mass, spring in rods_to_anchors(self.scene):
+                places = self._places(u, t, mass, table.measured), self._places(u, t, mass, run)
+                if places[0] is None or places[1] is None:
+                    continue
+                radii = other_radius(places[0], places[1])
+                if radii is not None:
+                    found.append(self._other_length(table, mass, spring, *radii))
+        return found
+
+    def _places(self, u: Floats, t: int, mass: int, values: Floats) -> Floats | None:
+        """(k, 2) places of a mass in the scene's unit, by the columns of a table; None without both."""
+        table, length = self.tables[t], self.length_scale(u)
+        found = []
+        for what in ("x", "y"):
+            name = f"mass{mass}.{what}"
+            column = next((c for c, each in enumerate(table.matches) if each.quantity.name == name), None)
+            if column is None:
+                return None
+            found.append(values[column] * self._size_of(table.matches[column], length))
+        return np.column_stack(found)
+
+    def _other_length(self, table: _Table, mass: int, spring: int, measured: float, run: float) -> str:
+        unit = self.scene.view.unit
+        each = next(m for m in table.matches if m.quantity.index == mass and m.unit.power == 1)
+        own = (
+            ""
+            if each.scale is not None
+            else f" ({measured / self.scale / each.unit.factor:.3g} {each.column.unit})"
+        )
+        stands = (
+            f" The gravity that is found stands for gravity over length: at {measured:.4g} {unit} it would "
+            f"be {measured / run:.3g} times as large."
+            if "gravity" in self.vary
+            else ""
+        )
+        return (
+            f"{table.measurement.name}: mass {mass} was measured on a circle with a radius of {measured:.4g} "
+            f"{unit}{own}, and the scene's is {run:.4g} {unit}.{stands} Set spring{spring}.rest_length to "
+            f"{measured:.4g}, or vary it."
+        )
+
+    def in_units_of_tables(self, values: Sequence[Estimate], u: Floats) -> list[Estimate]:
+        """Estimates with what they are in the unit of length of what was measured, where that is another."""
+        length = next((m.unit.length for table in self.tables for m in table.matches if m.scale is None), "")
+        own, scale = self.scene.view.unit, self.length_scale(u)
+        if not length or scale == 1.0:
+            return list(values)
+        found = []
+        for each in values:
+            power = _power_of(each.unit, own)
+            if power == 0 or not each.known:
+                found.append(each)
+                continue
+            factor = scale**-power
+            also = plus_minus(each.value * factor, each.low * factor, each.high * factor)
+            unit = re.sub(rf"(?<!\w){re.escape(own)}(?!\w)", length, each.unit)
+            found.append(replace(each, also=f"{also} {unit}"))
+        return found
+
     def _size_of(self, match: Match, length: float) -> float:
         """What one of a column's unit is in the scene's."""
         known = match.scale if match.scale is not None else length
@@ -334,6 +423,18 @@ class Problem:
             u[i] = each.parameter.u(match.sign * (float(found) * size - (0.0 if each.of else match.offset)))
 
 
+def _power_of(unit: str, length: str) -> int:
+    """The power of a length in a unit, as 1 in "px/s²", 2 in "kg px²/s²" and -1 in "kg/px"."""
+    above, _, below = unit.partition("/")
+    for part, sign in ((above, 1), (below, -1)):
+        for word in re.split(r"[\s·]+", part):
+            if word == length:
+                return sign
+            if word == f"{length}²":
+                return 2 * sign
+    return 0
+
+
 def _refuse_names(vary: list[str]) -> None:
     if not 1 <= len(vary) <= MAX_VARIED:
         raise InputError(f"vary: name from 1 to {MAX_VARIED} numbers that are sought, not {len(vary)}")
@@ -364,8 +465,10 @@ class _Runner:
             integrator = msgspec.structs.replace(integrator, tolerance=tolerance, dt=step)
         steps = math.ceil(time[-1] / step - 1e-9)
         if steps > MAX_STEPS:
+            late = time[0] > float(np.ptp(time))
             raise InputError(
                 f"fit: {time[-1]:g} s in steps of {step:g} s are {steps} steps, more than {MAX_STEPS}"
+                + (f"; the first row is at {time[0]:g} s: vary start, and it is the start" if late else "")
             )
         from scipy.interpolate import CubicSpline
 

@@ -12,6 +12,18 @@ from ..errors import InputError
 
 _METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "km": 1e3}
 """Units of length that are known in metres."""
+_CYRILLIC = {
+    "м": "m",
+    "см": "cm",
+    "мм": "mm",
+    "км": "km",
+    "Н": "N",
+    "Дж": "J",
+    "град": "°",
+    "рад": "rad",
+    "с": "s",
+}
+"""Units in Cyrillic letters."""
 _ANGLES = {"°": 1.0, "deg": 1.0, "degree": 1.0, "degrees": 1.0, "rad": 57.29577951308232}
 _FORCES = {"N": 1.0, "mN": 1e-3, "kN": 1e3}
 _ENERGIES = {"J": 1.0, "mJ": 1e-3, "N m": 1.0, "Nm": 1.0}
@@ -109,6 +121,7 @@ def _has(text: str, dimension: str, length: str) -> bool:
 
 def _normal(text: str) -> str:
     text = re.sub(r"\s+", " ", text.translate(_SIGNS)).strip()
+    text = re.sub(r"[а-яА-Я]+", lambda word: _CYRILLIC.get(word[0], word[0]), text)
     return re.sub(r"\s*/\s*", "/", text).replace("s2", "s^2").replace("s-1", "/s")
 
 

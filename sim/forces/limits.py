@@ -143,7 +143,7 @@ def _bent(body, state, q, j):
 
     Returns:
         off: the deflection, radians.
-        limit: that at which it yields; infinite where it has no torque.
+        limit: that at which it yields; infinite where it has no torque, or never as much.
         kept: that to which it returns.
         lengths: |A||B|, px².
     """
@@ -154,8 +154,11 @@ def _bent(body, state, q, j):
     lengths = length_of(ax, ay, soft) * length_of(bx, by, soft)
     off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.trial_angle[j])
     torque = body.limits.bending[j] / (size * lengths)
-    if is_sine(body.law):  # bent beyond its largest torque, it has yielded on the way
-        return off, math.asin(min(torque, 1.0)), math.asin(min(torque, _STEEPEST)), lengths
+    if is_sine(body.law):
+        if torque >= 1.0:  # it never has that torque
+            return off, np.inf, 0.0, lengths
+        # Bent beyond its largest torque, it has yielded on the way.
+        return off, math.asin(torque), math.asin(min(torque, _STEEPEST)), lengths
     limit = deflection_at(body.law, torque, math.pi)
     return off, limit, limit, lengths
 

@@ -41,13 +41,13 @@ class PlainSolver:
         self.time, self.index, self.work = 0.0, -1, 0
         self.fastest = RUNAWAY_SPEED
         self._state = state
-        self.system = system
         method, dt = METHODS[scene.integrator.method], scene.integrator.dt
         # Euler takes the scene's step. Verlet stands in for methods that may handle longer steps than it
         # does.
         self._euler = method.order == 1
         self._longest = dt if self._euler else min(dt, _SAFETY * damped_limit(system))
         self._a: Vectors | None = None  # of the present state
+        self.system = system
 
     @property
     def system(self) -> System:
@@ -57,7 +57,10 @@ class PlainSolver:
     @system.setter
     def system(self, system: System) -> None:
         self._system, self._body = system, system.body
-        self._physics = Physics(system.body, self._state)
+        around = system.body.environment
+        # Its steps are fixed, whatever those of the method are: they soften hard walls and contact.
+        softening = around.replaced(step=self._longest)
+        self._physics = Physics(system.body.replaced(environment=softening), self._state)
 
     def load(self, time: float) -> None:
         """Start from the state in `state`, at a time (s)."""

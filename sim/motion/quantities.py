@@ -8,6 +8,7 @@ force, and lengths in forces are softened as `sim.forces.springs` says.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -70,6 +71,7 @@ class Kind:
         values: it, for an array of indices of parts (of the scene), (k,) each; of which there is one, the
             indices have no meaning.
         vertical: whether it is a y coordinate, or the y component of a vector.
+        turns: whether it is an angle that goes on beyond half a turn while it is followed.
     """
 
     of: str
@@ -78,6 +80,7 @@ class Kind:
     summary: str
     values: Callable[[Moving, Indices], Floats] = field(repr=False, compare=False)
     vertical: bool = False
+    turns: bool = False
 
 
 @dataclass(frozen=True)
@@ -96,13 +99,21 @@ class Quantity:
     kind: Kind
     index: int
 
-    def read(self, simulation: Moving) -> float:
+    def read(self, simulation: Moving, before: float = math.nan) -> float:
         """Its present value.
+
+        Args:
+            simulation: the body.
+            before: the value a moment ago, less than half a turn away, from which an angle goes on; without
+                it an angle is in (-180, 180].
 
         Raises:
             InputError: it is an energy, and the kernels for these are still being compiled.
         """
-        return float(self.kind.values(simulation, np.array([self.index]))[0])
+        value = float(self.kind.values(simulation, np.array([self.index]))[0])
+        if self.kind.turns and math.isfinite(value) and math.isfinite(before):
+            value += 360.0 * round((before - value) / 360.0)
+        return value
 
 
 def unit_in(unit: str, length: str) -> str:
@@ -241,8 +252,8 @@ _ENERGY_SUMMARIES = {
 
 _ALL = (
     Kind(
-        "joint", "angle", "°", "angle from its first spring to its second, in (-180, 180]",
-        lambda simulation, joints: simulation.angles[joints],
+        "joint", "angle", "°", "angle from its first spring to its second, which goes on beyond 180°",
+        lambda simulation, joints: simulation.angles[joints], turns=True,
     ),
     Kind(
         "joint", "rate", "°/s", "rate at which the angle grows",
@@ -257,16 +268,22 @@ _ALL = (
         "torque of stiffness and damping on its first spring, from +x towards +y: positive where the angle "
         "is larger than the rest angle", _torques,
     ),
+    Kind(
+        "joint", "wrapped_angle", "°", "angle, in (-180, 180]",
+        lambda simulation, joints: simulation.angles[joints],
+    ),
     Kind("spring", "length", "{unit}", "length", _lengths),
     Kind("spring", "elongation", "{unit}", "length minus rest length", _elongations),
     Kind(
         "spring", "direction", "°",
-        "direction from its first mass to its second, from +x towards +y, in (-180, 180]", _directions,
+        "direction from its first mass to its second, from +x towards +y, which goes on beyond 180°",
+        _directions, turns=True,
     ),
     Kind(
         "spring", "force", "kg {unit}/s²",
         "force of stiffness and damping along the spring; positive where it pulls", _pulls,
     ),
+    Kind("spring", "wrapped_direction", "°", "direction, in (-180, 180]", _directions),
     Kind("mass", "x", "{unit}", "x coordinate", lambda *of: _masses(*of)[0].real),
     Kind(
         "mass", "y", "{unit}", "y coordinate, as the scene counts it",

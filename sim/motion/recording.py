@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -20,8 +21,15 @@ _ASCII = str.maketrans({"°": "deg", "²": "^2"})
 """Signs of units for the first line of a table: not every program that opens one asks how it is encoded."""
 
 
+LOOKS_APART = 1.0 / 240.0
+"""Seconds between two looks at a body whose angles are followed, at most, unless a step is longer."""
+
+
 class Recording:
     """Quantities of a simulation at several times; `Simulation.record` makes one.
+
+    Angles go on from where they were, so that a joint that turns once round is at 360°. For that a body has
+    to be looked at more often than it turns by half, see `look`.
 
     `recording["joint3.angle"]` is the (k,) array of a quantity, `recording.time` that of the times.
 
@@ -41,6 +49,7 @@ class Recording:
         if not self._quantities:
             raise InputError("record: name at least one quantity, such as joint0.angle")
         self._rows: list[tuple[float, ...]] = []
+        self._last = [math.nan] * len(self._quantities)
         self.units = {name: q.unit for name, q in self._quantities.items()}
 
     def __len__(self) -> int:
@@ -59,8 +68,18 @@ class Recording:
 
     def add(self, simulation: Moving) -> None:
         """Add a row for the present state."""
-        values = (q.read(simulation) for q in self._quantities.values())
-        self._rows.append((simulation.time, *values))
+        self.look(simulation)
+        self._rows.append((simulation.time, *self._last))
+
+    def look(self, simulation: Moving) -> None:
+        """Follow the angles between two rows."""
+        each = zip(self._quantities.values(), self._last, strict=True)
+        self._last = [q.read(simulation, before) for q, before in each]
+
+    def steps_between(self, dt: float, every: int) -> int:
+        """The most steps of a body from one look to the next, where a row is taken every so many."""
+        turns = any(q.kind.turns for q in self._quantities.values())
+        return min(max(int(LOOKS_APART / dt), 1), every) if turns else every
 
     def to_csv(self, path: str | Path, decimal_comma: bool = False) -> None:
         """Write a table: a line of names with units, as in `time [s]` and `joint3.angle [deg]`, and a line

@@ -403,9 +403,13 @@ class Simulation:
             raise InputError(f"record: every is {every}, but must be a whole number from 1")
         left = int(seconds / self.dt + 1e-9)  # a hair more, as in `advance`
         recording.add(self)
+        between = recording.steps_between(self.dt, every)
         while left >= every:
-            if self.step(every) < every:
-                return recording
+            for done in range(0, every, between):
+                some = min(between, every - done)
+                if self.step(some) < some:
+                    return recording
+                recording.look(self)
             recording.add(self)
             left -= every
         self.step(left)

@@ -69,7 +69,7 @@ def fit_and_report(
 def _write(found: Fit, scene: sim.Scene, out: Path, decimal_comma: bool) -> None:
     name = safe_name(f"{scene.name} fitted"[:60]) or "fitted"
     sim.save_scene(msgspec.structs.replace(found.scene, name=name, title=""), out / "scene.json")
-    headings = ("number", "unit", "value", "low", "high", "known", "before")
+    headings = ("number", "unit", "value", "low", "high", "known", "before", "in the table's unit")
     text = comma_separated(headings, map(_row, found.values.values()), decimal_comma)
     (out / "values.csv").write_text(text, encoding="utf-8")
     (out / "fit.png").write_bytes(encoded(plot(found)))
@@ -78,4 +78,4 @@ def _write(found: Fit, scene: sim.Scene, out: Path, decimal_comma: bool) -> None
 def _row(each: Estimate) -> tuple[object, ...]:
     known = "yes" if each.known else "no"
     ends = (end if math.isfinite(end) else None for end in (each.low, each.high))
-    return each.name, each.unit, each.value, *ends, known, each.before
+    return each.name, each.unit, each.value, *ends, known, each.before, each.also

@@ -190,14 +190,14 @@ class GoalMeter:
     @property
     def goes_by_end(self) -> bool:
         """Whether the end of a run is all that it needs to see, so that `look` need not be called."""
-        return self._goal.want != "reach" and self._goal.of == "end"
+        return self._goal.want != "reach" and self._goal.of == "end" and not self._quantity.kind.turns
 
     def look(self) -> None:
         """Note the present state."""
         if self._periods is not None:
             value = self._periods.take(self._simulation)
         else:
-            value = self._quantity.read(self._simulation)
+            value = self._quantity.read(self._simulation, self._values[-1] if self._values else math.nan)
         self._times.append(self._simulation.time)
         self._values.append(math.nan if value is None else value)
 
@@ -216,7 +216,7 @@ class GoalMeter:
 
     def _reading(self) -> float | None:
         if self._goal.of == "end":
-            return self._quantity.read(self._simulation)
+            return self._quantity.read(self._simulation, self._values[-1] if self._values else math.nan)
         times, values = np.array(self._times), np.array(self._values)
         if not np.isfinite(values).all():
             return None

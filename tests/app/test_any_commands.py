@@ -82,7 +82,10 @@ def check(page: SessionPage) -> None:
     n = len(page.session.scene.masses)
     assert picture.positions.shape == (n, 2)
     assert picture.ghost is None or picture.ghost.shape == (n, 2)
-    assert np.isfinite(encode_frame(1, picture)).all()
+    numbers = encode_frame(1, picture)
+    assert np.isfinite(numbers).all()
+    time, left = float(numbers[2]), float(numbers[5])
+    assert abs(time + left - picture.time) <= 1e-12 * max(picture.time, 1.0)
     encode_damage(1, picture)
     page.session.keepsake()
 

@@ -13,6 +13,7 @@ from app.classroom.judge import GoalWatch, Meter, judge
 from app.session.log import Set, decode_log
 from app.session.record import Recorder
 from sim.scene.lesson import Goal, Reading, Step
+from tests.sim.builders import spinning
 
 STIFFNESS, MASS = 40.0, 1.0
 PERIOD = 2.0 * np.pi * np.sqrt(MASS / STIFFNESS)
@@ -61,6 +62,24 @@ def test_a_period_is_read_off_the_run_and_off_its_log() -> None:
     verdict = judge(decode_log(data, "log"), a_scene(), a_step(goal, collect))
     assert (verdict.refused, verdict.reached) == ("", False)
     assert verdict.found == pytest.approx(PERIOD / np.sqrt(2.0), abs=1e-3)
+
+
+def test_a_goal_for_an_angle_goes_on_beyond_half_a_turn() -> None:
+    scene = spinning(5.0)
+    watch = GoalWatch(
+        Goal(quantity="spring0.direction", of="value", low=395.0, high=405.0, seconds=0.0), scene
+    )
+    simulation = sim.Simulation(scene)
+    seen = []
+    for _ in range(90):
+        watch.look(simulation)
+        seen.append(watch.value)
+        simulation.step(80)
+    assert watch.reached
+    assert seen == pytest.approx(np.degrees(5.0) * np.arange(90) / 60.0, abs=1.5)
+    simulation.reset()
+    watch.look(simulation)
+    assert watch.value == pytest.approx(0.0, abs=0.1)
 
 
 def test_a_goal_is_held_without_a_break() -> None:

@@ -32,13 +32,14 @@ from tests.app.pages import SessionPage
 from tests.app.panels import Noted, page_of
 from tests.app.recording import agrees
 from tests.app.whole import WholePage
+from tests.sim.builders import spinning
 
 
 class PlotPage(SessionPage):
     """A session with a plot of its last mass, which is sampled after every frame."""
 
-    def __init__(self, *names: str, over: str = "", scene: str = "tutorial-3.3") -> None:
-        super().__init__(sim.load_scene(scene))
+    def __init__(self, *names: str, over: str = "", scene: sim.Scene | None = None) -> None:
+        super().__init__(scene or sim.load_scene("tutorial-3.3"))
         self.plot = Plot(Wish(names or ("mass11.y",), over), self.session.scene)
 
     def frames(self, count: int, *posts: commands.Command) -> None:
@@ -64,6 +65,14 @@ def test_there_is_a_row_for_each_frame_in_which_time_passed(page: PlotPage) -> N
     assert len(page.plot.rows) == 30
     page.frames(1, commands.DoSteps(1))
     assert len(page.plot.rows) == 31
+
+
+def test_an_angle_goes_on_beyond_half_a_turn_and_begins_anew_with_a_reset() -> None:
+    page = PlotPage("spring0.direction", scene=spinning(9.0))
+    page.frames(60)
+    assert np.ptp(page.plot.rows[:, 1]) == pytest.approx(math.degrees(9.0), rel=0.05)
+    page.frames(2, commands.Reset())
+    assert abs(page.plot.rows[0, 1]) <= 180.0
 
 
 def test_back_in_time_what_is_ahead_stays_until_something_else_comes(page: PlotPage) -> None:
@@ -365,7 +374,7 @@ def test_lines_of_one_axis_are_levelled_together() -> None:
     ("names", "over"), [(("joint0.angle", "mass3.y"), ""), (("joint0.torque",), "joint0.angle")]
 )
 def test_a_plot_is_a_picture(names: tuple[str, ...], over: str) -> None:
-    page = PlotPage(*names, over=over, scene="rod")
+    page = PlotPage(*names, over=over, scene=sim.load_scene("rod"))
     page.frames(40)
     colors = plots.colors_of(page.plot, palette("softrod", dark=False))
     data = plot_png(page.plot, curve(page.plot, 10.0, 500), colors, r"Rope <3> for $\frac$")
@@ -438,7 +447,7 @@ def test_a_curve_goes_down_with_its_mass_over_another_quantity_and_in_a_picture(
 
 
 def test_the_limit_that_is_found_while_the_clock_stands_is_plotted() -> None:
-    page = PlotPage("stability.dt_over_limit", scene="tutorial-3.3")
+    page = PlotPage("stability.dt_over_limit")
     page.frames(1, commands.SetChoice("method", "symplectic_euler"), commands.Play(False))
     page.frames(40)
     limit = page.session.stability.limit

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import sim
-from sim.design.measurements import parse_measurement
+from sim.design.measurements import parse_measurements
 from sim.settings import set_value
 from tests.page.check import FOLDER, NODE
 from tests.sim.measured import measure
@@ -89,7 +89,7 @@ def test_a_table_of_a_video_gives_back_what_the_body_was() -> None:
     seen[17] = np.nan
     corner = {"x": 40.0, "y": -25.0}
     text = written(seen, swing.time, origin=corner, pixels=1.7 * 500.0, unit="m", down=True)
-    table = parse_measurement(text, "video.csv")
+    (table,) = parse_measurements(text, "video.csv")
     assert table.time.size == swing.time.size - 1
     assert [(column.name, column.unit) for column in table.columns] == [("mass1.x", "m"), ("mass1.y", "m")]
     found = sim.fit(guess, table, ["gravity", "air_friction"], scale=500.0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from playwright.sync_api import Browser, Route, expect
 
-from tests.browser.conftest import Serve
+from tests.browser.conftest import OpenPage, Serve
 
 NOTES = """
   new MutationObserver((changes, observer) => {
@@ -74,3 +74,16 @@ def test_a_page_of_viser_s_that_it_does_not_know_says_so(browser: Browser, serve
     page.goto(serve("ring").url)
     page.get_by_role("alert").get_by_text("This page cannot draw").wait_for()
     context.close()
+
+
+def test_a_page_whose_graphics_are_taken_back_says_so_and_is_loaded_again(open_page: OpenPage) -> None:
+    desk = open_page("ring", pixels=True)
+    desk.page.evaluate("""
+      const context = document.querySelector("#root canvas").getContext("webgl2");
+      context.getExtension("WEBGL_lose_context").loseContext();
+    """)
+    alert = desk.page.get_by_role("alert").filter(has_text="The browser has taken back the graphics")
+    expect(alert).to_be_visible(timeout=2_000)
+    alert.get_by_role("button", name="Reload").click()
+    expect(alert).to_have_count(0)
+    desk.page.wait_for_function("window.__softrod?.fitted() > 0")

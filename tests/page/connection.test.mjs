@@ -4,6 +4,7 @@ import { test } from "node:test";
 import { become, canvas, key, pass, point, put, show, Target } from "./page.mjs";
 import { awaySince, mindAbsence } from "../../app/page/away.js";
 import { Attempts, askedScene, Pulse, serverPath, watchConnection } from "../../app/page/viser/connection.js";
+import { callAll } from "../../app/wire/channel.js";
 import { listenToKeys } from "../../app/page/hands/keys.js";
 import { listenToPointer } from "../../app/page/hands/pointer.js";
 import { listenToPresses } from "../../app/page/hands/presses.js";
@@ -16,6 +17,14 @@ test("an attempt to connect has its time, and another begins when it has failed"
   assert.equal(attempts.begin(9000), true);
   attempts.end();
   assert.equal(attempts.begin(9001), true);
+});
+
+test("a reader that throws is reported, and keeps nothing from the others", () => {
+  const [reported, heard] = [[], []];
+  globalThis.reportError = (error) => reported.push(error.message);
+  callAll([() => heard.push("one"), () => { throw new Error("broken"); }, (what) => heard.push(what)], "three");
+  delete globalThis.reportError;
+  assert.deepEqual([heard, reported], [["one", "three"], ["broken"]]);
 });
 
 /** What looks at the clock find, as [ms, what]; something comes at the times in `heard`. */

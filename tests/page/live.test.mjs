@@ -73,6 +73,20 @@ test("the period of a damped swing is read off, and noise has none", () => {
   assert.equal(swings(time, time.map(() => 1)), null);
 });
 
+test("an angle goes on beyond half a turn while it is followed", () => {
+  const body = new Body(chain(2, 400));
+  const record = new Recording({ goal: null, names: ["spring0.direction", "spring0.wrapped_direction"] });
+  for (let step = 0; step <= 10; step++) {
+    const turn = (100 * step * Math.PI) / 180;
+    body.time = step;
+    [body.positions[2], body.positions[3]] = [body.positions[0] + 5 * Math.cos(turn), body.positions[1] + 5 * Math.sin(turn)];
+    record.take(body, true, 0);
+  }
+  const [free, wrapped] = [...record.values.values()];
+  assert.ok(free.every((angle, step) => Math.abs(angle - 100 * step) < 1e-9));
+  assert.ok(wrapped.every((angle) => Math.abs(angle) <= 180));
+});
+
 test("a goal is reached once it has held for its seconds in one go", () => {
   const body = new Body(chain(2, 400));
   const goal = { quantity: "mass1.x", of: "value", low: 30, high: null, seconds: 1 };

@@ -17,6 +17,12 @@ test("a rival has a time, a scale of lengths and a turn of angles of its own", (
   assert.deepEqual([...rival.positions], [7, 8, 9, 10]);
 });
 
+test("after a day the time still goes on by each step", () => {
+  const day = 86400.0123;
+  const { time } = readFrame(joined([1, day, 1, 0, day - Math.fround(day)], [], []));
+  assert.ok(Math.abs(time - day) < 1e-6);
+});
+
 test("the beat of muscles is ahead by its phase", () => {
   assert.equal(beatsAt(/** @type {any} */ ({ muscles: [2, 90] }), 1), 2.25);
 });

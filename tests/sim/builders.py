@@ -179,3 +179,12 @@ def undisturbed(steps: int) -> sim.Simulation:
     simulation = sim.Simulation(askew())
     simulation.step(steps)
     return simulation
+
+
+def spinning(rate: float) -> Scene:
+    """A mass that goes round an anchor by so many radians a second."""
+    moving = [(0.0, 0.0), (0.0, 100.0 * rate)]
+    return built(
+        [(0.0, 0.0), (100.0, 0.0)], velocities=moving, stiffness=1e6, rest_length=100.0, held=(0,),
+        integrator=Integrator(method="rk4", dt=1.0 / 4800.0),
+    )  # fmt: skip

@@ -10,6 +10,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import sim
@@ -17,6 +18,7 @@ from sim.compiling.compiler import ENTRY_POINTS, Compiler, EntryPoint, is_ready,
 from sim.kernels.engine import kept
 from sim.methods.registry import METHODS
 from tests.amount import part_of
+from tests.sim.builders import built
 from tests.sim.inside import hash_from
 
 ROOT = Path(sim.__file__).parent.parent
@@ -84,6 +86,25 @@ def test_a_simulation_that_does_not_wait_moves_by_numpy_and_then_goes_on(
     whole.step(200)
     assert simulation.positions == pytest.approx(whole.positions, abs=1e-8)
     assert (simulation.time, simulation.step_count) == (whole.time, whole.step_count)
+
+
+@pytest.mark.parametrize("hardness", [1e3, 1e6, 1e9])
+def test_meanwhile_a_hard_wall_throws_nothing_higher_than_it_fell_from(
+    monkeypatch: pytest.MonkeyPatch, hardness: float
+) -> None:
+    monkeypatch.setattr(EntryPoint, "ready", property(lambda _: False))
+    floor = sim.Wall(point=(0.0, 400.0), normal=(0.0, -1.0), hardness=hardness)
+    pair = built(
+        [(0.0, 300.0), (30.0, 300.0)], stiffness=1e3, damping=1.0, gravity=(0.0, 1000.0), walls=(floor,)
+    )
+    simulation = sim.Simulation(pair, wait=False)
+    assert simulation.plain
+    places = []
+    while simulation.time < 2.0:
+        simulation.advance(1.0 / 60.0)
+        places.append(simulation.positions[:, 1])
+    assert np.min(places) >= 300.0 and np.max(places) < 450.0
+    assert np.min(places[36:60]) < 390.0  # it bounces
 
 
 def test_auto_begins_with_what_is_there_and_takes_the_others_in(monkeypatch: pytest.MonkeyPatch) -> None:

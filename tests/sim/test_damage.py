@@ -245,6 +245,23 @@ def test_a_joint_that_does_not_reach_its_yield_torque_does_not_yield() -> None:
     assert simulation.damage is None
 
 
+@pytest.mark.parametrize("law", LAWS)
+def test_nor_does_one_that_never_can_however_far_it_is_led(law: ForceLaw) -> None:
+    # Its torque is 1e7 at most; 175 degrees are more than where a sine law is the strongest.
+    scene = bent(law, yield_torque=1e15)
+    simulation = Simulation(scene)
+    held = scene.angular_springs[0]
+    corner = scene.linear_springs[held.a].b
+    end = scene.linear_springs[held.b].b
+    x, y = scene.masses[corner].position
+    turn = math.radians(175.0)
+    simulation.grab(end)
+    simulation.move(end, (x + 100.0 * math.cos(turn), y + 100.0 * math.sin(turn)))
+    simulation.step(5)
+    assert abs(simulation.angles[0]) > 100.0
+    assert simulation.damage is None
+
+
 # ------------------------------------------------------------------------- what is kept
 def fragile(seed: int = 0, method: Method = "auto") -> Scene:
     """A body of which some springs break, and some yield, soon."""

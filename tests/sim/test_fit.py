@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -13,7 +14,7 @@ import pytest
 import sim
 from sim.design.combinations import candidates
 from sim.design.fit import counted_once
-from sim.design.measurements import Column, Measurement, parse_measurement
+from sim.design.measurements import Column, Measurement, parse_measurements
 from sim.design.parameters import Parameter
 from sim.design.residuals import Problem
 from sim.settings import set_value
@@ -71,6 +72,76 @@ def test_what_cannot_be_told_is_named_with_what_is_known_of_it(case: int) -> Non
 
 def batched(values: Sequence[str], size: int) -> Iterator[Sequence[str]]:
     return (values[i : i + size] for i in range(0, len(values), size))
+
+
+def pendulum_in_metres(length: float, degrees: float) -> Measurement:
+    """Places of a pendulum under 1000 px/s², one px of which is 1/400 m, with noise of half a millimetre."""
+    data = measure(swing(400.0 * length, degrees), ["mass1.x", "mass1.y"], 4.0, 0.0, random())
+    draw = random(2)
+    columns = (
+        Column(each.name, "m", each.values / 400.0 + 5e-4 * draw.standard_normal(each.values.size))
+        for each in data.columns
+    )
+    return Measurement("swing.csv", data.time, tuple(columns))
+
+
+@pytest.mark.parametrize("degrees", [25.0, 60.0])
+def test_a_length_that_is_not_the_scenes_is_told_with_what_gravity_stands_for(degrees: float) -> None:
+    found = sim.fit(swing(), pendulum_in_metres(0.5, degrees), ["gravity", "start", "origin"], scale=400.0)
+    (told,) = [each for each in found.sentences if "circle" in each]
+    number = r"([\d.]+)"
+    parts = re.fullmatch(
+        rf"swing\.csv: mass 1 was measured on a circle with a radius of {number} px \({number} m\), and the "
+        rf"scene's is {number} px\. The gravity that is found stands for gravity over length: at {number} "
+        rf"px it would be {number} times as large\. Set spring0\.rest_length to {number}, or vary it\.",
+        told,
+    )
+    assert parts, told
+    radius, metres, own, _, times, _ = map(float, parts.groups())
+    assert radius == pytest.approx(200.0, rel=0.02)
+    assert metres == pytest.approx(0.5, rel=0.02)
+    assert own == pytest.approx(250.0, rel=0.02)
+    assert found.values["gravity"].value * times == pytest.approx(1000.0, rel=0.05)
+    assert re.search(r"px/s² \(\d[\d.]* ± [\d.]+ m/s²\)", found.values["gravity"].text)
+
+
+def test_the_right_length_is_not_worth_a_word() -> None:
+    found = sim.fit(swing(), pendulum_in_metres(0.625, 40.0), ["gravity", "start", "origin"], scale=400.0)
+    assert not found.sentences
+    assert found.values["gravity"].value == pytest.approx(1000.0, rel=0.01)
+
+
+def test_angles_alone_tell_whose_length_it_is() -> None:
+    data = measure(swing(), ["spring0.direction"], 2.0, 0.003, random())
+    found = sim.fit(sim.set_value(swing(), "gravity", 900.0), data, ["gravity"])
+    assert found.sentences == (
+        "Angles tell gravity over length, and no length: this gravity belongs to spring0 of 250 px.",
+    )
+
+
+@pytest.mark.parametrize(("begins", "is_of_day"), [(2e6, False), (36000.0, True)])
+def test_a_clock_that_is_far_from_the_start_needs_the_start(begins: float, is_of_day: bool) -> None:
+    data = measure(swing(), ["mass1.x", "mass1.y"], 1.0, 0.003, random())
+    late = Measurement("late.csv", data.time + begins, data.columns, is_of_day)
+    with pytest.raises(sim.InputError, match=r"late\.csv: its clock begins at .* vary start"):
+        sim.fit(swing(), late, ["gravity"])
+    found = sim.fit(swing(), late, ["gravity", "start"])
+    assert found.values["gravity"].value == pytest.approx(1000.0, rel=0.02)
+
+
+def test_runs_side_by_side_are_fitted_together(tmp_path: Path) -> None:
+    one, other = (
+        measure(swing(degrees=degrees), ["mass1.x"], seconds, 0.003, random(seed))
+        for degrees, seconds, seed in ((40.0, 2.0, 1), (25.0, 1.0, 2))
+    )
+    rows = [
+        f"{t},{x}," + (f"{other.time[i]},{other.columns[0].values[i]}" if i < other.time.size else ",")
+        for i, (t, x) in enumerate(zip(one.time, one.columns[0].values, strict=True))
+    ]
+    (tmp_path / "runs.csv").write_text("t,mass1.x,t,mass1.x\n" + "\n".join(rows))
+    found = sim.fit(swing(), tmp_path / "runs.csv", ["gravity", "start"])
+    assert [each.file for each in found.series] == ["runs.csv, run 1", "runs.csv, run 2"]
+    assert found.values["gravity"].value == pytest.approx(1000.0, rel=0.02)
 
 
 def test_an_angle_that_was_measured_a_turn_further_is_the_same() -> None:
@@ -184,7 +255,7 @@ def exported(scene: sim.Scene, seconds: float, noise: float, seed: int = 1) -> s
 
 def test_a_table_of_tracker_gives_gravity_scale_origin_and_start() -> None:
     """Of a pendulum whose length is known, everything else follows from how it swings."""
-    data = parse_measurement(exported(swing(), 1.6, 0.05).encode(), "tracker.txt")
+    (data,) = parse_measurements(exported(swing(), 1.6, 0.05).encode(), "tracker.txt")
     guess = swing(degrees=35.0)
     found = sim.fit(guess, data, ["gravity", "start", "origin"], scale=400.0)
     values = found.values

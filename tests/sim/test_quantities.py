@@ -16,7 +16,7 @@ from sim.analysis.swings import swings
 from sim.motion.energy import ENERGY_FIELDS
 from sim.physics import Physics
 from tests.sim.bodies import tangle
-from tests.sim.builders import chain, rod
+from tests.sim.builders import built, chain, rod
 
 REPLACE = msgspec.structs.replace
 
@@ -41,6 +41,45 @@ def pendulum(degrees: float = 3.0) -> Simulation:
     joint = sim.AngularSpring(a=0, b=1, stiffness=0.0)
     tight = sim.Integrator(method="rodas5p", tolerance=1e-6, dt=1e-3)
     return Simulation(REPLACE(scene, angular_springs=(joint,), integrator=tight))
+
+
+# ------------------------------------------------------------------------- angles beyond half a turn
+def simple_pendulum(degrees: float) -> Simulation:
+    """A mass 1 m below an anchor, in metres, let go so far from there."""
+    angle = math.radians(degrees)
+    scene = chain(
+        [(0.0, 0.0), (math.sin(angle), math.cos(angle))], stiffness=1e5, rest_length=1.0, held=(0,),
+        gravity=(0.0, 9.8),
+    )  # fmt: skip
+    return Simulation(REPLACE(scene, integrator=sim.Integrator(method="rk4", dt=1e-3)))
+
+
+@pytest.mark.parametrize(("degrees", "period"), [(100.0, 2.4732), (120.0, 2.7555), (150.0, 3.5369)])
+def test_a_pendulum_that_swings_beyond_half_a_turn_has_its_period_and_reach(
+    degrees: float, period: float
+) -> None:
+    recording = simple_pendulum(degrees).record(12.0, "spring0.direction", "spring0.wrapped_direction")
+    found = swings(recording.time, recording["spring0.direction"])
+    assert found is not None
+    assert found.period == pytest.approx(period, abs=1e-3)
+    assert recording["spring0.direction"].max() == pytest.approx(90.0 + degrees, abs=0.2)
+    assert recording["spring0.direction"].min() == pytest.approx(90.0 - degrees, abs=0.2)
+    assert np.abs(recording["spring0.wrapped_direction"]).max() <= 180.0
+
+
+@pytest.mark.parametrize("every", [1, 700])
+def test_a_joint_that_spins_counts_its_turns_however_seldom_it_is_noted(every: int) -> None:
+    # The second spring turns at 10 rad/s, without weight.
+    moving = [(0.0, 0.0), (0.0, 0.0), (0.0, 1000.0)]
+    places = [(0.0, 0.0), (100.0, 0.0), (200.0, 0.0)]
+    scene = built(
+        places, velocities=moving, stiffness=1e7, rest_length=100.0, held=(0, 1), joint={"stiffness": 0.0}
+    )
+    simulation = Simulation(REPLACE(scene, integrator=sim.Integrator(method="rk4", dt=1e-4)))
+    angles = simulation.record(2.1, "joint0.angle", every=every)
+    right = math.degrees(10.0) * angles.time
+    assert angles["joint0.angle"] == pytest.approx(right, rel=1e-3, abs=1e-2)
+    assert angles["joint0.angle"][-1] == pytest.approx(1203.2, abs=2.0)
 
 
 # ------------------------------------------------------------------------- what is read
@@ -147,7 +186,10 @@ UNITS = {
     [
         ("joint3.angle", "joint3.angle: joint 3 does not exist (0..2)"),
         ("mass99.x", "mass99.x: mass 99 does not exist (0..4)"),
-        ("joint0.angel", "'joint0.angel' is not a quantity: joint has angle, rate, rest_angle, torque"),
+        (
+            "joint0.angel",
+            "'joint0.angel' is not a quantity: joint has angle, rate, rest_angle, torque, wrapped_angle",
+        ),
         ("mass.x", "'mass.x' is not a quantity: mass needs a number"),
         ("energy1.total", "'energy1.total' is not a quantity: energy has no number"),
         ("angle(3)", "begins with one of joint0, spring0, mass0, energy, stability"),

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import sim
-from sim.design.measurements import read_measurement
+from sim.design.measurements import read_measurements
 from tests.sim.builders import built
 
 DATA = Path(__file__).with_name("free_swing.csv")
@@ -40,7 +40,7 @@ def test_a_recorded_swing_gives_the_length_and_the_loss_that_are_read_off_it() -
     """What agrees: the length, to 2 % with the period and with the source's own model. What a swing loses
     agrees to a fifth only: the bearing's friction is no drag of the air, and the scene has no other. The fit
     says that something is lacking, and its intervals are wide."""
-    table = read_measurement(DATA)
+    (table,) = read_measurements(DATA)
     length, damping = read_off(table.time, table.columns[0].values)
     guess = built(
         [(0.0, 0.0), (0.0, LENGTH)], velocities=[(0.0, 0.0), (-500.0, 0.0)], stiffness=2e5, held=(0,),

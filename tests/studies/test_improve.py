@@ -21,6 +21,7 @@ from studies.improve.search import Search
 from studies.improve.trials import trial
 from tests.amount import NIGHT
 from tests.app.command import refused, softrod_here
+from tests.sim.builders import spinning
 from tests.studies.improving import SWINGS, improved, rows_by_number, wanted_of
 
 
@@ -155,6 +156,19 @@ def test_results_are_what_a_recording_says(goal: str, read) -> None:
     target = float(goal.split()[1]) if goal.startswith("near") else 0.0
     sizes = {"max": -result, "min": result, "nea": abs(result - target)}
     assert (score, ended) == (sizes[goal[:3]], "")
+
+
+@pytest.mark.parametrize(("of", "right"), [("", 573.0), ("mean ", 286.5), ("largest ", 573.0)])
+def test_an_angle_goes_on_beyond_half_a_turn(of: str, right: float) -> None:
+    goal, scene = parse_goal(f"max {of}spring0.direction", spinning(5.0))
+    simulation = sim.Simulation(scene)
+    meter = GoalMeter(goal, simulation)
+    for _ in range(120):
+        meter.look()
+        simulation.step(80)
+    meter.look()
+    assert not meter.goes_by_end
+    assert meter.result()[0] == pytest.approx(right, rel=5e-3)
 
 
 def test_a_range_that_is_not_reached_is_the_worse_the_farther_it_is() -> None:

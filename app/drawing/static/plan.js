@@ -113,12 +113,13 @@ export const UNHARMED = readDamage(new Float32Array([1, -1]));
  */
 export function readFrame(data) {
   const take = sections(data);
-  const [generation, time, lengthScale, angleShift] = take();
+  /** A time is the sum of two numbers, since one of single precision is too coarse for a long one. @param {number[]} moment */
+  const momentOf = ([time, lengthScale, angleShift, left = 0]) => ({ time: time + left, lengthScale, angleShift });
+  const [generation, ...own] = take();
   const [positions, ghost, moment] = [take(), take(), take()];
-  const own = { generation, time, lengthScale, angleShift, positions, ghost: ghost.length ? ghost : null };
-  if (!moment.length) return own;
-  const rival = { generation, time: moment[0], lengthScale: moment[1], angleShift: moment[2], positions: take(), ghost: null };
-  return { ...own, rival };
+  const frame = { generation, ...momentOf(own), positions, ghost: ghost.length ? ghost : null };
+  if (!moment.length) return frame;
+  return { ...frame, rival: { generation, ...momentOf([...moment]), positions: take(), ghost: null } };
 }
 
 /**

@@ -11,7 +11,7 @@
  */
 import * as draw from "../../drawing/static/draw.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "../../drawing/static/plan.js";
-import { hear, onTold } from "../../wire/channel.js";
+import { callAll, hear, onTold } from "../../wire/channel.js";
 import { Glide } from "./glide.js";
 
 /** Where the nodes of the body are, and those of the other one in a race. */
@@ -98,7 +98,7 @@ function paint() {
     if (rival) show(RIVAL, rival.plan, rival.frame, damage.rival);
     state.drawn += 1;
     page?.requestRender();
-    for (const listener of listeners) listener(frame, plan);
+    callAll(listeners, frame, plan);
   }
   if (glide.busy) ask();
 }
@@ -158,7 +158,7 @@ function listen() {
   onTold("frame", ({ numbers, wall }) => {
     const frame = readFrame(numbers);
     glide.take(frame, wall, seconds());
-    for (const taker of takers) taker(frame);
+    callAll(takers, frame);
     ask();
   });
 }

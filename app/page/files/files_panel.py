@@ -14,7 +14,7 @@ from functools import partial
 import viser
 
 import sim
-from sim.design.measurements import Measurement, parse_measurement
+from sim.design.measurements import Measurement, parse_measurements
 from sim.edit.texts import UNNAMED, renamed
 from sim.errors import InputError, SceneError
 from sim.store import files
@@ -133,7 +133,7 @@ def open_file(page: Page, letters: str) -> None:
     try:
         data = keeping.unpacked(packed)
         if name.lower().endswith(_TABLES):
-            _open_table(page, parse_measurement(data, name))
+            _open_tables(page, parse_measurements(data, name))
             return
         data = as_utf8(data)
         if log.is_recorded(data):
@@ -146,17 +146,19 @@ def open_file(page: Page, letters: str) -> None:
         notify(Notice("error", "That did not work", f"{name}: {error}"))
 
 
-def _open_table(page: Page, table: Measurement) -> None:
-    """Have a table offered in the Measure tab.
+def _open_tables(page: Page, tables: tuple[Measurement, ...]) -> None:
+    """Have the runs of a table offered in the Measure tab.
 
     Raises:
         InputError: there is no such tab.
     """
 
     def take() -> None:
-        if page.take_table is not None:
-            page.take_table(table)
+        if page.take_tables is not None:
+            page.take_tables(tables)
 
-    if page.take_table is None:
-        raise InputError(f"{table.name}: a table is fitted in the Measure tab, which this page does not have")
+    if page.take_tables is None:
+        raise InputError(
+            f"{tables[0].name}: a table is fitted in the Measure tab, which this page does not have"
+        )
     page.later(take)

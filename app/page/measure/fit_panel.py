@@ -69,6 +69,7 @@ class FitPanel:
         self._page, self._session, self._tab = page, page.session, tab
         self._table: Measurement | None = None
         self._found: Fit | None = None
+        self._which: viser.GuiDropdownHandle[str] | None = None
         self._columns: dict[str, viser.GuiTextHandle] = {}
         self._switches: dict[str, viser.GuiCheckboxHandle] = {}
         self._busy = threading.Lock()
@@ -77,15 +78,19 @@ class FitPanel:
             page.client.gui.add_html(ABOUT, order=LAST)
 
     # --------------------------------------------------------------------- the ticker's
-    def take(self, table: Measurement) -> None:
-        """Offer to fit the scene to a table, instead of the one before."""
+    def take(self, tables: tuple[Measurement, ...], chosen: int = 0) -> None:
+        """Offer to fit the scene to a run of a table, instead of the one before."""
         self.forget()
+        table = tables[chosen]
         self._table, self._scene = table, self._session.scene
         self._page.mail.tell(ShowMeasures())
         gui = self._page.client.gui
         with self._tab:
+            if len(tables) > 1:
+                self._which = self._choice(tables, chosen)
             about = (
                 f"<b>{html.escape(table.name)}</b>: {table.time.size} rows. Which quantity is each column?"
+                + "".join(f"<p>{html.escape(remark)}</p>" for remark in table.remarks)
             )
             self._about = gui.add_html(_text(about), order=FIRST)
             texts = guesses(table, self._scene)
@@ -120,12 +125,20 @@ class FitPanel:
         on_press(self._fit, lambda: self._page.later(self._begin))
         self._show_points()
 
+    def _choice(self, tables: tuple[Measurement, ...], chosen: int) -> viser.GuiDropdownHandle[str]:
+        """Which run of several in one file is fitted."""
+        names = tuple(table.name.removeprefix(f"{tables[0].name.split(',')[0]}, ") for table in tables)
+        run = self._page.client.gui.add_dropdown("Run", names, initial_value=names[chosen], order=FIRST - 1)
+        on_change(run, lambda: self._page.later(lambda: self.take(tables, names.index(run.value))))
+        return run
+
     def forget(self) -> None:
         """Take the table and all that belongs to it out of the page."""
         if self._table is None:
             return
         self._table = self._found = self._scene = None
         for control in (
+            *([] if self._which is None else [self._which]),
             self._about,
             *self._columns.values(),
             self._scale,
@@ -136,6 +149,7 @@ class FitPanel:
             self._result,
         ):
             control.remove()
+        self._which = None
         self._columns.clear()
         self._switches.clear()
         self._page.mail.tell(Measured(numbers=NONE))
@@ -188,7 +202,7 @@ class FitPanel:
             origin = tuple(_value(values.get(f"origin_{axis}"), 0.0) for axis in "xy")
             rows, places = places_of(matches, self._session.scene, scale, (origin[0], origin[1]))
             some = np.linspace(0, rows.size - 1, min(rows.size, MOST_POINTS)).astype(int)
-            begin = table.time[0] if self._switches["start"].value else 0.0
+            begin = table.time[0] if self._switches["start"].value or table.is_of_day else 0.0
             both = np.column_stack((table.time[rows[some]] - begin, places[some]))
             both = both[(np.abs(both) < 1e7).all(axis=1)]
             numbers = both.astype(np.float32).ravel()

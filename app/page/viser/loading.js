@@ -9,6 +9,8 @@ import { onTold, told } from "../../wire/channel.js";
 /** Pictures of the screen that viser needs to put up the panel of which the page was told. */
 const SETTLING = 4;
 
+const NO_CANVAS = "The browser has taken back the graphics of this page. Your body goes on:";
+
 const box = () => document.querySelector(".softrod-loading");
 
 /** Says in place of the whole page that it cannot work. @param {string} text */
@@ -20,6 +22,20 @@ export function complain(text) {
   const over = box();
   if (over) over.querySelector("h1")?.after(said);
   else document.body.append(said);
+}
+
+/** Says so once the browser has taken the canvas away from the page: what viser had put on it does not all come back. */
+export function mindGraphics() {
+  const lost = (/** @type {Event} */ { target }) => {
+    if (!(target instanceof HTMLCanvasElement && target.isConnected)) return;
+    window.removeEventListener("webglcontextlost", lost, true);
+    complain(NO_CANVAS);
+    const again = document.createElement("button");
+    again.textContent = "Reload";
+    again.addEventListener("click", () => location.reload());
+    document.querySelector(".softrod-fault")?.append(" ", again);
+  };
+  window.addEventListener("webglcontextlost", lost, true);
 }
 
 /** Whether the browser can draw; viser needs WebGL 2. */

@@ -40,9 +40,9 @@ function bentBy(body, j) {
   let off = Math.atan2(px * qy - py * qx, px * qx + py * qy) - (body.restAngleOf(j) * Math.PI) / 180;
   if (off > Math.PI) off -= 2 * Math.PI;
   else if (off < -Math.PI) off += 2 * Math.PI;
-  // Bent beyond the largest torque of a sine law, it has yielded on the way.
+  // Bent beyond the largest torque of a sine law, it has yielded on the way; more than that it never has.
   const isAngle = body.law === "angle";
-  const limit = isAngle ? torque : Math.asin(Math.min(torque, 1));
+  const limit = isAngle ? torque : torque < 1 ? Math.asin(torque) : Infinity;
   if (!(Math.abs(off) > limit)) return 0;
   return off - Math.sign(off) * (isAngle ? limit : Math.asin(Math.min(torque, STEEPEST)));
 }

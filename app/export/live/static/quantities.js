@@ -21,6 +21,7 @@ const SPAN = 60;
 /** By kind of part and what is measured of it. @type {Record<string, (body: Body, index: number) => number>} */
 const READ = {
   "joint.angle": (body, j) => body.angleOf(j),
+  "joint.wrapped_angle": (body, j) => body.angleOf(j),
   "joint.rest_angle": (body, j) => body.restAngleOf(j),
   "joint.rate": (body, j) => {
     body.measure();
@@ -33,6 +34,8 @@ const READ = {
     const [p, q] = [body.heldSprings[2 * j], body.heldSprings[2 * j + 1]];
     return body.torqueOf(j) + body.jointDamping[j] * body.lengths[p] * body.lengths[q] * (body.turning(q) - body.turning(p));
   },
+  "spring.direction": (body, s) => directionOf(body, s),
+  "spring.wrapped_direction": (body, s) => directionOf(body, s),
   "spring.length": (body, s) => lengthOf(body, s),
   "spring.elongation": (body, s) => lengthOf(body, s) - body.restLengthOf(s),
   "spring.force": (body, s) => {
@@ -52,6 +55,19 @@ const READ = {
   "energy.linear": (body) => energies(body).linear ?? 0,
   "energy.angular": (body) => energies(body).angular ?? 0,
 };
+
+/** Angles that go on beyond half a turn while they are followed. */
+const TURNS = /^(joint\d+\.angle|spring\d+\.direction)$/;
+
+/** An angle that goes on from the one before. @param {number} angle @param {number | undefined} before */
+const goingOn = (angle, before = NaN) =>
+  Number.isFinite(before) ? angle + 360 * Math.round((before - angle) / 360) : angle;
+
+/** Degrees, from +x towards +y. @param {Body} body @param {number} s */
+function directionOf({ positions: x, ends }, s) {
+  const [a, b] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
+  return Math.atan2(x[b + 1] - x[a + 1], x[b] - x[a]) / DEGREE;
+}
 
 /** @param {Body} body @param {number} s */
 function lengthOf({ positions: x, ends }, s) {
@@ -91,7 +107,10 @@ export class Recording {
     const all = [...this.values.values()];
     while (times.length && times[times.length - 1] >= body.time) [times, ...all].forEach((one) => one.pop());
     times.push(body.time);
-    for (const [name, values] of this.values) values.push(name === "stability.dt_over_limit" ? part : measure(body, name));
+    for (const [name, values] of this.values) {
+      const value = name === "stability.dt_over_limit" ? part : measure(body, name);
+      values.push(TURNS.test(name) ? goingOn(value, values[values.length - 1]) : value);
+    }
     if (times[0] < body.time - SPAN - 1) {
       const old = times.findIndex((time) => time >= body.time - SPAN);
       [times, ...all].forEach((one) => one.splice(0, old));
