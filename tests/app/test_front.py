@@ -65,7 +65,7 @@ def test_a_moving_picture_is_encoded_once_for_all_who_look_on(
     # One that was too slow for it has it a second later.
     assert all(view.show(after, dark=False, now=0.1 + SURE_EVERY) for view, _ in views)
     place = after.picture.positions[0, 0]
-    assert all(np.isclose(numbers(letters, "frame")[-1][6], place) for _, letters in views)
+    assert all(np.isclose(numbers(letters, "frame")[-1][7], place) for _, letters in views)
     assert not any(view.show(after, dark=False, now=9.0) for view, _ in views), "and at rest nothing is sent"
     views[0][0].leave()
     send(after, 9.0)
