@@ -21,7 +21,7 @@ from websockets.typing import Origin, Subprotocol
 
 from app.wire.from_page import FromPage
 
-FRAME_TIME, FRAME_PLACES = 2, 6
+FRAME_TIME, FRAME_PLACES = 2, 7
 """Where the time and the places are among the numbers of a frame, see `drawing.plan.encode_frame`."""
 
 CAMERA: dict[str, Any] = {

@@ -68,8 +68,8 @@ def test_a_table_is_dropped_seen_over_the_body_and_fitted_as_one_step_of_undo(op
     desk.until(lambda: not points(desk) and not ends(desk), "the points and the bodies are gone")
 
     # What is not right is said, and changes nothing.
-    drop(desk, "bad.csv", "t,x\n0,1\n1,nan\n")
-    assert "bad.csv, line 3, column 'x': nan is not a finite number" in desk.notice("That did not work")
+    drop(desk, "bad.csv", "t,x\n0,1\n1,inf\n")
+    assert "bad.csv, line 3, column 'x': 'inf' is not a finite number" in desk.notice("That did not work")
 
 
 def ends(desk: Desk) -> list[tuple[float, float]]:
