@@ -215,7 +215,7 @@ def _parted(rows: list[Row], name: str) -> tuple[list[Row], list[Row]]:
     """The lines above the numbers, and those with numbers; lines of gaps alone are neither."""
     first = next(i for i, (_, row) in enumerate(rows) if _is_data(row))
     width = Counter(len(row) for _, row in rows[first:]).most_common(1)[0][0]
-    while first and _is_all_data(rows[first - 1][1]):
+    while first and all(map(_is_value_or_gap, rows[first - 1][1])):
         first -= 1
     for i, (line, row) in enumerate(rows[:first]):
         if len(row) != width:

@@ -283,6 +283,9 @@ TABLES = (
         )
         for gap in ("NaN", "nan", "-", "--", "n/a", "NA", "null", "#N/A", "#NV", "—")
     ),
+    Written(
+        "a line of gaps between the first numbers", "t,x\n0,NaN\nNA\n0.5,1.5\n1,2\n", [(T[1:], {"x": X[1:]})]
+    ),
     Written("gaps before the first number", "t,x\n0,NaN\n0.5,1.5\n1,2\n", [(T[1:], {"x": X[1:]})]),
     Written("a gap of a spreadsheet in front", "x,t\n#N/A,0\n1.5,0.5\n2,1\n", [(T[1:], {"x": X[1:]})]),
     Written("comments with semicolons", "; by hand\nt,x\n0,1\n; then\n0.5,1.5\n", [(T[:2], {"x": X[:2]})]),
