@@ -50,7 +50,7 @@ class SoftrodMessage(viser._messages.Message, include_in_scene_serialization=Fal
         return self._key
 
 
-class _Bell(asyncio.Event):
+class _LoopEvent(asyncio.Event):
     """An event that only the thread of its event loop sets.
 
     Whoever puts a message into a queue of viser 1.1.1 sets the queue's event from any thread, and then has
@@ -68,19 +68,19 @@ class _Bell(asyncio.Event):
                 super().set()
 
 
-def _hang_bells(queue: type[viser.infra._async_message_buffer.AsyncMessageBuffer]) -> None:
+def _set_events_on_their_loops(queue: type[viser.infra._async_message_buffer.AsyncMessageBuffer]) -> None:
     """Have all queues that are made from now on woken by their event loops alone."""
     made = queue.__init__
 
     @functools.wraps(made)
     def make(self: Any, *args: Any, **options: Any) -> None:
         made(self, *args, **options)
-        self.message_event = _Bell(self.event_loop)
+        self.message_event = _LoopEvent(self.event_loop)
 
     queue.__init__ = make
 
 
-_hang_bells(viser.infra._async_message_buffer.AsyncMessageBuffer)
+_set_events_on_their_loops(viser.infra._async_message_buffer.AsyncMessageBuffer)
 
 
 def send(client: viser.ClientHandle, message: SoftrodMessage) -> None:

@@ -84,7 +84,7 @@ def seconds_of(unit: str) -> float | None:
     return SECONDS.get(unit.strip().rstrip(".").lower())
 
 
-def is_of_day(cell: str) -> bool:
+def is_time_of_day(cell: str) -> bool:
     """Whether a cell is a time as clocks show it, with or without a date; see `times_of_day`."""
     return ":" in cell and bool(
         _OF_DAY.fullmatch(cell) or _MINUTES.fullmatch(cell) or _HALF_TOLD.fullmatch(cell)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from ..errors import InputError
 from .cells import decimal_signs, is_gap, is_number, known_signs, printable
-from .clocks import is_clock, is_date, is_of_day, seconds_of, unit_in_name
+from .clocks import is_clock, is_date, is_time_of_day, seconds_of, unit_in_name
 from .units import is_unit
 
 MAX_ROWS = 20_000
@@ -26,7 +26,7 @@ _TOLD = re.compile(r"\ufeff?\"?sep=(.)\"?", re.IGNORECASE)
 _FORMULA = re.compile(r"=.|@[A-Z]+(?:\(|$)")
 _CYRILLIC = re.compile(rb"[\xa8\xb8\xc0-\xff]{3}")
 """Three letters of code page 1251 in a row; in 1252 they would be three accented ones."""
-_LONGEST = 200_000
+_LONGEST = 100_000
 """Letters of a line."""
 _SAMPLE = 1000
 """Lines by which it is told what stands between the cells."""
@@ -184,10 +184,7 @@ def _cut(line: str, delimiter: str, number: int, name: str) -> list[str]:
     if delimiter == " ":
         return line.split()
     # One line at a time: a quotation mark that is never closed must not swallow what comes after it.
-    try:
-        cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
-    except csv.Error as error:
-        raise InputError(f"{name}, line {number}: {error}") from None
+    cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
     return [cell.strip() for cell in cells]
 
 
@@ -204,7 +201,7 @@ def _is_all_data(row: list[str]) -> bool:
 
 
 def _is_value(cell: str) -> bool:
-    return is_number(cell) or is_of_day(cell)
+    return is_number(cell) or is_time_of_day(cell)
 
 
 def _is_value_or_gap(cell: str) -> bool:
@@ -246,7 +243,7 @@ def _decimal(rows: list[Row], name: str) -> str:
         (line, cell)
         for line, row in rows
         for cell in row
-        if not cell.isdecimal() and not is_of_day(cell) and is_number(cell)
+        if not cell.isdecimal() and not is_time_of_day(cell) and is_number(cell)
     )
     certain, unclear = known_signs(numbers)
     if len(certain) > 1:

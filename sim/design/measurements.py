@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +17,7 @@ from .clocks import (
     begins_with_start,
     is_clock,
     is_date,
-    is_of_day,
+    is_time_of_day,
     number_of,
     seconds_of,
     times_of_day,
@@ -64,14 +64,14 @@ class Measurement:
         name: of the file, and of the run where it has several.
         time: (k,) s, growing.
         columns: the others.
-        is_of_day: whether the time is that of a day, or since 1970, and not since anything began.
+        is_absolute: whether the time is that of a day, or since 1970, and not since the motion began.
         remarks: what was not read as one might think, in sentences.
     """
 
     name: str
     time: Floats
     columns: tuple[Column, ...]
-    is_of_day: bool = False
+    is_absolute: bool = False
     remarks: tuple[str, ...] = ()
 
     def column(self, name: str) -> Column:
@@ -142,25 +142,29 @@ class _Table:
         self._remarks: list[str] = []
         self._times: set[int] = set()
         """Columns of times as clocks show them."""
+        self._left_out: set[int] = set()
+        """Clocks that are not the time."""
         self._values = [self._numbers(i) for i in range(len(grid.headings))]
 
     def measurements(self) -> Iterator[Measurement]:
-        """One for each clock that is not the same as another one."""
+        """One for each run."""
         clocks = self._clocks()
-        if len(clocks) > 1 and all(self._same(clocks[0], other) for other in clocks[1:]):
-            others = [i for i in self._filled() if i not in clocks]
+        others = [i for i in self._filled() if i not in clocks and i not in self._left_out]
+        if all(self._same(clocks[0], other) for other in clocks[1:]):
             yield self._measurement(clocks[0], others, "")
             return
-        parts = self._parts(clocks)
-        if len(parts) > 1 and all(_POINT.fullmatch(self._headings[c].group) for c, _ in parts):
-            yield self._together(parts)
-            return
-        for number, (clock, others) in enumerate(parts, 1):
-            run = ""
-            if len(parts) > 1:
-                groups = {self._headings[i].group for i in (clock, *others)} - {""}
-                run = groups.pop() if len(groups) == 1 else f"run {number}"
-            yield self._measurement(clock, others, run)
+        runs: dict[str, list[tuple[int, list[int]]]] = {}
+        for number, part in enumerate(self._parts(clocks, others), 1):
+            runs.setdefault(self._run_of(*part) or f"run {number}", []).append(part)
+        for run, parts in runs.items():
+            yield self._together(parts, run if len(runs) > 1 else "")
+
+    def _run_of(self, clock: int, others: list[int]) -> str:
+        """The name of the run in which some columns were measured; empty where nothing says it."""
+        groups = {self._headings[i].group for i in (clock, *others)} - {""}
+        if groups and all(map(_POINT.fullmatch, groups)):
+            return "points"
+        return groups.pop() if len(groups) == 1 else ""
 
     # --------------------------------------------------------------------- the cells
     def _numbers(self, i: int) -> Floats:
@@ -172,7 +176,7 @@ class _Table:
         cells = self._cells[i]
         filled = [k for k, cell in enumerate(cells) if not is_gap(cell)]
         found = np.full(len(cells), math.nan)
-        if any(is_of_day(cells[k]) for k in filled) and not any(is_number(cells[k]) for k in filled):
+        if any(is_time_of_day(cells[k]) for k in filled) and not any(is_number(cells[k]) for k in filled):
             try:
                 found[filled] = times_of_day([cells[k] for k in filled])
             except ValueError as error:
@@ -220,25 +224,33 @@ class _Table:
             raise InputError(
                 f"{self._name}: the time {headings[wrong].name!r} is in {unit!r}, and not in s, ms, min or h"
             )
-        found = named or [i for i in filled if self._unit(i) is not None] or sorted(self._times)
+        found = named or [i for i in filled if self._unit(i) is not None and i not in self._times]
+        found = found or sorted(self._times)
         # "t1" beside "t" is no clock.
         bare = [i for i in found if not number_of(headings[i].name)]
         found = bare or found
         since_start = [i for i in found if begins_with_start(headings[i].name)]
         found = self._without(found, since_start)
-        found = self._without(found, [i for i in found if not self._is_of_day(i)])
-        return found or [self._first(filled)]
+        found = self._without(found, [i for i in found if not self._is_absolute(i)])
+        found = found or [self._first(filled)]
+        self._leave_out(found[0], sorted(self._times - {*found}))
+        return found
 
     def _without(self, clocks: list[int], better: list[int]) -> list[int]:
         """The better ones of some clocks, if there are any; what is left out is told."""
         if not better:
             return clocks
-        for i in clocks:
-            if i not in better:
-                self._remarks.append(
-                    f"The time is {self._label(better[0])!r}; the other clock {self._label(i)!r} is left out."
-                )
+        self._leave_out(better[0], [i for i in clocks if i not in better])
         return better
+
+    def _leave_out(self, time: int, clocks: list[int]) -> None:
+        """Leave out clocks that are not the time, and say so."""
+        for i in clocks:
+            if i not in self._left_out:
+                self._left_out.add(i)
+                self._remarks.append(
+                    f"The time is {self._label(time)!r}; the other clock {self._label(i)!r} is left out."
+                )
 
     def _first(self, filled: list[int]) -> int:
         """The first column, where nothing is called the time."""
@@ -258,7 +270,7 @@ class _Table:
     def _unit(self, i: int) -> float | None:
         return seconds_of(self._headings[i].unit)
 
-    def _is_of_day(self, i: int) -> bool:
+    def _is_absolute(self, i: int) -> bool:
         """Whether a clock shows the time of a day, or since 1970."""
         unit, first = self._unit(i) or 1.0, self._values[i][~np.isnan(self._values[i])][0]
         if i in self._times:
@@ -286,7 +298,7 @@ class _Table:
         if own is not None:
             return own
         for other in self._filled():
-            if other == i or not is_clock(self._headings[other].name) or not self._is_of_day(other):
+            if other == i or not is_clock(self._headings[other].name) or not self._is_absolute(other):
                 continue
             both = ~np.isnan(values) & ~np.isnan(self._values[other])
             here, there = np.ptp(values[both]), float(np.ptp(self._seconds(other)[both]))
@@ -303,15 +315,12 @@ class _Table:
         return 1.0
 
     # --------------------------------------------------------------------- what goes with which clock
-    def _parts(self, clocks: list[int]) -> list[tuple[int, list[int]]]:
-        """Each clock, and the columns that were measured by it.
+    def _parts(self, clocks: list[int], others: list[int]) -> list[tuple[int, list[int]]]:
+        """Each clock, and the others of all columns that were measured by it.
 
         Raises:
             InputError: that cannot be told.
         """
-        others = [i for i in self._filled() if i not in clocks and not self._is_another_clock(i)]
-        if len(clocks) == 1:
-            return [(clocks[0], others)]
         # Either in rows of a clock and its columns, or as the numbers or groups in the names say.
         bounds = [*clocks, len(self._headings)]
         after = [(c, [i for i in others if c < i < end]) for c, end in zip(clocks, bounds[1:], strict=True)]
@@ -335,23 +344,21 @@ class _Table:
             "which"
         )
 
-    def _is_another_clock(self, i: int) -> bool:
-        """Whether a column is a clock that was left out for a better one."""
-        name = self._headings[i].name
-        return i in self._times or (is_clock(name) and not number_of(name))
-
-    def _together(self, parts: list[tuple[int, list[int]]]) -> Measurement:
-        """Points of one motion, each with a clock of its own, on all of their times."""
-        each = [self._measurement(clock, columns, "") for clock, columns in parts]
+    def _together(self, parts: list[tuple[int, list[int]]], run: str) -> Measurement:
+        """What was measured in one run, by one clock or several, at all of their times."""
+        each = [self._measurement(clock, columns, run) for clock, columns in parts]
+        if len(each) == 1:
+            return each[0]
         time = np.unique(np.concatenate([one.time for one in each]))
-        columns = []
+        columns: dict[str, Column] = {}
         for one in each:
             at = np.searchsorted(time, one.time)
             for column in one.columns:
                 values = np.full(time.size, math.nan)
                 values[at] = column.values
-                columns.append(Column(column.name, column.unit, values))
-        return Measurement(self._name, time, tuple(columns), each[0].is_of_day, tuple(self._remarks))
+                name = _not_in(columns, column.name)
+                columns[name] = Column(name, column.unit, values)
+        return replace(each[0], time=time, columns=tuple(columns.values()))
 
     def _measurement(self, clock: int, others: Sequence[int], run: str) -> Measurement:
         """What was measured by one clock.
@@ -380,7 +387,7 @@ class _Table:
             Column(label, self._headings[i].unit, self._values[i][full])
             for label, i in zip(labels, others, strict=True)
         )
-        return Measurement(name, time, columns, self._is_of_day(clock), tuple(self._remarks))
+        return Measurement(name, time, columns, self._is_absolute(clock), tuple(self._remarks))
 
     def _any(self, columns: Sequence[int]) -> NDArray[np.bool_]:
         """(k,) whether a line has a number in one of some columns."""
@@ -407,7 +414,12 @@ class _Table:
             if number and name.endswith(number):
                 name = name.removesuffix(number).rstrip(" _") or name
             label = " ".join(part for part in ("" if whole else heading.group, name) if part)
-            while label in found:
-                label += "'"
-            found.append(label)
+            found.append(_not_in(found, label))
         return found
+
+
+def _not_in(taken: Collection[str], name: str) -> str:
+    """A name, with a mark for each time that it is there already."""
+    while name in taken:
+        name += "'"
+    return name

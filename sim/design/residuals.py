@@ -55,7 +55,7 @@ class _Table:
     def __init__(self, measurement: Measurement, matches: tuple[Match, ...], from_first: bool) -> None:
         self.measurement, self.matches = measurement, matches
         self.time = measurement.time - (measurement.time[0] if from_first else 0.0)
-        if not from_first and (measurement.is_of_day or self.time[0] > _LATEST):
+        if not from_first and (measurement.is_absolute or self.time[0] > _LATEST):
             raise InputError(
                 f"{measurement.name}: its clock begins at {measurement.time[0]:.12g} s, and the scene's "
                 "start is 0 s; vary start, and the first row is it"

@@ -71,7 +71,7 @@ class Kind:
         values: it, for an array of indices of parts (of the scene), (k,) each; of which there is one, the
             indices have no meaning.
         vertical: whether it is a y coordinate, or the y component of a vector.
-        turns: whether it is an angle that goes on beyond half a turn while it is followed.
+        unwrapped: whether it is an angle that goes on beyond half a turn while it is followed.
     """
 
     of: str
@@ -80,7 +80,7 @@ class Kind:
     summary: str
     values: Callable[[Moving, Indices], Floats] = field(repr=False, compare=False)
     vertical: bool = False
-    turns: bool = False
+    unwrapped: bool = False
 
 
 @dataclass(frozen=True)
@@ -111,7 +111,7 @@ class Quantity:
             InputError: it is an energy, and the kernels for these are still being compiled.
         """
         value = float(self.kind.values(simulation, np.array([self.index]))[0])
-        if self.kind.turns and math.isfinite(value) and math.isfinite(before):
+        if self.kind.unwrapped and math.isfinite(value) and math.isfinite(before):
             value += 360.0 * round((before - value) / 360.0)
         return value
 
@@ -253,7 +253,7 @@ _ENERGY_SUMMARIES = {
 _ALL = (
     Kind(
         "joint", "angle", "°", "angle from its first spring to its second, which goes on beyond 180°",
-        lambda simulation, joints: simulation.angles[joints], turns=True,
+        lambda simulation, joints: simulation.angles[joints], unwrapped=True,
     ),
     Kind(
         "joint", "rate", "°/s", "rate at which the angle grows",
@@ -277,7 +277,7 @@ _ALL = (
     Kind(
         "spring", "direction", "°",
         "direction from its first mass to its second, from +x towards +y, which goes on beyond 180°",
-        _directions, turns=True,
+        _directions, unwrapped=True,
     ),
     Kind(
         "spring", "force", "kg {unit}/s²",

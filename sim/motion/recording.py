@@ -68,17 +68,19 @@ class Recording:
 
     def add(self, simulation: Moving) -> None:
         """Add a row for the present state."""
-        self.look(simulation)
+        each = zip(self._quantities.values(), self._last, strict=True)
+        self._last = [q.read(simulation, before) for q, before in each]
         self._rows.append((simulation.time, *self._last))
 
     def look(self, simulation: Moving) -> None:
         """Follow the angles between two rows."""
-        each = zip(self._quantities.values(), self._last, strict=True)
-        self._last = [q.read(simulation, before) for q, before in each]
+        for i, q in enumerate(self._quantities.values()):
+            if q.kind.unwrapped:
+                self._last[i] = q.read(simulation, self._last[i])
 
     def steps_between(self, dt: float, every: int) -> int:
         """The most steps of a body from one look to the next, where a row is taken every so many."""
-        turns = any(q.kind.turns for q in self._quantities.values())
+        turns = any(q.kind.unwrapped for q in self._quantities.values())
         return min(max(int(LOOKS_APART / dt), 1), every) if turns else every
 
     def to_csv(self, path: str | Path, decimal_comma: bool = False) -> None:

@@ -190,16 +190,17 @@ class GoalMeter:
     @property
     def goes_by_end(self) -> bool:
         """Whether the end of a run is all that it needs to see, so that `look` need not be called."""
-        return self._goal.want != "reach" and self._goal.of == "end" and not self._quantity.kind.turns
+        return self._goal.want != "reach" and self._goal.of == "end" and not self._quantity.kind.unwrapped
 
     def look(self) -> None:
         """Note the present state."""
-        if self._periods is not None:
-            value = self._periods.take(self._simulation)
-        else:
-            value = self._quantity.read(self._simulation, self._values[-1] if self._values else math.nan)
+        value = self._periods.take(self._simulation) if self._periods is not None else self._value()
         self._times.append(self._simulation.time)
         self._values.append(math.nan if value is None else value)
+
+    def _value(self) -> float:
+        """The present value; an angle goes on from the last look."""
+        return self._quantity.read(self._simulation, self._values[-1] if self._values else math.nan)
 
     def result(self) -> tuple[float | None, float | None]:
         """At the end: the result, and a score, which is less the nearer the run came to the goal.
@@ -216,7 +217,7 @@ class GoalMeter:
 
     def _reading(self) -> float | None:
         if self._goal.of == "end":
-            return self._quantity.read(self._simulation, self._values[-1] if self._values else math.nan)
+            return self._value()
         times, values = np.array(self._times), np.array(self._values)
         if not np.isfinite(values).all():
             return None

@@ -82,7 +82,7 @@ def test_a_page_whose_graphics_are_taken_back_says_so_and_is_loaded_again(open_p
       const context = document.querySelector("#root canvas").getContext("webgl2");
       context.getExtension("WEBGL_lose_context").loseContext();
     """)
-    alert = desk.page.get_by_role("alert").filter(has_text="The browser has taken back the graphics")
+    alert = desk.page.get_by_role("alert").filter(has_text="The browser no longer draws this page")
     expect(alert).to_be_visible(timeout=2_000)
     alert.get_by_role("button", name="Reload").click()
     expect(alert).to_have_count(0)

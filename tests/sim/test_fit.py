@@ -119,10 +119,10 @@ def test_angles_alone_tell_whose_length_it_is() -> None:
     )
 
 
-@pytest.mark.parametrize(("begins", "is_of_day"), [(2e6, False), (36000.0, True)])
-def test_a_clock_that_is_far_from_the_start_needs_the_start(begins: float, is_of_day: bool) -> None:
+@pytest.mark.parametrize(("begins", "is_absolute"), [(2e6, False), (36000.0, True)])
+def test_a_clock_that_is_far_from_the_start_needs_the_start(begins: float, is_absolute: bool) -> None:
     data = measure(swing(), ["mass1.x", "mass1.y"], 1.0, 0.003, random())
-    late = Measurement("late.csv", data.time + begins, data.columns, is_of_day)
+    late = Measurement("late.csv", data.time + begins, data.columns, is_absolute)
     with pytest.raises(sim.InputError, match=r"late\.csv: its clock begins at .* vary start"):
         sim.fit(swing(), late, ["gravity"])
     found = sim.fit(swing(), late, ["gravity", "start"])

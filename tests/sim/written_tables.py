@@ -107,6 +107,29 @@ TABLES = (
         ],
     ),
     Written(
+        "Capstone, two sensors of one run at two rates",
+        '"Time (s) Run #1","Position (m) Run #1","Time (s) Run #1","Force (N) Run #1"\n0,1,0,3\n'
+        "0.5,1.5,1,4\n1,2,,\n",
+        [(T, {"Position [m]": X, "Force [N]": [3.0, NAN, 4.0]})],
+    ),
+    Written(
+        "a temperature called t beside the time",
+        "time (s),t (°C),x (cm)\n0,20,1\n0.5,21,1.5\n",
+        [(T[:2], {"t [°C]": [20.0, 21.0], "x [cm]": X[:2]})],
+    ),
+    Written(
+        "a time of day beside the time",
+        "time (s),Started,x\n0,12:00:00,1\n0.5,12:00:00,1.5\n",
+        [(T[:2], {"x": X[:2]})],
+        remarks=1,
+    ),
+    Written(
+        "two clocks that are the same, and one since 1970",
+        "timestamp,t (s),x,t (s),y\n1486500000000,0,1,0,3\n1486500000500,0.5,1.5,0.5,4\n",
+        [(T[:2], {"x": X[:2], "y": [3.0, 4.0]})],
+        remarks=1,
+    ),
+    Written(
         "two clocks that nothing tells apart",
         "time,Time,x,y\n0,0,1,3\n0.5,1,1.5,4\n",
         refused="there are several clocks, 'time' and 'Time', and it is not told which column goes "
@@ -272,7 +295,7 @@ TABLES = (
     Written(
         "a cell without end",
         "t,x\n0," + "1" * 140_000 + "\n0.5,1\n",
-        refused="line 2: field larger than field limit (131072)",
+        refused="line 2: it is longer than 100000 letters",
     ),
     # ------------------------------------------------------------------ gaps, comments, others
     *(

@@ -127,7 +127,7 @@ class FitPanel:
 
     def _choice(self, tables: tuple[Measurement, ...], chosen: int) -> viser.GuiDropdownHandle[str]:
         """Which run of several in one file is fitted."""
-        names = tuple(table.name.removeprefix(f"{tables[0].name.split(',')[0]}, ") for table in tables)
+        names = tuple(table.name.rpartition(", ")[2] for table in tables)
         run = self._page.client.gui.add_dropdown("Run", names, initial_value=names[chosen], order=FIRST - 1)
         on_change(run, lambda: self._page.later(lambda: self.take(tables, names.index(run.value))))
         return run
@@ -202,7 +202,7 @@ class FitPanel:
             origin = tuple(_value(values.get(f"origin_{axis}"), 0.0) for axis in "xy")
             rows, places = places_of(matches, self._session.scene, scale, (origin[0], origin[1]))
             some = np.linspace(0, rows.size - 1, min(rows.size, MOST_POINTS)).astype(int)
-            begin = table.time[0] if self._switches["start"].value or table.is_of_day else 0.0
+            begin = table.time[0] if self._switches["start"].value or table.is_absolute else 0.0
             both = np.column_stack((table.time[rows[some]] - begin, places[some]))
             both = both[(np.abs(both) < 1e7).all(axis=1)]
             numbers = both.astype(np.float32).ravel()

@@ -9,11 +9,11 @@ import { onTold, told } from "../../wire/channel.js";
 /** Pictures of the screen that viser needs to put up the panel of which the page was told. */
 const SETTLING = 4;
 
-const NO_CANVAS = "The browser has taken back the graphics of this page. Your body goes on:";
+const NO_CANVAS = "The browser no longer draws this page. Your body is kept:";
 
 const box = () => document.querySelector(".softrod-loading");
 
-/** Says in place of the whole page that it cannot work. @param {string} text */
+/** Says in place of the whole page that it cannot work, and returns what says it. @param {string} text */
 export function complain(text) {
   const said = document.createElement("p");
   said.className = "softrod-fault";
@@ -22,6 +22,7 @@ export function complain(text) {
   const over = box();
   if (over) over.querySelector("h1")?.after(said);
   else document.body.append(said);
+  return said;
 }
 
 /** Says so once the browser has taken the canvas away from the page: what viser had put on it does not all come back. */
@@ -29,11 +30,10 @@ export function mindGraphics() {
   const lost = (/** @type {Event} */ { target }) => {
     if (!(target instanceof HTMLCanvasElement && target.isConnected)) return;
     window.removeEventListener("webglcontextlost", lost, true);
-    complain(NO_CANVAS);
     const again = document.createElement("button");
     again.textContent = "Reload";
     again.addEventListener("click", () => location.reload());
-    document.querySelector(".softrod-fault")?.append(" ", again);
+    complain(NO_CANVAS).append(" ", again);
   };
   window.addEventListener("webglcontextlost", lost, true);
 }

@@ -57,10 +57,10 @@ const READ = {
 };
 
 /** Angles that go on beyond half a turn while they are followed. */
-const TURNS = /^(joint\d+\.angle|spring\d+\.direction)$/;
+const UNWRAPPED = /^(joint\d+\.angle|spring\d+\.direction)$/;
 
 /** An angle that goes on from the one before. @param {number} angle @param {number | undefined} before */
-const goingOn = (angle, before = NaN) =>
+const unwrapped = (angle, before = NaN) =>
   Number.isFinite(before) ? angle + 360 * Math.round((before - angle) / 360) : angle;
 
 /** Degrees, from +x towards +y. @param {Body} body @param {number} s */
@@ -109,7 +109,7 @@ export class Recording {
     times.push(body.time);
     for (const [name, values] of this.values) {
       const value = name === "stability.dt_over_limit" ? part : measure(body, name);
-      values.push(TURNS.test(name) ? goingOn(value, values[values.length - 1]) : value);
+      values.push(UNWRAPPED.test(name) ? unwrapped(value, values[values.length - 1]) : value);
     }
     if (times[0] < body.time - SPAN - 1) {
       const old = times.findIndex((time) => time >= body.time - SPAN);
