@@ -37,38 +37,25 @@ class TeachClass:
     def run(self) -> int:
         """Serve until told to stop."""
         # Here, not above: the other commands have no use for viser, which takes a second to import.
-        from .classroom.kept import forget, read_all
-        from .classroom.live import Classes
+        from .classroom.live import MOST_CLASSES, Classes
         from .classroom.room import Refused
         from .gate.gate import GateError, PortBusy
         from .server.serve import serve
 
-        if not 1 <= self.classes <= 20:
-            return fail("--classes: a server holds 1 to 20 classes")
-        scenes = [sim.load_scene(name) for name in self.scenes or ("lesson-hooke",)]
+        if not 1 <= self.classes <= MOST_CLASSES:
+            return fail(f"--classes: a server holds 1 to {MOST_CLASSES} classes")
+        scenes = [sim.load_scene(name) for name in self.scenes]
         classes = Classes()
-        if self.new:
-            for room in read_all():
-                forget(room.code)
-        going_on = classes.go_on()
-        if going_on and self.scenes:
-            codes = ", ".join(klass.room.code for klass in going_on)
-            return fail(
-                f"class {codes} has not been ended: go on without naming scenes, or forget it by --new"
-            )
         try:
-            for _ in range(0 if going_on else self.classes):
-                classes.begin(scenes)
-            serve(
-                scenes[0],
-                self.host,
-                self.port,
-                self.open,
-                (),
-                self.allow_host,
-                self.public_url,
-                classes=classes,
-            )
-        except (GateError, PortBusy, Refused) as error:
+            classes.take_up(scenes or None, self.classes, self.new)
+        except Refused as error:
+            return fail(error)
+        except OSError as error:
+            return fail(f"the class cannot be forgotten: {error}")
+        first = next(iter(classes)).room.scenes[0]
+        names, public = self.allow_host, self.public_url
+        try:
+            serve(first, self.host, self.port, self.open, (), names, public, classes=classes)
+        except (GateError, PortBusy) as error:
             return fail(error)
         return 0

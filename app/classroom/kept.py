@@ -2,7 +2,7 @@
 
 A class is a folder that only its owner can read, with the room as one file and the logs that were handed in
 beside it. The file is replaced as a whole, so that it is never half written. When the class is ended, the
-folder goes.
+folder goes. A lock beside the folder keeps two servers from going on with the same class.
 """
 
 from __future__ import annotations
@@ -10,23 +10,27 @@ from __future__ import annotations
 import contextlib
 import logging
 import re
+import secrets
 import shutil
+from collections.abc import Collection, Mapping
 from pathlib import Path
 
 import msgspec
 import platformdirs
+from filelock import BaseFileLock, FileLock, Timeout
 
 from sim.scene.validate import consistent
 from sim.store.files import write_atomically
 
 from .room import Room
 
-FILE, BODIES = "class.json", "bodies.json"
+FILE, BODIES, LOGS = "class.json", "bodies.json", "logs"
 
 Bodies = dict[int, tuple[int, bytes]]
 """By a seat's number, the stop that its body is at, and the keepsake of its session."""
 
 _CODE = re.compile(r"[A-Z]{4}")
+_GOING = ".going-"
 _log = logging.getLogger(__name__)
 
 
@@ -40,26 +44,83 @@ def folder_of(code: str) -> Path:
     return classes_folder() / code
 
 
-def write(room: bytes, code: str) -> None:
-    """Write a class's file.
+class Held(Exception):
+    """Another server goes on with the class."""
+
+
+def hold(code: str) -> BaseFileLock | None:
+    """Keep other servers from a class until the lock is released or the process ends.
+
+    Returns:
+        the lock; None where the file system has no locks or the folder cannot be written, which whoever
+        writes the class is told.
+
+    Raises:
+        Held: another server has it.
+    """
+    lock = FileLock(classes_folder() / f"{code}.lock", mode=0o600, thread_local=False)
+    try:
+        classes_folder().mkdir(mode=0o700, parents=True, exist_ok=True)
+        lock.acquire(blocking=False)
+    except Timeout:
+        raise Held(code) from None
+    except (OSError, NotImplementedError) as error:
+        _log.warning("the class %s cannot be locked: %s", code, error)
+        return None
+    return lock
+
+
+def release(lock: BaseFileLock | None) -> None:
+    """Let other servers go on with a class."""
+    if lock is not None:
+        lock.release()
+
+
+def let_go(lock: BaseFileLock | None) -> None:
+    """Take the lock of a class away that is no more; `lock` as `hold` gave it."""
+    if lock is not None:
+        # While it is held: whoever waits for the file then finds no class beside it.
+        Path(lock.lock_file).unlink(missing_ok=True)
+        lock.release()
+
+
+def write(
+    room: bytes, code: str, logs: Mapping[str, bytes] | None = None, gone: Collection[str] = ()
+) -> None:
+    """Write a class.
 
     Args:
         room: as `encode` gives it.
         code: the class's.
+        logs: those of runs that it speaks of and that are not on the disk yet, by their names.
+        gone: names of logs that it speaks of no more.
 
     Raises:
-        OSError: it cannot be written; what was there is as it was.
+        OSError: it cannot be written; the class's file is as it was.
     """
-    _write(code, FILE, room)
+    folder = folder_of(code)
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    for name, log in (logs or {}).items():
+        (folder / LOGS).mkdir(mode=0o700, exist_ok=True)
+        write_atomically(log_path(code, name), log)
+    write_atomically(folder / FILE, room)
+    for name in gone:
+        log_path(code, name).unlink(missing_ok=True)
+
+
+def log_path(code: str, name: str) -> Path:
+    """Where a log is kept that was handed in."""
+    return folder_of(code) / LOGS / name
 
 
 def write_bodies(bodies: Bodies, code: str) -> None:
-    """Write where the pupils' bodies are.
+    """Write where the pupils' bodies are, if the class has a folder.
 
     Raises:
-        OSError: as `write`.
+        OSError: they cannot be written; what was there is as it was.
     """
-    _write(code, BODIES, msgspec.json.encode(bodies))
+    if (folder := folder_of(code)).is_dir():
+        write_atomically(folder / BODIES, msgspec.json.encode(bodies))
 
 
 def read_bodies(code: str) -> Bodies:
@@ -70,41 +131,53 @@ def read_bodies(code: str) -> Bodies:
         return {}
 
 
-def _write(code: str, name: str, data: bytes) -> None:
-    folder = folder_of(code)
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    write_atomically(folder / name, data)
-
-
 def encode(room: Room) -> bytes:
     """What is written of a room."""
     return msgspec.json.encode(room)
 
 
-def read_all() -> list[Room]:
-    """The classes that have not been ended; a file that cannot be read is left alone, and said in the log."""
-    rooms = []
+def codes() -> list[str]:
+    """Of the classes that there are on the disk."""
     with contextlib.suppress(OSError):
-        for folder in sorted(classes_folder().iterdir()):
-            if not _CODE.fullmatch(folder.name):
-                continue
-            try:
-                room = msgspec.json.decode((folder / FILE).read_bytes(), type=Room)
-                for scene in room.scenes:
-                    consistent(scene)
-            except (OSError, ValueError) as error:
-                _log.warning("the class in %s cannot go on: %s", folder, error)
-                continue
-            if room.code == folder.name:
-                rooms.append(room)
-    return rooms
+        return sorted(folder.name for folder in classes_folder().iterdir() if _CODE.fullmatch(folder.name))
+    return []
+
+
+def read(code: str) -> Room | None:
+    """A class on the disk; None for one that cannot be read, which is left alone and said in the log."""
+    folder = folder_of(code)
+    try:
+        room = msgspec.json.decode((folder / FILE).read_bytes(), type=Room)
+        for scene in room.scenes:
+            consistent(scene)
+    except (OSError, ValueError) as error:
+        _log.warning("the class in %s cannot go on: %s", folder, error)
+        return None
+    return room if room.code == code else None
 
 
 def forget(code: str) -> None:
     """Take away all that there is of a class on the disk.
 
     Raises:
-        OSError: something of it is still there.
+        OSError: something of it is still there, where it was.
     """
-    with contextlib.suppress(FileNotFoundError):
-        shutil.rmtree(folder_of(code))
+    folder = folder_of(code)
+    # Under another name, nobody writes anything into the folder while it goes.
+    away = folder.with_name(f"{_GOING}{secrets.token_hex(8)}")
+    try:
+        folder.rename(away)
+    except FileNotFoundError:
+        return
+    try:
+        shutil.rmtree(away)
+    except OSError:
+        with contextlib.suppress(OSError):
+            away.rename(folder)
+        raise
+
+
+def sweep() -> None:
+    """Take away what is left of classes that were being forgotten when a server was killed."""
+    for folder in classes_folder().glob(f"{_GOING}*"):
+        shutil.rmtree(folder, ignore_errors=True)

@@ -5,6 +5,7 @@ All of it is the ticker's, but for the writing of files.
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import secrets
 import time
@@ -15,11 +16,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, Protocol
 
 import msgspec
+from filelock import BaseFileLock
 
 import sim
-from sim.scene.lesson import Step
+from sim.scene.lesson import Lesson, Step
 from sim.settings import scene_of_step
-from sim.store.files import write_atomically
 
 from ..drawing.plan import Picture
 from ..drawing.sketch import Floats
@@ -27,7 +28,7 @@ from ..session.log import decode_log
 from . import kept, names
 from .judge import Verdict, judge
 from .room import MOST_STOPS, Answer, Refused, Room, Work, digest
-from .takeaway import log_path, pack
+from .takeaway import pack
 
 if TYPE_CHECKING:
     import viser
@@ -35,8 +36,14 @@ if TYPE_CHECKING:
 WRITE_EVERY = 0.1
 """Seconds between two writings of a class; what was given in between is acknowledged together."""
 
+AGAIN_AFTER = 2.0
+"""Seconds until a writing that failed is tried again."""
+
 BODIES_EVERY = 5.0
 """Seconds between two writings of where the pupils' bodies are."""
+
+MOST_TOLD = 5
+"""Sentences for the teacher that wait until a teacher's page is there."""
 
 MOST_TRIED = 5
 """Devices that tried whether they can take part, of which the teacher is told."""
@@ -114,6 +121,7 @@ class Class:
     Args:
         room: its state.
         bodies: where the pupils' bodies are, if it goes on.
+        lock: what keeps other servers from the class, if anything does.
         clock: wall time, s.
 
     Attributes:
@@ -128,13 +136,20 @@ class Class:
         lent: what the wall shows of the seat that is on it; None without one.
         run: the log of the present stop's run, once that has stood; empty before.
         written: version of the room that is on the disk.
+        trouble: why nothing can be kept now, in the system's words; empty while all is kept.
+        told: what the teacher has to be told once: a title and a sentence each.
         ended: whether it is over.
     """
 
     def __init__(
-        self, room: Room, bodies: kept.Bodies | None = None, clock: Callable[[], float] = time.monotonic
+        self,
+        room: Room,
+        bodies: kept.Bodies | None = None,
+        lock: BaseFileLock | None = None,
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.room = room
+        self._lock = lock
         self._bodies: kept.Bodies = bodies or {}
         self._bodies_are_new = False
         self._bodies_due = 0.0
@@ -151,11 +166,19 @@ class Class:
         self.ended = False
         self._clock = clock
         self._scenes: dict[int, sim.Scene] = {}
+        # What answers wait for has a thread of its own; so has what takes longer, and what nobody waits for.
         self._writer = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-class-{room.code}")
+        self._maker = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-maker-{room.code}")
         self._judge = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-judge-{room.code}")
-        self._writing: tuple[int, Future[None]] | None = None
+        self._writing: _Writing | None = None
+        self._writing_bodies: Future[None] | None = None
+        self._ending: Future[None] | None = None
+        self._logs: dict[str, bytes] = {}  # that were handed in and are not on the disk yet
+        self._gone: set[str] = set()  # logs on the disk that the room speaks of no more
         self._due = 0.0
         self.written = -1
+        self.trouble = ""
+        self.told: deque[tuple[str, str]] = deque(maxlen=MOST_TOLD)
 
     def scene(self, stop: int) -> sim.Scene:
         """The scene of a stop, as its step begins.
@@ -180,7 +203,7 @@ class Class:
         return keepsake if stop == self.room.at else None
 
     def hand_in(self, answer: Answer, log: bytes, step: Step, scene: sim.Scene) -> None:
-        """Take what a pupil hands in: the log is written, and judged once more by itself.
+        """Take what a pupil hands in: the log is written with the class, and judged once more by itself.
 
         Args:
             answer: with what the server saw of the run.
@@ -197,13 +220,12 @@ class Class:
         before = self.room.before(answer)
         if not self.room.take(answer.seat, answer):
             return
-        # Before the class's file, which says that it is there; nothing waits until it is judged.
-        written = self._writer.submit(_keep_log, self.room.code, name, log)
+        self._logs[name] = log
         if before is not None and isinstance(before.content, Work):
-            self._writer.submit(log_path(self.room.code, before.content.log).unlink, missing_ok=True)
+            self._logs.pop(before.content.log, None)
+            self._gone.add(before.content.log)
 
         def look() -> Verdict | None:
-            written.result()
             is_last = answer.id in self.room.answers
             return judge(decode_log(log, "the log"), scene, step) if is_last else None
 
@@ -215,7 +237,7 @@ class Class:
             self._judged.remove((id, future))
             answer = self.room.answers.get(id)
             if (error := future.exception()) is not None:
-                _log.error("a log of the class %s was not kept: %s", self.room.code, error)
+                _log.error("a log of the class %s was not judged: %s", self.room.code, error)
             elif (
                 answer is not None
                 and isinstance(answer.content, Work)
@@ -234,7 +256,7 @@ class Class:
     def pack(self) -> Future[bytes]:
         """Have made what the teacher takes home: it takes longer than other pages can wait for."""
         present = msgspec.json.decode(kept.encode(self.room), type=Room)
-        return self._writer.submit(pack, present)
+        return self._maker.submit(pack, present, dict(self._logs))
 
     def lesson_file(self) -> Future[bytes]:
         """Have the scene of the present stop made into a file that lives without a server.
@@ -242,52 +264,127 @@ class Class:
         The future fails with a `SettingError` where a step of its lesson cannot begin.
         """
         scene = self.room.scenes[self.room.stops[self.room.at].scene]
-        return self._writer.submit(_live_file, scene)
+        return self._maker.submit(_live_file, scene)
 
     def tend(self) -> None:
         """Have written what is new, if it is time; whatever is acknowledged is on the disk before."""
         self._take_verdicts()
-        if self._writing is not None:
-            version, future = self._writing
-            if not future.done():
-                return
-            self._writing = None
-            if (error := future.exception()) is None:
-                self.written = version
-            else:
-                _log.error("the class %s cannot be written: %s", self.room.code, error)
+        self._take_written()
+        self._take_end()
+        if self.ended or self._ending is not None:
+            return
         now = self._clock()
-        if self._bodies_are_new and now >= self._bodies_due and not self.ended:
+        if self._bodies_are_new and now >= self._bodies_due and self._writing_bodies is None:
             self._bodies_are_new, self._bodies_due = False, now + BODIES_EVERY
-            self._writer.submit(kept.write_bodies, dict(self._bodies), self.room.code)
-        if self.ended or self.written == self.room.version or now < self._due:
+            seats = self.room.seats
+            here = (number for number in self._bodies if number in seats and not seats[number].removed)
+            self._bodies = {number: self._bodies[number] for number in here}
+            self._writing_bodies = self._maker.submit(kept.write_bodies, self._bodies.copy(), self.room.code)
+        if self._writing is not None or self.written == self.room.version or now < self._due:
             return
         self._due = now + WRITE_EVERY
-        data, version = kept.encode(self.room), self.room.version
-        self._writing = version, self._writer.submit(kept.write, data, self.room.code)
+        logs, gone = self._logs.copy(), self._gone.copy()
+        future = self._writer.submit(kept.write, kept.encode(self.room), self.room.code, logs, gone)
+        self._writing = _Writing(self.room.version, logs, gone, future)
+
+    def _take_written(self) -> None:
+        """See what has become of what was being written."""
+        if self._writing_bodies is not None and self._writing_bodies.done():
+            error, self._writing_bodies = self._writing_bodies.exception(), None
+            if error is not None and not self.trouble:
+                # Nothing that anybody gave: a body begins anew.
+                _log.warning("where the bodies of the class %s are was not kept: %s", self.room.code, error)
+        if self._writing is None or not self._writing.future.done():
+            return
+        writing, self._writing = self._writing, None
+        error = writing.future.exception()
+        if error is None:
+            self.written = writing.version
+            self._logs = {name: log for name, log in self._logs.items() if name not in writing.logs}
+            self._gone -= writing.gone
+        else:
+            self._due = self._clock() + AGAIN_AFTER
+        self._tell_trouble(error)
+
+    def _tell_trouble(self, error: BaseException | None) -> None:
+        """Tell the teacher, and the server's log, once that nothing can be kept, and once that all is."""
+        trouble = "" if error is None else why(error)
+        if trouble == self.trouble:
+            return
+        self.trouble = trouble
+        if trouble:
+            _log.error("the class %s cannot be written: %s", self.room.code, error)
+            self.told.append(
+                (
+                    "The class is not being kept",
+                    f"{trouble}. What pupils give now waits on their pages, and is gone if those are closed. "
+                    "Make room on the disk of the computer that holds the class, or take the zip home now.",
+                )
+            )
+        else:
+            _log.error("the class %s is being written again", self.room.code)
+            self.told.append(("The class is being kept again", "All that was given is on the disk."))
 
     def close(self) -> None:
         """Write what is new, and wait for it; the server ends."""
         self._judge.shutdown(wait=False, cancel_futures=True)
+        self._maker.shutdown(wait=True, cancel_futures=True)
         self._writer.shutdown(wait=True)
-        if not self.ended:
-            kept.write(kept.encode(self.room), self.room.code)
+        self._take_written()
+        self._take_end()
+        if self.ended:
+            return
+        try:
+            kept.write(kept.encode(self.room), self.room.code, self._logs, self._gone)
             kept.write_bodies(self._bodies, self.room.code)
+        except OSError as error:
+            _log.error("the last of the class %s was not kept: %s", self.room.code, error)
+        kept.release(self._lock)
 
     def end(self) -> None:
-        """End the class: nothing that anybody gave is kept, here or on the disk.
+        """Have the class ended: nothing that anybody gave is kept, here or on the disk.
 
-        Raises:
-            OSError: something of it is still on the disk; the class goes on.
+        `tend` sees to it. Where something of it cannot be taken from the disk, the class goes on, and the
+        teacher is told.
         """
-        self._judge.shutdown(wait=False, cancel_futures=True)
-        self._writer.shutdown(wait=True)
-        kept.forget(self.room.code)
+        if self._ending is None and not self.ended:
+            self._ending = self._writer.submit(kept.forget, self.room.code)
+
+    def _take_end(self) -> None:
+        """See what has become of the end."""
+        if self._ending is None or not self._ending.done():
+            return
+        error, self._ending = self._ending.exception(), None
+        if error is not None:
+            self.written = -1  # some of it may be gone
+            _log.error("the class %s cannot be ended: %s", self.room.code, error)
+            folder = kept.folder_of(self.room.code)
+            self.told.append(("The class goes on", f"Its folder {folder} cannot be deleted: {why(error)}."))
+            return
         self.ended = True
+        for executor in (self._judge, self._maker, self._writer):
+            executor.shutdown(wait=False, cancel_futures=True)
+        kept.let_go(self._lock)
         self.room.seats.clear()
         self.room.answers.clear()
         self._bodies.clear()
+        self._logs.clear()
         self.room.version += 1
+
+
+@dataclass(frozen=True)
+class _Writing:
+    """What is being written of a class: its version, the logs that go with it, and those that go away."""
+
+    version: int
+    logs: dict[str, bytes]
+    gone: set[str]
+    future: Future[None]
+
+
+def why(error: BaseException) -> str:
+    """Why something could not be written, as in "No space left on device"."""
+    return (error.strerror if isinstance(error, OSError) else None) or str(error) or type(error).__name__
 
 
 def _live_file(scene: sim.Scene) -> bytes:
@@ -296,12 +393,8 @@ def _live_file(scene: sim.Scene) -> bytes:
     return live_html(sim.Simulation(scene).capture())[0]
 
 
-def _keep_log(code: str, name: str, data: bytes) -> None:
-    """Write a log that was handed in."""
-    path = log_path(code, name)
-    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-    write_atomically(path, data)
-
+FIRST = "lesson-hooke"
+"""What a class goes through for which no scene is named."""
 
 MOST_CLASSES = 20
 """Classes that go on at once on a server."""
@@ -319,6 +412,7 @@ class Classes:
         self._classes: dict[str, Class] = {}
 
     def __iter__(self) -> Iterator[Class]:
+        self._classes = {code: one for code, one in self._classes.items() if not one.ended}
         return iter(list(self._classes.values()))
 
     def begin(self, scenes: Sequence[sim.Scene]) -> Class:
@@ -327,18 +421,67 @@ class Classes:
         Raises:
             Refused: they have too many steps, or there are too many classes.
         """
-        if sum(not klass.ended for klass in self) >= MOST_CLASSES:
+        taken = {one.room.code for one in self}
+        if len(taken) >= MOST_CLASSES:
             raise Refused(f"A server holds {MOST_CLASSES} classes at most.")
-        code = names.new_code(self._classes)
-        room = Room(code=code, key=secrets.token_urlsafe(16), scenes=tuple(scenes))
+        room = Room(code="", key=secrets.token_urlsafe(16), scenes=tuple(scenes))
         if len(room.stops) > MOST_STOPS:
             raise Refused(f"A class has {MOST_STOPS} steps at most; these scenes have {len(room.stops)}.")
-        return self._add(room)
+        while True:
+            room.code = names.new_code(taken)
+            with contextlib.suppress(kept.Held):
+                lock = kept.hold(room.code)
+                if not kept.folder_of(room.code).exists():
+                    return self._add(Class(room, lock=lock))
+                kept.release(lock)
+            taken.add(room.code)
 
-    def go_on(self) -> list[Class]:
-        """Go on with the classes on the disk that have not been ended."""
-        rooms = [room for room in kept.read_all() if room.code not in self._classes]
-        return [self._add(room, kept.read_bodies(room.code)) for room in rooms]
+    def take_up(self, scenes: Sequence[sim.Scene] | None, count: int, new: bool = False) -> None:
+        """Go on with the classes on the disk, and begin those that are missing.
+
+        Args:
+            scenes: that they go through; None for whatever they have.
+            count: how many there are to be at least.
+            new: whether to forget those on the disk instead, but for what another server goes on with.
+
+        Raises:
+            Refused: a class on the disk has other scenes, another server goes on with it, or one cannot be
+                begun.
+            OSError: a class cannot be forgotten.
+        """
+        kept.sweep()
+        for code in kept.codes():
+            lock, is_free = None, True
+            try:
+                lock = kept.hold(code)
+            except kept.Held:
+                is_free = False
+            room = kept.read(code)
+            if room is None or (new and not is_free):
+                kept.release(lock)
+            elif new:
+                kept.forget(code)
+                kept.let_go(lock)
+            elif scenes is None or room.begun_with == tuple(scenes):
+                if not is_free:
+                    raise Refused(
+                        f"Another softrod on this computer goes on with class {code}: end that one first, or "
+                        "begin another class by --new."
+                    )
+                self._add(Class(room, kept.read_bodies(code), lock))
+            elif is_free:
+                kept.release(lock)
+                raise Refused(
+                    f"Class {code}, which has other scenes, has not been ended: go on with it without naming "
+                    "scenes, or forget it by --new."
+                )
+        more = scenes or next((one.room.begun_with for one in self), None) or (sim.load_scene(FIRST),)
+        for _ in range(count - len(list(self))):
+            self.begin(more)
+
+    def go_through(self, lesson: Lesson) -> bool:
+        """Whether one of the classes that go on goes through a lesson."""
+        return any(scene.lesson == lesson for one in self for scene in one.room.scenes)
 
     def find(self, code: str) -> Class | None:
         """The class with that code, if it goes on."""
@@ -347,11 +490,11 @@ class Classes:
 
     def close(self) -> None:
         """Have everything written; the server ends."""
-        for one in self._classes.values():
+        for one in self:
             one.close()
 
-    def _add(self, room: Room, bodies: kept.Bodies | None = None) -> Class:
-        self._classes[room.code] = made = Class(room, bodies)
+    def _add(self, made: Class) -> Class:
+        self._classes[made.room.code] = made
         return made
 
 

@@ -246,6 +246,7 @@ class Room(Struct, kw_only=True):
         code: four letters by which pupils find it.
         key: the teacher's secret, which the terminal shows again after a restart.
         scenes: what it goes through, in order.
+        pushed: how many of these, the last ones, were brought to the class while it went on.
         at: index of the present one of `stops`.
         phase: what they do there.
         round: 0 for the first time that this stop asks, 1 for the second.
@@ -264,6 +265,7 @@ class Room(Struct, kw_only=True):
     code: str
     key: str
     scenes: tuple[sim.Scene, ...]
+    pushed: int = 0
     at: int = 0
     phase: Phase = Phase.LOBBY
     round: int = 0
@@ -280,6 +282,11 @@ class Room(Struct, kw_only=True):
     version: int = 0
 
     # --------------------------------------------------------------------- the plan
+    @property
+    def begun_with(self) -> tuple[sim.Scene, ...]:
+        """The scenes that it went through from the first."""
+        return self.scenes[: len(self.scenes) - self.pushed]
+
     @property
     def stops(self) -> tuple[Stop, ...]:
         """All steps of all scenes; a scene without a lesson is one stop."""
@@ -356,7 +363,7 @@ class Room(Struct, kw_only=True):
         if len(self.stops) >= MOST_STOPS:
             raise Refused(f"A class has {MOST_STOPS} stops at most.")
         whole = msgspec.structs.replace(scene, lesson=None)
-        self.scenes = (*self.scenes, whole)
+        self.scenes, self.pushed = (*self.scenes, whole), self.pushed + 1
         self.go(len(self.stops) - 1, Phase.SHOW)
 
     def star(self, id: str, on: bool) -> None:

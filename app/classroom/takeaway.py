@@ -7,8 +7,7 @@ import io
 import math
 import re
 import zipfile
-from collections.abc import Iterable, Sequence
-from pathlib import Path
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -19,11 +18,8 @@ from sim.store.files import encode_scene
 from ..drawing.plan import Picture
 from ..export.clip import Shot
 from ..export.picture import png
-from . import kept
+from .kept import LOGS, log_path
 from .room import Answer, Ghost, Line, Room, Vote, Work
-
-LOGS = "logs"
-"""Folder of the logs that were handed in, in the class's own folder and in the zip."""
 
 PICTURES = "pictures"
 """Folder of their last moments as pictures, in the zip."""
@@ -35,25 +31,28 @@ README = """What a class gave, {steps} steps, {seats} seats.
 
 answers.csv      votes, lines and what was handed in, a row each
 predictions.csv  where masses were predicted to be, in the scene's units, a row a mass
-scenes/          what the class went through; softrod opens them, and `softrod class` begins with them
+scenes/          what the class went through; `softrod class scenes/*.json` goes through it with another class
 logs/            the runs that were handed in; `softrod run --inputs FILE` does one again
 pictures/        how the bodies were when they were handed in
 
-Seats have the names that the class gave out. Nothing of this is left on the computer that held the class.
+{names} When the class is ended, nothing of this is left on the computer that held it.
 """
 
 
-def pack(room: Room, decimal_comma: bool = False) -> bytes:
+def pack(room: Room, logs: Mapping[str, bytes] | None = None, decimal_comma: bool = False) -> bytes:
     """The zip. Its pictures take some 30 ms each.
 
     Args:
         room: of the class, also while it goes on.
+        logs: those of runs that are not on the disk, by their names.
         decimal_comma: whether tables are for spreadsheets that write numbers with commas.
     """
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as file:
         seats = sum(not seat.removed for seat in room.seats.values())
-        file.writestr("README.txt", README.format(steps=len(room.stops), seats=seats))
+        file.writestr(
+            "README.txt", README.format(steps=len(room.stops), seats=seats, names=_whose_names(room))
+        )
         file.writestr("answers.csv", _table(_answers(room), decimal_comma))
         file.writestr("predictions.csv", _table(_predictions(room), decimal_comma))
         for i, scene in enumerate(room.scenes, start=1):
@@ -64,11 +63,30 @@ def pack(room: Room, decimal_comma: bool = False) -> bytes:
             twin = "-2" if answer.twin else ""
             seat = f"{answer.seat:02}-{_slug(room.seats[answer.seat].name)}{twin}"
             name = f"step-{answer.stop + 1:02}-{seat}"
-            if answer.content.log and (path := log_path(room.code, answer.content.log)).is_file():
-                file.writestr(f"{LOGS}/{name}.jsonl", path.read_bytes())
+            if (log := _log_of(answer.content, room.code, logs or {})) is not None:
+                file.writestr(f"{LOGS}/{name}.jsonl", log)
             if (picture := _picture(answer.content, room, answer.stop)) is not None:
                 file.writestr(f"{PICTURES}/{name}.png", picture)
     return made.getvalue()
+
+
+def _whose_names(room: Room) -> str:
+    typed = any(seat.name != seat.given for seat in room.seats.values() if not seat.removed)
+    return (
+        "Some seats have names that pupils typed."
+        if typed
+        else "Seats have the names that the class gave out."
+    )
+
+
+def _log_of(work: Work, code: str, unwritten: Mapping[str, bytes]) -> bytes | None:
+    """The log of a run that was handed in; None if there is none any more."""
+    if work.log in unwritten:
+        return unwritten[work.log]
+    try:
+        return log_path(code, work.log).read_bytes() if work.log else None
+    except FileNotFoundError:  # another run took its place meanwhile
+        return None
 
 
 def _picture(work: Work, room: Room, stop: int) -> bytes | None:
@@ -82,11 +100,6 @@ def _picture(work: Work, room: Room, stop: int) -> bytes | None:
         return png(Shot(scene, Picture(np.array(work.points), damage=work.damage)), PICTURE_SIZE)
     except (InputError, SettingError):
         return None
-
-
-def log_path(code: str, name: str) -> Path:
-    """Where a log is kept that was handed in."""
-    return kept.folder_of(code) / LOGS / name
 
 
 def _in_order(room: Room) -> list[Answer]:

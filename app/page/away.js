@@ -7,6 +7,8 @@ import { hangUp } from "../wire/channel.js";
 import { lost } from "./files/keep.js";
 
 const TEXT = "Not connected: your body waits. Reconnecting…";
+/** On a wall, which has no body of its own. */
+const WALL = "Not connected. Reconnecting…";
 /** Where nothing says why the first connection does not come about. */
 const BLOCKED =
   "The page is here, but its live connection does not come about: something on the way lets no WebSockets through. Another network may do, such as the hotspot of the computer that softrod runs on.";
@@ -72,7 +74,8 @@ export function mindAbsence() {
     }
     if (!away) since = Infinity;
     document.documentElement.toggleAttribute("data-softrod-away", away);
-    banner.textContent = away ? TEXT : "";
+    const wall = document.documentElement.dataset.softrodClass?.split(" ").includes("wall");
+    banner.textContent = away ? (wall ? WALL : TEXT) : "";
     if (!everThere) whyRefused().then((text) => everThere || (banner.textContent = text));
   };
 }

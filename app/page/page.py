@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import viser
 
 from sim.design.measurements import Measurement
+from sim.scene.lesson import Lesson
 from sim.scene.types import Scene
 
 from ..session.notices import Notice
@@ -41,6 +42,7 @@ class Page:
         looks: how it looks.
         plots: its lists of plots.
         makes_lesson: whether the scene's lesson is being made; it is not shown meanwhile.
+        is_closed: whether a lesson is not to be seen here, since a class goes through it.
         begin_class: begins a class with a scene, and returns the address of the teacher's page, from this
             page's; None where others cannot reach the server. The ticker's; raises `Refused`.
         take_tables: offers to fit the scene to a table of what was measured; None where there is no place for
@@ -58,6 +60,7 @@ class Page:
     looks: Looks = PLAIN
     plots: list[PlotList] = field(default_factory=list)
     makes_lesson: bool = False
+    is_closed: Callable[[Lesson], bool] = lambda _: False
     begin_class: Callable[[Scene], str] | None = None
     take_tables: Callable[[tuple[Measurement, ...]], None] | None = None
     _asked: deque[Callable[[], None]] = field(default_factory=lambda: deque(maxlen=100))
@@ -65,7 +68,8 @@ class Page:
     @property
     def has_lesson(self) -> bool:
         """Whether a lesson is shown."""
-        return self.session.scene.lesson is not None and not self.makes_lesson
+        lesson = self.session.scene.lesson
+        return lesson is not None and not self.makes_lesson and not self.is_closed(lesson)
 
     def later(self, act: Callable[[], None]) -> None:
         """Have the ticker do something, before the next frame; any thread may ask."""

@@ -23,6 +23,7 @@ from app.classroom.live import Front
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 from sim.errors import InputError, SceneError
 from sim.methods.registry import METHODS
+from sim.scene.lesson import Lesson
 from sim.scene.types import shown_name
 
 from ..drawing.plan import Picture, broken_of, own_rest_angles
@@ -128,6 +129,7 @@ class Tab:
         for_others: the address by which others reach the page, from that by which it was reached itself.
         role_of: what the page is in a class, if it is in one, from its mail.
         begin_class: see `Page`.
+        is_taught: whether a class goes through a lesson: then only the owner sees it outside the class.
     """
 
     def __init__(
@@ -140,6 +142,7 @@ class Tab:
         for_others: Callable[[str], str] = str,
         role_of: Callable[[Mail], Role | None] = lambda _: None,
         begin_class: Callable[[sim.Scene], str] | None = None,
+        is_taught: Callable[[Lesson], bool] = lambda _: False,
     ) -> None:
         self.client = client
         self._compiler = compiler
@@ -168,12 +171,14 @@ class Tab:
         self._all_ready = False
         self._for_others = for_others
         self._begin_class = begin_class
-        self._first = scene = self._asked_scene(query) or scene
+        self._is_taught = is_taught
         self._mail = Mail(client)
+        self._role = role_of(self._mail)
+        # In a class, the class says what is shown.
+        self._first = scene = (self._asked_scene(query) if self._role is None else None) or scene
         self._modes = ModesView(self._mail)
         self._race = RaceView(self._mail)
         self._view = Canvas(client, self._mail, self._post)
-        self._role = role_of(self._mail)
         self._front: Front | None = None
         self._front_view = FrontView(client, self._mail, self._view, self._number)
         listen(client, self.hear)
@@ -406,6 +411,7 @@ class Tab:
         self._page = Page(
             self.client, session, self._mail, self.notify, self.perform, self._shelf, commas,
             controls=self._wanted_controls(session.scene), begin_class=self._begin_class,
+            is_closed=self._is_closed,
         )  # fmt: skip
         self._answers = Answers(self._page, resume, show, self._for_others)
         self._maker = LessonMaker(self._page, self._measured)
@@ -422,6 +428,10 @@ class Tab:
             why = f"{str(error)[:1].upper()}{str(error)[1:]}."
             self._requests.append(lambda _: self._say_not_found(why))
             return None
+
+    def _is_closed(self, lesson: Lesson) -> bool:
+        """Whether the page is not to show a lesson: what is right in it comes when the class comes to it."""
+        return self._role is not None or (not self._shelf.owned and self._is_taught(lesson))
 
     def _wanted_controls(self, scene: sim.Scene) -> Controls:
         """Those that its place in a class gives it, or that the page's address names, or else the scene."""
@@ -486,6 +496,10 @@ class Tab:
         self._plan(session)
         self._view.show_gizmos(self._page.looks.gizmos)
         wanted, has_lesson = self._wanted_controls(session.scene), self._page.has_lesson
+        lesson = session.scene.lesson
+        if self._role is None and lesson is not None and self._is_closed(lesson):
+            text = "Here is its body alone; the steps come with the class."
+            self.notify(Notice("info", "A class goes through this lesson now", text))
         if has_lesson and self._before_lesson is None:
             self._before_lesson = self._switched_on(session)
         if (wanted, has_lesson) != (self._page.controls, self._has_lesson):

@@ -100,7 +100,7 @@ def serving(
 
         first = (klass and first_scene(klass)) or scene
         begin = None if gate.loopback and public is None else begin_class
-        return Tab(client, first, compiler, query, owned, for_others, role, begin)
+        return Tab(client, first, compiler, query, owned, for_others, role, begin, held.go_through)
 
     ticker = Ticker(make_tab)
 

@@ -349,7 +349,7 @@ class Seat(State, frozen=True, kw_only=True):
         paused: whether all bodies stand.
         away: whether the teacher is not there.
         on_wall: whether the wall shows something of this pupil's alone.
-        elsewhere: whether a later page of the same browser has the seat.
+        elsewhere: what has the seat now: a later page of the same browser, or another device; or empty.
         reached: whether the page's body has reached the step's goal.
     """
 
@@ -367,7 +367,7 @@ class Seat(State, frozen=True, kw_only=True):
     paused: bool = False
     away: bool = False
     on_wall: bool = False
-    elsewhere: bool = False
+    elsewhere: Literal["", "page", "device"] = ""
     reached: bool = False
     asking: Asking | None = None
     given: tuple[Given, ...] = ()
@@ -399,7 +399,7 @@ class Wall(State, frozen=True, kw_only=True):
 
     Attributes:
         code, address: how one comes in; a QR code of it as an address of a picture.
-        seats: how many are there.
+        seats: how many are here, or have answered what is asked and left.
         answered: how many have answered what is asked.
         bars: votes for each choice, once they are shown; else empty.
         lines: what was picked out.
@@ -516,6 +516,7 @@ class Desk(State, frozen=True, kw_only=True):
         gathered: whether all look at the teacher's body where each one could have their own.
         again: whether there is a run to be seen again, slowly: "no", "yes", or "now" while it is.
         saved: whether all that there is is on the disk.
+        trouble: why nothing can be kept there now; empty while all is well.
         check: the address at which a device tries whether it can take part.
         check_qr: a picture of its QR code; empty once the class has begun.
         tried: what the last devices found that did.
@@ -545,6 +546,7 @@ class Desk(State, frozen=True, kw_only=True):
     own_names: bool
     paused: bool
     saved: bool
+    trouble: str
 
 
 # ------------------------------------------------------------------------- events

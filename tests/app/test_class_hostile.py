@@ -7,6 +7,7 @@ import logging
 import math
 import random
 import re
+import time
 import unicodedata
 from collections.abc import Iterator
 from pathlib import Path
@@ -137,6 +138,42 @@ def who(number: int, teacher: str = "") -> str:
     return msgspec.json.encode(from_page.Who(f"{number:032x}", "", teacher)).decode()
 
 
+@pytest.mark.parametrize(
+    ("taught", "alone", "query"),
+    [
+        ("lesson-hooke", True, "scene=lesson-hooke"),
+        ("lesson-hooke", False, "scene=lesson-hooke"),
+        ("lesson-hooke", True, "room={code}&scene=lesson-hooke"),
+        ("lesson-hooke", True, "room=AAAA&scene=lesson-hooke"),
+        ("lesson-laws", False, "scene=lesson-hooke"),  # which is nobody's but the page's
+    ],
+)
+def test_only_the_class_tells_what_is_right_in_its_lesson(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, taught: str, alone: bool, query: str
+) -> None:
+    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+    classes = Classes(alone)
+    klass = classes.begin([sim.load_scene(taught)])
+    lesson = sim.load_scene("lesson-hooke").lesson
+    assert lesson is not None
+    because = [step.question.because for step in lesson.steps if step.question is not None]
+    # That others could reach the server makes nobody the owner by chance.
+    with serving(sim.rope(), "127.0.0.1", 0, allow_hosts=("laptop.local",), classes=classes) as (server, *_):
+        page = Someone(server.get_port(), f"/at/{1:032x}?{query.format(code=klass.room.code)}")
+        page.say(who(1))
+        assert eventually(lambda: len(page.told("keepsake") + page.told("seat")) > 0)
+        page.say('{"do":"beginStep","step":0,"how":"run"}')
+        is_told = taught == "lesson-laws"
+        if is_told:
+            assert eventually(lambda: page.told("lesson"))
+        else:
+            time.sleep(0.5)
+        # What the browser keeps of its own page is nothing that is shown.
+        shown = [message for message in page.messages if '"tell":"keepsake"' not in str(message.get("text"))]
+        assert any(text in repr(shown) for text in because) is is_told
+        page.socket.close()
+
+
 def test_whatever_a_pupil_and_a_wall_say_the_others_answers_arrive(
     klass: Class, classes: Classes, port: int
 ) -> None:
@@ -175,7 +212,7 @@ def test_whatever_a_pupil_and_a_wall_say_the_others_answers_arrive(
     assert len(room.answers) > len(mine), "some of what the other one said made sense"
     # What is on the disk can be read, whatever it was made of.
     assert eventually(lambda: klass.written == room.version)
-    assert room.code in {one.code for one in kept.read_all()}
+    assert room.code in kept.codes()
     for page in (honest, pupil, wall, desk):
         page.close()
 

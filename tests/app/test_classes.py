@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import base64
+import errno
+import io
+import itertools
+import threading
 import time
+import zipfile
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import msgspec
 import pytest
 
 import sim
-from app.classroom import kept
+from app.classroom import kept, live
 from app.classroom.live import Class, Classes, is_key
-from app.classroom.room import Phase, Refused, Vote
+from app.classroom.room import Phase, Refused, Vote, Work
 from tests.app.test_room import SECRETS, a_room, an_answer
 
 
@@ -29,6 +35,28 @@ def until_written(klass: Class) -> None:
         time.sleep(0.001)
 
 
+def kill(classes: Classes) -> None:
+    """What the end of its process does to a server: its locks go."""
+    for klass in classes:
+        kept.release(klass._lock)
+
+
+def taken_up(scenes: Sequence[sim.Scene] | None = None, count: int = 1, new: bool = False) -> list[Class]:
+    """The classes of a server that is started."""
+    classes = Classes()
+    classes.take_up(scenes, count, new)
+    return list(classes)
+
+
+def tended(klass: Class, until: Callable[[], bool]) -> None:
+    """Tend a class as its pages do."""
+    deadline = time.monotonic() + 10.0
+    while not until():
+        assert time.monotonic() < deadline
+        klass.tend()
+        time.sleep(0.001)
+
+
 def test_a_class_goes_on_after_the_server_was_started_anew(folder: Path) -> None:
     classes = Classes()
     klass = classes.begin(a_room().scenes)
@@ -37,20 +65,59 @@ def test_a_class_goes_on_after_the_server_was_started_anew(folder: Path) -> None
     klass.room.take(seat.number, an_answer(1, Vote(1)))
     klass.keep(seat.number, b"where it is")
     until_written(klass)
-    # The server ends without a word.
-    (after,) = Classes().go_on()
+    kill(classes)
+    (after,) = taken_up()
     assert msgspec.json.encode(after.room) == msgspec.json.encode(klass.room)
     assert after.room.bars(0, 0) == [0, 1, 0]
     assert after.room.enter(SECRETS[0]).name == seat.name
     assert is_key(after.room, klass.room.key)
     assert not is_key(after.room, "")
     # One that is told to end writes where the bodies are, too.
+    kept.release(after._lock)
     classes.close()
-    (after,) = Classes().go_on()
+    (after,) = taken_up()
     assert after.body(seat.number) == b"where it is"
     after.room.go(1, Phase.TRY)
     assert after.body(seat.number) is None
     assert {path.stat().st_mode & 0o077 for path in folder.iterdir()} == {0}
+
+
+def test_a_class_goes_on_by_the_command_that_began_it(folder: Path) -> None:
+    scenes = [sim.load_scene("lesson-hooke"), sim.rope(masses=4)]
+    (klass,) = taken_up(scenes)
+    klass.room.push(sim.rope(masses=7))
+    until_written(klass)
+    kept.release(klass._lock)
+    (after,) = taken_up([sim.load_scene("lesson-hooke"), sim.rope(masses=4)])
+    assert after.room.code == klass.room.code
+    assert len(after.room.scenes) == 3
+    kept.release(after._lock)
+    for others in ([sim.rope(masses=4)], scenes[:1], [*scenes, sim.rope(masses=7)]):
+        with pytest.raises(Refused, match=f"Class {klass.room.code}, which has other scenes"):
+            taken_up(others)
+    one, two = taken_up(None, 2)  # one more, with the same scenes
+    assert one.room.code == klass.room.code
+    assert two.room.begun_with == tuple(scenes)
+    until_written(two)
+    for held in (one, two):
+        kept.release(held._lock)
+    (anew,) = taken_up(scenes, new=True)
+    assert anew.room.code not in (one.room.code, two.room.code)
+    assert kept.codes() == []
+
+
+def test_a_class_has_one_server(folder: Path) -> None:
+    scenes = [sim.rope(masses=4)]
+    (klass,) = taken_up(scenes)
+    until_written(klass)
+    code = klass.room.code
+    for named in (scenes, None):
+        with pytest.raises(Refused, match=f"Another softrod on this computer goes on with class {code}"):
+            taken_up(named)
+    (other,) = taken_up([sim.rope(masses=5)])  # which that class has nothing to do with
+    (anew,) = taken_up(scenes, new=True)
+    assert len({code, other.room.code, anew.room.code}) == 3
+    assert kept.read(code) is not None
 
 
 def test_a_teacher_s_secret_cannot_be_guessed(folder: Path) -> None:
@@ -73,6 +140,73 @@ def test_nothing_is_acknowledged_before_it_is_on_the_disk(
     assert klass.written < klass.room.version
 
 
+def hand_in_a_run(klass: Class, number: int) -> str:
+    """Have a run handed in; returns the name of its log."""
+    answer = msgspec.structs.replace(an_answer(number, Work()), seat=1)
+    step = klass.room.step
+    assert step is not None
+    klass.hand_in(answer, b"a log", step, klass.scene(0))
+    return f"{answer.id}.jsonl"
+
+
+def test_a_full_disk_is_told_once_and_what_was_given_meanwhile_is_kept_when_there_is_room(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    klass = Classes().begin(a_room().scenes)
+    klass.room.enter(SECRETS[0])
+    klass.room.go(0, Phase.COLLECT)
+    until_written(klass)
+    tries, seconds = 0, itertools.count(int(time.monotonic()) + 10)
+    monkeypatch.setattr(klass, "_clock", lambda: float(next(seconds)))
+
+    def full(*_: object) -> None:
+        nonlocal tries
+        tries += 1
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(kept, "write_atomically", full)
+        log = hand_in_a_run(klass, 1)
+        tended(klass, lambda: tries > 5)
+        assert klass.written < klass.room.version
+        assert klass.trouble == "No space left on device"
+        assert [title for title, _ in klass.told] == ["The class is not being kept"]
+        with zipfile.ZipFile(io.BytesIO(klass.pack().result())) as file:
+            assert b"a log" in [file.read(name) for name in file.namelist()]
+    assert sum("cannot be written" in record.message for record in caplog.records) == 1
+    until_written(klass)
+    assert kept.log_path(klass.room.code, log).read_bytes() == b"a log"
+    assert [title for title, _ in klass.told][1:] == ["The class is being kept again"]
+    assert not klass.trouble
+    # Of two runs, the later one stays.
+    hand_in_a_run(klass, 2)
+    until_written(klass)
+    assert len(list(folder.rglob("*.jsonl"))) == 1
+
+
+def test_answers_do_not_wait_for_the_zip(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    klass = Classes().begin(a_room().scenes)
+    made = threading.Event()
+    monkeypatch.setattr(live, "pack", lambda *_: made.wait(10.0) and b"")
+    zipped = klass.pack()
+    klass.room.enter(SECRETS[0])
+    klass.keep(1, b"x")
+    tended(klass, lambda: klass.written == klass.room.version)
+    assert not zipped.done()
+    made.set()
+
+
+def test_where_a_body_is_is_kept_only_for_seats_that_there_are(folder: Path) -> None:
+    klass = Classes().begin(a_room().scenes)
+    for secret in SECRETS[:3]:
+        klass.keep(klass.room.enter(secret).number, b"x")
+    klass.room.remove(2)
+    klass.keep(99, b"of a seat that was given away")
+    until_written(klass)
+    klass.keep(3, b"y")
+    tended(klass, lambda: sorted(kept.read_bodies(klass.room.code)) == [1, 3])
+
+
 def test_at_the_end_nothing_is_left(folder: Path) -> None:
     classes = Classes()
     klass = classes.begin(a_room().scenes)
@@ -81,18 +215,61 @@ def test_at_the_end_nothing_is_left(folder: Path) -> None:
     until_written(klass)
     assert any(folder.rglob("*.json"))
     klass.end()
+    tended(klass, lambda: klass.ended)
     assert not list(folder.iterdir())
     assert classes.find(klass.room.code) is None
     assert not klass.room.seats
+    assert not list(classes)  # its server forgets it
     classes.close()
     assert not list(folder.iterdir())
+
+
+def test_a_class_that_cannot_be_deleted_goes_on(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    classes = Classes()
+    klass = classes.begin(a_room().scenes)
+    klass.room.enter(SECRETS[0])
+    until_written(klass)
+
+    def refuse(path: Path) -> None:
+        (path / kept.FILE).unlink()  # some of it went
+        raise PermissionError(errno.EACCES, "Permission denied")
+
+    with monkeypatch.context() as patched:
+        patched.setattr("shutil.rmtree", refuse)
+        klass.end()
+        tended(klass, lambda: bool(klass.told))
+    title, text = klass.told.popleft()
+    assert title == "The class goes on"
+    assert text == f"Its folder {folder / klass.room.code} cannot be deleted: Permission denied."
+    # Answers are taken and kept as before, and it can be ended later.
+    klass.room.enter(SECRETS[1])
+    until_written(klass)
+    assert kept.read(klass.room.code) is not None
+    assert klass.lesson_file().result()
+    klass.end()
+    tended(klass, lambda: klass.ended)
+    assert not list(folder.iterdir())
+
+
+def test_what_a_killed_server_was_forgetting_is_forgotten(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    klass = Classes().begin(a_room().scenes)
+    until_written(klass)
+    with monkeypatch.context() as patched:
+        patched.setattr("shutil.rmtree", lambda _: None)
+        kept.forget(klass.room.code)
+    assert list(folder.rglob(kept.FILE))
+    taken_up([sim.rope(masses=4)])
+    assert not list(folder.rglob(kept.FILE))
 
 
 def test_a_file_that_makes_no_sense_is_left_alone(folder: Path) -> None:
     for code, text in (("ABCD", "{"), ("ABCE", '{"code": "ABCE"}'), ("notes", "")):
         (folder / code).mkdir(parents=True)
         (folder / code / kept.FILE).write_text(text)
-    assert Classes().go_on() == []
+    (klass,) = taken_up([sim.rope(masses=4)])
+    assert klass.room.code not in ("ABCD", "ABCE")
     assert len(list(folder.rglob(kept.FILE))) == 3
 
 

@@ -11,7 +11,7 @@ import pytest
 import sim
 from app.classroom import kept
 from app.classroom.live import MOST_TRIED, Class, Classes
-from app.classroom.room import Phase, Vote, Work
+from app.classroom.room import Line, Phase, Vote, Work
 from app.page.check.role import CheckRole
 from app.page.classroom.desk import DeskRole
 from app.page.classroom.role import ClassRole, asking
@@ -151,7 +151,7 @@ def test_the_last_page_of_a_browser_has_the_seat(klass: Class, session: Session)
     first.introduce(who(1), session)
     second.introduce(who(1), session)
     first.frame(session)
-    assert one.sent[-1] == Seat(elsewhere=True) or Seat(elsewhere=True) in one.sent
+    assert one.sent[-1] == Seat(elsewhere="page") or Seat(elsewhere="page") in one.sent
     first.hear(a_vote(1, 0), session)
     assert not klass.room.answers
     first.leave()
@@ -316,7 +316,7 @@ def test_there_is_nothing_to_see_again_before_a_run(klass: Class, session: Sessi
     assert session.notices[-1].text == "There is no run to see again."
 
 
-def test_the_wall_counts_every_seat_once(klass: Class, session: Session) -> None:
+def test_the_wall_counts_every_seat_that_is_here_once(klass: Class, session: Session) -> None:
     letters = Letters()
     wall = WallRole(klass, letters, "http://here/", "")
     klass.room.go(0, Phase.TRY)
@@ -329,12 +329,28 @@ def test_the_wall_counts_every_seat_once(klass: Class, session: Session) -> None
         own.drain()
     sessions[0].post(commands.SetValue("gravity", 500.0))
     sessions[0].drain()
-    klass.room.enter(f"{4:032x}")  # has not come
+    klass.room.enter(f"{4:032x}")  # has left
     now[0] = 1.0
     for seat, own in zip(seats, sessions, strict=True):
         seat.frame(own)
     wall.frame(session)
-    assert letters.last(Wall).doing == {"stable": 1, "exploded": 0, "not begun": 3}
+    assert letters.last(Wall).doing == {"stable": 1, "exploded": 0, "not begun": 2}
+    assert letters.last(Wall).seats == 3
+
+
+def test_who_left_is_not_waited_for_unless_they_answered(klass: Class, session: Session) -> None:
+    letters, pages = Letters(), [SeatRole(klass, Letters()) for _ in range(3)]
+    wall = WallRole(klass, letters, "http://here/", "")
+    for number, page in enumerate(pages, start=1):
+        page.introduce(who(number), session)
+    klass.room.go(0, Phase.EXPLAIN)
+    klass.room.take(1, an_answer(1, Line("Because.")))
+    klass.room.take(2, an_answer(2, Line("Why not.")))
+    for page in pages[1:]:
+        page.leave()
+    wall.frame(session)
+    told = letters.last(Wall)
+    assert (told.answered, told.seats) == (2, 2)
 
 
 def test_the_law_is_on_the_wall_only_when_it_is_asked_for(klass: Class, session: Session) -> None:

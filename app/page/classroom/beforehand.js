@@ -1,10 +1,15 @@
 // @ts-check
-/** What a teacher looks at before the class: whether a phone can take part from here. */
+/** What a teacher looks at before the class: the way in, and whether a phone can take part from here. */
 import { make } from "../looks/dialog.js";
 
 /** @param {import("../../wire/wire.js").Desk} desk @returns {HTMLElement[]} */
-export function beforehand({ check, check_qr, tried, seats }) {
+export function beforehand({ address, code, qr, check, check_qr, tried, seats }) {
   if (!check_qr) return [];
+  const way = make("section", "softrod-way-in");
+  const scanned = make("img", "");
+  scanned.src = qr;
+  scanned.alt = `QR code of ${address}?room=${code}`;
+  way.append(make("h3", "", "The way in"), scanned, make("p", "softrod-quiet", "The wall shows it, too, large."));
   const box = make("section", "softrod-beforehand");
   const picture = make("img", "");
   picture.src = check_qr;
@@ -24,7 +29,7 @@ export function beforehand({ check, check_qr, tried, seats }) {
       make("p", "softrod-quiet", "If a phone finds nothing at this address, the network keeps devices apart: use this computer's own hotspot."),
     );
   }
-  return [box];
+  return [way, box];
 }
 
 /** @param {import("../../wire/wire.js").DeskTried} tried */

@@ -67,6 +67,7 @@ export function addDesk() {
   const ghosts = new Ghosts();
   const anew = betweenPresses(desk);
   let made = "";
+  let place = "";
   /** @type {Desk | null} */
   let last = null;
   onTold("predictions", ({ bodies }) => ghosts.show(bodies));
@@ -80,7 +81,11 @@ export function addDesk() {
     if (now === made) return;
     made = now;
     const focused = document.activeElement?.getAttribute("data-focus");
-    const scrolled = desk.scrollTop;
+    const { stop, phase, round } = told.asking;
+    const at = `${stop} ${phase} ${round}`;
+    // What comes next is at the top.
+    const scrolled = at === place ? desk.scrollTop : 0;
+    place = at;
     desk.replaceChildren(...parts(told, () => anew(again), (seat) => {
       chosen = seat;
       show(told);
@@ -140,14 +145,18 @@ function fold(title, content, name = title) {
 const arrange = (what) => send({ do: "arrange", what });
 
 /** @param {Desk} desk */
-function head({ code, address, saved }) {
+function head({ code, address, saved, trouble }) {
   const box = make("header", "");
-  box.append(make("b", "softrod-desk-code", code), make("span", "", `${address.replace(/^http:\/\/|\/$/g, "")}`));
+  const letters = make("b", "softrod-desk-code", code);
+  const typed = make("span", "", address.replace(/^http:\/\/|\/$/g, ""));
+  letters.translate = typed.translate = false;
+  box.append(letters, typed);
   const wall = make("a", "softrod-small", "Wall");
   wall.href = `?room=${code}&as=wall`;
   wall.target = "_blank";
   wall.dataset.focus = "wall";
-  const writing = make("span", "softrod-quiet", saved ? "" : "saving…");
+  const writing = trouble ? make("b", "softrod-warning", "not kept") : make("span", "softrod-quiet", saved ? "" : "saving…");
+  writing.title = trouble;
   box.append(writing, wall);
   return box;
 }
@@ -178,11 +187,14 @@ function now(desk) {
   const about = make("p", "softrod-desk-about");
   about.setAttribute("role", "status");
   about.append(make("b", "", called([asking.stop, asking.phase, asking.round], asking.stop)), ` – ${ABOUT[asking.phase]}`);
-  if (WAITS.includes(asking.phase)) about.append(` ${seats.filter(({ answered }) => answered).length} of ${seats.length} have.`);
+  if (WAITS.includes(asking.phase)) about.append(` ${seats.filter(({ answered }) => answered).length} of ${counted(seats)} have.`);
   if (asking.phase === "run" && asking.predict > 0) about.append(` It stands at ${asking.predict} s.`);
   box.append(about);
   return box;
 }
+
+/** How many there are to wait for: who left without an answer is not one of them. @param {DeskSeat[]} seats */
+const counted = (seats) => seats.filter(({ here, answered }) => here || answered).length;
 
 /** What the part of right answers means, once all have answered or all see it. @param {Desk} desk @returns {HTMLElement[]} */
 function advice({ asking, bars, right, seats, stops }) {
@@ -239,7 +251,7 @@ function asked({ asking, bars, right, answers, seats }) {
   const box = make("section", "");
   if (asking.question) box.append(make("p", "", asking.question), voted(asking.choices, bars, right));
   const ghosts = answers.filter(({ kind }) => kind === "ghost").length;
-  if (asking.predict > 0) box.append(make("p", "softrod-quiet", `${ghosts} of ${seats.length} have dragged a prediction.`));
+  if (asking.predict > 0) box.append(make("p", "softrod-quiet", `${ghosts} of ${counted(seats)} have dragged a prediction.`));
   return [now ? box : fold("The question", box)];
 }
 
@@ -272,6 +284,7 @@ function seats({ seats, asking, seat_on_wall, gathered }, choose) {
     tile.dataset.focus = `seat${number}`;
     if (own) tile.append(poster(number));
     const label = make("span", "", `${name}${two ? " (two)" : ""}${answered ? " ✓" : ""}`);
+    label.translate = false;
     if (hand) label.append(icon("hand"));
     tile.append(label);
     const said = [state(seat, own && !gathered), number === seat_on_wall ? "on the wall" : ""].filter(Boolean).join(", ");
@@ -293,6 +306,7 @@ function alone({ asking, seat_on_wall, answers, gathered }, seat, choose) {
   const back = button("Back to all", () => choose(0));
   back.dataset.focus = "back";
   const title = make("h3", "", `${name}${two ? " (two)" : ""}`);
+  title.translate = false;
   if (hand) title.append(icon("hand"));
   const said = state(seat, own && !gathered);
   const row = make("header", "");

@@ -127,6 +127,8 @@ class DeskRole(ClassRole):
             self.klass.desk = self
         if self.klass.desk is self:
             self._lead(session)
+            while self.klass.told:
+                session.notices.append(Notice("warning", *self.klass.told.popleft()))
         doing = self.klass.doing if self.room.phase in FREE else {}
         if (posters := tuple(doing.items())) != self._posters:
             self._posters = posters
@@ -138,7 +140,7 @@ class DeskRole(ClassRole):
                 )
             )
         words = (one.word for one in doing.values())
-        if self._is_new(self.klass.written, self._again, tuple(self.klass.tried), *words):
+        if self._is_new(self.klass.written, self.klass.trouble, self._again, tuple(self.klass.tried), *words):
             self._mail.tell(self._state())
             self._mail.tell(predictions(self.klass))
 
@@ -182,6 +184,7 @@ class DeskRole(ClassRole):
                 return
             case "end":
                 self.klass.end()
+                return
         room.version += 1
 
     def _bring(self, text: str) -> None:
@@ -371,6 +374,7 @@ class DeskRole(ClassRole):
             own_names=room.own_names,
             paused=room.paused,
             saved=klass.written == room.version,
+            trouble=klass.trouble,
         )
 
 

@@ -121,10 +121,14 @@ function lead(asking) {
 
 /** @param {Seat} seat @returns {HTMLElement[]} */
 function parts(seat) {
-  if (seat.elsewhere) return [make("p", "softrod-task", "Another page of this browser has your seat now.")];
+  if (seat.elsewhere) {
+    const whose = seat.elsewhere === "page" ? "Another page of this browser" : "Another device";
+    return [make("p", "softrod-task", `${whose} has your seat now.`)];
+  }
   if (!seat.asking) return entrance(seat);
   const head = make("header", "softrod-seat-head");
   const name = make("b", "softrod-seat-name", seat.name);
+  name.translate = false;
   name.style.setProperty("--softrod-seat", seat.color);
   const up = makeButton(seat.hand ? "Hand is up" : "Hand up", () => send({ do: "raiseHand", up: !seat.hand }), "softrod-small");
   up.ariaPressed = String(seat.hand);

@@ -11,7 +11,7 @@ import viser
 import sim
 from app.classroom.judge import GoalWatch, Meter
 from app.classroom.live import Class, Doing, Front, Word
-from app.classroom.room import FREE, MOST_ANSWERS, Answer, Ghost, Line, Refused, Vote, Work
+from app.classroom.room import FREE, MOST_ANSWERS, Answer, Ghost, Line, Refused, Vote, Work, digest
 from app.classroom.room import Seat as SeatOfRoom
 from sim.errors import InputError, SettingError
 from sim.scene.lesson import Step
@@ -294,9 +294,12 @@ class SeatRole(ClassRole):
     def _state(self) -> Seat:
         room, seat = self.room, self.seat
         if seat is None:
-            has_other = self._number in room.seats and not room.seats[self._number].removed
-            problem = "" if has_other else self._problem or "The teacher has closed this seat."
-            return Seat(problem=problem if self._secret else "", elsewhere=has_other and bool(self._secret))
+            taken = room.seats.get(self._number)
+            if self._secret and taken is not None and not taken.removed:
+                return Seat(elsewhere="page" if taken.token == digest(self._secret) else "device")
+            return Seat(
+                problem=(self._problem or "The teacher has closed this seat.") if self._secret else ""
+            )
         mine = [answer for answer in room.answers.values() if answer.seat == seat.number]
         return Seat(
             code=room.code,

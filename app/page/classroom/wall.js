@@ -23,11 +23,15 @@ export function addWall() {
   /** @param {Wall} wall */
   const show = (wall) => {
     head.replaceChildren(make("h1", "", title(wall)));
-    side.replaceChildren(...content(wall));
+    const parts = content(wall);
+    side.replaceChildren(...parts);
+    // With nothing beside it, the body has the room.
+    document.documentElement.toggleAttribute("data-softrod-wide", !parts.length);
     if (waited && wall.asking.phase === "lobby" && !wall.seats) {
       side.append(make("p", "softrod-warning", "Nobody yet? Networks may keep devices apart: try this laptop's hotspot."));
     }
     corner.replaceChildren(`${host(wall.address)}   `, make("b", "", wall.code));
+    corner.translate = false;
   };
   setTimeout(() => {
     waited = true;
@@ -67,11 +71,10 @@ function content({ asking, bars, lines, code, address, qr, found, over, law, doi
     const picture = make("img", "softrod-wall-qr");
     picture.src = qr;
     picture.alt = `QR code of ${address}?room=${code}`;
-    return [
-      picture,
-      make("p", "softrod-wall-address", host(address)),
-      make("p", "softrod-wall-code", code),
-    ];
+    const typed = make("p", "softrod-wall-address", host(address));
+    const letters = make("p", "softrod-wall-code", code);
+    typed.translate = letters.translate = false;
+    return [picture, make("p", "", "Scan this, or type"), typed, make("p", "", "and the four letters"), letters];
   }
   /** @type {Element[]} */
   const parts = [];

@@ -46,6 +46,7 @@ class WallRole(ClassRole):
         if not self._is_new(tuple(doing.values())):
             return
         found = found_by(room)
+        answered = answered_by(self.klass)
         shown = room.phase in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN)
         lines = [answer for answer in room.given(room.at, 0, Line) if answer.starred]
         self._mail.tell(
@@ -53,8 +54,8 @@ class WallRole(ClassRole):
                 code=room.code,
                 address=self._address,
                 qr=self._qr,
-                seats=sum(not seat.removed for seat in room.seats.values()),
-                answered=answered(self.klass),
+                seats=len(seats_here(self.klass) | answered),
+                answered=len(answered),
                 asking=asking(room),
                 bars=tuple(room.bars(room.at, room.round)) if shown and room.given(room.at, 0, Vote) else (),
                 lines=tuple(
@@ -73,9 +74,9 @@ class WallRole(ClassRole):
         self._mail.tell(predictions(self.klass))
 
     def _doing(self) -> dict[str, int]:
-        """How many seats' bodies are stable, have exploded, or have not been begun with; these are all seats.
+        """How many bodies are stable, have exploded, or have not been begun with, of the seats that are here.
         With a goal, also how many have reached it."""
-        seats = [seat.number for seat in self.room.seats.values() if not seat.removed]
+        seats = seats_here(self.klass)
         bodies = [self.klass.doing.get(number) for number in seats]
         exploded = sum(one is not None and one.word == "exploded" for one in bodies)
         idle = sum(one is None or (one.word != "exploded" and not one.begun) for one in bodies)
@@ -116,8 +117,14 @@ class WallRole(ClassRole):
         )
 
 
-def answered(klass: Class) -> int:
-    """How many seats have given what is asked for now."""
+def seats_here(klass: Class) -> set[int]:
+    """Numbers of the seats that somebody sits at."""
+    seats = klass.room.seats
+    return {number for number in klass.pupils if number in seats and not seats[number].removed}
+
+
+def answered_by(klass: Class) -> set[int]:
+    """Numbers of the seats that have given what is asked for now."""
     room = klass.room
     kinds = [kind for kind, phase in PHASE_OF.items() if phase is room.phase]
-    return len({a.seat for kind in kinds for a in room.given(room.at, room.round, kind)})
+    return {a.seat for kind in kinds for a in room.given(room.at, room.round, kind)}
