@@ -135,24 +135,25 @@ class _Forged(Exception):
     """What a log says is more than a pupil can do."""
 
 
-def judge(record: Log, scene: sim.Scene, step: Step) -> Verdict:
+def judge(record: Log, scene: sim.Scene, step: Step, resumed: sim.Moment | None = None) -> Verdict:
     """Do again what a log says, and look whether it reached the goal of a step.
 
     Args:
         record: what was handed in; nothing in it is trusted.
         scene: as the step begins.
         step: of the lesson.
+        resumed: where the server itself had the body go on after a reload of its page.
     """
     try:
         _check_scene(record.scene, scene, step.controls, "the log begins with")
-        return _judge(record, scene, step)
+        return _judge(record, scene, step, resumed)
     except _Forged as error:
         return Verdict(refused=f"{error}.")
     except (InputError, SettingError) as error:
         return Verdict(refused=f"{error}.")
 
 
-def _judge(record: Log, scene: sim.Scene, step: Step) -> Verdict:
+def _judge(record: Log, scene: sim.Scene, step: Step, resumed: sim.Moment | None) -> Verdict:
     simulation = sim.Simulation(record.scene)
     player = Player(record, simulation)
     watch = GoalWatch(step.goal, record.scene) if step.goal is not None else None
@@ -160,6 +161,10 @@ def _judge(record: Log, scene: sim.Scene, step: Step) -> Verdict:
     found = None
     # Where it has been: nobody goes back to where nobody was.
     been = {digest_of(simulation)}
+    if resumed is not None:
+        there = sim.Simulation(resumed.scene)
+        there.restore(resumed)
+        been.add(digest_of(there))
     while not player.ended:
         entry = player.upcoming
         match entry:

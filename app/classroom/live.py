@@ -24,6 +24,7 @@ from sim.settings import scene_of_step
 
 from ..drawing.plan import Picture
 from ..drawing.sketch import Floats
+from ..session import keepsakes
 from ..session.log import decode_log
 from . import kept, names
 from .judge import Verdict, judge
@@ -131,6 +132,7 @@ class Class:
         teachers: how many pages of teachers there are.
         desk: the teacher's page whose body all look at.
         pupils: the page that each seat has, by its number; the last one, where there are several.
+        given: by visitor, the numbers of the seats that were given to them by this server.
         doing: what each seat's body does.
         tried: what the last devices found that tried whether they can take part.
         lent: what the wall shows of the seat that is on it; None without one.
@@ -158,6 +160,7 @@ class Class:
         self.teachers = 0
         self.desk: object | None = None
         self.pupils: dict[int, Pupil] = {}
+        self.given: dict[str, set[int]] = {}
         self.doing: dict[int, Doing] = {}
         self.tried: deque[Tried] = deque(maxlen=MOST_TRIED)
         self.lent: Front | None = None
@@ -192,9 +195,9 @@ class Class:
             self._scenes[stop] = scene if place.step is None else scene_of_step(scene, place.step)
         return self._scenes[stop]
 
-    def keep(self, seat: int, keepsake: bytes) -> None:
-        """Keep what a pupil's body does at the present stop, for when its page comes back."""
-        self._bodies[seat] = self.room.at, keepsake
+    def keep(self, seat: int, body: bytes) -> None:
+        """Keep what a pupil's body does at the present stop, a keepsake, for when its page comes back."""
+        self._bodies[seat] = self.room.at, body
         self._bodies_are_new = True
 
     def body(self, seat: int) -> bytes | None:
@@ -202,13 +205,16 @@ class Class:
         stop, keepsake = self._bodies.get(seat, (-1, b""))
         return keepsake if stop == self.room.at else None
 
-    def hand_in(self, answer: Answer, log: bytes, step: Step, scene: sim.Scene) -> None:
+    def hand_in(
+        self, answer: Answer, log: bytes, step: Step, scene: sim.Scene, resumed: bytes | None = None
+    ) -> None:
         """Take what a pupil hands in: the log is written with the class, and judged once more by itself.
 
         Args:
             answer: with what the server saw of the run.
             log: of the run.
             step, scene: that it is of.
+            resumed: the keepsake from which the body went on after a reload, if it did.
 
         Raises:
             Refused: see `Room.take`.
@@ -227,7 +233,8 @@ class Class:
 
         def look() -> Verdict | None:
             is_last = answer.id in self.room.answers
-            return judge(decode_log(log, "the log"), scene, step) if is_last else None
+            moment = None if resumed is None else keepsakes.decode(resumed).moment
+            return judge(decode_log(log, "the log"), scene, step, moment) if is_last else None
 
         self._judged.append((answer.id, self._judge.submit(look)))
 

@@ -30,6 +30,9 @@ from . import names
 MOST_SEATS = 60
 """Seats of a class."""
 
+MOST_OF_ONE = 40
+"""Seats given to one visitor of the server, which may be a school that is one address."""
+
 MOST_LETTERS = 140
 """Letters of a line that a pupil writes."""
 
@@ -440,7 +443,7 @@ class Room(Struct, kw_only=True):
         self.version += 1
 
     # --------------------------------------------------------------------- the pupils
-    def enter(self, secret: str, here: Collection[int] | None = None) -> Seat:
+    def enter(self, secret: str, here: Collection[int] | None = None, given: Collection[int] = ()) -> Seat:
         """The seat of a browser: the one that it had, or a new one.
 
         In a full class a new one takes the place of one where nobody sits and that gave nothing: nobody keeps
@@ -449,9 +452,10 @@ class Room(Struct, kw_only=True):
         Args:
             secret: of the browser.
             here: numbers of the seats that somebody sits at; None for all.
+            given: numbers of the seats that were given to the same visitor.
 
         Raises:
-            Refused: the class is closed or full, or the seat was sent away.
+            Refused: the class is closed or full, the visitor has enough seats, or the seat was sent away.
         """
         token = digest(secret)
         for seat in self.seats.values():
@@ -461,6 +465,10 @@ class Room(Struct, kw_only=True):
                 return seat
         if not self.is_open:
             raise Refused("The class has begun; ask your teacher to open the door.")
+        if sum(number in self.seats and not self.seats[number].removed for number in given) >= MOST_OF_ONE:
+            raise Refused(
+                f"Your network has {MOST_OF_ONE} seats, as many as one gets; your teacher can remove some."
+            )
         return self._new_seat(token, here)
 
     def _new_seat(self, token: str, here: Collection[int] | None) -> Seat:

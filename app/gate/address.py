@@ -41,6 +41,32 @@ def page_name(path: str) -> str:
     return match[1] if match else ""
 
 
+def visitor(peer: str, own: str, forwarded: Sequence[str], public: bool) -> str:
+    """What stands for one visitor where each has a share: an address, or the network that one customer has.
+
+    Args:
+        peer: address at the other end of the connection.
+        own: the server's address at this end.
+        forwarded: the values of ``X-Forwarded-For``, in order.
+        public: whether the page is reached through a proxy, which adds whom it speaks for at the end of the
+            last of these. Anything before was said by somebody else.
+    """
+    addresses = ",".join(forwarded).split(",") if public else []
+    try:
+        address = ipaddress.ip_address(addresses[-1].strip() if addresses else peer)
+    except ValueError:
+        return peer
+    if isinstance(address, ipaddress.IPv6Address):
+        if address.ipv4_mapped is not None:
+            return str(address.ipv4_mapped)
+        network = ipaddress.ip_network((address, 64), strict=False)
+        # A customer has as many addresses as they like, and a school's network has everybody's.
+        if not addresses and ipaddress.ip_address(own) in network:
+            return str(address)
+        return str(network)
+    return str(address)
+
+
 class GateError(RuntimeError):
     """The gate could not be put in place, so nothing is served."""
 

@@ -42,6 +42,7 @@ from app.gate.address import (
     page_name,
     page_query,
     public_address,
+    visitor,
 )
 from app.gate.messages import (
     BEAT,
@@ -68,6 +69,14 @@ A class of 60 seats has room in it, with its teacher and its wall."""
 # class one after the other needs half a day for all of them.
 CONNECTIONS_PER_SECOND = 5.0
 CONNECTION_BURST = 200.0
+
+# A school may be one address, so one visitor can have a class's, but no more than half of what there is.
+VISITOR_CONNECTIONS_PER_SECOND = 2.5
+VISITOR_CONNECTION_BURST = 100.0
+
+# Of one address that are open and have become no page: a class behind one address fetches the page's files
+# by six at a time each. A system has a thousand for a program, or more.
+MOST_KNOCKING = 500
 
 # A page sends at most some 300 messages a second: the pointer once per frame of a fast screen (240 Hz), the
 # camera and each slider at 20 Hz.
@@ -115,6 +124,11 @@ class Budget:
         self._updated = now
         return self._left
 
+    @property
+    def is_full(self) -> bool:
+        """Whether it is as it was at first."""
+        return self.left >= self._burst
+
     def spend(self, amount: float) -> float:
         """Take `amount` and return the seconds until the budget is no longer overdrawn."""
         self._left = self.left - amount
@@ -128,6 +142,8 @@ class Connection(ServerConnection):
         super().__init__(protocol, server, **options)
         self.client: viser.ClientHandle | None = None
         self.page = ""
+        self.visitor = ""
+        self.since = time.monotonic()
         self._gate = gate
         self._messages = Budget(MESSAGES_PER_SECOND, MESSAGE_BURST)
         self._extra_frames = Budget(EXTRA_FRAMES_PER_SECOND, EXTRA_FRAME_BURST)
@@ -159,6 +175,12 @@ class Connection(ServerConnection):
             return
         if self._extra_frames.spend(1) and not self.transport.is_closing():
             self._gate.refused["frames"] += 1
+            self.transport.abort()
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Cut a connection of somebody who has too many that ask for nothing."""
+        super().connection_made(transport)
+        if not self._gate.knock(self):
             self.transport.abort()
 
     def connection_lost(self, exc: Exception | None) -> None:
@@ -202,6 +224,8 @@ class Gate:
         self._server: viser.ViserServer | None = None
         self._tabs: set[Connection] = set()
         self._connections = Budget(CONNECTIONS_PER_SECOND, CONNECTION_BURST)
+        self._visitors: dict[str, Budget] = {}  # who connected lately
+        self._knocking: set[Connection] = set()  # that are no pages, or not yet
 
     def open(self, server: viser.ViserServer) -> None:
         """Begin to admit; until now every request is refused."""
@@ -212,6 +236,7 @@ class Gate:
     ) -> Response | None:
         """Answer an HTTP request; None accepts a WebSocket connection."""
         request = self._without_folder(request)
+        connection.visitor = self._visitor(connection, request)
         refusal = self._refusal(connection, request)
         if refusal is not None:
             reason, status, sentence = refusal
@@ -235,9 +260,14 @@ class Gate:
         if response is None:
             for former in self._former(request):
                 former.transport.abort()
+            others = self._others(request)
+            if len(others) >= self._most_tabs and (crowd := _crowd(others, connection.visitor)) is not None:
+                crowd.transport.abort()
             connection.page = page_name(request.path.partition("?")[0])
             self._tabs.add(connection)
+            self._knocking.discard(connection)
             self._connections.spend(1)
+            self._budget(connection.visitor).spend(1)
         else:
             response.headers.update(self._headers)
         return response
@@ -254,7 +284,7 @@ class Gate:
         upgrade = request.headers.get_all("Upgrade")
         if not upgrade:
             if request.path == REACH:
-                return self._refusal_of_page(hosts[0], own, request, "X-Softrod-Origin")
+                return self._refusal_of_page(hosts[0], own, connection, request, "X-Softrod-Origin")
             path, _, query = request.path.partition("?")
             # viser's page would connect to whatever server a query names and run its scripts.
             if query and (path not in (*PAGE_PATHS, CHECK) or page_query(query) is None):
@@ -264,10 +294,10 @@ class Gate:
             return None
         if upgrade != ["websocket"]:
             return "upgrade", HTTPStatus.BAD_REQUEST, "Only a WebSocket is served here."
-        return self._refusal_of_page(hosts[0], own, request, "Origin")
+        return self._refusal_of_page(hosts[0], own, connection, request, "Origin")
 
     def _refusal_of_page(
-        self, host: str, own: bool, request: Request, header: str
+        self, host: str, own: bool, connection: Connection, request: Request, header: str
     ) -> tuple[Reason, HTTPStatus, str] | None:
         """Why a page may not connect that names its origin in a header; `own`: the host needs no proxy."""
         origins = [origin.lower() for origin in request.headers.get_all(header)]
@@ -277,13 +307,40 @@ class Gate:
             known.add(self._public.origin)
         if len(origins) != 1 or origins[0] not in known:
             return "origin", HTTPStatus.FORBIDDEN, not_this_origin(*origins[:1])
-        most = MAX_TABS + self._more_tabs
-        if len(self._tabs - self._former(request)) >= most:
+        most, who, others = self._most_tabs, connection.visitor, self._others(request)
+        if len(others) >= most and _crowd(others, who) is None:
             sentence = f"This server is full: it has room for {most} pages. Close one that nobody needs."
             return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, sentence
-        if self._connections.left < 1:
+        if self._connections.left < 1 or self._budget(who).left < 1:
             return "rate", HTTPStatus.TOO_MANY_REQUESTS, "Too many pages connect at once. Wait for a minute."
         return None
+
+    @property
+    def _most_tabs(self) -> int:
+        """Pages for which there is room."""
+        return MAX_TABS + self._more_tabs
+
+    def _others(self, request: Request) -> set[Connection]:
+        """The pages that there are beside the one that connects."""
+        return {tab for tab in self._tabs if not tab.transport.is_closing()} - self._former(request)
+
+    def _budget(self, visitor: str) -> Budget:
+        """What a visitor can spend on connections; none but those of the last minute are remembered."""
+        if visitor not in self._visitors:
+            left = ((who, budget) for who, budget in self._visitors.items() if not budget.is_full)
+            self._visitors = dict(left)
+            self._visitors[visitor] = Budget(VISITOR_CONNECTIONS_PER_SECOND, VISITOR_CONNECTION_BURST)
+        return self._visitors[visitor]
+
+    def _visitor(self, connection: Connection, request: Request) -> str:
+        """Whose share of the server a connection takes."""
+        peer, own = str(connection.remote_address[0]), str(connection.local_address[0])
+        return visitor(peer, own, request.headers.get_all("X-Forwarded-For"), self._public is not None)
+
+    def visitor_of(self, client_id: int) -> str:
+        """Whose share of the server a page takes; empty if it is gone."""
+        assert self._server is not None
+        return getattr(viser_inside.connections(self._server).get(client_id), "visitor", "")
 
     def _former(self, request: Request) -> set[Connection]:
         """Connections of the page that connects: their path has died, of which this end was not told."""
@@ -326,9 +383,24 @@ class Gate:
             return request
         return dataclasses.replace(request, path=request.path[len(folder) - 1 :])
 
+    def knock(self, connection: Connection) -> bool:
+        """Whether a connection may go on to say what it wants.
+
+        Whoever opens many and says nothing would use up what the system has for all.
+        """
+        if not connection.remote_address:
+            return False
+        peer = connection.remote_address[0]
+        if sum(other.remote_address[0] == peer for other in self._knocking) >= MOST_KNOCKING:
+            self.refused["knocking"] += 1
+            return False
+        self._knocking.add(connection)
+        return True
+
     def forget(self, tab: Connection) -> None:
         """Drop everything held for a tab that is gone."""
         self._tabs.discard(tab)
+        self._knocking.discard(tab)
 
     def admit(self, tab: Connection, data: str | bytes) -> bytes | None:
         """Return the message for viser to read, or None if it must not see it."""
@@ -358,6 +430,22 @@ class Gate:
             if shared is not None or tab.client is None
             else viser_inside.input_handle(tab.client, uuid)
         )
+
+
+def _crowd(tabs: set[Connection], visitor: str) -> Connection | None:
+    """The page that gives way to a visitor's in a full server: the newest of whoever has the most.
+
+    So nobody can keep others out by opening page after page. Whoever had to give way has no fewer pages than
+    the newcomer, and does not come back in its place.
+
+    Returns:
+        None if the visitor would have as many as anybody.
+    """
+    counts = Counter(tab.visitor for tab in tabs)
+    largest, count = max(counts.items(), key=lambda item: item[1], default=("", 0))
+    if counts[visitor] + 1 >= count:
+        return None
+    return max((tab for tab in tabs if tab.visitor == largest), key=lambda tab: tab.since)
 
 
 class GatedServer(viser.ViserServer):

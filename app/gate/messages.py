@@ -42,6 +42,7 @@ Reason = Literal[
     "content",
     "handle",
     # Why a connection was cut.
+    "knocking",
     "frames",
 ]
 

@@ -93,7 +93,7 @@ def serving(
 
         def role(mail: Mail) -> Role | None:
             download = partial(client.send_file_download, save_immediately=True)
-            return role_of_query(query, mail, held, base, owned, download)
+            return role_of_query(query, mail, held, base, owned, gate.visitor_of(client_id), download)
 
         def begin_class(scene: sim.Scene) -> str:
             return desk_address("", held.begin((scene,)))

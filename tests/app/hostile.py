@@ -90,7 +90,7 @@ def answer(
 class HostilePage:
     """A connection such as viser's page makes, and what the server has for it."""
 
-    def __init__(self, port: int, path: str = "") -> None:
+    def __init__(self, port: int, path: str = "", source: str = "127.0.0.1") -> None:
         self.messages: list[dict[str, Any]] = []
         self.batches = 0
         self.socket = connect(
@@ -100,6 +100,7 @@ class HostilePage:
             compression=None,
             max_size=None,
             proxy=None,
+            source_address=(source, 0),
         )
         self.port = self.socket.local_address[1]
         self._reader = threading.Thread(target=self._read, daemon=True)

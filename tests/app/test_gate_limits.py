@@ -1,16 +1,19 @@
 """How much a page may send, and how fast."""
 
 import os
+import socket
 import time
 from collections.abc import Iterator
 from types import SimpleNamespace
 
 import pytest
 from websockets.exceptions import InvalidStatus
+from websockets.protocol import State
 
 from app.classroom.names import LETTERS
 from app.gate import gate
-from tests.app.hostile import HANDSHAKE, HostilePage, Sandbox, User, pack, status
+from app.gate.address import visitor
+from tests.app.hostile import HANDSHAKE, HostilePage, Sandbox, User, eventually, pack, status
 
 
 @pytest.fixture
@@ -170,3 +173,72 @@ def test_a_page_that_comes_back_takes_the_place_of_its_dead_connection(
         sandbox.page()
     monkeypatch.setattr(gate, "MAX_TABS", 11)
     sandbox.page()
+
+
+def test_who_opens_page_after_page_keeps_nobody_out(
+    sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(gate, "MAX_TABS", 6)
+    many = [sandbox.page() for _ in range(6)]
+    with pytest.raises(InvalidStatus):
+        sandbox.page()
+    others = [HostilePage(sandbox.port, source=f"127.0.0.{number}") for number in (2, 3)]
+    sandbox.pages += others
+    # The newest pages of who has the most have given way, and do not come back in the others' places.
+    assert all(page.is_cut() for page in many[4:])
+    with pytest.raises(InvalidStatus):
+        sandbox.page()
+    sandbox.pages.append(HostilePage(sandbox.port, source="127.0.0.2"))
+    with pytest.raises(InvalidStatus):  # that would be three, and nobody has more
+        HostilePage(sandbox.port, source="127.0.0.2")
+    assert all(page.socket.state is State.OPEN for page in [*many[:3], *others])
+
+
+def test_who_connects_too_often_leaves_the_others_their_share(
+    sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(gate, "VISITOR_CONNECTION_BURST", 3.0)
+    monkeypatch.setattr(gate, "VISITOR_CONNECTIONS_PER_SECOND", 1e-3)
+    for _ in range(3):
+        sandbox.page()
+    with pytest.raises(InvalidStatus, match="429"):
+        sandbox.page()
+    sandbox.pages.append(HostilePage(sandbox.port, source="127.0.0.2"))
+    assert 1.5 * gate.MAX_TABS < 100.0 <= gate.CONNECTION_BURST / 2, "a school may be one address"
+
+
+def test_who_opens_connections_and_says_nothing_keeps_nobody_out(
+    sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(gate, "MOST_KNOCKING", 5)
+    silent = [socket.create_connection(("127.0.0.1", sandbox.port)) for _ in range(6)]
+    try:
+        assert sandbox.refuses("knocking")
+        assert HostilePage(sandbox.port, source="127.0.0.2").socket.state is State.OPEN
+        silent.pop(0).close()
+        assert eventually(lambda: status(sandbox.port, [("Host", f"127.0.0.1:{sandbox.port}")]) == 200)
+    finally:
+        for one in silent:
+            one.close()
+
+
+@pytest.mark.parametrize(
+    ("peer", "own", "forwarded", "public", "whose"),
+    [
+        ("192.168.1.7", "192.168.1.2", [], False, "192.168.1.7"),
+        ("::ffff:192.168.1.7", "::", [], False, "192.168.1.7"),
+        # Anybody can say that they speak for somebody else; only a proxy is believed, and what it said last.
+        ("192.168.1.7", "192.168.1.2", ["1.2.3.4"], False, "192.168.1.7"),
+        ("127.0.0.1", "127.0.0.1", ["9.9.9.9, 1.2.3.4", "5.6.7.8"], True, "5.6.7.8"),
+        ("127.0.0.1", "127.0.0.1", [], True, "127.0.0.1"),
+        ("127.0.0.1", "127.0.0.1", ["nonsense"], True, "127.0.0.1"),
+        # All addresses of a customer, but each one of the own network.
+        ("127.0.0.1", "127.0.0.1", ["2001:db8:1:2:3::4"], True, "2001:db8:1:2::/64"),
+        ("2001:db8:1:2:3::4", "2001:db8:9:9::1", [], False, "2001:db8:1:2::/64"),
+        ("2001:db8:1:2:3::4", "2001:db8:1:2::1", [], False, "2001:db8:1:2:3::4"),
+    ],
+)
+def test_whose_share_a_connection_takes(
+    peer: str, own: str, forwarded: list[str], public: bool, whose: str
+) -> None:
+    assert visitor(peer, own, forwarded, public) == whose

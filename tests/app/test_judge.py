@@ -10,8 +10,10 @@ import pytest
 
 import sim
 from app.classroom.judge import GoalWatch, Meter, judge
+from app.session import keepsakes
 from app.session.log import Set, decode_log
 from app.session.record import Recorder
+from app.session.session import Session
 from sim.scene.lesson import Goal, Reading, Step
 from tests.sim.builders import spinning
 
@@ -183,3 +185,20 @@ def test_going_back_in_time_is_what_a_pupil_can_do() -> None:
         judge(decode_log(recorder.file(), "log"), scene, a_step(Goal(quantity="mass1.y", low=205.0))).refused
         == ""
     )
+
+
+def test_a_run_goes_on_after_its_page_was_reloaded() -> None:
+    scene = a_scene()
+    first = Session(scene, wait=True)
+    first.do_steps(60)
+    kept = first.keepsake()
+    after = Session(scene, wait=True)
+    after.resume(kept, None)
+    after.do_steps(60)
+    record = decode_log(after.recorder.file(), "log")
+    moment = keepsakes.decode(kept).moment
+    assert judge(record, scene, GOAL, moment).refused == ""
+    # What the server has not seen there was never there.
+    first.do_steps(1)
+    for other in (None, first.simulation.capture()):
+        assert "where the body never was" in judge(record, scene, GOAL, other).refused

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 import sim
 from app.classroom import names
 from app.classroom.room import (
+    MOST_OF_ONE,
     MOST_SEATS,
     PHASE_OF,
     Answer,
@@ -94,6 +95,18 @@ def test_a_class_is_full() -> None:
     assert len(given_names) == MOST_SEATS
     with pytest.raises(Refused, match=f"{MOST_SEATS} seats"):
         room.enter(SECRETS[MOST_SEATS])
+
+
+def test_one_visitor_does_not_fill_a_class() -> None:
+    room = a_room()
+    given = {room.enter(secret).number for secret in SECRETS[:MOST_OF_ONE]}
+    with pytest.raises(Refused, match=f"{MOST_OF_ONE} seats"):
+        room.enter(SECRETS[MOST_OF_ONE], given=given)
+    assert room.enter(SECRETS[MOST_OF_ONE], given={99}).number == MOST_OF_ONE + 1
+    # Who has a seat keeps it, and where the teacher removes one there is room.
+    assert room.enter(SECRETS[0], given=given).number == 1
+    room.remove(2)
+    room.enter(SECRETS[MOST_OF_ONE + 1], given=given)
 
 
 def test_a_choice_can_be_changed_until_all_are_shown() -> None:

@@ -250,6 +250,16 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     assert len(room.seats) == 2
     desk.locator("[data-focus=back]").click()
 
+    # A later page of the browser has the seat; the earlier one gives its connection up, until it is wanted.
+    later = pupil.context.new_page()
+    later.goto(pupil.url)
+    expect(later.locator(".softrod-seat-name")).to_have_text(name)
+    expect(task).to_have_text("Another page of this browser has your seat now.")
+    until(desk, lambda: wire.open == 1, "its connection is closed")
+    pupil.get_by_role("button", name="Come back here").press("Enter")
+    expect(pupil.locator(".softrod-seat-name")).to_have_text(name)
+    later.close()
+
     # A picture of what was handed in, for the wall; its pupil reads that it is there.
     school.go(desk, Phase.COLLECT)
     pupil.locator("[data-focus=handin]").press("Enter")

@@ -44,6 +44,11 @@ class Wire:
         self._ends: list[socket.socket] = []
         threading.Thread(target=self._accept, daemon=True).start()
 
+    @property
+    def open(self) -> int:
+        """Connections that are led on now."""
+        return sum(end.fileno() != -1 for end in self._ends) // 2
+
     def close(self) -> None:
         """Cut everything."""
         for end in (self._listener, *self._ends):

@@ -109,8 +109,8 @@ function parts(desk, changed, choose) {
   const present = seat ? alone(desk, seat, choose) : seats(desk, choose);
   return [
     head(desk),
-    ...beforehand(desk),
     now(desk),
+    ...beforehand(desk),
     ...advice(desk),
     actions(desk),
     ...asked(desk),

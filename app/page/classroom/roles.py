@@ -52,6 +52,7 @@ def role_of_query(
     classes: Classes,
     base: str,
     owned: bool,
+    visitor: str,
     download: Callable[[str, bytes], None],
 ) -> Role | None:
     """What a page is on a server that has classes; None for a page of its own.
@@ -61,6 +62,7 @@ def role_of_query(
         mail: to the page's script.
         base: the address by which others reach the server, with a slash at its end.
         owned: whether it is known to be the page of this computer's owner, who comes to no class by chance.
+        visitor: whose page it is; see `SeatRole`.
         download: has the page's browser save a file of that name.
     """
     fields = page_query(query) or {}
@@ -72,7 +74,7 @@ def role_of_query(
         return None if owned or not classes.alone else Entrance(mail, "")
     kind = fields.get("as", "")
     if kind not in ("desk", "wall"):
-        return SeatRole(klass, mail)
+        return SeatRole(klass, mail, visitor)
     qr = qr_code(seat_address(base, code))
     return DeskRole(klass, mail, base, qr, download) if kind == "desk" else WallRole(klass, mail, base, qr)
 

@@ -11,6 +11,7 @@ import { Ghosts, OwnGhost } from "./ghost.js";
 import { icon } from "./icons.js";
 import { forgetAnswers, give, onOutbox, openOutbox, unsent } from "./outbox.js";
 import { keepInPlace } from "./place.js";
+import { giveUpConnection } from "../viser/connection.js";
 
 /** @typedef {import("../../wire/wire.js").Seat} Seat */
 /** @typedef {import("../../wire/wire.js").Asking} Asking */
@@ -123,7 +124,10 @@ function lead(asking) {
 function parts(seat) {
   if (seat.elsewhere) {
     const whose = seat.elsewhere === "page" ? "Another page of this browser" : "Another device";
-    return [make("p", "softrod-task", `${whose} has your seat now.`)];
+    // The server has room for so many pages; this one is left.
+    giveUpConnection();
+    const back = makeButton("Come back here", () => location.reload(), "softrod-small");
+    return [make("p", "softrod-task", `${whose} has your seat now.`), ...(seat.elsewhere === "page" ? [back] : [])];
   }
   if (!seat.asking) return entrance(seat);
   const head = make("header", "softrod-seat-head");

@@ -50,16 +50,19 @@ class SeatRole(ClassRole):
     Args:
         klass: the class.
         mail: to the page's script.
+        visitor: whose page it is, of those that the server tells from each other; "" if nobody can tell.
     """
 
-    def __init__(self, klass: Class, mail: Mail) -> None:
+    def __init__(self, klass: Class, mail: Mail, visitor: str = "") -> None:
         super().__init__(klass, mail)
+        self._visitor = visitor
         self._secret = ""
         self._number = 0
         self._problem = ""
         self._stop = -1
         self._paused = False
         self._session: Session | None = None
+        self._resumed: bytes | None = None  # what its body went on from
         self._unwritten: deque[tuple[int, str]] = deque(maxlen=MOST_ANSWERS)
         self._hand_in_due = 0.0
         self._audience: set[viser.ClientHandle] = set()  # that see its body on the wall
@@ -139,7 +142,7 @@ class SeatRole(ClassRole):
         if self.seat is not None and self.front is None:
             if self._stop != self.room.at:
                 if (body := self.klass.body(self._number)) is not None:
-                    self._stop = self.room.at
+                    self._stop, self._resumed = self.room.at, body
                     session.post(commands.Resume(body, None))
                 else:
                     self.begin()
@@ -176,6 +179,7 @@ class SeatRole(ClassRole):
         self.show(scene)
 
     def show(self, scene: sim.Scene) -> None:
+        self._resumed = None
         if self._session is not None:
             # The class's page tells what the step is; the scene's own card would tell it twice.
             self._session.post(commands.Open(msgspec.structs.replace(scene, lesson=None)))
@@ -217,7 +221,10 @@ class SeatRole(ClassRole):
 
     def _enter(self) -> None:
         try:
-            self._sit(self.room.enter(self._secret, self.klass.pupils))
+            given = self.klass.given.setdefault(self._visitor, set())
+            seat = self.room.enter(self._secret, self.klass.pupils, given if self._visitor else ())
+            given.add(seat.number)
+            self._sit(seat)
             self._problem = ""
         except Refused as error:
             self._problem = str(error)
@@ -288,7 +295,8 @@ class SeatRole(ClassRole):
         if step is None:
             self.room.take(seat.number, answer)
         else:
-            self.klass.hand_in(answer, session.recorder.file(), step, self.klass.scene(self.room.at))
+            scene, log = self.klass.scene(self.room.at), session.recorder.file()
+            self.klass.hand_in(answer, log, step, scene, self._resumed)
         self._unwritten.append((self.room.version, said.id))
 
     def _state(self) -> Seat:

@@ -93,6 +93,15 @@ export class Pulse {
   }
 }
 
+/** The workers that hold the page's connection. @type {Set<Worker>} */
+const workers = new Set();
+
+/** Gives the connection up for good: nobody looks at this page any more. */
+export function giveUpConnection() {
+  for (const worker of workers) worker.terminate();
+  workers.clear();
+}
+
 /** Names this page to the server, which drops an older connection of the same page that it still holds. */
 function newName() {
   return [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
@@ -145,6 +154,7 @@ export function watchConnection(changed, isNew) {
     /** @param {string | URL} url @param {WorkerOptions} [options] */
     constructor(url, options) {
       super(url, options);
+      workers.add(this);
       this.addEventListener("message", ({ data }) => {
         pulse.heard();
         if (data?.type === "connected" || data?.type === "closed") {
@@ -159,6 +169,7 @@ export function watchConnection(changed, isNew) {
     }
 
     look() {
+      if (!workers.has(this)) return;
       const found = pulse.look(performance.now());
       if (line === "closed") this.postMessage({ type: "retry" });
       if (line !== "connected" && line !== "silent") return;
