@@ -26,9 +26,10 @@ from ..physics import Physics
 from ..scene.columns import ends
 from ..scene.types import Scene
 from ..scene.validate import validate
+from .decay import Decay
 from .equilibrium import Resting
 from .tuning import Dampers, vibrations_at_rest
-from .vibrations import MOST_MASSES, NOTHING
+from .vibrations import MOST_MASSES, NOTHING, Vibrations
 
 MOST_TOUCHING = 200
 """Largest number of masses of a body with contact, whose rest may take long to find."""
@@ -134,9 +135,8 @@ class Modes:
     def damping_ratios(self) -> Floats:
         """See above."""
         dampers = Dampers(self.scene)
-        springs, joints = dampers.numbers.damping, dampers.numbers.joint_damping
-        pairs = zip(self.frequencies.tolist(), self.shapes, strict=True)
-        return np.array([dampers.ratio(w, shape, springs, joints) for w, shape in pairs])
+        decay = Decay(dampers, Vibrations(self.frequencies, self.shapes), self._mass)
+        return decay.rates(dampers.numbers.damping, dampers.numbers.joint_damping) / self.frequencies
 
     @property
     def size(self) -> float:

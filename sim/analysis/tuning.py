@@ -20,6 +20,7 @@ from ..physics import Physics
 from ..scene.columns import column, ends
 from ..scene.types import Scene, is_loaded
 from ..scene.validate import validate
+from .decay import TENTH, Decay
 from .equilibrium import loaded_equilibrium
 from .vibrations import MOST_MASSES, Vibrations, free_vibrations
 
@@ -41,8 +42,9 @@ class Vibration:
 
     Attributes:
         frequency: without damping, Hz.
-        damping_ratio: 1 where it is critically damped. It is that of the vibration by itself, as if damping
-            did not couple it with others, which is exact where damping is in proportion to stiffness. Air
+        damping_ratio: 1 where it is critically damped: the rate at which its amplitude falls over its angular
+            frequency. Where damping couples it with others the rate is that of its energy, see
+            `sim.analysis.decay`; of the fastest vibration it is that of the vibration by itself. Air
             friction, which vanishes with the amplitude, is not in it; friction on walls is as at a creep.
         shape: (n, 2) amplitude of each mass relative to the largest; the sign is arbitrary.
     """
@@ -55,6 +57,12 @@ class Vibration:
     def period(self) -> float:
         """s."""
         return 1.0 / self.frequency
+
+    @property
+    def calm_after(self) -> float:
+        """s, in which the amplitude falls to a tenth; infinite without damping."""
+        rate = math.tau * self.frequency * self.damping_ratio
+        return TENTH / rate if rate > 0.0 else math.inf
 
 
 class Alone(NamedTuple):
@@ -211,6 +219,12 @@ class Dampers:
         self._physics = Physics(self._system.body, self._state)
         # Its drag grows with the square of the speed: of small vibrations it takes nothing.
         del self._physics.terms["air friction"]
+        # What does not change with the velocity here damps nothing, and need not be looked at again.
+        x = self._state.x + 1j * self._state.y
+        v = np.random.default_rng(1).uniform(-1.0, 1.0, (2, x.size)).T.copy().view(complex)[:, 0]
+        for name, term in list(self._physics.terms.items()):
+            if np.array_equal(term.forces(x, v), term.forces(x, -v)):
+                del self._physics.terms[name]
         self._mass = np.array([[m.mass] for m in scene.masses])
         self.numbers = Numbers.of(scene)
         self._broken, self._loose = broken_parts(scene)
@@ -357,11 +371,16 @@ def _slowest(scene: Scene, notes: list[str]) -> tuple[Vibration | None, Vibratio
     except InputError as error:
         notes.append(_of(error))
         return None, None
-    first = (float(found.frequencies[0]), found.shapes[0]) if found.frequencies.size else None
-    of_elastic = None
-    if elastic is not None:
-        of_elastic = _vibration(dampers, float(found.frequencies[elastic]), found.shapes[elastic])
-    return first and _vibration(dampers, *first), of_elastic
+    if not found.frequencies.size:
+        return None, None
+    decay = Decay(dampers, found, column(scene.masses, "mass"))
+    damping = decay.between(dampers.numbers.damping, dampers.numbers.joint_damping)
+
+    def vibration(index: int) -> Vibration:
+        omega = float(found.frequencies[index])
+        return Vibration(omega / math.tau, decay.rate(damping, index) / omega, found.shapes[index])
+
+    return vibration(0), None if elastic is None else vibration(elastic)
 
 
 def elastic_vibration(scene: Scene, dampers: Dampers) -> tuple[Vibrations, int | None]:
@@ -387,11 +406,6 @@ def elastic_vibration(scene: Scene, dampers: Dampers) -> tuple[Vibrations, int |
     return found, None
 
 
-def _vibration(dampers: Dampers, omega: float, shape: Floats) -> Vibration:
-    ratio = dampers.ratio(omega, shape, dampers.numbers.damping, dampers.numbers.joint_damping)
-    return Vibration(omega / math.tau, ratio, shape)
-
-
 def _fastest(scene: Scene) -> Vibration | None:
     exact = for_analysis(scene)
     system, state = start_of(exact, build_system(exact))
@@ -404,7 +418,9 @@ def _fastest(scene: Scene) -> Vibration | None:
     shape = np.zeros((len(scene.masses), 2))
     shape[system.mass_order] = meter.motion.T
     shape /= np.abs(shape).max()
-    return _vibration(Dampers(scene), omega, shape)
+    dampers = Dampers(scene)
+    ratio = dampers.ratio(omega, shape, dampers.numbers.damping, dampers.numbers.joint_damping)
+    return Vibration(omega / math.tau, ratio, shape)
 
 
 def _alone(stiffness: Floats, damping: Floats, softness: Floats) -> Alone:

@@ -6,31 +6,29 @@ wished; of all solutions the smallest is taken, by a little weight on the unknow
 comes to rest anew and has its slowest vibrations found anew; the derivatives are those of `sensitivity`.
 
 Neither the pose at rest nor a frequency without damping depends on damping, so in each trial the damping that
-calms the body in time is found for itself. In the slowest vibrations w_i, with wᵀ M w = 1, the damped motion
-is (s² + s C + diag(ω_i²)) y = 0, where C is the damping between each two of them. Eliminating all but the
-elastic one, e, leaves s² (1 - f) + s c + ω_e² = 0 with f = C_eo (s² + s C_oo + diag(ω_o²))⁻¹ C_oe, which is
-iterated. The amplitude falls as exp(Re(s) t).
+calms the body in time is found for itself, see `sim.analysis.decay`.
 """
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import msgspec
 import numpy as np
 
+from ..analysis.decay import COUPLED, TENTH, Decay
 from ..analysis.tuning import Numbers
-from ..analysis.vibrations import MOST_MASSES
+from ..analysis.vibrations import MOST_MASSES, Vibrations
 from ..body.system import same_topology
 from ..edit.edit import Edit, of_parts
 from ..errors import InputError, SceneError, SettingError
 from ..methods.registry import METHODS
 from ..motion.stability import StabilityMeter, meter_at_start
-from ..scene.columns import ends
+from ..scene.columns import column, ends
 from ..scene.parts import AngularSpring, LinearSpring
 from ..scene.types import Scene
 from ..scene.validate import validate
@@ -38,8 +36,6 @@ from ..settings import SETTINGS, moves
 from .keep_shape import DesignError
 from .sensitivity import AtRest, Change, Floats, by_setting, scaled
 
-TENTH = math.log(10.0)
-"""Times the decay rate of an amplitude, how long it takes to fall to a tenth."""
 REACHED = 5e-3
 """Difference between what is reached and what is wished, relative, up to which a wish is fulfilled."""
 _MARGIN = 1.01
@@ -65,13 +61,12 @@ _TRIALS = 30
 """Largest number of trials of a search."""
 _STEP = 0.05
 """Change of a logarithm in differences of stability limits, which are known within a per cent."""
+_LESS = (0.02, 0.05, 0.1)
+"""By how much a design that bears nearly the time step that is wished is lowered, in logarithms."""
 _SHALLOW = 0.1
 """Part of the sag that is wished below which its logarithm is continued by a straight line."""
-_MODES = 120
-"""Largest number of vibrations that damping may couple."""
-_ROUNDS, _SETTLED = 60, 1e-10
-"""Largest number of iterations for a decay rate, and the relative change that ends them."""
-
+_WAYS = 12
+"""How many dampings are looked at, from none to the critical one, before one is found exactly."""
 
 _DAMPINGS = "linear_damping", "angular_damping"
 """The settings of all springs' damping, and of all joints'."""
@@ -142,7 +137,7 @@ class Design:
         scene: the scene with other stiffnesses and dampings.
         factors: by which they differ.
         reached: what the scene does, by the names of the wishes: `frequency`, Hz, `calm_after`, s, `sag`, px,
-            and `dt`, s, the largest stable time step, which is infinite where nothing limits it.
+            and `dt`, s, the largest stable time step of `step_method`.
         against: the names of the smallest number of wishes that cannot be had together; empty if all are
             fulfilled.
         conflict: that in a sentence without a full stop; empty if all are fulfilled.
@@ -175,12 +170,15 @@ def set_wishes(
         frequency: Hz, of the slowest elastic vibration about the pose at rest without damping, which is
             `sim.tuning(scene).elastic.frequency`: how often a second the body swings to and fro when it is
             nudged. A swing under gravity, which stiffness hardly changes, is not meant.
-        calm_after: s, in which the amplitude of that vibration falls to a tenth. It is least, ln 10 over the
-            angular frequency, where the vibration is damped critically; more damping makes it creep.
+        calm_after: s, in which the amplitude of that vibration falls to a tenth, as
+            `sim.tuning(scene).elastic.calm_after`. It is not less than where the vibration by itself is
+            damped critically: more damping makes it creep.
         sag: px, by which the mass that sinks most is lower at rest than where the scene has it, as
             `sim.tuning(scene).sag`.
         dt: s, a time step that the scene's method is to bear about the scene's start, as
-            `sim.tuning(scene).stable_steps`; a body that bears more is not changed.
+            `sim.tuning(scene).stable_steps`; a body that bears more is not changed. Where nothing limits the
+            steps of the scene's method, as under `auto`, symplectic Euler is to bear it, by which programs
+            that are taken home step; see `step_method`.
         mass: the mass whose sag is meant, instead of the one that sinks most.
 
     Returns:
@@ -212,11 +210,11 @@ def set_wishes(
     return Design(made, best.factors, reached, against, conflict)
 
 
-def calm_after(scene: Scene) -> float | None:
-    """s, in which the amplitude of a scene's slowest elastic vibration falls to a tenth, as `set_wishes` has
-    it: infinite without damping, None if there is no such vibration."""
-    rest = AtRest(scene)
-    return None if rest.elastic is None else _Calming(rest).as_it_is()
+def step_method(scene: Scene) -> str:
+    """The method whose time step a wish is about: the scene's, or symplectic Euler where nothing limits its
+    steps."""
+    method = scene.integrator.method
+    return method if METHODS[method].limit is not None else "symplectic_euler"
 
 
 def edit_of(design: Design, origin: Scene, scene: Scene, label: str) -> Edit:
@@ -427,6 +425,12 @@ class _Search:
                 caution = max(_STIFFER * caution, _LEAST)
                 if moved < _FINE:
                     break
+        if wishes.names == ("dt",):
+            # Where springs and joints limit it alike, no slope leads on, but less of everything does.
+            for less in _LESS:
+                if here.is_enough or not np.abs(here.residuals).max() <= _CLOSE:
+                    break
+                here = self._try(wishes, names, np.clip(at - less, -most, most))
         return here
 
     def _try(self, wishes: _Wishes, names: Sequence[str], unknowns: Floats) -> _Trial:
@@ -463,10 +467,8 @@ class _Search:
         return factors
 
     def _bears(self, factors: Factors) -> float:
-        """s, the largest stable time step with some factors; infinite where nothing limits it."""
-        method = self._scene.integrator.method
-        if METHODS[method].limit is None:
-            return math.inf
+        """s, the largest stable time step with some factors."""
+        method = step_method(self._scene)
         self._meter, found = meter_at_start(factors.applied(self._scene), method, self._meter)
         return found.limit
 
@@ -549,88 +551,82 @@ class _Calming:
 
     def __init__(self, rest: AtRest) -> None:
         assert rest.elastic is not None
-        dampers, self._elastic = rest.dampers, rest.elastic
-        count = max(_MODES, rest.elastic + 1)
-        omega, shapes = rest.found.frequencies[:count], rest.found.shapes[:count]
-        self._omega = omega
-        weights = np.array([[mass.mass] for mass in rest.scene.masses])
-        shapes = shapes / np.sqrt((weights * shapes**2).sum((1, 2)))[:, None, None]
+        dampers, frequencies = rest.dampers, rest.found.frequencies
+        near = np.sort(np.argsort(np.abs(frequencies - frequencies[rest.elastic]))[:COUPLED])
+        some = Vibrations(frequencies[near], rest.found.shapes[near])
+        self._elastic = int(np.searchsorted(near, rest.elastic))
+        self._decay = Decay(dampers, some, column(rest.scene.masses, "mass"))
         own = dampers.numbers
         self._own = [float(each.max(initial=0.0)) for each in (own.damping, own.joint_damping)]
         units = [
             each / most if most else np.ones_like(each)
             for each, most in zip((own.damping, own.joint_damping), self._own, strict=True)
         ]
-        self._around = _between(shapes, dampers.drag)
+        self._around = self._decay.between()
         self._kinds = [
-            _between(shapes, lambda shape: dampers.drag(shape, units[0], None)) - self._around,
-            _between(shapes, lambda shape: dampers.drag(shape, None, units[1])) - self._around,
+            self._decay.between(springs=units[0]) - self._around,
+            self._decay.between(joints=units[1]) - self._around,
         ]
-        hold = dampers.hold(float(omega[self._elastic]), shapes[self._elastic])
+        omega = float(some.frequencies[self._elastic])
+        hold = dampers.hold(omega, some.shapes[self._elastic])
         self._carrier = int(hold.joints > hold.springs)
-
-    def as_it_is(self) -> float:
-        """s to a tenth with its own damping, infinite without damping."""
-        return self._time(np.array(self._own))
 
     def calmed(self, after: float) -> tuple[float, float, float]:
         """The damping of springs and of joints, kg/s, with which its amplitude falls to a tenth in some time,
         or as nearly as can be; and in what time it then does.
 
-        No damping is more than critical.
+        All damping is lowered, or that of what holds the vibration more is raised, as little as does it; up
+        to where the vibration by itself would be damped critically.
         """
-        from scipy.optimize import root_scalar
+        from scipy.optimize import minimize_scalar, root_scalar
 
-        own, none, e = np.array(self._own), np.zeros(2), self._elastic
-        critical = 2.0 * float(self._omega[e])
-        around = float(self._around[e, e])
+        own, e = np.array(self._own), self._elastic
         each = np.array([kind[e, e] for kind in self._kinds])
-        of_own = float(own @ each)
-        wished = min(2.0 * TENTH / after, critical)
-        if around + of_own >= wished:
-            slow, fast = none, own * (min(1.0, max(critical - around, 0.0) / of_own) if of_own else 0.0)
-        else:
-            slow, fast = own, own.copy()
-            if each[self._carrier] > 0.0:
-                fast[self._carrier] += (critical - around - of_own) / each[self._carrier]
-                fast = np.minimum(fast, SETTINGS["linear_damping"].high)
+        left = 2.0 * float(self._decay.omega[e]) - float(self._around[e, e]) - float(own @ each)
+        most = own.copy()
+        if left > 0.0 and each[self._carrier] > 0.0:
+            most[self._carrier] += left / each[self._carrier]
+            most = np.minimum(most, SETTINGS["linear_damping"].high)
 
-        def off(part: float) -> float:
-            return math.log(min(self._time(slow + part * (fast - slow)), 1e300) / after)
+        def damping(way: float) -> Floats:
+            """-1: none; 0: its own; 1: the most."""
+            return (1.0 + way) * own if way < 0.0 else own + way**3 * (most - own)
 
-        if off(1.0) >= 0.0 or off(0.0) <= 0.0:
-            part = 1.0 if abs(off(1.0)) <= abs(off(0.0)) else 0.0
-        else:
-            part = float(root_scalar(off, bracket=(0.0, 1.0), method="brentq", xtol=1e-12).root)
-        springs, joints = (slow + part * (fast - slow)).tolist()
-        return springs, joints, self._time(np.array([springs, joints]))
+        def off(way: float) -> float:
+            return math.log(min(self._time(damping(way)), 1e300) / after)
+
+        here = off(0.0)
+        if abs(here) <= _EXACT:
+            return self._own[0], self._own[1], self._time(own)
+        lower = np.linspace(0.0, -1.0, _WAYS) if own.any() else np.zeros(1)
+        higher = np.linspace(0.0, 1.0, _WAYS) if (most > own).any() else np.zeros(1)
+        found = 0.0
+        # To be calmer, more damping is tried first; a body that its damping holds together is calmer with
+        # less.
+        for ways in (higher, lower) if here > 0.0 else (lower, higher):
+            values = np.array([off(way) for way in ways.tolist()])
+            crossed = np.flatnonzero(np.sign(values[1:]) != np.sign(values[0]))
+            if crossed.size:
+                bracket = ways[crossed[0]], ways[crossed[0] + 1]
+                found = float(root_scalar(off, bracket=bracket, method="brentq", xtol=1e-12).root)
+                break
+            best = int(np.argmin(np.abs(values)))
+            if 0 < best < ways.size - 1:
+                ends = sorted((ways[best - 1], ways[best + 1]))
+                near = minimize_scalar(lambda way: abs(off(way)), bounds=ends, method="bounded")
+                best_way = float(near.x)  # pyright: ignore
+            else:
+                best_way = float(ways[best])
+            if abs(off(best_way)) < abs(off(found)):
+                found = best_way
+        springs, joints = damping(found).tolist()
+        return springs, joints, self._time(damping(found))
 
     def _time(self, damping: Floats) -> float:
         """s to a tenth, infinite without damping."""
-        e, others = self._elastic, np.arange(self._omega.size) != self._elastic
         c = self._around + damping[0] * self._kinds[0] + damping[1] * self._kinds[1]
-        inner, across, back = c[np.ix_(others, others)], c[others, e], c[e, others]
-        squares = np.diag(self._omega[others] ** 2)
-        coupling, before = 0.0 + 0.0j, np.inf + 0.0j
-        root = before
-        for _ in range(_ROUNDS):
-            # The slower of the two roots where both are real, else always the same one.
-            a, b = 1.0 - coupling, complex(c[e, e])
-            half = np.sqrt(b * b - 4.0 * a * self._omega[e] ** 2 + 0j)
-            root = (-b + (-half if half.imag < 0.0 else half)) / (2.0 * a)
-            if abs(root - before) <= _SETTLED * abs(root) or not across.size:
-                break
-            before = root
-            unit = np.eye(int(others.sum()))
-            coupling = complex(back @ np.linalg.solve(root * root * unit + root * inner + squares, across))
-        rate = -float(root.real)
+        rate = self._decay.rate(c, self._elastic)
         return TENTH / rate if rate > 1e-300 else math.inf
-
-
-def _between(shapes: Floats, drag: Callable[[Floats], Floats]) -> Floats:
-    """(m, m) the damping between each two vibrations, 1/s."""
-    drags = np.array([drag(shape) for shape in shapes])
-    return np.einsum("iab,jab->ij", shapes, drags)
 
 
 def _damped(scene: Scene, step: float) -> Scene:

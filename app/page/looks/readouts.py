@@ -210,7 +210,6 @@ def tuning_table(
     told: Tuning,
     spring: int | None,
     does: Sequence[sim.Sensitivity] = (),
-    calm: float | None = None,
 ) -> str:
     """What the numbers of a scene mean for its motion.
 
@@ -219,7 +218,6 @@ def tuning_table(
         told: what was found of it.
         spring: a spring to tell of by itself; None for the fastest one.
         does: what its numbers do.
-        calm: s, after which its slowest elastic vibration is down to a tenth; None leaves it out.
     """
     rows: dict[str, str] = {}
     slowest, elastic = told.slowest, told.elastic
@@ -228,7 +226,8 @@ def tuning_table(
     # Of a body that swings under gravity, that is not what its springs do.
     if elastic is not None and slowest is not None and elastic.frequency > 1.001 * slowest.frequency:
         rows["slowest elastic one"] = _vibration(elastic)
-    if calm is not None:
+    if elastic is not None:
+        calm = elastic.calm_after
         rows["calm after"] = f"{_duration(calm)}, to a tenth" if math.isfinite(calm) else "never: undamped"
     if told.fastest is not None:
         rows["fastest vibration"] = _vibration(told.fastest)

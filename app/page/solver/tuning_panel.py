@@ -15,9 +15,10 @@ from functools import partial
 import viser
 
 import sim
+from sim.analysis.decay import TENTH
 from sim.analysis.tuning import Tuning
 from sim.compiling.compiler import FOR_FALLBACK, is_ready
-from sim.design.wishes import TENTH, Design, Factors, calm_after, edit_of
+from sim.design.wishes import Design, Factors, edit_of
 from sim.edit.edit import Edit, Selection
 from sim.edit.tune import as_far_as_stable, damp_springs, is_limited, with_numbers_of
 from sim.errors import InputError, SceneError
@@ -60,7 +61,6 @@ class Tuner:
         self.scene: sim.Scene | None = None
         self.told: Tuning | None = None
         self.does: tuple[sim.Sensitivity, ...] = ()
-        self.calm: float | None = None
         self.trouble = ""
         self.busy = True
         self._seen: sim.Scene | None = None
@@ -88,7 +88,7 @@ class Tuner:
     def _work(self, scene: sim.Scene) -> None:
         try:
             told = sim.tuning(scene)
-            self.does, self.calm = sim.sensitivities(scene), calm_after(scene)
+            self.does = sim.sensitivities(scene)
             self._show(scene, told, "")
         except Exception:
             self._show(scene, None, "cannot be told because of an error on the server")
@@ -286,7 +286,7 @@ class TuningPanel:
                 one.show_value(_digits(elastic.frequency if one.setting.key == "frequency" else ratio))
         does: dict[str, float | None] = dict.fromkeys(self._boxes)
         if tuner is not None and told is not None:
-            does["calm_after"] = tuner.calm
+            does["calm_after"] = elastic.calm_after if elastic is not None else None
             does["sag"] = told.sag if told.sag is not None and told.sag > 0.0 else None
             limit = told.stable_steps.get(scene.integrator.method, math.inf)
             does["dt"] = limit if is_limited(scene.integrator.method) and math.isfinite(limit) else None
@@ -437,7 +437,7 @@ def _content(tuner: Tuner, session: Session) -> str:
     springs = session.selection.springs
     chosen = next(iter(springs)) if len(springs) == 1 else None
     known = chosen is not None and chosen < len(told.springs.frequency)
-    return readouts.tuning_table(scene, told, chosen if known else None, tuner.does, tuner.calm)
+    return readouts.tuning_table(scene, told, chosen if known else None, tuner.does)
 
 
 def _wish_of(

@@ -1,0 +1,95 @@
+"""How fast damping takes a vibration away, where it couples it with others.
+
+With shapes w_i of unit modal mass the small motions of a damped body are q'' + C q' + Ω² q = 0, where C is
+the damping between each two vibrations. Only where C is diagonal does a vibration keep its shape as it fades.
+So the rate is that of its energy: the body at rest is struck so that it moves in the shape w_i, and
+
+    r = 1 / (2 ∫ E(t) / E(0) dt),
+
+where E is the energy of all vibrations. Of a vibration that nothing couples with others this is c / 2, for
+any damping c, also above the critical one: it is the rate of exp(-r t). With y = (Ω q, q'), E is |y|² / 2,
+and the integral is the trace of the solution X of the Lyapunov equation A X + X Aᵀ = -y(0) y(0)ᵀ.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..kernels.core.tables import Floats
+
+if TYPE_CHECKING:
+    from .tuning import Dampers
+    from .vibrations import Vibrations
+
+TENTH = math.log(10.0)
+"""Times the decay rate of an amplitude, how long it takes to fall to a tenth."""
+
+COUPLED = 60
+"""How many vibrations, those of the nearest frequencies, are taken to be coupled with one."""
+
+_COUPLES = 1e-6
+"""Damping between two vibrations, as a part of that of one of them, up to which they are not coupled."""
+
+_SLOWLY = 1e-4
+"""Rate by which everything fades in the integral, as a part of that of the vibration by itself: what other
+vibrations that nothing damps keep of its energy does not count, as long as it is less than about this
+part."""
+
+
+class Decay:
+    """How the vibrations of a body fade.
+
+    Args:
+        dampers: what damps them.
+        found: vibrations, about the same pose.
+        masses: (n,) kg.
+
+    Attributes:
+        omega: (k,) their angular frequencies, rad/s.
+        shapes: (k, n, 2) of unit modal mass.
+    """
+
+    def __init__(self, dampers: Dampers, found: Vibrations, masses: Floats) -> None:
+        self.omega = found.frequencies
+        sizes = np.sqrt((masses[:, None] * found.shapes**2).sum((1, 2)))
+        self.shapes = found.shapes / sizes[:, None, None]
+        self._dampers = dampers
+
+    def between(self, springs: Floats | None = None, joints: Floats | None = None) -> Floats:
+        """(k, k) the damping between each two vibrations, 1/s; arguments as of `Dampers.drag`."""
+        drags = np.array([self._dampers.drag(shape, springs, joints) for shape in self.shapes])
+        return np.einsum("iab,jab->ij", self.shapes, drags)
+
+    def rate(self, damping: Floats, index: int) -> float:
+        """1/s, at which the amplitude of a vibration falls; 0 where nothing damps it.
+
+        Args:
+            damping: (k, k) as `between` gives it.
+            index: which vibration.
+        """
+        from scipy.linalg import solve_continuous_lyapunov
+
+        near = np.sort(np.argsort(np.abs(self.omega - self.omega[index]))[:COUPLED])
+        omega, c = np.diag(self.omega[near]), damping[np.ix_(near, near)]
+        own = int(np.searchsorted(near, index))
+        alone = 0.5 * float(c[own, own])
+        if alone <= 1e-12 * self.omega[index]:
+            return max(alone, 0.0)
+        others = np.delete(c[own], own)
+        if np.abs(others).max(initial=0.0) <= _COUPLES * alone:
+            return alone
+        count = near.size
+        slowly = _SLOWLY * alone
+        a = np.block([[-slowly * np.eye(count), omega], [-omega, -c - slowly * np.eye(count)]])
+        struck = np.zeros((2 * count, 1))
+        struck[count + own] = 1.0
+        lifetime = float(np.trace(solve_continuous_lyapunov(a, -struck @ struck.T)))
+        return max(0.5 / lifetime - slowly, 0.0) if lifetime > 0.0 else alone
+
+    def rates(self, springs: Floats, joints: Floats) -> Floats:
+        """(k,) those of all vibrations, 1/s; arguments as of `Dampers.drag`."""
+        damping = self.between(springs, joints)
+        return np.array([self.rate(damping, i) for i in range(self.omega.size)])
