@@ -93,7 +93,8 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         normal: any vector but zero, from the surface to the side that is free.
         hardness: 1e-3..1e9 1/(px s²), the acceleration at a depth of 1 px.
         friction: 0..100, coefficient of friction.
-        bounciness: 0..1; the speed at which a mass leaves that has hit the wall, as a fraction of that.
+        bounciness: 0..1; the speed at which a mass leaves that has hit the wall, as a fraction of that. A
+            method with a fixed step takes more of what is so fast that it is deep inside after a step.
         restitution: of which speeds. "viscous": at 1000 px/s; slower ones keep more, and tiny ones all.
             "constant": at all speeds, by a push that is larger while a mass goes in than while it comes out
             (Walton & Braun 1986). Then what bounces comes to rest; 0.1 is the least that is distinguished.

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import get_args
+from typing import Any, get_args
 
 import msgspec
 
@@ -269,6 +269,12 @@ def _has_ground(scene: Scene) -> bool:
     return _has_springs(scene) and bool(scene.ground)
 
 
+def _bounces_are_softened(scene: Scene) -> str:
+    """See `sim.forces.push`: explicit methods with a fixed step soften what they cannot resolve."""
+    softens = not (METHODS[scene.integrator.method].implicit or METHODS[scene.integrator.method].adaptive)
+    return "with a fixed step, fast bounces lose more; with Auto they do not" if softens else ""
+
+
 def _has_contact(scene: Scene) -> bool:
     return _has_springs(scene) and scene.contact is not None
 
@@ -300,7 +306,7 @@ def _setting(
     slider: tuple[float, float],
     access: Access,
     applies: Callable[[Scene], bool],
-    **rest: bool,
+    **rest: Any,
 ) -> Setting:
     low, high, unit, read, write, differs = access
     return Setting(key, label, unit, low, high, slider, read, write, applies, **rest, differs=differs)
@@ -368,7 +374,8 @@ _ALL = (
         "wall_friction", "Friction of walls", (0.0, 2.0), largest(Wall, "walls", "friction"), _has_walls
     ),
     _setting(
-        "bounciness", "Bounciness of walls", (0.0, 1.0), largest(Wall, "walls", "bounciness"), _has_walls
+        "bounciness", "Bounciness of walls", (0.0, 1.0), largest(Wall, "walls", "bounciness"), _has_walls,
+        remark=_bounces_are_softened,
     ),
     _setting(
         "contact_distance", "Contact distance", (0.0, 40.0), at(Contact, "contact.distance"), _has_contact

@@ -35,6 +35,7 @@ class Setting:
         integer: whether it takes whole numbers only.
         differs: whether the parts that it sets have different numbers. Then it reads the largest and scales
             the others in proportion; of rest angles it reads the first, and turns the others by as much.
+        remark: what whoever sets it in a scene has to know; empty where there is nothing.
     """
 
     key: str
@@ -49,6 +50,7 @@ class Setting:
     logarithmic: bool = False
     integer: bool = False
     differs: Callable[[Scene], bool] = lambda _: False
+    remark: Callable[[Scene], str] = lambda _: ""
 
 
 def recipe_settings(scene: Scene) -> list[Setting]:

@@ -9,10 +9,11 @@ import msgspec
 import numpy as np
 import pytest
 
-from sim import Integrator, Scene, Simulation
+from sim import Integrator, Mass, Scene, Simulation
 from sim.methods.registry import METHODS
 from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Method
+from sim.settings import SETTINGS
 from tests.sim.builders import built
 
 REPLACE = msgspec.structs.replace
@@ -125,3 +126,50 @@ def test_a_body_at_rest_on_a_floor_needs_no_shorter_steps() -> None:
     simulation.stats()
     simulation.step(20)
     assert simulation.stats().steps == 20
+
+
+def height_after(
+    bounces: int, method: Method, height: float, dt: float = 0.0025, tolerance: float = 0.1
+) -> float:
+    """The part of its height that a mass is left with at bounciness 1."""
+    scene = Scene(
+        name="ball", masses=(Mass(position=(0.0, -height)),), gravity=(0.0, 1000.0), air_friction=0.0,
+        walls=(REPLACE(FLOOR, bounciness=1.0, hardness=1e4, friction=0.0),),
+        integrator=Integrator(method=method, dt=dt, tolerance=tolerance),
+    )  # fmt: skip
+    simulation, before, left = Simulation(scene), 0.0, 1.0
+    while bounces:
+        simulation.step()
+        fall = float(simulation.velocities[0, 1])
+        if before < 0.0 <= fall:
+            bounces -= 1
+            left = (0.5 * fall**2 / 1000.0 - float(simulation.positions[0, 1])) / height
+        before = fall
+    return left
+
+
+@pytest.mark.parametrize(
+    ("method", "tenth", "thousandth"),
+    [("auto", 0.984, 0.999), ("adams", 0.957, 0.999), ("rodas4", 0.980, 1.0), ("rodas5p", 1.008, 1.001)],
+)
+def test_what_bounces_for_ever_keeps_its_height_by_the_tolerance(
+    method: Method, tenth: float, thousandth: float
+) -> None:
+    """docs/surroundings.md has these numbers."""
+    assert abs(height_after(100, method, 200.0, tolerance=1e-3) - 1.0) <= 1.1e-3
+    assert height_after(100, method, 200.0, tolerance=0.1) == pytest.approx(tenth, abs=0.01)
+    assert thousandth == pytest.approx(height_after(100, method, 200.0, tolerance=1e-3), abs=1e-3)
+
+
+@pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet", "rk4"])
+def test_a_fixed_step_that_resolves_a_bounce_keeps_its_height(method: Method) -> None:
+    assert height_after(100, method, 200.0, dt=0.001) > 0.99
+    assert height_after(100, method, 200.0, dt=0.0005) == pytest.approx(1.0, abs=1e-3)
+    assert height_after(100, method, 200.0, dt=0.0025) < 0.2
+
+
+def test_whoever_sets_the_bounciness_is_told_what_a_fixed_step_takes() -> None:
+    bounciness = SETTINGS["bounciness"]
+    scene = falling(100.0, 0.0, FLOOR, "velocity_verlet", 0.0025)
+    assert "fast bounces lose more" in bounciness.remark(scene)
+    assert bounciness.remark(REPLACE(scene, integrator=Integrator(method="auto"))) == ""

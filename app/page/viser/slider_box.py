@@ -117,7 +117,7 @@ class SliderBox:
         value = self.setting.read(scene)
         if scene is not self._scene:
             self._scene = scene
-            self._show_mixed(self.setting.differs(scene))
+            self._show_hint(scene)
         self.show_value(value)
 
     def show_value(self, value: float) -> None:
@@ -131,12 +131,14 @@ class SliderBox:
         if abs(place - self.slider.value) >= 0.5 * self._slider_step:
             self.slider.value = place
 
-    def _show_mixed(self, mixed: bool) -> None:
-        if mixed != self.mixed:
-            self.mixed = mixed
-            label, limits = self.setting.label, self._limits.range
-            self.slider.label = f"{label} (mixed)" if mixed else label
-            self.slider.hint = f"{limits}; {mixed_words(self.setting)}" if mixed else limits
+    def _show_hint(self, scene: Scene) -> None:
+        setting = self.setting
+        mixed = setting.differs(scene)
+        parts = (self._limits.range, mixed_words(setting) if mixed else "", setting.remark(scene))
+        hint = "; ".join(part for part in parts if part)
+        if mixed != self.mixed or hint != self.slider.hint:
+            self.mixed, self.slider.hint = mixed, hint
+            self.slider.label = f"{setting.label} (mixed)" if mixed else setting.label
 
     def _send(self, value: float) -> bool:
         """Hand a value on, if it is one that can be set."""
