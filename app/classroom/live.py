@@ -126,7 +126,7 @@ class Class:
         clock: wall time, s.
 
     Attributes:
-        room: as above.
+        room, lock: as above.
         front: what the teacher's page shows; None until there was one.
         audience: the pages that look at it.
         teachers: how many pages of teachers there are.
@@ -151,7 +151,7 @@ class Class:
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.room = room
-        self._lock = lock
+        self.lock = lock
         self._bodies: kept.Bodies = bodies or {}
         self._bodies_are_new = False
         self._bodies_due = 0.0
@@ -346,7 +346,7 @@ class Class:
             kept.write_bodies(self._bodies, self.room.code)
         except OSError as error:
             _log.error("the last of the class %s was not kept: %s", self.room.code, error)
-        kept.release(self._lock)
+        kept.release(self.lock)
 
     def end(self) -> None:
         """Have the class ended: nothing that anybody gave is kept, here or on the disk.
@@ -371,7 +371,7 @@ class Class:
         self.ended = True
         for executor in (self._judge, self._maker, self._writer):
             executor.shutdown(wait=False, cancel_futures=True)
-        kept.let_go(self._lock)
+        kept.let_go(self.lock)
         self.room.seats.clear()
         self.room.answers.clear()
         self._bodies.clear()

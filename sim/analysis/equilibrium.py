@@ -8,6 +8,7 @@ from functools import cached_property
 import msgspec
 import numpy as np
 
+from ..body.grips import grips_of, put_grips
 from ..body.sparsity import new_matrix
 from ..body.system import build_system, damage_of, for_analysis, new_scratch, start_of
 from ..errors import InputError
@@ -16,10 +17,13 @@ from ..forces.contact import no_tunnelling
 from ..forces.joints import JointsTwin
 from ..forces.limits import NO_LIMITS
 from ..forces.springs import SpringsTwin
+from ..forces.sticking import sticks
+from ..forces.walls import NOWHERE, WallRow
 from ..kernels.core.tables import Floats, Indices, Matrix
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
+from ..physics import Physics
 from ..scene.numbers import MAX_COORDINATE
-from ..scene.types import Pose, Scene
+from ..scene.types import Grips, Pose, Scene
 from ..scene.validate import validate
 
 _MOST_STEPS = 3000
@@ -78,14 +82,16 @@ def equilibrium(scene: Scene) -> Pose:
     What is broken or has yielded in the scene's pose stays so, and nothing else breaks or yields. If a part
     would, because it bears more than its strength, yield force or yield torque, a `UserWarning` says which.
 
-    The wind is the mean wind, without gusts. Friction on walls and in contact holds nothing that is at rest,
-    see `Wall`. Whether a balance is stable is judged without what couples masses and springs that touch.
+    The wind is the mean wind, without gusts. Friction holds what touches something where it has tangential
+    springs, see `Wall`, from where it touches at the end of a step; other friction creeps, and holds nothing
+    that is at rest. Whether a balance is stable is judged without what couples masses and springs that touch.
 
     Args:
         scene: a valid scene. If no spring forces can balance gravity and constant forces, there is none.
 
     Returns:
-        Positions in px, velocities of zero, and the damage of the scene's pose.
+        Positions in px, velocities of zero, the damage of the scene's pose, and the grips by which friction
+        holds.
         Positions are as accurate as rounding and the softness of the
         body permit: usually within 1e-9 of a spring's length, less for long bodies with springs more than 1e5
         times as stiff as their joints.
@@ -137,10 +143,14 @@ class Resting:
         state.inverse_mass[here] = free * (1.0 / self._stiffness_at_masses() if balanced else 1.0 / weight)
         forces = np.outer(scene.gravity, weight) + (0.0 if self.system.loads is None else self.system.loads)
         state.gx[here], state.gy[here] = state.inverse_mass[here] * forces
+        self._sticks = sticks(body)
+        if self._sticks:
+            put_grips(state, self.system, scene.pose.grips if scene.pose is not None else None)
         self.slots = state.x.size
         self.start = np.zeros(2 * self.slots)
         self.start[here], self.start[self.slots :][here] = self.system.start[:2]
         self.still = np.zeros(2 * self.slots)
+        self.stick(self.start)
         lengths = body.rest_length[: body.springs] * scene.rest_length_scale
         self.typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
 
@@ -165,6 +175,15 @@ class Resting:
         """Whether there is anything that a part may fall on and slide along."""
         environment = self.tables.environment
         return bool(environment.walls.rows.size or environment.contact.present)
+
+    @property
+    def creeps(self) -> bool:
+        """Whether there is friction that holds nothing that is at rest."""
+        environment = self.tables.environment
+        walls, contact = self.scene.walls, environment.contact
+        return any(wall.friction and not wall.tangential_hardness for wall in walls) or (
+            bool(contact.present) and contact.tangential == 0.0
+        )
 
     def refuse_falling(self) -> None:
         """Refuse a body with a part that is connected to no held mass, unless it may fall on something.
@@ -212,6 +231,32 @@ class Resting:
                 np.minimum.at(part, part[ends], low)
             part = part[part]
         return part
+
+    @cached_property
+    def _physics(self) -> Physics:
+        return Physics(self.tables, self.state)
+
+    def stick(self, q: Floats) -> None:
+        """Let friction hold what touches something at positions q, as after a step of a run.
+
+        What touches no wall yet is to be held where it is now: the way to a wall is a single long step.
+        """
+        if not self._sticks:
+            return
+        state = self.state
+        self._physics.stick(q[: self.slots] + 1j * q[self.slots :], np.zeros(self.slots, complex))
+        for row, place in zip(self.tables.environment.walls.rows, state.wall_place, strict=False):
+            wall = WallRow(*row)
+            if wall.tangential:
+                along = q[self.slots :] * wall.nx - q[: self.slots] * wall.ny
+                np.copyto(place, along, where=place >= NOWHERE)
+
+    def grips(self, q: Floats) -> Grips | None:
+        """The grips of what touches something at positions q."""
+        if not self._sticks:
+            return None
+        self._physics.stick(q[: self.slots] + 1j * q[self.slots :], np.zeros(self.slots, complex))
+        return grips_of(self.state, self.system)
 
     def accelerations(self, q: Floats) -> Floats:
         """The accelerations at positions q and at rest, px/s²."""
@@ -345,6 +390,7 @@ class Resting:
             positions=tuple(zip(x, y, strict=True)),
             velocities=((0.0, 0.0),) * len(x),
             damage=damage_of(self.scene),
+            grips=self.grips(q),
         )
 
 
@@ -386,11 +432,13 @@ def _continuation(body: Resting) -> Floats:
                 if not body.no_tunnelling(q, to_q):
                     ratio = np.inf
         if ratio < np.inf:
-            q, a = to_q, body.accelerations(to_q)
+            q = to_q
+            body.stick(q)
+            a = body.accelerations(q)
             if not np.abs(q).max() <= MAX_COORDINATE:
-                friction = ", and friction holds nothing that is at rest" if body.slides else ""
+                creeps = ", and friction that creeps holds nothing that is at rest" if body.creeps else ""
                 raise InputError(
-                    f"equilibrium: the body would leave ±{MAX_COORDINATE:g} px; nothing stops it{friction}"
+                    f"equilibrium: the body would leave ±{MAX_COORDINATE:g} px; nothing stops it{creeps}"
                 )
             # In the end a step is one of Newton's method, and its second iteration hardly moves.
             calm = max(turned / _MAX_ROTATION, ratio / _CONTRACTION)

@@ -119,7 +119,7 @@ def keep_shape_at(moment: Moment, parts: Selection | None = None, allow_stiffeni
         scene,
         rest_length_scale=moment.rest_length_scale,
         angular_springs=_turned(scene, shift),
-        pose=Pose(positions=places, velocities=still, damage=moment.damage),
+        pose=Pose(positions=places, velocities=still, damage=moment.damage, grips=moment.grips),
     )
     kept = keep_shape(here, parts, allow_stiffening)
     return msgspec.structs.replace(
@@ -142,7 +142,8 @@ def _balance(body: Resting, at: Vectors, springs: Bools, joints: Bools) -> tuple
     """The balance in a pose, and what springs and joints bear in it; None where there is none.
 
     In that case masses that touch walls are set as deep into them as these have to push, if that helps. What
-    they push is an unknown; where it would have to pull, the mass does not touch after all.
+    they push is an unknown; where it would have to pull, the mass does not touch after all. So is what holds
+    them along the walls, up to what friction can.
     """
     statics = Statics(body, at, springs, joints, Touch.none())
     x = statics.solve(statics.stiffness)
@@ -156,11 +157,12 @@ def _balance(body: Resting, at: Vectors, springs: Bools, joints: Bools) -> tuple
         if borne is None:
             break
         pushes = borne[borne.size - touch.mass.size :]
-        pulls = pushes < 0.0
+        pulls = (pushes < 0.0) & ~touch.along
         if pulls.any():
             touch = touch.without(pulls)
             continue
         moved = _set_into_walls(body, here, touch, pushes)
+        _hold_along_walls(body, moved, touch, pushes)
         change = float(np.abs(moved - here).max())
         here = moved
         if change <= _SUNK * float(np.abs(here).max()):
@@ -174,30 +176,46 @@ def _touching(body: Resting, at: Vectors) -> Touch:
     free = body.state.inverse_mass[body.system.mass_index] > 0.0
     masses: list[Indices] = []
     walls: list[Indices] = []
-    normals: list[Vectors] = []
+    ways: list[Vectors] = []
+    along: list[Bools] = []
     for row, numbers in enumerate(body.tables.environment.walls.rows):
         wall = WallRow(*numbers)
         normal = complex(wall.nx, wall.ny)
         depth = ((complex(wall.x, wall.y) - at) * normal.conjugate()).real
         here = np.flatnonzero(free & (depth >= -_TOUCHES * body.typical))
-        masses.append(here)
-        walls.append(np.full(here.size, row))
-        normals.append(np.full(here.size, normal))
+        for way, is_along in ((normal, False), (1j * normal, True))[: 2 if wall.tangential else 1]:
+            masses.append(here)
+            walls.append(np.full(here.size, row))
+            ways.append(np.full(here.size, way))
+            along.append(np.full(here.size, is_along))
     if not masses:
         return Touch.none()
-    return Touch(np.concatenate(masses), np.concatenate(walls), np.concatenate(normals))
+    columns = np.concatenate(masses), np.concatenate(walls), np.concatenate(ways), np.concatenate(along)
+    return Touch(*columns)
 
 
 def _set_into_walls(body: Resting, at: Vectors, touch: Touch, pushes: Floats) -> Vectors:
     """The positions with each touching mass as deep in its wall as that pushes it, kg px/s²."""
     moved = at.copy()
     for row, numbers in enumerate(body.tables.environment.walls.rows):
-        wall, here = WallRow(*numbers), touch.wall == row
+        wall, here = WallRow(*numbers), (touch.wall == row) & ~touch.along
         masses, normal = touch.mass[here], complex(wall.nx, wall.ny)
         weights = np.array([body.scene.masses[i].mass for i in masses])
         depth = ((complex(wall.x, wall.y) - moved[masses]) * normal.conjugate()).real
         moved[masses] += (depth - np.sqrt(pushes[here] / (weights * wall.hardness))) * normal
     return moved
+
+
+def _hold_along_walls(body: Resting, at: Vectors, touch: Touch, forces: Floats) -> None:
+    """Stretch the tangential springs of touching masses so that they hold with these forces, kg px/s²."""
+    state, slot = body.state, body.system.mass_index
+    for row, numbers in enumerate(body.tables.environment.walls.rows):
+        wall, here = WallRow(*numbers), (touch.wall == row) & touch.along
+        masses = touch.mass[here]
+        weights = np.array([body.scene.masses[i].mass for i in masses])
+        if masses.size:
+            state.wall_stretch[row, slot[masses]] = -forces[here] / (weights * wall.tangential)
+            state.wall_place[row, slot[masses]] = at[masses].imag * wall.nx - at[masses].real * wall.ny
 
 
 # ------------------------------------------------------------------------- what parts can bear
@@ -304,6 +322,7 @@ def _with_rest(scene: Scene, statics: Statics, x: Floats, stiffening: float) -> 
         positions=tuple(zip(statics.at.real.tolist(), statics.at.imag.tolist(), strict=True)),
         velocities=((0.0, 0.0),) * statics.at.size,
         damage=damage,
+        grips=statics.grips,
     )
     return validate(
         msgspec.structs.replace(

@@ -7,8 +7,9 @@ G of each joint, under every force law. With the vector L = b - a of a spring as
 - a joint of the springs A and B pulls with i G A / |A|² on the b end of A and with the opposite on its a end,
   and with -i G B / |B|² on the b end of B and with the opposite on its a end. What a joint pulls along its
   springs is a part of their T, see `sim.forces.joints`;
-- a wall pushes a mass that touches it with P n, where n is its normal and P is not negative. Friction holds
-  nothing that is at rest, see `Wall`.
+- a wall pushes a mass that touches it with P n, where n is its normal and P is not negative, and friction
+that
+  holds, see `Wall`, with F i n.
 
 A balance is B x = -f, with a column of B for each unknown and all other forces in f. Of its solutions, the
 one with the smallest sum of T² / k + G² / (K |A||B|) is x = D Bᵀ l with (B D Bᵀ) l = -f, where D has k and
@@ -31,8 +32,9 @@ from ..analysis.equilibrium import Resting
 from ..forces.all import TERMS
 from ..forces.joints import ANGLE, CONSERVATIVE, JointsTwin
 from ..forces.springs import SpringsTwin
-from ..forces.walls import WallRow
+from ..forces.walls import WallRow, WallsTwin
 from ..scene.columns import ends
+from ..scene.types import Grips
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -63,20 +65,23 @@ _EXACT = 1e-13
 
 
 class Touch(NamedTuple):
-    """Masses that touch a wall, or are in it: the mass and the wall of each, and the normal."""
+    """What walls do to masses that touch them, or are in them, each along a direction: the mass, the wall,
+    the direction, and whether that is along the wall, where friction holds, and not its normal."""
 
     mass: Indices
     wall: Indices
-    normal: Vectors
+    way: Vectors
+    along: Bools
 
     @classmethod
     def none(cls) -> Touch:
         """Nothing touches anything."""
-        return cls(np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0, complex))
+        return cls(np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0, complex), np.zeros(0, bool))
 
     def without(self, some: Bools) -> Touch:
-        """All but some of them."""
-        return Touch(self.mass[~some], self.wall[~some], self.normal[~some])
+        """All but some of them, and but what holds these along the walls."""
+        gone = np.isin(self.mass + 1j * self.wall, self.mass[some] + 1j * self.wall[some])
+        return Touch(self.mass[~gone], self.wall[~gone], self.way[~gone], self.along[~gone])
 
 
 class Statics:
@@ -98,7 +103,7 @@ class Statics:
             joint what bends it by `MOST_BENT`. Infinite for touching masses.
         is_spring: (m,) whether each is a spring.
         load: (2 f,) f, kg px/s²: x and y for each free mass, in the order in which they are eliminated.
-        scale: the largest of `load` in size.
+        scale: the largest of `load` and of the weights in size.
     """
 
     def __init__(self, body: Resting, at: Vectors, springs: Bools, joints: Bools, touching: Touch) -> None:
@@ -129,14 +134,26 @@ class Statics:
         order = system.mass_order[body.matrix.order - 1]
         self._rows = order[self.free[order]]
         self.load = self._known()[self._rows].view(np.float64).copy()
-        self.scale = float(np.abs(self.load).max(initial=0.0))
+        pulls = np.array([mass.mass for mass in scene.masses])[self.free] * math.hypot(*scene.gravity)
+        self.scale = max(float(np.abs(self.load).max(initial=0.0)), float(pulls.max(initial=0.0)))
+
+    @property
+    def grips(self) -> Grips | None:
+        """By which friction holds in the pose."""
+        q = np.zeros(2 * self._body.slots)
+        place = self._body.system.mass_index
+        q[place], q[self._body.slots + place] = self.at.real, self.at.imag
+        return self._body.grips(q)
 
     def _stiffness_of_walls(self) -> Floats:
-        """(t,) how steep the push of a wall is where it bears a touching mass's own weight, kg/s²."""
+        """(t,) how steep the push of a wall is where it bears a touching mass's own weight, and what holds it
+        along the wall, kg/s²."""
         touch, scene = self._touching, self._body.scene
         weights = np.array([scene.masses[i].mass for i in touch.mass])
-        hard = self._body.tables.environment.walls.rows[touch.wall, WallRow._fields.index("hardness")]
-        return 2.0 * weights * np.sqrt(hard * max(math.hypot(*scene.gravity), 1.0))
+        rows = self._body.tables.environment.walls.rows[touch.wall]
+        hard, held = (rows[:, WallRow._fields.index(name)] for name in ("hardness", "tangential"))
+        push = 2.0 * np.sqrt(hard * max(math.hypot(*scene.gravity), 1.0))
+        return weights * np.where(touch.along, held, push)
 
     def _known(self) -> Vectors:
         """(n,) all forces but those of the unknowns, kg px/s²."""
@@ -155,9 +172,9 @@ class Statics:
         known = force[place] + weights * complex(*body.scene.gravity)
         known += np.array([complex(*(mass.force or (0.0, 0.0))) for mass in body.scene.masses])
         # What touches a wall is an unknown instead.
-        for row, wall in enumerate(body.tables.environment.walls.rows):
-            here = self._touching.mass[self._touching.wall == row]
-            known[here] -= _push(WallRow(*wall), weights[here], self.at[here])
+        for row, forces in enumerate(WallsTwin(body.tables, state).force_of_each(x, still)):
+            here = np.unique(self._touching.mass[self._touching.wall == row])
+            known[here] -= forces[place][here]
         return known
 
     @cached_property
@@ -177,7 +194,7 @@ class Statics:
             (*([np.arange(s.size)] * 2), *([of_joint] * 4), s.size + j.size + np.arange(t.mass.size))
         )
         value = np.concatenate(
-            (unit[s], -unit[s], across[first], -across[first], -across[second], across[second], t.normal)
+            (unit[s], -unit[s], across[first], -across[first], -across[second], across[second], t.way)
         )
         here = self.free[mass]
         place = np.zeros(self.free.size, np.int64)
@@ -346,10 +363,3 @@ class Statics:
         graph = coo_matrix((np.ones(one.size), (one, other)), (self.free.size,) * 2)
         part = connected_components(graph, directed=False)[1]
         return part == part[mass]
-
-
-def _push(wall: WallRow, weights: Floats, at: Vectors) -> Vectors:
-    """(k,) the force of a wall on masses of some weights (kg) at some positions, kg px/s²."""
-    normal = complex(wall.nx, wall.ny)
-    depth = np.maximum(((complex(wall.x, wall.y) - at) * normal.conjugate()).real, 0.0)
-    return (weights * wall.hardness * depth**2) * np.complex128(normal)

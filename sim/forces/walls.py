@@ -387,15 +387,17 @@ class WallsTwin:
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """See `Twin`; also on masses that are held."""
-        total = np.zeros_like(x)
+        return sum(self.force_of_each(x, v), np.zeros_like(x))
+
+    def force_of_each(self, x: Vectors, v: Vectors) -> Iterator[Vectors]:
+        """The forces of each wall."""
         for k, (wall, depth, normal) in enumerate(self._depths(x)):
             speed = v * normal.conjugate()  # real part: outwards, imaginary part: along the wall
             push, rubbing = pushes_and_frictions(
                 wall.hardness, wall[7:10], wall.friction, wall.slip_speed, wall[10:],
                 self._step, 1.0, 1.0, depth, speed, self._stretch(k, wall, x),
             )  # fmt: skip
-            total += self._mass * (push - 1j * rubbing) * normal
-        return total
+            yield self._mass * (push - 1j * rubbing) * normal
 
     def energy(self, x: Vectors) -> float:
         """See `Twin`; that of free masses."""

@@ -38,7 +38,7 @@ def until_written(klass: Class) -> None:
 def kill(classes: Classes) -> None:
     """What the end of its process does to a server: its locks go."""
     for klass in classes:
-        kept.release(klass._lock)
+        kept.release(klass.lock)
 
 
 def taken_up(scenes: Sequence[sim.Scene] | None = None, count: int = 1, new: bool = False) -> list[Class]:
@@ -73,7 +73,7 @@ def test_a_class_goes_on_after_the_server_was_started_anew(folder: Path) -> None
     assert is_key(after.room, klass.room.key)
     assert not is_key(after.room, "")
     # One that is told to end writes where the bodies are, too.
-    kept.release(after._lock)
+    kept.release(after.lock)
     classes.close()
     (after,) = taken_up()
     assert after.body(seat.number) == b"where it is"
@@ -87,11 +87,11 @@ def test_a_class_goes_on_by_the_command_that_began_it(folder: Path) -> None:
     (klass,) = taken_up(scenes)
     klass.room.push(sim.rope(masses=7))
     until_written(klass)
-    kept.release(klass._lock)
+    kept.release(klass.lock)
     (after,) = taken_up([sim.load_scene("lesson-hooke"), sim.rope(masses=4)])
     assert after.room.code == klass.room.code
     assert len(after.room.scenes) == 3
-    kept.release(after._lock)
+    kept.release(after.lock)
     for others in ([sim.rope(masses=4)], scenes[:1], [*scenes, sim.rope(masses=7)]):
         with pytest.raises(Refused, match=f"Class {klass.room.code}, which has other scenes"):
             taken_up(others)
@@ -100,7 +100,7 @@ def test_a_class_goes_on_by_the_command_that_began_it(folder: Path) -> None:
     assert two.room.begun_with == tuple(scenes)
     until_written(two)
     for held in (one, two):
-        kept.release(held._lock)
+        kept.release(held.lock)
     (anew,) = taken_up(scenes, new=True)
     assert anew.room.code not in (one.room.code, two.room.code)
     assert kept.codes() == []
@@ -152,12 +152,12 @@ def hand_in_a_run(klass: Class, number: int) -> str:
 def test_a_full_disk_is_told_once_and_what_was_given_meanwhile_is_kept_when_there_is_room(
     folder: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    klass = Classes().begin(a_room().scenes)
+    seconds = itertools.count()
+    klass = Class(a_room(), clock=lambda: float(next(seconds)))
     klass.room.enter(SECRETS[0])
     klass.room.go(0, Phase.COLLECT)
     until_written(klass)
-    tries, seconds = 0, itertools.count(int(time.monotonic()) + 10)
-    monkeypatch.setattr(klass, "_clock", lambda: float(next(seconds)))
+    tries = 0
 
     def full(*_: object) -> None:
         nonlocal tries

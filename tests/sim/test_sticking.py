@@ -105,6 +105,49 @@ def test_a_block_that_slides_stops_where_coulomb_says_and_stays() -> None:
     assert np.abs(simulation.velocities).max() < 1e-6
 
 
+# ------------------------------------------------------------------------- what analyses know of it
+def test_analyses_know_the_friction_that_holds_a_block() -> None:
+    """It stands in a run, so it has a pose at rest, vibrations about it, and a sag."""
+    scene = block(0.9, "auto")
+    simulation = Simulation(scene)
+    simulation.advance(20.0)
+    pose = sim.equilibrium(scene)
+    assert np.abs(np.array(pose.positions) - simulation.positions).max() < 0.05
+    assert pose.grips is not None
+    assert len(pose.grips.walls) == 2
+    resting = REPLACE(scene, pose=pose)
+    stays = Simulation(resting)
+    stays.advance(2.0)
+    assert np.abs(stays.positions - pose.positions).max() < 1e-3
+    told = sim.tuning(scene)
+    assert told.sag is not None
+    assert told.slowest is not None
+    # Both masses along the slope together: by the walls' springs alone, of 5000 1/s².
+    assert told.slowest.frequency == pytest.approx(math.sqrt(5000.0) / math.tau, rel=1e-6)
+    assert not told.notes
+    kept = sim.keep_shape(REPLACE(scene, pose=REPLACE(pose, grips=None)))
+    assert kept.pose is not None
+    assert kept.pose.grips is not None
+    here = Simulation(kept)
+    here.advance(2.0)
+    assert np.abs(here.positions - kept.pose.positions).max() < 1e-6
+
+
+def test_analyses_know_where_friction_does_not_hold() -> None:
+    with pytest.raises(sim.InputError, match=r"nothing stops it$"):
+        sim.equilibrium(block(0.5))  # tan 30° is .58
+    with pytest.raises(sim.DesignError):
+        sim.keep_shape(block(0.5))
+
+
+def test_a_mass_on_a_floor_that_holds_is_as_stiff_along_it_as_it_says() -> None:
+    floor = Wall(point=(0.0, 0.0), normal=(0.0, -1.0), friction=0.5, hardness=8000.0, tangential_hardness=1e4)
+    scene = Scene(name="one", masses=(sim.Mass(position=(0.0, 0.0)),), walls=(floor,), gravity=(0.0, G))
+    resting = REPLACE(scene, pose=sim.equilibrium(scene))
+    squares = sim.vibrations(resting, 2).frequencies ** 2
+    assert squares == pytest.approx([2.0 * math.sqrt(G * 8000.0), 1e4], rel=1e-6)
+
+
 # ------------------------------------------------------------------------- energy
 @pytest.mark.parametrize("method", ["velocity_verlet", "rk4", "auto", "rodas5p", "generalized_alpha"])
 def test_the_balance_has_what_sticks_and_what_slides(method: Method) -> None:
