@@ -14,6 +14,7 @@ from rich.table import Table
 from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
+from sim.body.stable_spring import softening_note
 from sim.compiling.compiler import cache_trouble
 from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
@@ -132,6 +133,8 @@ class Run:
             steps = self._steps(log.scene.integrator.dt)
             if isinstance(steps, str):
                 return fail(steps)
+        if note := softening_note(log.scene):
+            print(f"note: {note}", file=sys.stderr)
         recording, player = headless.run(
             log, steps, self.every, Console(stderr=True), self.energy, self.record
         )

@@ -76,7 +76,7 @@ class Export:
     python: Path | None = None
     """A program in Python with NumPy that moves the body by the tutorial's step, FILE.py."""
     c: Path | None = None
-    """The same in C99, FILE.c."""
+    """The same in C99, for a game's loop: FILE.c and, beside it, FILE.h."""
     javascript: Path | None = None
     """A module in JavaScript for games, which moves, pushes and drags the body, FILE.js or FILE.mjs."""
     seconds: float = 5.0
@@ -114,9 +114,11 @@ class Export:
         moments = self._moments(0.0 if set(outputs) <= _OF_BODY else self.seconds, rate)
         makers = self._makers(moments, self._shots(moments), size)
         for kind, path in outputs.items():
-            data = makers[kind]()
-            write_file(path, data)
-            print(f"{path}: {len(data) / 1000:.0f} kB")
+            made = makers[kind]()
+            files = made if isinstance(made, dict) else {path: made}
+            for file, data in files.items():
+                write_file(file, data)
+                print(f"{file}: {len(data) / 1000:.0f} kB")
         return 0
 
     def _checked(self, outputs: dict[str, Path]) -> tuple[int, int] | None:
@@ -188,7 +190,7 @@ class Export:
 
     def _makers(
         self, moments: list[sim.Moment], shots: list[Shot], size: tuple[int, int] | None
-    ) -> dict[str, Callable[[], bytes]]:
+    ) -> dict[str, Callable[[], bytes | dict[Path, bytes]]]:
         from . import film, picture, replay
         from .body.body import Body
         from .body.data import body_csv, body_json
@@ -208,6 +210,11 @@ class Export:
             for note in notes:
                 print(f"softrod: {path}: {note}", file=sys.stderr)
             return data
+
+        def in_c() -> dict[Path, bytes]:
+            assert self.c is not None
+            source, header, notes = c_program(Body.of(begin), self.c.stem)
+            return {self.c: noted((source, notes), self.c), self.c.with_suffix(".h"): header}
 
         def model() -> bytes:
             from .model import glb
@@ -236,6 +243,6 @@ class Export:
             "csv": lambda: body_csv(Body.of(begin), self.csv_comma),
             "live": lambda: noted(live_html(begin), self.live),
             "python": lambda: noted(python_program(Body.of(begin)), self.python),
-            "c": lambda: noted(c_program(Body.of(begin)), self.c),
+            "c": in_c,
             "javascript": lambda: noted(javascript_program(begin), self.javascript),
         }

@@ -64,9 +64,9 @@ class Drive:
             InputError: there is no such mode, or it is too fast for the time step.
         """
         modes = watch.found
-        if modes is None or not 0 <= mode < modes.frequencies.size:
+        if modes is None or not 0 <= mode < modes.omega.size:
             raise InputError(f"there is no mode {mode + 1} to drive")
-        w = float(modes.frequencies[mode])
+        w = float(modes.omega[mode])
         if (period := 2.0 * math.pi / w) < 4.0 * simulation.dt:
             raise InputError(f"mode {mode + 1} has a period of {period:.3g} s, less than four time steps")
         full, mass = float(watch.full[mode]), float(modes.masses[mode])

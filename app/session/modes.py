@@ -92,18 +92,18 @@ class ModesWatch:
         body bears it.
         """
         modes = self.found
-        if modes is None or not modes.frequencies.size:
+        if modes is None or not modes.omega.size:
             return np.zeros(0)
-        action = modes.frequencies * modes.masses
+        action = modes.omega * modes.masses
         return LARGE * modes.size * np.sqrt(action[0] / action)
 
     @property
     def unit(self) -> float:
         """Energy that fills the bar of what is in no mode, kg px²/s²: the mean of what fills the others."""
         modes = self.found
-        if modes is None or not modes.frequencies.size:
+        if modes is None or not modes.omega.size:
             return 1.0
-        return float((0.5 * modes.masses * (modes.frequencies * self.full) ** 2).mean())
+        return float((0.5 * modes.masses * (modes.omega * self.full) ** 2).mean())
 
     def excitation(self, simulation: sim.Simulation) -> Excitation | None:
         """How much of each mode is in the body's motion now; None while there are none."""

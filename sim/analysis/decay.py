@@ -53,7 +53,7 @@ class Decay:
     """
 
     def __init__(self, dampers: Dampers, found: Vibrations, masses: Floats) -> None:
-        self.omega = found.frequencies
+        self.omega = found.omega
         sizes = np.sqrt((masses[:, None] * found.shapes**2).sum((1, 2)))
         self.shapes = found.shapes / sizes[:, None, None]
         self._dampers = dampers

@@ -13,6 +13,7 @@ polyatomic molecules", 1935; Kabsch 1976 for how it is found).
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -93,7 +94,7 @@ class Modes:
     Attributes:
         scene: in the pose at rest, see `sim.tuning`.
         rest: (n, 2) that pose, px.
-        frequencies: (k,) angular frequencies, rad/s, the slowest first; k may be less than the count, or 0.
+        omega: (k,) angular frequencies, rad/s, the slowest first; k may be less than the count, or 0.
         shapes: (k, n, 2) amplitude of each mass relative to the largest. They are orthogonal by the masses.
         masses: (k,) modal masses s_iᵀ M s_i, kg.
         damping_ratios: (k,) see `sim.Vibration`.
@@ -116,7 +117,7 @@ class Modes:
         self.scene, found = vibrations_at_rest(scene, count)
         masses = len(scene.masses)
         self._mass = np.array([mass.mass for mass in scene.masses])
-        self.frequencies = found.frequencies
+        self.omega = found.omega
         self.shapes = _orthogonal(found.shapes.reshape(-1, masses, 2), self._mass)
         self.masses = (self._mass[:, None] * self.shapes**2).sum((1, 2))
         exact = for_analysis(self.scene)
@@ -131,12 +132,17 @@ class Modes:
         self._at_rest = sum(self._physics.energies(x).values()) + self._pull(x)
         self.part, self._movable = self._parts()
 
+    @property
+    def frequencies(self) -> Floats:
+        """(k,) Hz."""
+        return self.omega / math.tau
+
     @cached_property
     def damping_ratios(self) -> Floats:
         """See above."""
         dampers = Dampers(self.scene)
-        decay = Decay(dampers, Vibrations(self.frequencies, self.shapes), self._mass)
-        return decay.rates(dampers.numbers.damping, dampers.numbers.joint_damping) / self.frequencies
+        decay = Decay(dampers, Vibrations(self.omega, self.shapes), self._mass)
+        return decay.rates(dampers.numbers.damping, dampers.numbers.joint_damping) / self.omega
 
     @property
     def size(self) -> float:
@@ -153,7 +159,7 @@ class Modes:
         d, u, frames, whole = self._local(positions, velocities)
         weighted = self._mass[:, None] * self.shapes
         q, rate = ((weighted * each).sum((1, 2)) / self.masses for each in (d, u))
-        energies = 0.5 * self.masses * (rate**2 + (self.frequencies * q) ** 2)
+        energies = 0.5 * self.masses * (rate**2 + (self.omega * q) ** 2)
         kinetic = 0.5 * float((self._mass[:, None] * velocities**2).sum())
         x = np.zeros(self._state.slots, complex)
         x[self._here] = positions[:, 0] + 1j * positions[:, 1]
@@ -164,7 +170,7 @@ class Modes:
 
     def amplitude_of(self, mode: int, energy: float) -> float:
         """The amplitude of a mode that has an energy in kg px²/s², px."""
-        return float(np.sqrt(2.0 * energy / self.masses[mode]) / self.frequencies[mode])
+        return float(np.sqrt(2.0 * energy / self.masses[mode]) / self.omega[mode])
 
     def put(self, moment: Moment, mode: int, amplitude: float) -> Moment:
         """A moment with another amplitude of a mode; all that is in other modes stays.
@@ -180,14 +186,14 @@ class Modes:
         Raises:
             InputError: there is no such mode, or the amplitude is not finite or below zero.
         """
-        if not 0 <= mode < self.frequencies.size:
-            raise InputError(f"modes: there is no mode {mode}; there are {self.frequencies.size}")
+        if not 0 <= mode < self.omega.size:
+            raise InputError(f"modes: there is no mode {mode}; there are {self.omega.size}")
         if not 0.0 <= amplitude < np.inf:
             raise InputError(f"modes: an amplitude of {amplitude} is not in the range 0.. px")
         now = self.excitation(moment.positions, moment.velocities)
         q, rate = float(now.amplitudes[mode]), float(now.rates[mode])
         to = float(np.clip(q, -amplitude, amplitude))
-        speed = float(self.frequencies[mode] * np.sqrt(amplitude**2 - to**2))
+        speed = float(self.omega[mode] * np.sqrt(amplitude**2 - to**2))
         turn = (now.frames[:, 0] + 1j * now.frames[:, 1])[self.part]
         shape = turn * (self.shapes[mode] @ (1.0, 1.0j))
         dx, dv = (to - q) * shape, ((-speed if rate < 0.0 else speed) - rate) * shape
@@ -234,7 +240,7 @@ class Modes:
         work = [float((felt.conj() * way[held]).real.sum()) for way in ways]
         moved = np.array(work) @ np.array(ways)
         farthest = float(np.abs(moved).max())
-        stiffness = float(self.masses[mode] * self.frequencies[mode] ** 2)
+        stiffness = float(self.masses[mode] * self.omega[mode] ** 2)
         if not farthest > 1e-9 * stiffness:
             return None
         moved = (moved / farthest)[held]

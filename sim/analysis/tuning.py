@@ -9,7 +9,7 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from ..body.stable_spring import joint_softness
+from ..body.stable_spring import joint_softness, softening_note
 from ..body.system import build_system, damage_of, for_analysis, joint_stiffness, start_of
 from ..errors import InputError
 from ..kernels.core.tables import Floats, Indices
@@ -130,6 +130,8 @@ def tuning(scene: Scene) -> Tuning:
     scene = validate(scene)
     notes: list[str] = []
     resting, sag, sag_mass = at_rest(scene, notes)
+    if note := softening_note(scene):
+        notes.append(note)
     slowest = elastic = fastest = None
     if _freedoms(scene):
         slowest, elastic = _slowest(resting, notes)
@@ -371,13 +373,13 @@ def _slowest(scene: Scene, notes: list[str]) -> tuple[Vibration | None, Vibratio
     except InputError as error:
         notes.append(_of(error))
         return None, None
-    if not found.frequencies.size:
+    if not found.omega.size:
         return None, None
     decay = Decay(dampers, found, column(scene.masses, "mass"))
     damping = decay.between(dampers.numbers.damping, dampers.numbers.joint_damping)
 
     def vibration(index: int) -> Vibration:
-        omega = float(found.frequencies[index])
+        omega = float(found.omega[index])
         return Vibration(omega / math.tau, decay.rate(damping, index) / omega, found.shapes[index])
 
     return vibration(0), None if elastic is None else vibration(elastic)
@@ -397,10 +399,10 @@ def elastic_vibration(scene: Scene, dampers: Dampers) -> tuple[Vibrations, int |
     freedoms, looked, found = _freedoms(scene), 0, Vibrations(np.zeros(0), np.zeros((0, 0, 2)))
     for count in (freedoms,) if freedoms < _SMALL else _LOOKS:
         found = free_vibrations(scene, min(count, freedoms))
-        for i in range(looked, len(found.frequencies)):
-            if dampers.hold(float(found.frequencies[i]), found.shapes[i]).is_elastic:
+        for i in range(looked, len(found.omega)):
+            if dampers.hold(float(found.omega[i]), found.shapes[i]).is_elastic:
                 return found, i
-        looked = len(found.frequencies)
+        looked = len(found.omega)
         if looked < count:
             break
     return found, None

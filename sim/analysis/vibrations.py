@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
+import math
+import warnings
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -15,6 +18,8 @@ from .equilibrium import Resting
 MOST_MASSES = 1000
 """Largest number of masses for vibrations, which are computed with full matrices."""
 _NOT_HELD = "vibrations: the springs do not hold the body where it starts, so it does not vibrate there"
+_BALANCED = 1e-6
+"""Acceleration, as a part of the largest by gravity or loads, up to which a body rests."""
 _SHIFT = 1.0
 """What is added to squares of angular frequencies, 1/s², so that the matrix of a free body has an inverse."""
 NOTHING = 1e-3
@@ -27,16 +32,25 @@ class Vibrations(NamedTuple):
     """Small vibrations without damping, the slowest first.
 
     Attributes:
-        frequencies: (k,) angular frequencies, rad/s.
+        omega: (k,) angular frequencies, rad/s.
         shapes: (k, n, 2) amplitude of each mass relative to the largest; signs are arbitrary.
     """
 
-    frequencies: Floats
+    omega: Floats
     shapes: Floats
+
+    @property
+    def frequencies(self) -> Floats:
+        """(k,) Hz."""
+        return self.omega / math.tau
 
 
 def vibrations(scene: Scene, count: int) -> Vibrations:
     """The slowest small vibrations about the scene's start, which should be an equilibrium.
+
+    What gravity and loads strain at rest is in them only about that pose, as after
+    `msgspec.structs.replace(scene, pose=sim.equilibrium(scene))`; where forces do not balance at the start, a
+    `UserWarning` says so.
 
     They are found from the eigenvalues of the inverse of the Jacobian of the accelerations with respect to
     positions, so that the slow ones are accurate however stiff the body is; a few of many by Arnoldi's
@@ -52,6 +66,18 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
             restoring force, or moves away from its start by itself, so that its motion there is no vibration.
     """
     body = _checked(scene, count)
+    pulls = np.concatenate((body.state.gx, body.state.gy))
+    left = float(np.abs(body.accelerations(body.start)).max(initial=0.0))
+    if left > _BALANCED * float(np.abs(pulls).max(initial=0.0)):
+        warnings.warn(
+            "vibrations: forces do not balance where the scene starts, so what they strain at rest is left "
+            "out; give it the pose of sim.equilibrium",
+            stacklevel=2,
+        )
+    return _vibrations(body, count)
+
+
+def _vibrations(body: Resting, count: int) -> Vibrations:
     # A negligible shift; without it the rows of held masses would be zero.
     softness, shapes = _motions(body, 1e-100, count)
     if not softness[0] < 1e18 * softness[-1]:
@@ -65,10 +91,9 @@ def free_vibrations(scene: Scene, count: int) -> Vibrations:
 
     Args and errors: as of `vibrations`, but that the body can move without any restoring force.
     """
-    try:
-        return vibrations(scene, count)
-    except InputError:
-        body = _checked(scene, count)
+    body = _checked(scene, count)
+    with contextlib.suppress(InputError):
+        return _vibrations(body, count)
     most = 2 * int(np.count_nonzero(body.state.inverse_mass))
     for wanted in (count, most):
         softness, shapes = _motions(body, _SHIFT, wanted)

@@ -13,6 +13,8 @@ import numpy as np
 
 from ..forces.term import read_only
 from ..kernels.core.tables import Body, Floats
+from ..scene.types import Scene
+from .system import build_system
 
 
 def clamp_stiffness(body: Body, inverse_mass: Floats, held: np.ndarray, dt: float) -> Body:
@@ -42,6 +44,35 @@ def clamp_stiffness(body: Body, inverse_mass: Floats, held: np.ndarray, dt: floa
         resistance[joints] = np.minimum(resistance[joints], limit / dt)
     return read_only(
         body.replaced(stiffness=stiffness, damping=damping, torque_size=size, torque_damping=resistance)
+    )
+
+
+def softening(scene: Scene) -> float:
+    """By what factor the scene's method softens the spring or joint that it softens most; 1 for none.
+
+    Args:
+        scene: a valid scene.
+    """
+    if scene.integrator.method != "stable_spring":
+        return 1.0
+    system = build_system(scene)
+    body = system.body
+    soft = clamp_stiffness(body, system.inverse_mass, system.held, scene.integrator.dt)
+    factors = [
+        own[own > 0.0] / limited[own > 0.0]
+        for own, limited in ((body.stiffness, soft.stiffness), (body.torque_size, soft.torque_size))
+    ]
+    return float(np.concatenate((*factors, (1.0,))).max())
+
+
+def softening_note(scene: Scene) -> str:
+    """What `softening` means for the scene, in a sentence without a full stop; empty where it is none."""
+    factor = softening(scene)
+    if factor < 1.001:
+        return ""
+    return (
+        f"the method Stable spring makes springs up to {factor:.3g} times as soft at a time step of "
+        f"{scene.integrator.dt:g} s, so the body sags and swings accordingly in a run"
     )
 
 

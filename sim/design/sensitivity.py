@@ -78,7 +78,7 @@ class AtRest:
     @property
     def omega(self) -> float | None:
         """Angular frequency of the slowest elastic vibration without damping, rad/s."""
-        return None if self.elastic is None else float(self.found.frequencies[self.elastic])
+        return None if self.elastic is None else float(self.found.omega[self.elastic])
 
     def sag_of(self, mass: int) -> float | None:
         """How far a mass is below its place in the scene, px, in the direction of `sim.tuning`'s sag."""

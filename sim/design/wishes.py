@@ -551,7 +551,7 @@ class _Calming:
 
     def __init__(self, rest: AtRest) -> None:
         assert rest.elastic is not None
-        dampers, frequencies = rest.dampers, rest.found.frequencies
+        dampers, frequencies = rest.dampers, rest.found.omega
         near = np.sort(np.argsort(np.abs(frequencies - frequencies[rest.elastic]))[:COUPLED])
         some = Vibrations(frequencies[near], rest.found.shapes[near])
         self._elastic = int(np.searchsorted(near, rest.elastic))
@@ -567,7 +567,7 @@ class _Calming:
             self._decay.between(springs=units[0]) - self._around,
             self._decay.between(joints=units[1]) - self._around,
         ]
-        omega = float(some.frequencies[self._elastic])
+        omega = float(some.omega[self._elastic])
         hold = dampers.hold(omega, some.shapes[self._elastic])
         self._carrier = int(hold.joints > hold.springs)
 

@@ -170,10 +170,10 @@ def damp_vibration(scene: Scene, mode: int | None = None, spring: int | None = N
     if mode is not None and (isinstance(mode, bool) or not isinstance(mode, int) or mode < 0):
         raise InputError(f"damp_vibration: {mode} is not the number of a vibration, from 0")
     resting, found = vibrations_at_rest(scene, MOST_VIBRATIONS if mode is None else mode + 1)
-    if mode is not None and mode >= len(found.frequencies):
-        raise InputError(f"damp_vibration: the body has no vibration {mode}, but {len(found.frequencies)}")
+    if mode is not None and mode >= len(found.omega):
+        raise InputError(f"damp_vibration: the body has no vibration {mode}, but {len(found.omega)}")
     dampers = Dampers(resting)
-    for omega, shape in list(zip(found.frequencies.tolist(), found.shapes, strict=True))[mode or 0 :]:
+    for omega, shape in list(zip(found.omega.tolist(), found.shapes, strict=True))[mode or 0 :]:
         hold = dampers.hold(omega, shape)
         if hold.is_elastic or (mode is not None and max(hold.springs, hold.joints) > _LEAST_HOLD):
             return _with_numbers(scene, _damped(own, dampers, omega, shape, hold))

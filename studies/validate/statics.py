@@ -67,7 +67,7 @@ def errors_of_tip(load: float) -> Errors:
 def errors_of_beam() -> Errors:
     """Of the first frequency of a clamped and free beam."""
     return _beam_errors(
-        lambda n: float(vibrations(bodies.cantilever(n), 1).frequencies[0] / beam_frequencies(n, 1)[0])
+        lambda n: float(vibrations(bodies.cantilever(n), 1).omega[0] / beam_frequencies(n, 1)[0])
     )
 
 
@@ -135,7 +135,7 @@ def beam_frequencies(segments: int, count: int) -> NDArray[np.float64]:
 
 def _beam(fast: bool) -> Iterator[Result]:
     for n, ratios in CHAIN_TO_BEAM.items():
-        found = vibrations(bodies.cantilever(n), 4).frequencies
+        found = vibrations(bodies.cantilever(n), 4).omega
         for mode, (beam, mine, ratio) in enumerate(
             zip(beam_frequencies(n, 4), found, ratios, strict=True), 1
         ):
@@ -149,7 +149,7 @@ def _beam(fast: bool) -> Iterator[Result]:
     for n in (12,) if fast else (12, 50):
         scene = bodies.chain(bodies.straight(n), stiffness=1e5, angular_stiffness=1.0, held=(0, n))
         formula = exact.pinned_chain_frequencies(n, 1.0, 1.0, 1.0, 4)
-        for mode, (chain, mine) in enumerate(zip(formula, vibrations(scene, 4).frequencies, strict=True), 1):
+        for mode, (chain, mine) in enumerate(zip(formula, vibrations(scene, 4).omega, strict=True), 1):
             yield compared(f"ω{mode}, pinned at both ends, N = {n}, exact for the chain", chain, mine, 1e-8)
 
 
@@ -157,7 +157,7 @@ def _by_time_steps(segments: int, periods: int) -> Result:
     """The first frequency of a cantilever, from the zero crossings of its end in a simulation with `auto`."""
     scene = bodies.cantilever(segments)
     modes = vibrations(scene, 1)
-    omega, amplitude = float(modes.frequencies[0]), 1e-3
+    omega, amplitude = float(modes.omega[0]), 1e-3
     positions = np.array([mass.position for mass in scene.masses]) + amplitude * modes.shapes[0]
     pose = sim.Pose(
         positions=tuple((x, y) for x, y in positions.tolist()), velocities=((0.0, 0.0),) * (segments + 1)
@@ -195,7 +195,7 @@ def rope_frequencies(segments: int) -> NDArray[np.float64]:
     """(3,) angular frequencies of a hanging rope, in sqrt(g / L)."""
     scene = bodies.hanging_rope(segments)
     # Gravity is 1 px/s² and the length N px.
-    return vibrations(bodies.at(scene, equilibrium(scene)), 3).frequencies * math.sqrt(segments)
+    return vibrations(bodies.at(scene, equilibrium(scene)), 3).omega * math.sqrt(segments)
 
 
 def _hanging_rope(fast: bool) -> Iterator[Result]:

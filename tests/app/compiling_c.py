@@ -17,11 +17,15 @@ def compiler() -> str:
     return found
 
 
-def compiled(source: Path, *more: str, program: Path | None = None) -> Path:
-    """The program made of a source file, with more options; a warning of the compiler is a failure."""
-    program = program or source.with_suffix("")
-    flags = ["-std=c99", "-O2", "-Wall", "-Wextra", "-pedantic-errors", "-Werror", *more]
-    words = [compiler(), *flags, str(source), "-o", str(program), "-lm"]
+SANITIZED = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+"""With these a program ends where it reads or writes what is not there, or does what C does not define."""
+
+
+def compiled(*sources: Path | str, program: Path | None = None) -> Path:
+    """The program made of source files, with options among them; a warning of the compiler is a failure."""
+    program = program or Path(sources[0]).with_suffix("")
+    flags = ["-std=c99", "-O2", "-Wall", "-Wextra", "-pedantic-errors", "-Werror"]
+    words = [compiler(), *flags, *map(str, sources), "-o", str(program), "-lm"]
     run = subprocess.run(words, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
     return program

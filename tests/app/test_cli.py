@@ -361,3 +361,14 @@ def test_run_records_quantities_with_units_instead_of_positions(tmp_path: Path, 
     assert [float(value) for value in rows[-1]] == row
     assert len(rows) == 4
     refused(softrod(*words, "--record", "joint99.angle"), "joint 99 does not exist (0..9)")
+
+
+def test_a_run_says_where_its_method_softens_springs(tmp_path: Path, softrod: Softrod) -> None:
+    words = ("run", "rope", "--steps", 2, "--out", tmp_path / "a.csv", "--set", "method=stable_spring")
+    soft = softrod(*words, "--set", "dt=0.0166")
+    assert soft.returncode == 0
+    assert (
+        "the method Stable spring makes springs up to 22 times as soft at a time step of 0.0166 s"
+        in soft.stderr
+    )
+    assert "soft" not in softrod(*words, "--set", "dt=0.0001").stderr

@@ -31,7 +31,7 @@ from sim.forces.joints import LAWS, Law
 from sim.scene.types import Circle, Damage, ForceLaw
 from sim.settings import apply_assignments
 from tests.app.command import Softrod, refused
-from tests.app.compiling_c import compiled
+from tests.app.compiling_c import SANITIZED, compiled
 from tests.page.check import NODE
 
 EULER = sim.Integrator(method="symplectic_euler")
@@ -67,12 +67,18 @@ def by_python(program: Path, steps: int) -> np.ndarray:
     return np.array(out.getvalue().split(), float).reshape(-1, 2)
 
 
+def in_c(body: Body, folder: Path) -> None:
+    """A body's program in C, as body.c and body.h."""
+    for ending, text in zip(("c", "h"), c_program(body, "body")[:2], strict=True):
+        (folder / f"body.{ending}").write_bytes(text)
+
+
 def moved_by_programs(body: Body, folder: Path, steps: int = STEPS) -> list[np.ndarray]:
     """Where the masses are in the end, by the programs in Python, C and JavaScript."""
     (folder / "body.py").write_bytes(python_program(body)[0])
-    (folder / "body.c").write_bytes(c_program(body)[0])
+    in_c(body, folder)
     (folder / "body.mjs").write_bytes(javascript_program(body.moment)[0])
-    c = [str(compiled(folder / "body.c")), str(steps)]
+    c = [str(compiled(folder / "body.c", "-DBODY_MAIN")), str(steps)]
     javascript = by_javascript(folder / "body.mjs", f"body.step({steps});")
     return [by_python(folder / "body.py", steps), printed(c), printed(javascript)]
 
@@ -186,7 +192,7 @@ def test_the_command_makes_programs_of_the_scene_with_its_settings(tmp_path: Pat
     assert softrod("run", *words, "--steps", STEPS, "--every", STEPS, "--out", table).returncode == 0
     wanted = np.loadtxt(table, delimiter=",", skiprows=1)[2:].reshape(-1, 2)
     by_script = by_javascript(javascript, f"body.step({STEPS});")
-    for started in ([sys.executable, str(python)], [str(compiled(c))], by_script):
+    for started in ([sys.executable, str(python)], [str(compiled(c, "-DBODY_MAIN"))], by_script):
         assert printed(started) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
 
 
@@ -230,7 +236,7 @@ def test_what_is_broken_and_bent_for_good_is_so_in_a_program(around: dict[str, A
     assert simulation.damage is not None
     assert simulation.damage.broken == (3,)
     programs_end_where_it_is(simulation, body, tmp_path)
-    assert "in it no spring breaks or yields any further" in c_program(body)[1]
+    assert "in it no spring breaks or yields any further" in c_program(body)[2]
     assert json.loads(body_json(body))["springs"]["broken"] == [0, 0, 0, 1, 0]
 
 
@@ -263,7 +269,7 @@ def test_what_a_game_does_with_a_body_is_what_the_scene_could_have(name: str, tm
     simulation = sim.Simulation(scene)
     simulation.step(STEPS)
     places = printed(
-        by_javascript(tmp_path / "body.mjs", lines, f"body.advance({STEPS * FREE.integrator.dt});")
+        by_javascript(tmp_path / "body.mjs", lines, f"body.advance({STEPS * FREE.integrator.dt}, 9);")
     )
     assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
 
@@ -290,13 +296,62 @@ def test_a_module_for_games_has_contact_and_gusts_and_a_step_that_is_stable(
     assert softrod("export", "lesson-cantilever", "--javascript", out).returncode == 0
     head = " ".join(line.removeprefix("// ") for line in out.read_text().splitlines()[:24])
     assert "its time step is 1/23 of the scene's 0.0025 s, which is above the largest stable one" in head
-    words = by_javascript(out, "if (!body.advance(1)) throw Error('it has run away');")
+    words = by_javascript(out, "if (!body.advance(1, 1)) throw Error('it has run away');")
     scene = apply_assignments(
         sim.load_scene("lesson-cantilever"), ["method=symplectic_euler", f"dt={0.0025 / 23!r}"]
     )
     simulation = sim.Simulation(scene)
     simulation.step(23 * 400)
     assert printed(words) == pytest.approx(simulation.positions, abs=1e-6, rel=0.0)
+
+
+GAME = Path(__file__).with_name("game.c")
+
+
+@pytest.mark.parametrize("holds", [False, True])
+def test_a_game_in_c_has_bodies_of_its_own(holds: bool, tmp_path: Path) -> None:
+    """With all warnings, and with what finds wrong accesses and undefined behaviour."""
+    floor = sim.Wall(point=(100.0, 500.0), normal=(0.0, -1.0), tangential_hardness=4000.0 if holds else 0.0)
+    rope = sim.rope(masses=5, length=300.0, driven=None, gravity=(0.0, 900.0))
+    masses = (*rope.masses, sim.Mass(position=(500.0, 480.0)))
+    in_c(body_of(changed(rope, bodies=(), masses=masses, walls=(floor,), integrator=EULER)), tmp_path)
+    words = ("-I", str(tmp_path), *SANITIZED)
+    built = compiled(GAME, tmp_path / "body.c", *words, program=tmp_path / "game")
+    run = subprocess.run([str(built)], capture_output=True, text=True, check=False)
+    assert (run.returncode, run.stdout, run.stderr) == (0, "ok\n", "")
+
+
+def test_two_bodies_are_in_one_program_in_c(tmp_path: Path, softrod: Softrod) -> None:
+    """Each in files of its own, whose names are those of what they define; also where C has no such names."""
+    for scene, name in (("bridge", "my-bridge"), ("water-balloon", "2 balloons")):
+        assert softrod("export", scene, "--c", tmp_path / f"{name}.c").returncode == 0
+    main = tmp_path / "main.c"
+    main.write_text(
+        '#include "my-bridge.h"\n#include "2 balloons.h"\n#include <stdio.h>\n'
+        "static my_bridge bridge;\nstatic body_2_balloons balloon;\nint main(void) {\n"
+        "    my_bridge_reset(&bridge), body_2_balloons_reset(&balloon);\n"
+        "    for (int i = 0; i < 120; i++) {\n"
+        "        if (!my_bridge_advance(&bridge, 1 / 60.0)) return 1;\n"
+        "        if (!body_2_balloons_advance(&balloon, 1 / 60.0)) return 2;\n"
+        '    }\n    printf("%g %g\\n", bridge.mass[8].y, balloon.mass[0].y);\n    return 0;\n}\n'
+    )
+    others = (tmp_path / "my-bridge.c", tmp_path / "2 balloons.c")
+    built = compiled(main, *others, *SANITIZED, program=tmp_path / "both")
+    assert np.isfinite(printed([str(built)])).all()
+    refused(
+        softrod("export", "ring", "--c", tmp_path / 'a"b.c'),
+        "softrod: 'a\"b' is no name for files in C: it may have letters, digits, spaces, - and _\n",
+    )
+
+
+def test_what_springs_ask_of_a_time_step_is_the_same_in_all_programs(tmp_path: Path) -> None:
+    """An untouched preset must not end in nan in one of them."""
+    bridge = body_of(sim.load_scene("bridge"))
+    ends = moved_by_programs(bridge, tmp_path, 800)
+    assert all(np.isfinite(places).all() for places in ends)
+    assert all(places == pytest.approx(ends[0], abs=1e-6) for places in ends)
+    for notes in (python_program(bridge)[1], c_program(bridge)[2], javascript_program(bridge.moment)[1]):
+        assert "its time step is 1/2 of the scene's 0.0025 s" in " ".join(notes)
 
 
 # ------------------------------------------------------------------------- templates
@@ -306,12 +361,13 @@ TEMPLATES = Path(program.__file__).with_name("templates")
 @pytest.mark.parametrize("law", ["", *LAWS_IN_PROGRAMS])
 def test_the_template_in_c_compiles_as_it_stands(law: str, tmp_path: Path) -> None:
     """With all that a body can have, for each law of joints; and with nothing."""
-    names = set(re.findall(r"HAS_\w+", (TEMPLATES / "program.c").read_text()))
+    files = [(TEMPLATES / f"softbody.{ending}").read_text() for ending in ("c", "h")]
+    names = set(re.findall(r"HAS_\w+", "".join(files)))
     laws = {name for name in names if name.endswith(("_LAW", "_ENERGY"))}
     energy = set() if law == "tutorial" else {"HAS_JOINT_ENERGY"}
     has = (names - laws | {f"HAS_{law.upper()}_LAW"} | energy) if law else set()
-    words = (f"-D{name}" for name in ("TEMPLATE", *sorted(has)))
-    built = compiled(TEMPLATES / "program.c", *words, program=tmp_path / "program")
+    words = (f"-D{name}" for name in ("TEMPLATE", "SOFTBODY_MAIN", *sorted(has)))
+    built = compiled(TEMPLATES / "softbody.c", *words, program=tmp_path / "program")
     assert printed([str(built), "0"]).shape == (1, 2)
 
 
@@ -326,9 +382,11 @@ def test_a_program_has_only_what_the_scene_needs() -> None:
     bare = changed(sim.rope(masses=3, length=100.0, driven=None), air_friction=0.0, gravity=(0.0, 0.0))
     springs = tuple(changed(spring, damping=0.0) for spring in bare.linear_springs)
     body = body_of(changed(bare, linear_springs=springs, angular_springs=(), anchors=(), bodies=()))
-    for text in (python_program(body)[0].decode(), c_program(body)[0].decode()):
-        for word in ("AIR", "GRAVITY", "wall", "WALLS", "joint", "Joint", "held", "FREE", "damping", "pp"):
-            assert word not in text
+    words = ("AIR", "GRAVITY", "wall", "WALLS", "joint", "Joint", "FREE", "damping", "pp")
+    for text in map(bytes.decode, (python_program(body)[0], *c_program(body)[:2])):
+        for word in words:
+            assert word not in text.replace("stopped", "")
+    assert "held" not in python_program(body)[0].decode()  # in C, what is held may be changed
     full = body_of(sim.load_scene("water-balloon"))
     assert "WALLS" in python_program(full)[0].decode()
     assert "tanh" in c_program(full)[0].decode()
@@ -392,8 +450,8 @@ def test_a_program_says_what_is_another_in_it(tmp_path: Path, softrod: Softrod) 
     out = tmp_path / "body.py"
     assert softrod("export", "lesson-cantilever", "--python", out).stderr.splitlines() == [
         f"softrod: {out}: it steps by symplectic Euler, the scene by Auto",
-        f"softrod: {out}: its time step of 0.0025 s is above the largest stable one, 0.000138 s, so the body "
-        "runs away",
+        f"softrod: {out}: its time step is 1/23 of the scene's 0.0025 s, which is above the largest stable "
+        "one, 0.000138 s",
     ]
     head = " ".join(line.removeprefix("# ") for line in out.read_text().splitlines()[:12])
     assert "the largest stable one, 0.000138 s" in head
@@ -416,7 +474,7 @@ def test_nothing_of_a_scene_is_code_in_a_program(tmp_path: Path) -> None:
         assert head.isascii()
         assert "a module" in head
         assert all(line.startswith("//") or not line for line in head.splitlines())
-        for name in ("body.c", "body.py"):
+        for name in ("body.c", "body.h", "body.py"):
             bytes_ = (tmp_path / name).read_bytes()
             assert all(byte == 10 or 32 <= byte < 127 for byte in bytes_)
             assert b"??" not in bytes_

@@ -51,7 +51,7 @@ def amplitude(page: SessionPage, mode: int) -> float:
     now = watch.excitation(page.simulation)
     assert now is not None
     assert watch.found is not None
-    reach = np.hypot(now.amplitudes, now.rates / watch.found.frequencies) / watch.full
+    reach = np.hypot(now.amplitudes, now.rates / watch.found.omega) / watch.full
     return float(reach[mode])
 
 
@@ -181,10 +181,10 @@ def test_a_mode_that_is_not_there_cannot_be_driven() -> None:
 def test_another_number_and_another_body_have_other_modes() -> None:
     page, watch = opened()
     assert watch.found is not None
-    before = watch.found.frequencies
+    before = watch.found.omega
     page.frames(1, commands.SetValue("linear_stiffness", 4e5))
     assert found(page, 1).found is not None
-    assert watch.found.frequencies[3] > 1.2 * before[3]
+    assert watch.found.omega[3] > 1.2 * before[3]
     page.frames(1, commands.Open(sim.load_scene("rod")))
     page.frames(1)
     if watch.found is None:  # a small body's are there at once, now and then
@@ -211,7 +211,7 @@ def test_a_page_is_told_of_them() -> None:
     assert watch.found is not None
     state = letters.last(to_page.Modes)
     assert state.on
-    assert state.frequencies == pytest.approx(watch.found.frequencies / (2.0 * np.pi), rel=1e-6)
+    assert state.frequencies == pytest.approx(watch.found.omega / (2.0 * np.pi), rel=1e-6)
     shapes = sections(numbers(letters, "ModeShapes"))
     assert shapes[0][0] == state.number
     assert shapes[1] == pytest.approx(watch.found.rest.ravel(), rel=1e-6)

@@ -94,7 +94,7 @@ def test_each_button_gives_its_file_and_what_it_cannot_do_is_told(open_page: Ope
         ("Replay file", "ring.html", b"<!doctype html>"),
         ("Picture", "Ring.png", b"\x89PNG"),
         ("CSV", "ring.zip", b"PK"),
-        ("C", "ring.c", b"//"),
+        ("C", "ring.c.zip", b"PK"),
         ("JavaScript", "ring.js", b"//"),
     ):
         name, data = download(desk, button)

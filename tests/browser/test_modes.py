@@ -49,7 +49,7 @@ def reached(desk: Desk, mode: int) -> float:
     now = watch.excitation(desk.session.simulation)
     if now is None:
         return 0.0
-    return math.hypot(now.amplitudes[mode], now.rates[mode] / watch.found.frequencies[mode])
+    return math.hypot(now.amplitudes[mode], now.rates[mode] / watch.found.omega[mode])
 
 
 def test_a_body_is_put_into_a_mode_and_heard(open_page: OpenPage) -> None:

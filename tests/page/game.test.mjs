@@ -27,7 +27,7 @@ test("a free mass that is dragged is there, stays, and falls when it is let go",
   body.drag(1, 90, -20);
   body.advance(1 / 60);
   assert.deepEqual([...body.positions.slice(2)], [90, -20]);
-  body.advance(1);
+  body.advance(1, 1);
   assert.deepEqual([...body.positions.slice(2)], [90, -20]);
   body.release(1);
   body.step();
@@ -40,7 +40,7 @@ test("the data of a body stay as they are", () => {
   body.push(1, 3, 4);
   body.hold(1);
   body.stretch(2);
-  body.advance(1);
+  body.advance(1, 1);
   assert.deepEqual(data, pendulum());
 });
 
@@ -49,7 +49,7 @@ test("a body that loses nothing keeps its energy by velocity Verlet", () => {
   body.method = "verlet";
   const sum = () => Object.values(body.energy()).reduce((total, part) => total + part, 0);
   const before = sum();
-  body.advance(2);
+  body.advance(2, 2);
   assert.ok(Math.abs(sum() - before) < 1, `${sum() - before}`);
   assert.ok(body.energy().kinetic > 100);
 });
@@ -57,10 +57,10 @@ test("a body that loses nothing keeps its energy by velocity Verlet", () => {
 test("a spring that is pulled too hard breaks, and the body falls", () => {
   const limits = { strength: [9000], yieldForce: [1e300], hardening: [0], yieldTorque: [] };
   const body = new SoftBody(pendulum({ limits }), 0.001);
-  body.advance(0.5);
+  body.advance(0.5, 1);
   assert.equal(body.broken[0], 0);
   body.push(1, 0, 20000);
-  body.advance(0.5);
+  body.advance(0.5, 1);
   assert.equal(body.broken[0], 1);
   assert.ok(body.positions[3] > 500);
 });
@@ -74,14 +74,14 @@ test("what is cut holds nothing, and what it held in is out", () => {
   body.cut(0);
   body.cut(1);
   assert.equal(body.fillings.length, 0);
-  body.advance(1);
+  body.advance(1, 1);
   assert.equal(body.positions[2], 30);
   assert.ok(Math.abs(body.positions[3] - 450) < 1, `${body.positions[3]}`);
 });
 
 test("it says when a body has run away", () => {
   const body = new SoftBody(pendulum(), 0.1);
-  assert.equal(body.advance(100), false);
+  assert.equal(body.advance(100, 100), false);
 });
 
 test("what is wrong is refused by name, and nothing happens", () => {
@@ -96,4 +96,98 @@ test("what is wrong is refused by name, and nothing happens", () => {
     [() => body.bend(NaN), "bend: NaN is not a finite number"],
   ]) assert.throws(wrong, new RangeError(said));
   assert.deepEqual([...body.positions], [0, 0, 30, 40]);
+});
+
+const FLOOR = [0, 100, 0, -1, 8000, 0.5, 10, 0.0004, 0, 0, 0, 0];
+
+test("what is shown goes on evenly where steps do not", () => {
+  const body = new SoftBody(pendulum({ gravity: [0, 0], held: [0, 0], velocities: [60, 0, 60, 0] }), 0.01);
+  const seen = [];
+  for (let frame = 1; frame <= 30; frame++) {
+    body.advance(1 / 144);
+    seen.push(body.shown()[0]);
+  }
+  // Beside what is drawn, positions stand still in some frames and go a whole step in others.
+  const ways = seen.slice(3).map((x, i) => x - seen[i + 2]);
+  for (const way of ways) assert.ok(Math.abs(way - 60 / 144) < 1e-9, `${way}`);
+  assert.ok(body.alpha >= 0 && body.alpha < 1);
+  const into = new Float64Array(4);
+  assert.equal(body.shown(into), into);
+  assert.equal(into[0], seen.at(-1));
+});
+
+test("after a long pause a body goes on, and does not catch up", () => {
+  const body = new SoftBody(pendulum(), 0.01);
+  body.advance(3600);
+  assert.ok(Math.abs(body.time - 0.25) < 1e-9);
+  body.advance(1, 1);
+  assert.ok(Math.abs(body.time - 1.25) < 1e-9);
+});
+
+test("something is done before each step", () => {
+  const body = new SoftBody(pendulum(), 0.01);
+  const plain = new SoftBody(pendulum(), 0.01);
+  const times = [];
+  body.beforeStep = (own) => times.push(own.time);
+  body.advance(0.05);
+  plain.advance(0.05);
+  assert.deepEqual(times.map((time) => Math.round(100 * time)), [0, 1, 2, 3, 4]);
+  assert.deepEqual([...body.positions], [...plain.positions]);
+});
+
+test("a body begins anew, with the arrays that it had", () => {
+  const body = new SoftBody(pendulum({ walls: [FLOOR] }), 0.01);
+  const { positions } = body;
+  body.gravity = [0, 0];
+  body.push(1, 3, 4);
+  body.stretch(2);
+  body.drag(1, 5, 5);
+  body.setWall(0, { y: 70 });
+  body.advance(0.2);
+  body.cut(0);
+  body.reset();
+  assert.equal(body.positions, positions);
+  const fresh = new SoftBody(pendulum({ walls: [FLOOR] }), 0.01);
+  body.advance(0.2);
+  fresh.advance(0.2);
+  assert.deepEqual([...body.positions], [...fresh.positions]);
+});
+
+test("a clone goes its own way from the same state", () => {
+  const body = new SoftBody(pendulum({ walls: [FLOOR] }), 0.01);
+  body.push(1, 3, 4);
+  body.advance(0.123);
+  const other = body.clone();
+  body.advance(0.2);
+  const here = [...body.positions];
+  other.advance(0.2);
+  assert.deepEqual([...other.positions], here);
+  other.impulse(1, 100, 0);
+  other.advance(0.1);
+  assert.deepEqual([...body.positions], here);
+});
+
+test("a blow changes a velocity at once, by the mass", () => {
+  const body = new SoftBody(pendulum(), 0.01);
+  body.impulse(1, 30, -10);
+  assert.deepEqual([...body.velocities.slice(2)], [15, -5]);
+  body.impulse(0, 30, 0); // which is held
+  assert.equal(body.velocities[0], 0);
+  assert.throws(() => body.impulse(2, 1, 1), /there is no mass 2, but 0 to 1/);
+});
+
+test("a wall is read by names and is moved", () => {
+  const body = new SoftBody(pendulum({ walls: [FLOOR] }), 0.001);
+  assert.deepEqual(body.wall(0), { x: 0, y: 100, nx: 0, ny: -1, hardness: 8000, friction: 0.5, slipSpeed: 10 });
+  body.hold(0, false);
+  for (let frame = 0; frame < 240; frame++) body.advance(1 / 60);
+  assert.ok(Math.abs(body.positions[3] - 100) < 1, `${body.positions[3]}`);
+  for (let y = 100; y > 60; y -= 1) {
+    body.setWall(0, { y, ny: -3 });
+    for (let frame = 0; frame < 6; frame++) body.advance(1 / 60);
+  }
+  assert.ok(Math.abs(body.positions[3] - 61) < 1, `${body.positions[3]}`);
+  assert.equal(body.wall(0).ny, -1);
+  assert.throws(() => body.setWall(0, { nx: 0, ny: 0 }), RangeError);
+  assert.throws(() => body.wall(1), /there is no wall 1, but 0 to 0/);
 });

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Callable
 
 import msgspec
@@ -247,7 +248,7 @@ def test_a_mass_between_two_springs() -> None:
     found = vibrations(scene, 2)
     # Along the springs both stiffnesses; across them what is pulled taut over the length.
     across, along = math.sqrt(2.0 * 30.0 * 2.0 / 10.0 / 2.0), math.sqrt(2.0 * 30.0 / 2.0)
-    assert found.frequencies == pytest.approx([across, along], rel=1e-9)
+    assert found.omega == pytest.approx([across, along], rel=1e-9)
     assert np.abs(found.shapes[0]) == pytest.approx(np.array([[0, 0], [0, 1], [0, 0]]), abs=1e-9)
     assert np.abs(found.shapes[1]) == pytest.approx(np.array([[0, 0], [1, 0], [0, 0]]), abs=1e-9)
 
@@ -271,7 +272,7 @@ def test_they_are_those_of_the_forces(law: ForceLaw) -> None:
             ends.append(forces_of(REPLACE(scene, pose=pose))[2:].ravel())
         jacobian[:, column] = (ends[0] - ends[1]) / 2e-4 / weights
     exact = np.sort(np.sqrt(-np.linalg.eigvals(jacobian).real))
-    assert vibrations(resting, 2 * len(free)).frequencies == pytest.approx(exact, rel=1e-5)
+    assert vibrations(resting, 2 * len(free)).omega == pytest.approx(exact, rel=1e-5)
 
 
 def test_what_does_not_vibrate_is_refused() -> None:
@@ -322,3 +323,18 @@ def test_constant_forces_move_a_free_part_unless_they_are_in_balance() -> None:
     (x0, _), (x1, _) = equilibrium(both).positions
     rest = free.linear_springs[0].rest_length
     assert x1 - x0 == pytest.approx(rest + 0.5, abs=1e-9)
+
+
+def test_vibrations_have_hertz_and_say_where_a_load_is_left_out() -> None:
+    rod = REPLACE(sim.rod(masses=5), gravity=(0.0, 1000.0))
+    with pytest.warns(UserWarning, match="forces do not balance where the scene starts"):
+        loaded = vibrations(rod, 2)
+    assert loaded.frequencies == pytest.approx(loaded.omega / math.tau)
+    resting = REPLACE(rod, pose=equilibrium(rod))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = vibrations(resting, 2)
+        vibrations(REPLACE(rod, gravity=(0.0, 0.0)), 2)
+    told = sim.tuning(rod).slowest
+    assert told is not None
+    assert found.frequencies[0] == pytest.approx(told.frequency, rel=1e-6)

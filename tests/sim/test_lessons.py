@@ -9,6 +9,7 @@ from collections.abc import Iterator
 import msgspec
 import numpy as np
 import pytest
+from scipy.special import ellipk
 
 import sim
 from sim.edit.edit import Selection
@@ -407,3 +408,15 @@ def test_every_step_can_begin_after_the_last_and_what_it_shows_stays_in_view(nam
             x, y = simulation.positions.T
             assert left < x.min() <= x.max() < right, (number, simulation.time)
             assert top < y.min() <= y.max() < bottom, (number, simulation.time)
+
+
+def test_the_lesson_says_how_much_slower_the_sine_law_swings() -> None:
+    """From 10 degrees, over the angle law's 2 pi: the complete elliptic integral over pi / 2."""
+    slower = ellipk(math.sin(math.radians(5.0)) ** 2) / (0.5 * math.pi) - 1.0
+    assert slower == pytest.approx(0.00190719, rel=1e-5)
+    lesson = sim.load_scene("lesson-laws").lesson
+    assert lesson is not None
+    (because,) = (
+        step.question.because for step in lesson.steps if step.question and "from 10°" in step.question.text
+    )
+    assert f"the periods by {100.0 * slower:.2f} %" in because

@@ -115,13 +115,13 @@ def own_frequencies(scene: Scene, rest: Floats, count: int) -> Floats:
 def test_frequencies_are_those_of_a_hessian_of_their_own(name: str) -> None:
     scene = expanded(sim.load_scene(name))
     modes = Modes(scene, 10)
-    assert modes.frequencies == pytest.approx(own_frequencies(modes.scene, modes.rest, 10), rel=1e-8)
+    assert modes.omega == pytest.approx(own_frequencies(modes.scene, modes.rest, 10), rel=1e-8)
 
 
 def test_a_thousand_masses() -> None:
     scene = undamped(sim.rope(1000))
     modes = Modes(scene, 6)
-    assert modes.frequencies == pytest.approx(own_frequencies(modes.scene, modes.rest, 6), rel=1e-8)
+    assert modes.omega == pytest.approx(own_frequencies(modes.scene, modes.rest, 6), rel=1e-8)
     with pytest.raises(InputError, match="modes: 1200 masses are more than 1000"):
         Modes(sim.rope(1200), 3)
     with pytest.raises(InputError, match="a body with contact may have 200 masses, this has 400"):
@@ -140,7 +140,7 @@ def test_a_large_jelly_has_modes_where_it_lies_on_a_floor() -> None:
     assert pushed == pytest.approx(weight, rel=1e-6)
     simulation.step(60)
     assert simulation.positions == pytest.approx(modes.rest, abs=1e-4)
-    assert (modes.frequencies > 0.1).all()
+    assert (modes.omega > 0.1).all()
 
 
 # ------------------------------------------------------------------------- energies
@@ -195,7 +195,7 @@ def test_damping_takes_from_a_mode_by_its_ratio() -> None:
     put(modes, simulation, 2, 1e-4 * modes.size)
     before = looked(modes, simulation).energies[2]
     seconds = simulation.dt * simulation.advance(2.0)
-    rate = 2.0 * modes.damping_ratios[2] * modes.frequencies[2]
+    rate = 2.0 * modes.damping_ratios[2] * modes.omega[2]
     assert modes.damping_ratios[2] > 0.001
     kept = looked(modes, simulation).energies[2] / before
     assert math.log(kept) == pytest.approx(-rate * seconds, rel=0.01)
@@ -212,7 +212,7 @@ def test_a_body_is_put_into_a_mode_and_the_others_stay() -> None:
     for amplitude in (3.0, 0.5, 0.0):
         put(modes, simulation, 4, amplitude)
         after = looked(modes, simulation)
-        reached = math.hypot(after.amplitudes[4], after.rates[4] / modes.frequencies[4])
+        reached = math.hypot(after.amplitudes[4], after.rates[4] / modes.omega[4])
         assert reached == pytest.approx(amplitude, rel=1e-9, abs=1e-9)
         kept = [0, 1, 2, 3, 5]
         assert after.amplitudes[kept] == pytest.approx(before.amplitudes[kept], abs=1e-9)
@@ -230,7 +230,7 @@ def test_a_mode_goes_on_in_its_sense_and_is_not_strained_where_velocity_does() -
         moment = simulation.capture()
         rows = moment.rows.copy()
         rows[:2] += 0.5 * modes.shapes[0].T
-        rows[2:] += 0.01 * sign * modes.frequencies[0] * modes.shapes[0].T
+        rows[2:] += 0.01 * sign * modes.omega[0] * modes.shapes[0].T
         simulation.restore(Moment(moment.scene, 1.0, 0.0, rows, 0.0, 0))
         put(modes, simulation, 0, 40.0)
         found = looked(modes, simulation)
@@ -276,9 +276,7 @@ def test_a_body_that_flies_and_turns_has_its_vibrations_beside_that() -> None:
     rows = np.array([*positions.T, *velocities.T])
     again = modes.put(Moment(scene, 1.0, 0.0, rows, 0.0, 0), 2, 0.02)
     more = modes.excitation(again.positions, again.velocities)
-    assert more.energies[2] == pytest.approx(
-        0.5 * modes.masses[2] * (0.02 * modes.frequencies[2]) ** 2, rel=1e-6
-    )
+    assert more.energies[2] == pytest.approx(0.5 * modes.masses[2] * (0.02 * modes.omega[2]) ** 2, rel=1e-6)
     assert more.whole == pytest.approx(whole, rel=1e-6)
 
 
@@ -321,7 +319,7 @@ def test_supports_that_move_together_drive_a_mode(mode: int) -> None:
     # As the ground moves: distances stay.
     apart = places[:, None] - places
     assert np.abs(((ways[:, None] - ways) * apart).sum(2)).max() < 1e-6 * np.abs(apart).max()
-    w, swing = modes.frequencies[mode], 1e-4
+    w, swing = modes.omega[mode], 1e-4
     steps = max(1, int(2.0 * math.pi / w / 40.0 / simulation.dt))
     while simulation.time < 6.0 * math.pi / w:
         at = simulation.time + steps * simulation.dt
@@ -342,5 +340,5 @@ def test_a_body_that_nothing_holds_has_no_support() -> None:
 def test_a_body_that_cannot_move_has_no_modes() -> None:
     modes = Modes(sim.load_scene("tutorial-3.1"), 10)
     simulation = Simulation(modes.scene)
-    assert modes.frequencies.size == 0
+    assert modes.omega.size == 0
     assert looked(modes, simulation).energies.size == 0

@@ -285,7 +285,7 @@ def test_another_vibration_can_be_damped() -> None:
     dampers = module.Dampers(resting)
     ratios = [
         dampers.ratio(
-            float(found.frequencies[k]),
+            float(found.omega[k]),
             found.shapes[k],
             dampers.numbers.damping,
             dampers.numbers.joint_damping,

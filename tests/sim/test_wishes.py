@@ -55,11 +55,11 @@ def measured(scene: sim.Scene, calms: bool) -> dict[str, float]:
     places = np.array(rest.pose.positions)
     nudged = places + 1e-3 * span * shape
     pose = sim.Pose(positions=tuple(map(tuple, nudged.tolist())), velocities=rest.pose.velocities)
-    omega = found.frequencies
+    omega = found.omega
     struck = 1e-3 * span * float(omega[elastic]) * shape
     blow = sim.Pose(positions=rest.pose.positions, velocities=tuple(map(tuple, struck.tolist())))
     weights = np.array([[mass.mass] for mass in scene.masses])
-    about = math.tau / float(found.frequencies[elastic])  # s; only for how long and how often to look
+    about = math.tau / float(found.omega[elastic])  # s; only for how long and how often to look
     fine = sim.Integrator(method="auto", tolerance=max(1e-8 * span, 1e-9), dt=about / 100.0)
 
     def curve(of: sim.Scene) -> Swings:
@@ -158,7 +158,7 @@ def test_a_blow_fades_as_the_tuning_says_where_damping_couples() -> None:
     assert told is not None
     weights = np.array([[mass.mass] for mass in jelly.masses])
     modal = weights * found.shapes / np.sqrt((weights * found.shapes**2).sum((1, 2)))[:, None, None]
-    places, omega = np.array(rest.pose.positions), found.frequencies
+    places, omega = np.array(rest.pose.positions), found.omega
     struck = 1e-3 * omega[elastic] * found.shapes[elastic]
     pose = sim.Pose(positions=rest.pose.positions, velocities=tuple(map(tuple, struck.tolist())))
     fine = sim.Integrator(method="auto", tolerance=1e-7, dt=0.005)

@@ -1,5 +1,5 @@
-"""A body as a short program in Python or C: `templates/program.py` and `templates/program.c`, filled with its
-numbers and without what it does not need."""
+"""A body as a short program in Python or C: `templates/program.py`, and `templates/softbody.c` with its
+header, filled with its numbers and without what it does not need."""
 
 from __future__ import annotations
 
@@ -23,11 +23,18 @@ from sim.scene.types import ForceLaw, Method, is_damageable, shown_name
 
 from .body import Body
 
+_MARGIN = 0.8
+"""Part of the largest stable time step that a program takes of a scene whose own is too long: a body that is
+dragged and bent becomes stiffer."""
+
 STEPS = 400
 """Time steps that a program does unless it is told another number."""
 
 WIDTH = 100
 """Characters of a line of a program at most, but for what stands in one row of a table."""
+
+LICENCE = "SPDX-License-Identifier: MIT; Copyright (c) 2026 The softrod authors"
+"""The line of every program that is taken home."""
 
 _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 .,:;()+-^/")
 """What is left of a user's text in a comment: nothing that could end the comment or mean anything in it."""
@@ -48,10 +55,12 @@ class Plan:
 
     Attributes:
         body: its numbers.
+        dt: the length of its time steps, s.
         notes: what whoever uses it should know, one sentence each without a full stop.
     """
 
     body: Body
+    dt: float
     notes: list[str]
 
     @staticmethod
@@ -72,7 +81,8 @@ class Plan:
                 f"one without {'them' if len(lacks) > 1 or body.gusts else 'it'}"
             )
         soft = body.scene.integrator.method == "stable_spring"
-        return Plan(body.softened() if soft else body, _notes(body))
+        dt, notes = time_step(body)
+        return Plan(body.softened() if soft else body, dt, [*notes, *_notes(body)])
 
     def features(self) -> dict[str, bool]:
         """What the program needs, by the names of the templates."""
@@ -182,7 +192,7 @@ class Plan:
         body, scene = self.body, self.body.scene
         given = {
             "START": body.moment.time,
-            "DT": scene.integrator.dt,
+            "DT": self.dt,
             "AIR": scene.air_friction,
             "GRAVITY_X": float(scene.gravity[0]),
             "GRAVITY_Y": float(scene.gravity[1]),
@@ -211,22 +221,62 @@ def python_program(body: Body) -> tuple[bytes, list[str]]:
     return _filled("program.py", plan, places), plan.notes
 
 
-def c_program(body: Body) -> tuple[bytes, list[str]]:
-    """A program in C99 that needs no library but that of mathematics; otherwise as `python_program`."""
+def c_program(body: Body, name: str = "softbody") -> tuple[bytes, bytes, list[str]]:
+    """A source in C99 that needs no library but that of mathematics, its header, and the notes, as of
+    `python_program`.
+
+    Args:
+        body: the body.
+        name: of both files, without an ending. What they define begins with it, as far as C allows.
+
+    Raises:
+        InputError: as `python_program`, or the name cannot stand between quotation marks in C.
+    """
+    if not re.fullmatch(r"[\w. -]+", name):
+        raise InputError(f"{name!r} is no name for files in C: it may have letters, digits, spaces, - and _")
     plan = Plan.of(body)
     ends = itertools.accumulate(len(loop.masses) for loop in body.loops)
     loops = [
         (int(loop.is_gas), loop.pressure, loop.outside, loop.area, end - len(loop.masses), end)
         for loop, end in zip(body.loops, ends, strict=True)
     ]
+    tables = {**plan.tables(), "FILLINGS": loops, "MASSES": _masses(body)}
     places = {
-        name: _table((f"{{ {', '.join(map(repr, row))} }}" for row in rows), "{", "}")
-        for name, rows in (*plan.tables().items(), ("FILLINGS", loops))
+        table: _table((f"{{ {', '.join(map(repr, row))} }}" for row in rows), "{", "}")
+        for table, rows in tables.items()
     }
     around = wrapped(" ".join(f"{mass}," for loop in body.loops for mass in loop.masses))
     places["AROUND"] = _table((line.removesuffix(",") for line in around), "{", "}")
-    places["ABOUT"] = "\n// ".join(_about(plan, "cc -O2 FILE.c -o FILE -lm; ./FILE"))
-    return _filled("program.c", plan, places), plan.notes
+    counts = {"MASS": body.mass, "SPRING": body.ends, "JOINT": body.joints, "WALL": body.walls}
+    places |= {f"{kind}_COUNT": str(len(parts)) for kind, parts in counts.items()}
+    word = _word(name)
+    run = f"cc -O2 -D{word.upper()}_MAIN {name}.c -lm; ./a.out"
+    source, header = (
+        _filled(f"softbody.{ending}", plan, places | {"ABOUT": "\n// ".join(about)})
+        for ending, about in (("c", [f"The body of {name}.h."]), ("h", _about(plan, run)))
+    )
+    source = source.replace(b'"softbody.h"', f'"{name}.h"'.encode())
+    source, header = (
+        re.sub(rb"\bsoftbody", word.encode(), re.sub(rb"\bSOFTBODY", word.upper().encode(), text))
+        for text in (source, header)
+    )
+    return source, header, plan.notes
+
+
+def _masses(body: Body) -> list[tuple[float | int, ...]]:
+    """The rows of a program's masses in C: which are held is always told, since it may be changed."""
+    columns = [*body.positions.T, *body.velocities.T, body.mass, body.held.astype(int)]
+    if body.loads:
+        columns += np.array(
+            [body.loads.get(mass, (0.0, 0.0)) for mass in range(len(body.mass))], float
+        ).T.tolist()
+    return list(zip(*(np.asarray(column).tolist() for column in columns), strict=True))
+
+
+def _word(name: str) -> str:
+    """What a name is in C."""
+    word = re.sub(r"\W+", "_", name, flags=re.ASCII).strip("_").lower()
+    return word if word and not word[0].isdigit() else f"body_{word}".rstrip("_")
 
 
 def _table(rows: Iterable[str], opening: str, closing: str) -> str:
@@ -274,24 +324,30 @@ def check_law(body: Body) -> None:
         raise InputError(f"a program cannot do the force law {law!r}, but {', '.join(LAWS_IN_PROGRAMS)}")
 
 
-def step_notes(body: Body) -> list[str]:
-    """What is another in a program that steps by symplectic Euler, as to the method."""
-    method = body.scene.integrator.method
+def time_step(body: Body) -> tuple[float, list[str]]:
+    """The length of a program's steps by symplectic Euler, s, and what is another in them than in the scene.
+
+    It is the scene's, or a whole part of that which the body bears.
+    """
+    method, dt = body.scene.integrator.method, body.scene.integrator.dt
+    notes = []
     if method == "stable_spring":
-        return ["springs are as soft as the method Stable spring makes them for this time step"]
-    if method != "symplectic_euler":
-        return [f"it steps by symplectic Euler, the scene by {METHODS[method].label}"]
-    return []
+        notes.append("springs are as soft as the method Stable spring makes them for this time step")
+    elif method != "symplectic_euler":
+        notes.append(f"it steps by symplectic Euler, the scene by {METHODS[method].label}")
+    limit = largest_step(body)
+    if dt <= limit:
+        return dt, notes
+    parts = math.ceil(dt / (_MARGIN * limit))
+    notes.append(
+        f"its time step is 1/{parts} of the scene's {dt:g} s, which is above the largest stable one, "
+        f"{limit:.3g} s"
+    )
+    return dt / parts, notes
 
 
 def _notes(body: Body) -> list[str]:
-    scene = body.scene
-    dt, notes = scene.integrator.dt, step_notes(body)
-    limit = largest_step(body)
-    if dt > limit:
-        notes.append(
-            f"its time step of {dt:g} s is above the largest stable one, {limit:.3g} s, so the body runs away"
-        )
+    scene, notes = body.scene, []
     if is_damageable(scene):
         notes.append("in it no spring breaks or yields any further")
     driven = any(anchor.driven for anchor in scene.anchors)
@@ -342,7 +398,7 @@ def _about(plan: Plan, run: str) -> list[str]:
     ]
     if plan.notes:
         paragraphs.append("Note: " + "; ".join(plan.notes) + ".")
-    return [line for paragraph in paragraphs for line in wrapped(paragraph)]
+    return [*(line for paragraph in paragraphs for line in wrapped(paragraph)), LICENCE]
 
 
 def wrapped(text: str, width: int = WIDTH - 4) -> list[str]:

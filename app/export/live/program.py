@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import math
 from pathlib import Path
 from typing import Any
 
@@ -14,12 +13,9 @@ import sim
 from sim.scene.types import shown_name
 
 from ..body.body import Body
-from ..body.program import check_law, counted, largest_step, plain, step_notes, wrapped
+from ..body.program import LICENCE, check_law, counted, plain, time_step, wrapped
 from ..bundle import joined
 from .data import body_data
-
-_MARGIN = 0.8
-"""Of the largest stable time step: a body that is dragged and bent becomes stiffer."""
 
 _START = Path(__file__).parent / "static" / "game.js"
 
@@ -41,14 +37,7 @@ def javascript_program(moment: sim.Moment) -> tuple[bytes, list[str]]:
     """
     body = Body.of(moment)
     check_law(body)
-    notes, scene = step_notes(body), moment.scene
-    dt, limit = scene.integrator.dt, largest_step(body)
-    parts = 1 if dt <= limit else math.ceil(dt / (_MARGIN * limit))
-    if parts > 1:
-        notes.append(
-            f"its time step is 1/{parts} of the scene's {dt:g} s, which is above the largest stable one, "
-            f"{limit:.3g} s"
-        )
+    dt, notes = time_step(body)
     head = "".join(f"// {line}".rstrip() + "\n" for line in _about(body, notes))
     text = f"""// @ts-check
 {head}
@@ -57,7 +46,7 @@ def javascript_program(moment: sim.Moment) -> tuple[bytes, list[str]]:
 export const BODY = {_literal(_numbers(body))};
 
 /** The length of a time step, s. */
-export const DT = {dt / parts!r};
+export const DT = {dt!r};
 
 /** A new body, at the moment for which this was written. */
 export const createBody = () => new SoftBody(BODY, DT);
@@ -102,5 +91,4 @@ def _about(body: Body, notes: list[str]) -> list[str]:
     if notes:
         more.append("Note: " + "; ".join(notes) + ".")
     lines = [line for paragraph in more for line in wrapped(paragraph)]
-    licence = "SPDX-License-Identifier: MIT; Copyright (c) 2026 The softrod authors"
-    return [*wrapped(first), "", *(f"  {line}" for line in _USE.splitlines()), "", *lines, licence]
+    return [*wrapped(first), "", *(f"  {line}" for line in _USE.splitlines()), "", *lines, LICENCE]

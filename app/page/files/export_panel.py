@@ -6,7 +6,9 @@ Handlers only hand work to the workshop. The picture is made by the page itself,
 
 from __future__ import annotations
 
+import io
 import threading
+import zipfile
 from collections.abc import Callable
 from functools import partial
 from typing import Any
@@ -167,9 +169,19 @@ class ExportPanel:
             return "json", body_json(body)
         if kind == _CSV:
             return "zip", body_csv(body, self._page.commas.on)
+
+        def in_c() -> tuple[str, tuple[bytes, list[str]]]:
+            name = body.scene.name
+            source, header, notes = c_program(body, name)
+            both = io.BytesIO()
+            with zipfile.ZipFile(both, "w", zipfile.ZIP_DEFLATED) as file:
+                file.writestr(f"{name}.c", source)
+                file.writestr(f"{name}.h", header)
+            return "c.zip", (both.getvalue(), notes)
+
         ending, (data, notes) = {
             _PYTHON: lambda: ("py", python_program(body)),
-            _C: lambda: ("c", c_program(body)),
+            _C: in_c,
             _JAVASCRIPT: lambda: ("js", javascript_program(moment)),
         }[kind]()
         if notes:

@@ -57,8 +57,8 @@ class ModesView:
         state = to_page.Modes(
             on=True,
             number=watch.number,
-            trouble="" if modes.frequencies.size else "it does not vibrate about its pose at rest",
-            frequencies=_rounded(modes.frequencies / (2.0 * math.pi)),
+            trouble="" if modes.omega.size else "it does not vibrate about its pose at rest",
+            frequencies=_rounded(modes.omega / (2.0 * math.pi)),
             damping=_rounded(modes.damping_ratios),
             full=_rounded(watch.full),
             driven=-1 if drive is None or drive.let_go < math.inf else drive.mode,
@@ -79,7 +79,7 @@ class ModesView:
         found = watch.excitation(simulation)
         if found is None:
             return
-        amplitudes = np.hypot(found.amplitudes, found.rates / modes.frequencies)
+        amplitudes = np.hypot(found.amplitudes, found.rates / modes.omega)
         numbers = encode_levels(
             watch.number,
             simulation.time,
@@ -112,7 +112,7 @@ def encode_shapes(number: int, modes: Modes) -> NDArray[np.float32]:
         modes.rest.ravel(),
         modes.part.astype(float),
     ]
-    for mode in range(modes.frequencies.size):
+    for mode in range(modes.omega.size):
         marks = modes.marks(mode)
         nodes = [value for spring, along in marks.nodes for value in (float(spring), along)]
         sections += [modes.shapes[mode].ravel(), nodes, [float(mass) for mass in marks.antinodes]]

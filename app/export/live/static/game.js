@@ -29,6 +29,16 @@ function known(name, kind, number, count) {
 }
 
 /**
+ * A hand that leads a mass a part of the way to where it is to be.
+ *
+ * @param {Float64Array} positions @param {Hand} hand @param {number} part
+ */
+function towards(positions, { mass, x, y }, part) {
+  const [fromX, fromY] = [positions[2 * mass], positions[2 * mass + 1]];
+  return part === 1 ? { mass, x, y } : { mass, x: fromX + part * (x - fromX), y: fromY + part * (y - fromY) };
+}
+
+/**
  * A body that moves by the tutorial's step. Masses, springs and joints go by their numbers from 0.
  *
  * To be read: `positions`, `velocities`, `time`, `masses` (how many), `ends` (two masses of each spring), `broken` (1 for
@@ -39,6 +49,7 @@ export class SoftBody extends Body {
   /** @type {Map<number, Hand>} */
   #hands = new Map();
   #owed = 0;
+  #before;
 
   /** @param {BodyData} data the body at its start, which stays as it is @param {number} dt length of a time step, s */
   constructor(data, dt) {
@@ -46,6 +57,36 @@ export class SoftBody extends Body {
     this.dt = dt;
     /** The tutorial's, or "verlet", which is more exact. @type {keyof typeof METHODS} */
     this.method = "symplectic_euler";
+    /** Called before each time step, with the body. @type {((body: SoftBody) => void) | null} */
+    this.beforeStep = null;
+    this.#before = this.positions.slice();
+  }
+
+  /** A body of its own with the same motion, hands and all, but without `beforeStep`. */
+  clone() {
+    const copy = new SoftBody(this.data, this.dt);
+    copy.#take(this);
+    copy.method = this.method;
+    return copy;
+  }
+
+  /** Begin anew: all that was done to the body is gone; `method` and `beforeStep` stay, and so do its arrays. */
+  reset() {
+    this.#take(new SoftBody(this.data, this.dt));
+  }
+
+  /** Be as another body of the same data is. @param {SoftBody} other */
+  #take(other) {
+    const own = /** @type {Record<string, any>} */ (this);
+    for (const [key, value] of Object.entries(other)) {
+      if (["data", "method", "beforeStep"].includes(key)) continue;
+      // Whoever reads `positions` goes on with the same array.
+      if (ArrayBuffer.isView(value)) own[key].set(value);
+      else own[key] = structuredClone(value);
+    }
+    this.#hands = new Map([...other.#hands].map(([mass, hand]) => [mass, { ...hand }]));
+    this.#owed = other.#owed;
+    this.#before = other.#before.slice();
   }
 
   /**
@@ -56,22 +97,51 @@ export class SoftBody extends Body {
    */
   step(count = 1) {
     finite("step", count);
-    return count < 1 || advance(this, this.method, this.dt, Math.floor(count), [...this.#hands.values()]);
+    const whole = Math.floor(count);
+    for (let left = whole; left > 0; ) {
+      // Hands go straight to where they are led, so they are led there bit by bit where steps are done apart.
+      const now = this.beforeStep ? 1 : left > 1 ? left - 1 : 1;
+      this.beforeStep?.(this);
+      if (left === now) this.#before.set(this.positions);
+      const hands = [...this.#hands.values()].map((hand) => towards(this.positions, hand, now / left));
+      if (!advance(this, this.method, this.dt, now, hands)) return false;
+      left -= now;
+    }
+    return true;
   }
 
   /**
    * Go on by some time: as many steps as fit into it, the rest being kept for the next call.
    *
    * @param {number} seconds
+   * @param {number} [most] s, that one call does; what is more is left out, so that a game goes on after a long pause
+   *   instead of catching up for ever
    * @returns {boolean} as of `step`
    */
-  advance(seconds) {
-    finite("advance", seconds);
-    this.#owed += seconds;
+  advance(seconds, most = 0.25) {
+    finite("advance", seconds, most);
+    this.#owed += Math.min(seconds, most);
     // A hair more, so that ten times 0.0025 s are ten steps whatever the rounding.
     const count = Math.floor(this.#owed / this.dt + 1e-9);
     this.#owed = Math.max(0, this.#owed - count * this.dt);
     return this.step(count);
+  }
+
+  /** How far between the last two steps the time is that was asked for, from 0 to 1. */
+  get alpha() {
+    return Math.min(this.#owed / this.dt, 1);
+  }
+
+  /**
+   * Where the masses are at the time that was asked for, between the last two steps: what a game draws. A screen's frames
+   * seldom are a whole number of steps.
+   *
+   * @param {Float64Array} [into] where it is written, x and y of each mass
+   */
+  shown(into = new Float64Array(this.positions.length)) {
+    const { positions, alpha } = this;
+    for (let i = 0; i < positions.length; i++) into[i] = this.#before[i] + alpha * (positions[i] - this.#before[i]);
+    return into;
   }
 
   /**
@@ -105,6 +175,41 @@ export class SoftBody extends Body {
     const load = this.loads.find((one) => one.mass === mass);
     if (load) Object.assign(load, { x, y });
     else this.loads.push({ mass, x, y });
+  }
+
+  /** Strike a mass: a momentum, kg px/s. @param {number} mass @param {number} x @param {number} y */
+  impulse(mass, x, y) {
+    known("impulse", "mass", mass, this.masses);
+    finite("impulse", x, y);
+    if (this.held[mass]) return;
+    this.velocities[2 * mass] += x / this.mass[mass];
+    this.velocities[2 * mass + 1] += y / this.mass[mass];
+  }
+
+  /**
+   * A wall's numbers, by name: a point of it, px, the unit vector to its free side, and the rest as in `sim.Wall`.
+   *
+   * @param {number} wall
+   */
+  wall(wall) {
+    known("wall", "wall", wall, this.walls.length);
+    const [x, y, nx, ny, hardness, friction, slipSpeed] = this.walls[wall];
+    return { x, y, nx, ny, hardness, friction, slipSpeed };
+  }
+
+  /**
+   * Move a wall, turn it, or make it another; it lets go of what it held.
+   *
+   * @param {number} wall
+   * @param {Partial<ReturnType<SoftBody["wall"]>>} to what is another one
+   */
+  setWall(wall, to) {
+    const now = { ...this.wall(wall), ...to };
+    const { x, y, hardness, friction, slipSpeed } = now;
+    const length = Math.hypot(now.nx, now.ny);
+    finite("setWall", x, y, hardness, friction, slipSpeed, 1 / length);
+    this.walls[wall].splice(0, 7, x, y, now.nx / length, now.ny / length, hardness, friction, slipSpeed);
+    this.wallGrips[wall].clear();
   }
 
   /** Cut a spring for good, and let out what a loop with it holds. @param {number} spring */
