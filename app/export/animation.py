@@ -25,18 +25,19 @@ from . import instances
 from .clip import Clip, Shot
 from .glb_file import GlbFile
 from .keyframes import check_size
-from .model import METRES_PER_PX, MOST_PARTS, MUSCLES, PLATE, Solid, ball, plate, spring_solid, walls
+from .model import MOST_PARTS, MUSCLES, PLATE, PX_PER_METRE, Solid, ball, plate, spring_solid, walls
 
 _OF_MASS, _OF_SPRING, _OF_MUSCLE = 3, 7, 3
 """Numbers of each frame: a place; a turn and a size, for a spring is where its first mass is; a size."""
 
 
-def animated_glb(clip: Clip, rate: int) -> bytes:
+def animated_glb(clip: Clip, rate: int, scale: float = PX_PER_METRE) -> bytes:
     """The animated model.
 
     Args:
         clip: the motion.
         rate: frames a second.
+        scale: px in a metre.
 
     Raises:
         InputError: the scene has too many parts, or the file would be too large.
@@ -47,7 +48,7 @@ def animated_glb(clip: Clip, rate: int) -> bytes:
         raise InputError(f"a model has {MOST_PARTS} masses and springs at most")
     muscles = len(Sketch.plain(scene).muscles)
     check_size(clip, rate, _OF_MASS * count + _OF_SPRING * springs + _OF_MUSCLE * muscles)
-    return _Animation(scene, list(clip.frames(rate)), rate).file.bytes()
+    return _Animation(scene, list(clip.frames(rate)), rate, scale).file.bytes()
 
 
 class _Animation:
@@ -57,12 +58,13 @@ class _Animation:
         scene: the body.
         shots: its motion.
         rate: shots a second.
+        scale: px in a metre.
     """
 
-    def __init__(self, scene: sim.Scene, shots: list[Shot], rate: int) -> None:
+    def __init__(self, scene: sim.Scene, shots: list[Shot], rate: int, scale: float) -> None:
         self.file, self._sketch, self._shots = GlbFile(), Sketch.plain(scene), shots
         # From the page's world to metres.
-        self._metres = METRES_PER_PX / self._sketch.mapping.scale
+        self._metres = 1.0 / (scale * self._sketch.mapping.scale)
         self._times = np.arange(len(shots))[:, None] / rate
         self._clock: int | None = None
         self._samplers: list[dict[str, Any]] = []
@@ -74,7 +76,7 @@ class _Animation:
         root = self.file.add("nodes", name="body", children=nodes)
         tree = self.file.tree
         tree["scene"] = self.file.add("scenes", nodes=[root])
-        extras = {"title": shown_name(scene), "metres_per_px": METRES_PER_PX, "frames_per_second": rate}
+        extras = {"title": shown_name(scene), "metres_per_px": 1.0 / scale, "frames_per_second": rate}
         tree["asset"]["extras"] = extras
         if self._channels:
             self.file.add("animations", name="motion", samplers=self._samplers, channels=self._channels)
@@ -116,7 +118,7 @@ class _Animation:
             node = self._node(f"spring {s}", mesh, places[0, a], sizes[0, s], turns[0, s])
             self._channel(node, "translation", self._places[a])
             self._channel(node, "rotation", self._turns[s])
-            self._channel(node, "scale", self._sampler(sizes[:, s]))
+            self._channel(node, "scale", self._sizes(sizes[:, s]))
             nodes.append(node)
         return nodes
 
@@ -140,7 +142,7 @@ class _Animation:
                 node = self._node(f"muscle of {kind} {i}", mesh, places[0, mass], sizes[0, k], turn)
                 self._channel(node, "translation", self._places[mass])
                 self._channel(node, "rotation", None if of_joints else self._turns[i])
-                self._channel(node, "scale", self._sampler(sizes[:, k]))
+                self._channel(node, "scale", self._sizes(sizes[:, k]))
                 nodes.append(node)
         return nodes
 
@@ -173,6 +175,24 @@ class _Animation:
         turned = {} if turn is None else {"rotation": turn.tolist()}
         sizes = np.asarray(size).tolist()
         return self.file.add("nodes", name=name, mesh=mesh, translation=place.tolist(), scale=sizes, **turned)
+
+    def _sizes(self, values: Floats) -> int | None:
+        """Keyframes of (frames, 3) sizes, which are zero from when on something is no more.
+
+        It is as large as before until that very frame: it does not shrink on the way there.
+        """
+        gone = np.flatnonzero((values == 0.0).all(1))
+        if not gone.size or gone[0] == 0:
+            return self._sampler(values)
+        first = int(gone[0])
+        times = self._times.astype(np.float32)
+        until = np.nextafter(times[first], np.float32(0.0))
+        clock = self.file.array(np.concatenate((times[:first], [until], times[first:])), bounds=True)
+        output = self.file.array(
+            np.concatenate((values[:first], values[first - 1 : first], values[first:])).astype(np.float32)
+        )
+        self._samplers.append({"input": clock, "output": output, "interpolation": "LINEAR"})
+        return len(self._samplers) - 1
 
     def _sampler(self, values: Floats) -> int | None:
         """Keyframes of (frames, k) values, or None where they are all the same."""

@@ -85,6 +85,8 @@ class Export:
     """Simulated seconds before these."""
     race: str = ""
     """Another scene, whose body moves beside this one on the same terrain, in --png, --gif and --html."""
+    scale: float = 1000.0
+    """Px in a metre, in --glb and --animation, 0.001..1e9."""
     fps: int = FPS
     """Frames a second of --motion and --animation, 1..240."""
     size: str = ""
@@ -145,6 +147,8 @@ class Export:
         least = SHORTEST if {"gif", "html", *_KEYFRAMES} & set(outputs) else 0.0
         if not least <= self.seconds <= LONGEST:
             raise InputError(f"--seconds: {self.seconds:g} is not in the range {least:g}..{LONGEST:g} s")
+        if not 1e-3 <= self.scale <= 1e9:
+            raise InputError(f"--scale: {self.scale:g} is not in the range 0.001..1e+09 px in a metre")
         if not SLOWEST <= self.fps <= FASTEST:
             raise InputError(f"--fps: {self.fps} is not in the range {SLOWEST}..{FASTEST}")
         if not 0.0 <= self.after <= 1e4:
@@ -219,12 +223,12 @@ class Export:
         def model() -> bytes:
             from .model import glb
 
-            return glb(last.scene, last.picture)
+            return glb(last.scene, last.picture, self.scale)
 
         def animated() -> bytes:
             from .animation import animated_glb
 
-            return animated_glb(clip(), self.fps)
+            return animated_glb(clip(), self.fps, self.scale)
 
         def moving() -> bytes:
             console = Console(stderr=True)

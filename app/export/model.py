@@ -1,8 +1,8 @@
 """A pose as a model in three dimensions: a GLB file, for programs such as Blender and for viewers on the web.
 
 Masses are balls, springs coils or bars, wedges, supports, muscles and walls plates. What else surrounds a
-body is left out. glTF measures in metres: a px is a millimetre, the middle of the scene's frame is the
-origin, and y is up.
+body is left out. glTF measures in metres: a px is a millimetre unless another scale is asked for, the middle
+of the scene's frame is the origin, and y is up.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ from .window import Window
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
-METRES_PER_PX = 0.001
+PX_PER_METRE = 1000.0
+"""Scale of a model, unless another one is asked for."""
 
 MOST_PARTS = 20_000
 """Masses and springs together, beyond which a file would be too large for most viewers."""
@@ -44,8 +45,8 @@ Solid = tuple[Floats, NDArray[np.int64]]
 """Vertices (k, 3) and triangles (m, 3)."""
 
 
-def glb(scene: sim.Scene, picture: Picture) -> bytes:
-    """The model of a pose.
+def glb(scene: sim.Scene, picture: Picture, scale: float = PX_PER_METRE) -> bytes:
+    """The model of a pose, with `scale` px in a metre.
 
     Raises:
         sim.InputError: the scene has too many parts, or a position is not a finite number.
@@ -61,13 +62,13 @@ def glb(scene: sim.Scene, picture: Picture) -> bytes:
     group = Group()
     for name, mesh in _parts(sketch, scene, picture).items():
         # From the page's world to metres.
-        mesh.apply_scale(METRES_PER_PX / sketch.mapping.scale)
+        mesh.apply_scale(1.0 / (scale * sketch.mapping.scale))
         group.add_geometry(mesh, geom_name=name, node_name=name)
     title = shown_name(scene)
 
     def finish(tree: dict[str, Any]) -> None:
         tree["asset"]["generator"] = "softrod"
-        extras = {"title": title, "time": picture.time, "metres_per_px": METRES_PER_PX}
+        extras = {"title": title, "time": picture.time, "metres_per_px": 1.0 / scale}
         tree["asset"]["extras"] = extras
         tree["materials"] = [
             {

@@ -272,6 +272,7 @@ def test_the_command_writes_all_four(tmp_path: Path, softrod: Softrod) -> None:
         (("--png", "a.png", "--set", "dt=0.5", "--set", "method=symplectic_euler"), "time step"),
         (("--motion", "a.zip"), "--motion a.zip: the file must end in .csv"),
         (("--animation", "a.gltf"), "--animation a.gltf: the file must end in .glb"),
+        (("--glb", "a.glb", "--scale", 0), "--scale: 0 is not in the range 0.001..1e+09 px in a metre"),
         (("--motion", "a.csv", "--fps", 0), "--fps: 0 is not in the range 1..240"),
         (("--motion", "a.csv", "--fps", 241), "--fps: 241 is not in the range 1..240"),
         (("--animation", "a.glb", "--seconds", 0), "--seconds: 0 is not in the range 0.2..60 s"),

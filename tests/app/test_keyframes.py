@@ -181,6 +181,26 @@ def test_a_spring_that_breaks_vanishes() -> None:
         assert (sizes[0] > 0.0).all()
         assert (sizes[-1] > 0.0).all() == lasts
         assert (sizes[-1] == 0.0).all() != lasts
+        if not lasts:
+            # Until the frame in which it is no more it is as large as it was: it does not shrink away.
+            assert len(sizes) == len(list(clip.frames(60))) + 1
+            gone = int(np.flatnonzero(sizes[:, 0] == 0.0)[0])
+            assert (sizes[gone - 1] == sizes[gone - 2]).all()
+            assert (sizes[gone:] == 0.0).all()
+
+
+def test_a_model_has_as_many_px_in_a_metre_as_one_asks_for(tmp_path: Path, softrod: Softrod) -> None:
+    sizes = []
+    for scale in (1000, 250):
+        out = tmp_path / "a.glb"
+        assert (
+            softrod("export", "pendulum", "--animation", out, "--seconds", 0.5, "--scale", scale).returncode
+            == 0
+        )
+        animated = Animated(out.read_bytes())
+        sizes.append(animated.values("mass 1", "translation"))
+        assert animated.tree["asset"]["extras"]["metres_per_px"] == 1.0 / scale
+    assert sizes[1] == pytest.approx(4.0 * sizes[0], rel=1e-5)
 
 
 @pytest.mark.parametrize("kind", ["spring", "joint"])
