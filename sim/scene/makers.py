@@ -42,7 +42,10 @@ def _maker(recipe: type[AnyRecipe], ordered: int = 0, **usual: Any) -> Callable[
     def make(*in_order: Any, **numbers: Any) -> Scene:
         numbers = {"name": name, **usual, **dict(zip(first, in_order, strict=False)), **numbers}
         if len(in_order) > ordered:
-            raise SceneError(f"{name}: numbers have names, but the first {ordered} need none")
+            but = f", but the first {ordered} need none" if ordered else ""
+            fields = recipe.__struct_fields__
+            example = "masses" if not ordered and "masses" in fields else fields[ordered]
+            raise SceneError(f"{name}: numbers have names{but}, as in sim.{name}({example}={in_order[-1]!r})")
         of_recipe = {field: numbers[field] for field in recipe.__struct_fields__ if field in numbers}
         others = {field: value for field, value in numbers.items() if field not in of_recipe}
         unknown = next((field for field in others if field not in _OF_SCENES), None)

@@ -90,6 +90,9 @@ def sentence(error: msgspec.ValidationError, found: Any) -> str:
     else:
         if where and (kind in _A or get_origin(kind) is Literal or isinstance(found, Scene)):
             return _about(where, value, kind, meta, found)
+        if where and get_origin(kind) is tuple and Ellipsis not in get_args(kind):
+            count = len(get_args(kind))
+            return f"{where}: {count} numbers are expected, as in [0, 0], not {_shown(value, found)}"
     return f"{where}: {in_words(reason)}" if where else in_words(str(error))
 
 

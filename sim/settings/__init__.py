@@ -58,9 +58,17 @@ def setting_of(scene: Scene, key: str) -> Setting:
     if key in applying:
         return applying[key]
     if key in SETTINGS:
-        raise SettingError(f"{key}: the scene {scene.name!r} has no use for it")
+        raise SettingError(no_use(key, scene))
     known = ", ".join(applying) or "none for this scene"
     raise SettingError(f"{key}: there is no such setting; there are {known}")
+
+
+def no_use(key: str, scene: Scene) -> str:
+    """Why a setting or a choice has no effect on a scene, in a sentence without a full stop."""
+    if key == "tolerance":
+        method = METHODS[scene.integrator.method]
+        return f"{key}: the method {method.name} has a fixed step, so it takes no tolerance"
+    return f"{key}: the scene {scene.name!r} has no use for it"
 
 
 @dataclass(frozen=True)
@@ -94,7 +102,7 @@ def set_choice(scene: Scene, key: str, value: str) -> Scene:
     if choice is None:
         raise SettingError(f"{key}: there is no such choice; there are {', '.join(CHOICES)}")
     if not choice.applies(scene):
-        raise SettingError(f"{key}: the scene {scene.name!r} has no use for it")
+        raise SettingError(no_use(key, scene))
     if value not in choice.options:
         raise SettingError(f"{key}: {value!r} is not one of {', '.join(choice.options)}")
     return validate(choice.write(scene, value))

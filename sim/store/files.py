@@ -138,7 +138,7 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
     except (msgspec.DecodeError, RecursionError) as error:
         if isinstance(error, msgspec.ValidationError) and (number := infinite_number(data)):
             raise SceneError(f"{source}: {number[0][:40]} is too large for a number ({number[1]})") from None
-        raise SceneError(f"{source}: this is not a JSON file ({_with_line(str(error), data)})") from None
+        raise SceneError(f"{source}: {_why_no_json(str(error), data)}") from None
     if again := repeated_key(data):
         place = f" ({again[1]})" if places else ""
         raise SceneError(f"{source}: the key {again[0][:60]!r} stands twice in one object{place}")
@@ -170,6 +170,20 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
     path = re.match(r"\w[\w.\[\]]*(?=: )", reason)
     place = place_of(data, path[0]) if path and places else ""
     raise SceneError(f"{source}: {reason} ({place})" if place else f"{source}: {reason}")
+
+
+_NO_NUMBER = re.compile(rb'"(?:[^"\\]|\\.)*"|(-?(?:NaN|Infinity|inf|nan)\b)')
+"""A text, or what some programs write for what is no number."""
+
+
+def _why_no_json(reason: str, data: bytes) -> str:
+    """What is wrong with a file that is no JSON."""
+    if not data.strip():
+        return "the file is empty"
+    for match in _NO_NUMBER.finditer(data):
+        if match[1]:
+            return f"{match[1].decode()} is no number that JSON has ({line_and_column(data, match.start(1))})"
+    return f"this is not a JSON file ({_with_line(reason, data)})"
 
 
 def _with_line(reason: str, data: bytes) -> str:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import difflib
 import math
 import re
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Literal
 
@@ -32,6 +34,8 @@ EXPECTED = (
 Of = Literal["end", "mean", "largest", "smallest", "period"]
 
 _OF: dict[str, Of] = {"mean": "mean", "largest": "largest", "smallest": "smallest", "period": "period"}
+
+_WANTS = ("max", "min", "near", "reach", "step")
 
 _SHOWN: dict[Of, str] = {
     "end": "{} at the end",
@@ -107,14 +111,22 @@ def parse_goal(text: str, scene: sim.Scene) -> tuple[Goal, sim.Scene]:
             if not 0.0 <= seconds <= MOST_SECONDS:
                 raise InputError(f"--goal {text}: {seconds:g} is not in the range 0..{MOST_SECONDS:g} s")
     elif want not in ("max", "min"):
-        raise InputError(f"--goal {text}: {EXPECTED}")
+        raise InputError(f"--goal {text}: {_meant(want, _WANTS)}")
     words = rest.split()
+    if len(words) == 2 and words[0] not in _OF:
+        raise InputError(f"--goal {text}: {_meant(words[0], _OF)}")
     of: Of = _OF[words.pop(0)] if len(words) == 2 and words[0] in _OF else "end"
     if len(words) != 1 or (want == "reach" and of not in ("end", "period")):
         raise InputError(f"--goal {text}: {EXPECTED}")
     name, unit = _quantity(text, words[0], scene)
     unit = "s" if want == "reach" or of == "period" else unit
     return Goal(text, want, of, name, unit, value, low, high, seconds), scene
+
+
+def _meant(word: str, known: Collection[str]) -> str:
+    """What to say of a word that is none of those that there are."""
+    alike = difflib.get_close_matches(word, known, 1)
+    return f"{word!r} is none of {', '.join(known)}; is {alike[0]!r} meant?" if alike else EXPECTED
 
 
 def _of_step(text: str, number: str, scene: sim.Scene) -> tuple[Goal, sim.Scene]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from sim.errors import InputError, SceneError
 from sim.scene.types import Mass, Rope, Scene, rebuilt
 from sim.scene.validate import validate
-from sim.settings import SETTINGS
+from sim.settings import SETTINGS, no_use
 
 GOLDEN = math.pi * (3.0 - math.sqrt(5.0))
 """An angle (radians) whose multiples fall nowhere twice."""
@@ -65,7 +65,7 @@ def _of_setting(
     found = SETTINGS[setting]
 
     def problem(scene: Scene) -> str | None:
-        return None if found.applies(scene) else f"the scene {scene.name!r} has no use for it"
+        return None if found.applies(scene) else no_use(setting, scene).partition(": ")[2]
 
     return Axis(key, label, found.unit, max(found.low, lowest), found.high, ends, found.write, problem, whole)
 

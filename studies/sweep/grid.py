@@ -10,7 +10,7 @@ from functools import cached_property
 
 import sim
 from sim.errors import InputError, SettingError
-from sim.settings import apply_assignments, settings_of
+from sim.settings import SETTINGS, apply_assignments, settings_of
 
 MOST_VALUES = 10_000
 """Values along an axis."""
@@ -130,12 +130,37 @@ class Grid:
     def assignments(self, point: Sequence[str]) -> tuple[str, ...]:
         """What makes the scene of a run.
 
-        Names come before numbers, since a method decides which numbers there are.
+        Names come before numbers, since a method decides which numbers there are. A number that only some of
+        the names have a use for, as the tolerance of some methods, is left out of the others' runs.
         """
-        varied = (f"{axis.key}={value}" for axis, value in zip(self.axes, point, strict=True))
-        every = [assignment.partition("=") for assignment in (*self.settings, *varied)]
+        varied = dict(zip((axis.key for axis in self.axes), point, strict=True))
+        names = frozenset(key for key, value in varied.items() if number_in(value) is None)
+        without = self._without_use(tuple((key, varied[key]) for key in sorted(names)))
+        kept = (f"{key}={value}" for key, value in varied.items() if key not in without)
+        every = [assignment.partition("=") for assignment in (*self.settings, *kept)]
         every.sort(key=lambda parts: number_in(parts[2]) is not None)
         return tuple("".join(parts) for parts in every)
+
+    def _without_use(self, names: tuple[tuple[str, str], ...]) -> frozenset[str]:
+        """The varied numbers that have no effect with some names, but with others."""
+        return self._useless.get(names, frozenset())
+
+    @cached_property
+    def _useless(self) -> dict[tuple[tuple[str, str], ...], frozenset[str]]:
+        keys = [axis.key for axis in self.axes]
+        of_names = [axis for axis in self.axes if any(number_in(value) is None for value in axis.values)]
+        numbers = [key for key in keys if key in SETTINGS and key not in {axis.key for axis in of_names}]
+        found: dict[tuple[tuple[str, str], ...], frozenset[str]] = {}
+        for values in itertools.product(*(axis.values for axis in of_names)):
+            names = tuple(sorted((axis.key, value) for axis, value in zip(of_names, values, strict=True)))
+            set_names = [text for text in self.settings if number_in(text.partition("=")[2]) is None]
+            try:
+                scene = apply_assignments(self.scene, [*set_names, *(f"{k}={v}" for k, v in names)])
+            except SettingError:
+                continue  # of which `scene_at` tells
+            found[names] = frozenset(key for key in numbers if not SETTINGS[key].applies(scene))
+        nowhere = frozenset.intersection(*found.values()) if found else frozenset()
+        return {names: useless - nowhere for names, useless in found.items()}
 
     def scene_at(self, point: Sequence[str]) -> sim.Scene:
         """The scene of a run.

@@ -51,8 +51,9 @@ class Animated:
         self.nodes = {node["name"]: i for i, node in enumerate(self.tree["nodes"])}
         self._animation = self.tree.get("animations", [{"channels": [], "samplers": []}])[0]
         inputs = {sampler["input"] for sampler in self._animation["samplers"]}
-        assert len(inputs) <= 1
-        self.times = self._array(*inputs).ravel() if inputs else np.zeros(1)
+        # What vanishes has a clock of its own, with one moment more.
+        clocks = [self._array(one).ravel() for one in inputs]
+        self.times = min(clocks, key=len, default=np.zeros(1))
 
     def _array(self, accessor: int) -> np.ndarray:
         about = self.tree["accessors"][accessor]

@@ -161,9 +161,9 @@ def test_a_file_may_leave_out_what_has_a_default() -> None:
 @pytest.mark.parametrize(
     ("data", "sentence"),
     [
-        (b"", "not a JSON file"),
+        (b"", "the file is empty"),
         (b"{", "not a JSON file"),
-        (b"\xff\xfe", "not a JSON file"),
+        (b"\xff\xfe", "the file is empty"),
         (b'{"name": "a"} {}', "not a JSON file"),
         (b"[" * 200_000, "not a JSON file"),
         (b'{"name": "\\ud800"}', "not a JSON file"),
@@ -499,3 +499,21 @@ def test_a_broken_file_of_the_user_is_left_out_of_the_list(home: Path) -> None:
     (home / "Ring.json").write_bytes((home / "good.json").read_bytes())
     assert [info.name for info in list_scenes() if not info.built_in] == ["good"]
     assert load_scene("ring").description == load_scene(built_in_folder() / "ring.json").description
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (b"", "the file is empty"),
+        (b" \n\t", "the file is empty"),
+        (b'{"name": "NaN",\n "gravity": [0, NaN]}', "NaN is no number that JSON has (line 2, column 17)"),
+        (b'{"name": "a", "masses": [-Infinity]}', "-Infinity is no number that JSON has (line 1, column 26)"),
+        (b'{"format": 3, "name": "a", "masses": [], "gravity": 9.81}',
+         "gravity: 2 numbers are expected, as in [0, 0], not 9.81 (line 1, column 53)"),
+        (b'{"name": "a", "masses": [',  "this is not a JSON file (Input data was truncated)"),
+    ],
+)  # fmt: skip
+def test_what_programs_and_people_write_wrong_is_named(text: bytes, said: str) -> None:
+    with pytest.raises(SceneError) as error:
+        decode_scene(text, "a.json")
+    assert str(error.value) == f"a.json: {said}"

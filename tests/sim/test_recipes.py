@@ -169,6 +169,8 @@ def test_makers_name_what_they_do_not_know() -> None:
         sim.rod(hairs=3)
     with pytest.raises(SceneError, match=r"^bodies\[0\]\.masses: 1 is not in the range 3\.\.20000"):
         sim.rod(masses=1)
+    with pytest.raises(SceneError, match=r"^rod: numbers have names, as in sim.rod\(masses=10\)"):
+        sim.rod(10)
     with pytest.raises(SceneError, match=r"^rope: numbers have names, but the first 2 need none"):
         sim.rope(5, 100.0, 3.0)
     assert (len(sim.rope(5).masses), sim.rope(5, 80.0).linear_springs[0].rest_length) == (5, 20.0)

@@ -72,7 +72,12 @@ def test_only_methods_with_error_control_have_a_tolerance() -> None:
 
 def test_a_setting_without_use_is_refused() -> None:
     for key in SETTINGS:
-        with pytest.raises(SettingError, match=f"{key}: the scene 'tutorial-3.1' has no use for it"):
+        said = (
+            "the method symplectic_euler has a fixed"
+            if key == "tolerance"
+            else "the scene 'tutorial-3.1' has no"
+        )
+        with pytest.raises(SettingError, match=f"{key}: {said}"):
             set_value(load_scene("tutorial-3.1"), key, 1.0)
 
 
@@ -391,7 +396,7 @@ def test_assignments_are_applied_in_order() -> None:
         ("masses=2.5", "masses: 2.5 is not a whole number"),
         ("method=leapfrog", "method: 'leapfrog' is not one of"),
         ("force_law=", "force_law: '' is not one of"),
-        ("tolerance=1", "tolerance: the scene 'tutorial-3.3' has no use for it"),
+        ("tolerance=1", "tolerance: the method symplectic_euler has a fixed step, so it takes no tolerance"),
     ],
 )
 def test_wrong_assignments_are_refused(text: str, sentence: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import msgspec
@@ -401,3 +402,19 @@ def test_another_seed_goes_another_way(tmp_path: Path, wanted: Wanted) -> None:
     improved(tmp_path / "two", Wanted(**{**vars(wanted), "seed": 2}))
     one, two = rows_by_number(tmp_path / "one"), rows_by_number(tmp_path / "two")
     assert one[0] == two[0] and one[1] != two[1]
+
+
+@pytest.mark.parametrize(
+    ("goal", "said"),
+    [
+        ("mxa energy.kinetic", "'mxa' is none of max, min, near, reach, step; is 'max' meant?"),
+        (
+            "min smalest energy.kinetic",
+            "'smalest' is none of mean, largest, smallest, period; is 'smallest' meant?",
+        ),
+        ("energy.kinetic", '"max QUANTITY", "min QUANTITY"'),
+    ],
+)
+def test_a_word_that_is_misspelt_is_named_with_what_is_like_it(goal: str, said: str) -> None:
+    with pytest.raises(InputError, match=re.escape(said)):
+        parse_goal(goal, sim.load_scene("rope"))

@@ -76,7 +76,7 @@ def test_ends_and_values_are_exact() -> None:
         (("--vary", "weight=1"), "--vary weight: there is no such setting"),
         (("--set", "dt=9", "--vary", "gravity=1"), "--set dt: 9 is not in the range 1e-06..1 s"),
         (("--vary", "masses=3..6:3"), "--vary masses: 4.5 is not a whole number"),
-        (("--vary", "method=auto,rk4", "--vary", "tolerance=1"), "--vary tolerance: the scene"),
+        (("--vary", "method=velocity_verlet,rk4", "--vary", "tolerance=1"), "--vary tolerance: the method"),
         (("--vary", "gravity=0..1:999", "--vary", "rest_angle=0..1:999"), "998001 runs are more than"),
         (("--vary", "gravity=1", "--measure", "weight"), "--measure: 'weight' is not one of sag, period"),
         (("--vary", "gravity=1", "--duration", "nan"), "--duration: nan is not in the range 0.001..10000 s"),
@@ -302,3 +302,16 @@ def test_plots_have_a_picture_for_each_measure_and_further_value(
     assert len(figure.axes[0].lines) == lines
     assert (figure.axes[0].get_xscale() == "log") == ("log" in vary[0])
     assert len(COLOURS) == 8
+
+
+def test_a_number_that_only_some_methods_have_is_left_out_of_the_others_runs() -> None:
+    grid = make_grid(sim.load_scene("rope"), (), ["method=auto,rk4", "tolerance=1,.01", "gravity=0,900"])
+    of_auto, of_rk4 = grid.points[0], grid.points[-1]
+    assert grid.assignments(of_auto) == ("method=auto", "tolerance=1", "gravity=0")
+    assert grid.assignments(of_rk4) == ("method=rk4", "gravity=900")
+    assert grid.scene_at(of_rk4).integrator.method == "rk4"
+    # One that nothing has a use for is refused, as ever.
+    for vary in (["method=rk4,velocity_verlet", "tolerance=1,.01"], ["tolerance=1,.01"]):
+        grid = make_grid(sim.load_scene("tutorial-3.3"), ["method=rk4"] * (len(vary) == 1), vary)
+        with pytest.raises(InputError, match="has a fixed step, so it takes no tolerance"):
+            grid.scene_at(grid.points[0])
