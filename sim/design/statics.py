@@ -30,7 +30,7 @@ from numpy.typing import NDArray
 
 from ..analysis.equilibrium import Resting
 from ..forces.all import TERMS
-from ..forces.joints import ANGLE, CONSERVATIVE, JointsTwin
+from ..forces.joints import IN_NUMPY, TUTORIAL, JointsTwin
 from ..forces.springs import SpringsTwin
 from ..forces.walls import WallRow, WallsTwin
 from ..scene.columns import ends
@@ -58,6 +58,8 @@ BALANCED = 1e-10
 """Force that may be left at a mass, as a part of the largest load on any, where all is in balance."""
 _EPSILON = 8.0 * float(np.finfo(float).eps)
 """Rounding error of the force of an unknown, as a part of it."""
+_BISECTIONS = 54
+"""By which an angle of up to 90 degrees is known to its rounding."""
 _NONE = 1e-20
 """What stands for nothing on the diagonal of the augmented system, so that it has an inverse."""
 _EXACT = 1e-13
@@ -119,8 +121,8 @@ class Statics:
         self._size = tables.torque_size[1:][system.joint_order]
         self._size = self._size * self._lengths[self._first] * self._lengths[self._second]  # K |A||B|
         self.springs, self.joints = springs & (k > 0.0), joints & (self._size > 0.0)
-        self._has_energy, self._is_angle = tables.law in (CONSERVATIVE, ANGLE), tables.law == ANGLE
-        bent = MOST_BENT if self._is_angle else math.sin(MOST_BENT)
+        self._has_energy, self._law = tables.law != TUTORIAL, IN_NUMPY[tables.law]
+        bent = self._of_law(np.array([MOST_BENT]))[0][0]
         of_springs, of_joints = k[self.springs], self._size[self.joints]
         self.stiffness = np.concatenate((of_springs, of_joints, self._stiffness_of_walls()))
         self.most = np.concatenate(
@@ -335,15 +337,29 @@ class Statics:
         tension[self.springs] = x[:springs]
         size = self._size * stiffening
         bend[self.joints] = x[springs : springs + int(self.joints.sum())] / size[self.joints]
-        off = bend if self._is_angle else np.arcsin(bend)
+        off = self._deflection(bend)
         if self._has_energy:
-            energy = size * (0.5 * off**2 if self._is_angle else 2.0 * np.sin(0.5 * off) ** 2)
+            energy = size * self._of_law(off)[1]
             for one in (self._first, self._second):
                 pull = np.where(self.joints, energy / self._lengths[one], 0.0)
                 tension -= np.bincount(one, pull, tension.size)
         angle = np.angle(self._vectors[self._first].conj() * self._vectors[self._second]) - off
         stiff = np.where(self.springs, self._k * stiffening, 1.0)
         return self._lengths - tension / stiff, np.degrees(angle)
+
+    def _of_law(self, off: Floats) -> tuple[Floats, Floats]:
+        """The torque and the energy of joints for which K |A||B| is one, bent by some angles, radians."""
+        return self._law(np.exp(1j * off))
+
+    def _deflection(self, bend: Floats) -> Floats:
+        """The angles, radians, at which joints have some torques, as parts of K |A||B|: by bisection between
+        -90 and 90 degrees, where the torque of every law grows."""
+        low, high = np.full(bend.shape, -0.5 * math.pi), np.full(bend.shape, 0.5 * math.pi)
+        for _ in range(_BISECTIONS):
+            middle = 0.5 * (low + high)
+            below = self._of_law(middle)[0] < bend
+            low, high = np.where(below, middle, low), np.where(below, high, middle)
+        return np.where(np.isfinite(bend), 0.5 * (low + high), bend)
 
     def name_of(self, unknown: int) -> tuple[str, int]:
         """What an unknown is called: "spring" or "joint", and its index in the scene."""

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from ..kernels.engine.table import Floats, Indices, Table
 from ..scene.columns import column
 from ..scene.types import Scene, is_surrounded
 from .air import Air, new_air, still_air
-from .contact_pairs import NO_CONTACTS, Contacts, new_contacts
-from .fillings import NO_FILLINGS, Fillings, new_fillings
-from .resistance import NO_RESISTANCE, Resistance, new_resistance
-from .walls import NO_WALLS, Walls, new_walls
+from .contact_pairs import Contacts, new_contacts
+from .fillings import Fillings, new_fillings
+from .resistance import Resistance, new_resistance
+from .walls import Walls, new_walls
 
 
 class Environment(Table):
@@ -44,28 +42,14 @@ def new_environment(
     mass = np.zeros(slots)
     mass[mass_index] = column(scene.masses, "mass")
     mass.setflags(write=False)
-    if not is_surrounded(scene):
-        return _nothing_around(scene.air_friction, step).replaced(mass=mass)
+    present = is_surrounded(scene)
     return Environment(
-        present=True,
+        present=present,
         step=step,
         mass=mass,
-        air=new_air(scene),
+        air=new_air(scene) if present else still_air(scene.air_friction),
         resistance=new_resistance(scene, ends, mass),
         walls=new_walls(scene),
         fillings=new_fillings(scene, mass_index),
         contact=new_contacts(scene, mass_index, ends, slots),
-    )
-
-
-@lru_cache(maxsize=16)
-def _nothing_around(friction: float, step: float) -> Environment:
-    """The table of scenes with nothing but still air of some friction, but for the masses."""
-    return Environment.empty().replaced(
-        step=step,
-        air=still_air(friction),
-        resistance=NO_RESISTANCE,
-        walls=NO_WALLS,
-        fillings=NO_FILLINGS,
-        contact=NO_CONTACTS,
     )

@@ -266,9 +266,7 @@ class StabilityMeter:
     def _by_velocities(self, physics: Physics | Twin, w: Floats) -> Floats:
         """C w, likewise."""
         body, environment = self._system.body, self._system.body.environment
-        resisted = environment.air.friction or environment.resistance.rows.size
-        around = environment.walls.rows.size or environment.contact.present or resisted
-        if not (body.damped or body.joint_damped or around):
+        if not (body.damped or body.joint_damped or environment.air.friction or environment.present):
             return np.zeros_like(w)
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
         return self._difference(lambda step: physics.forces(x, v + step), w)

@@ -168,9 +168,14 @@ class _Block:
 
     @classmethod
     def empty(cls) -> Self:
-        """A table whose arrays have no elements and whose numbers are zero."""
-        kinds = ((name, field.dtype, field.dimensions) for name, field in cls.fields.items())
-        return cls(**{name: 0 if kind is None else np.zeros((0,) * axes, kind) for name, kind, axes in kinds})
+        """A table whose arrays have no elements and whose numbers are zero; so are the tables in it."""
+
+        def nothing(field: _Field) -> Any:
+            if field.dtype is not None:
+                return np.zeros((0,) * field.dimensions, field.dtype)
+            return _CLASSES[field.type.class_name].empty() if isinstance(field.type, TableType) else 0
+
+        return cls(**{name: nothing(field) for name, field in cls.fields.items()})
 
     def arrays(self) -> Iterator[tuple[str, NDArray[Any]]]:
         """The names and values of the fields that are arrays."""
