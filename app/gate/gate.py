@@ -93,6 +93,9 @@ EXTRA_FRAME_BURST = 2000.0
 # Frames that wait for viser in memory.
 MAX_QUEUED_FRAMES = 4
 
+_HERE = ("127.0.0.1", "::1")
+"""This machine: its owner, or whomever a proxy speaks for without saying so."""
+
 MOST_ADVICE = 5
 
 PAGE_PATHS = ("/", "/index.html", "/s")
@@ -143,6 +146,7 @@ class Connection(ServerConnection):
         self.client: viser.ClientHandle | None = None
         self.page = ""
         self.visitor = ""
+        self.number: int | None = None
         self.since = time.monotonic()
         self._gate = gate
         self._messages = Budget(MESSAGES_PER_SECOND, MESSAGE_BURST)
@@ -161,6 +165,7 @@ class Connection(ServerConnection):
             if admitted == BEAT:
                 await self._answer_beat()
             elif admitted is not None:
+                self._gate.tell_heard(self)
                 return admitted
 
     async def _answer_beat(self) -> None:
@@ -200,6 +205,7 @@ class Gate:
 
     Attributes:
         loopback: whether only this machine can connect, and nothing else is known to lead here.
+        heard: is called with the number of a page that has said something, before viser reads it.
         advice: for whoever started the server, why pages were refused, and which option lets them in. Anybody
             who reaches the server can cause some, so there are never more than a few.
     """
@@ -216,6 +222,7 @@ class Gate:
         self.refused: Counter[Reason] = Counter()
         self.loopback = loopback
         self.advice: list[str] = []
+        self.heard: Callable[[int], None] = lambda _: None
         self._more_tabs = more_tabs
         self._public = public
         self._files = files
@@ -311,7 +318,7 @@ class Gate:
         if len(others) >= most and _crowd(others, who) is None:
             sentence = f"This server is full: it has room for {most} pages. Close one that nobody needs."
             return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, sentence
-        if self._connections.left < 1 or self._budget(who).left < 1:
+        if self._connections.left < 1 or (who not in _HERE and self._budget(who).left < 1):
             return "rate", HTTPStatus.TOO_MANY_REQUESTS, "Too many pages connect at once. Wait for a minute."
         return None
 
@@ -416,6 +423,15 @@ class Gate:
             self.refused[refusal.reason] += 1
             return None
         return gate_messages.write(message)
+
+    def tell_heard(self, tab: Connection) -> None:
+        """Tell that a page has said something."""
+        if tab.number is None:
+            assert self._server is not None
+            live = viser_inside.connections(self._server)
+            tab.number = next((number for number, one in live.items() if one is tab), None)
+        if tab.number is not None:
+            self.heard(tab.number)
 
     def _input_handle(self, tab: Connection, uuid: str) -> Any:
         """The GUI element that a tab's message reaches: one of its own or one shared by all."""

@@ -75,6 +75,11 @@ class Page:
         """Have the ticker do something, before the next frame; any thread may ask."""
         self._asked.append(act)
 
+    @property
+    def is_asked(self) -> bool:
+        """Whether there is something for the ticker to do."""
+        return bool(self._asked)
+
     def serve(self) -> None:
         """Do what was asked for; the ticker's."""
         while self._asked:

@@ -30,7 +30,7 @@ from ..drawing.plan import Picture, broken_of, own_rest_angles
 from ..drawing.sketch import Mapping, world_size
 from ..session import commands
 from ..session.notices import About
-from ..session.pacing import is_large
+from ..session.pacing import LONGEST_FRAME, is_large
 from ..session.plots import Wish, text_of
 from ..session.session import Changed, Notice, Session
 from ..viser_inside import element_id
@@ -73,6 +73,12 @@ MOST_REQUESTS = 20
 
 SHELF_EVERY = 0.3
 """Seconds between two looks whether scenes were saved or deleted, in whatever page."""
+
+CALM_FRAME = 1.0
+"""Seconds between two frames of a page on which nothing happens."""
+
+UNTOUCHED = 1.0
+"""Seconds for which its user has done nothing then."""
 
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
@@ -192,6 +198,7 @@ class Tab:
         self._tools: ToolsPanel | None = None
         self._files: FilesPanel | None = None
         self._session: Session | None = None
+        self._calm, self._stirred = False, time.monotonic()
         self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
         self._view.build(scene, keeping.PLAIN.dark)
@@ -309,13 +316,37 @@ class Tab:
             self._session.post(command)
 
     # --------------------------------------------------------------------- the ticker's
+    @property
+    def is_calm(self) -> bool:
+        """Whether a frame now and then will do: its body rests or stands, and nobody does anything."""
+        return self._calm and not (self._requests or self._notices or self._has_commands)
+
+    @property
+    def _has_commands(self) -> bool:
+        return self._session is not None and (self._session.has_commands or self._page.is_asked)
+
+    def stir(self) -> None:
+        """The page has said something, of whatever kind; any thread may call."""
+        self._stirred = time.monotonic()
+
+    def _is_settled(self, session: Session) -> bool:
+        """Whether the page is told all that there is to tell, and nothing goes on but the clock."""
+        waits = not self._all_ready or self._passing or self._panel.unsettled or self._role is not None
+        lists = [*self._page.plots] if session.playing else []
+        plots = any(each.wishes and each.looked_at for each in lists)
+        untouched = time.monotonic() - self._stirred > UNTOUCHED
+        return untouched and self._was_at_rest and not (waits or plots) and session.is_left_alone
+
     def frame(self, budget: float, beside: Submit) -> bool:
         """One frame, of `budget` seconds of computing at most; returns whether the page is told anything.
 
         What a heavy body needs is done by `beside`, in another thread. Until that is done the session is that
         thread's, and the page keeps its picture.
         """
-        session = self._session
+        session, calm = self._session, self._calm
+        if not self.is_calm and calm:
+            self.stir()  # something was asked for
+        self._calm = False
         if self._under_way is not None:
             if not self._under_way.done():
                 if session is not None:
@@ -341,13 +372,14 @@ class Tab:
             if session.heavy:
                 self._under_way = beside(self._advance, session, budget)
                 return True
-            self._advance(session, budget)
+            self._advance(session, budget, CALM_FRAME + LONGEST_FRAME if calm else LONGEST_FRAME)
         # All at once: viser 1.1.1 sets an `asyncio.Event` from this thread at every message, which raises if
         # its event loop is just waking up from the one before. And no panel comes in parts.
         with self.client.atomic():
             session = session or self._begin(made)
             self._send(session)
         self._keep(session)
+        self._calm = self._is_settled(session)
         return True
 
     def _looks_on(self, session: Session, front: Front | None) -> bool:
@@ -394,9 +426,9 @@ class Tab:
         self._tell(session)
 
     @staticmethod
-    def _advance(session: Session, budget: float) -> None:
+    def _advance(session: Session, budget: float, longest: float = LONGEST_FRAME) -> None:
         session.drain()
-        session.tick(budget)
+        session.tick(budget, longest)
 
     def _begin(self, session: Session) -> Session:
         """What is made after the first picture has been sent."""

@@ -120,6 +120,7 @@ def serving(
     try:
         _set_stage(server)
         ticker.attach(server)
+        server.gate.heard = ticker.hear
         yield server, ticker, compiler
     finally:
         compiler.stop()

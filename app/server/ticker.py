@@ -1,6 +1,7 @@
 """The one thread that steps and draws all tabs, sixty times a second; with no tab it sleeps.
 
-With many tabs it is fewer times a second, down to 25, and the pages glide from one picture to the next. The
+With many tabs it is fewer times a second, down to 25, and the pages glide from one picture to the next. A
+calm page, where nothing moves and nobody does anything, has a frame a second, until it says something. The
 time steps of heavy bodies are done by threads beside it, since the kernels do not hold the interpreter.
 """
 
@@ -16,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import viser
 
-from ..page.tab import Tab
+from ..page.tab import CALM_FRAME, Tab
 from ..session.session import FRAME
 
 BUDGET = 0.7
@@ -27,6 +28,9 @@ LONGEST_FRAME = 1.0 / 25.0
 
 WORKED = 0.75
 """Part of a frame that the ticker may work; the rest is the event loop's, which has the network."""
+
+CALM_LOOK = 0.1
+"""Seconds between two looks for something to do, where all pages are calm and none says anything."""
 
 HEAVY_THREADS = 2
 """Threads for heavy bodies, all tabs together."""
@@ -54,6 +58,8 @@ class Ticker:
         self._frame = FRAME
         self._workers = ThreadPoolExecutor(HEAVY_THREADS, thread_name_prefix="softrod-heavy")
         self._thread = threading.Thread(target=self._run, name="softrod-ticker", daemon=True)
+        self._news = threading.Event()  # that a page has said something
+        self._calm_due: dict[int, float] = {}
         self.tabs: dict[int, Tab] = {}
         self.drawn = threading.Event()
 
@@ -69,6 +75,7 @@ class Ticker:
         async def _(client: viser.ClientHandle) -> None:
             self._arrivals.append(client)
             self._wake.set()
+            self._news.set()
 
         @server.on_client_disconnect
         async def _(client: viser.ClientHandle) -> None:
@@ -77,10 +84,17 @@ class Ticker:
 
         self._thread.start()
 
+    def hear(self, client_id: int) -> None:
+        """A page has said something; any thread may call."""
+        if (tab := self.tabs.get(client_id)) is not None:
+            tab.stir()
+        self._news.set()
+
     def stop(self) -> None:
         """Stop after the present frame, and wait for it."""
         self._stopping = True
         self._wake.set()
+        self._news.set()
         self._thread.join(timeout=10.0)
         self._workers.shutdown(wait=False, cancel_futures=True)
 
@@ -95,8 +109,13 @@ class Ticker:
             began = time.monotonic()
             self._come_and_go()
             for client_id, tab in list(self.tabs.items()):
+                calm = tab.is_calm
+                if calm and began < self._calm_due.get(client_id, 0.0):
+                    continue
+                self._calm_due[client_id] = began + CALM_FRAME
                 try:
-                    if tab.frame(BUDGET * self._frame / len(self.tabs), self._workers.submit):
+                    share = BUDGET * (CALM_FRAME if calm else self._frame) / len(self.tabs)
+                    if tab.frame(share, self._workers.submit):
                         tab.client.flush()
                 except Exception:
                     # A page that went away in the middle of a frame, or a defect: the other tabs go on.
@@ -107,7 +126,11 @@ class Ticker:
             now = time.monotonic()
             self._frame = next_frame(self._frame, now - began)
             due = max(due + self._frame, now - FRAME)
-            time.sleep(max(0.0, due - now))
+            if all(tab.is_calm for tab in self.tabs.values()):
+                self._news.wait(CALM_LOOK)
+            else:
+                time.sleep(max(0.0, due - now))
+            self._news.clear()
 
     def _come_and_go(self) -> None:
         while self._arrivals:
@@ -119,7 +142,9 @@ class Ticker:
             except Exception:
                 _log.exception("a page could not be set up")
         while self._departures:
-            gone = self.tabs.pop(self._departures.popleft(), None)
+            client_id = self._departures.popleft()
+            gone = self.tabs.pop(client_id, None)
+            self._calm_due.pop(client_id, None)
             if gone is not None:
                 try:
                     gone.leave()

@@ -196,18 +196,19 @@ class Pacer:
         self.behind = 0.0
         self._frames.clear()
 
-    def grant(self, now: float, dt: float) -> int:
+    def grant(self, now: float, dt: float, longest: float = LONGEST_FRAME) -> int:
         """Steps that this frame should do.
 
         Args:
             now: wall time, s.
             dt: time step, s.
+            longest: seconds of wall time that it can owe.
         """
         elapsed = 0.0 if self._last is None else max(0.0, now - self._last)
         self._last = now
-        self._lost = max(0.0, elapsed - LONGEST_FRAME) * self.speed
+        self._lost = max(0.0, elapsed - longest) * self.speed
         self.behind += self._lost
-        self._owed += min(elapsed, LONGEST_FRAME) * self.speed
+        self._owed += min(elapsed, longest) * self.speed
         steps = int(self._owed / dt + 1e-9)
         self._owed -= steps * dt
         return steps

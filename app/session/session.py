@@ -34,7 +34,7 @@ from .history import History, OldFuture
 from .log import Log
 from .modes import ModesWatch
 from .notices import About, Notice, no_shape, runaway
-from .pacing import HEAVY_UNIT, Costs, Pacer, is_large
+from .pacing import HEAVY_UNIT, LONGEST_FRAME, Costs, Pacer, is_large
 from .record import Recorder
 from .replay import Player
 from .rival import Rival
@@ -43,6 +43,9 @@ from .stability import StabilityWatch
 from .versions import Versions
 
 __all__ = ["FRAME", "KEYS_FORGOTTEN_AFTER", "Notice", "Session"]
+
+CHEAP = 0.3
+"""Milliseconds in the solver per frame up to which a body that rests costs next to nothing."""
 
 KEYS_FORGOTTEN_AFTER = 0.5
 """Seconds of silence after which held keys, and what drives a mode, count as released: the connection may be
@@ -253,6 +256,23 @@ class Session:
         )
 
     @property
+    def is_left_alone(self) -> bool:
+        """Whether nothing but the clock goes on, and costs next to nothing.
+
+        No hand, key or log moves the body then, there is no other one, and nothing was asked for.
+        """
+        acts = self.simulation.keys or self.hands.masses or self.driving.drive is not None or self.follow
+        others = self.replay is not None or self.modes is not None or any(True for _ in self.companions)
+        busy = self.notices or self.stability_watch.is_looking or self.has_commands
+        cheap = self.pacer.rates(self.clock()).solver_ms < CHEAP or not self.playing
+        return cheap and not (acts or others or busy)
+
+    @property
+    def has_commands(self) -> bool:
+        """Whether commands wait."""
+        return bool(self._queue)
+
+    @property
     def will_play(self) -> bool:
         """Whether the clock runs once the commands that wait are applied."""
         playing = self.playing
@@ -354,11 +374,12 @@ class Session:
         if self.replay is None and (not self.playing or self.simulation.divergence is not None):
             self.hands.steer(self.following, glide=False)
 
-    def tick(self, budget: float) -> None:
+    def tick(self, budget: float, longest: float = LONGEST_FRAME) -> None:
         """Go on by one frame, as far as the clock and the budget allow; `drain` comes before.
 
         Args:
             budget: seconds of computing that the frame may take.
+            longest: seconds of wall time that it may make up for.
         """
         now = self.clock()
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
@@ -369,7 +390,7 @@ class Session:
         if running and self.replay is not None:
             self._play_log(self.replay, now, budget)
         elif running:
-            self._step(now, budget)
+            self._step(now, budget, longest)
         running = running and self.playing  # it may have ended just now
         self.stability_watch.tick(self.simulation, self.revision, running, now, budget)
         if self.modes is not None:
@@ -655,9 +676,9 @@ class Session:
         if self.simulation.time != self.history.end:
             self.history.add(self.simulation.capture(), self.companions.capture())
 
-    def _step(self, now: float, budget: float) -> None:
+    def _step(self, now: float, budget: float, longest: float) -> None:
         """Go on by a frame."""
-        steps = self.pacer.grant(now, self.simulation.dt)
+        steps = self.pacer.grant(now, self.simulation.dt, longest)
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
         began = time.perf_counter()

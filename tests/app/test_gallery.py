@@ -45,7 +45,7 @@ class Page(SessionPage):
 # ------------------------------------------------------------------------- pictures
 def test_the_pictures_are_of_the_presets_as_they_are() -> None:
     known = msgspec.json.decode(thumbnails.DIGESTS.read_bytes())
-    assert known == thumbnails.digests(), "run: python -m app.page.thumbnails"
+    assert known == thumbnails.digests(), "run: python -m app.page.scenes.thumbnails"
 
 
 def test_every_preset_has_two_small_pictures() -> None:

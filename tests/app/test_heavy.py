@@ -39,11 +39,11 @@ def test_others_go_on_and_pause_is_answered_while_a_step_takes_its_time(
             begun, go_on = threading.Event(), threading.Event()
             tick = Session.tick
 
-            def slow(self: Session, budget: float) -> None:
+            def slow(self: Session, *given: float) -> None:
                 if self is session:
                     begun.set()
                     assert go_on.wait(30.0)
-                tick(self, budget)
+                tick(self, *given)
 
             monkeypatch.setattr(Session, "heavy", property(lambda self: self is session))
             monkeypatch.setattr(Session, "tick", slow)

@@ -202,8 +202,8 @@ def in_the_middle_of_a_frame(tab: Tab, act: Callable[[], None], monkeypatch: pyt
     """Have something done in the next frame of a tab, after the ticker has looked at what was asked for."""
     tick, acted = Session.tick, []
 
-    def tick_then_act(session: Session, budget: float) -> None:
-        tick(session, budget)
+    def tick_then_act(session: Session, *given: float) -> None:
+        tick(session, *given)
         if session is tab.session and not acted:
             acted.append(act())
 

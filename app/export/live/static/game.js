@@ -97,17 +97,17 @@ export class SoftBody extends Body {
    */
   step(count = 1) {
     finite("step", count);
-    const whole = Math.floor(count);
-    for (let left = whole; left > 0; ) {
+    let goesOn = true;
+    for (let left = Math.floor(count); left > 0; ) {
       // Hands go straight to where they are led, so they are led there bit by bit where steps are done apart.
       const now = this.beforeStep ? 1 : left > 1 ? left - 1 : 1;
       this.beforeStep?.(this);
       if (left === now) this.#before.set(this.positions);
       const hands = [...this.#hands.values()].map((hand) => towards(this.positions, hand, now / left));
-      if (!advance(this, this.method, this.dt, now, hands)) return false;
+      goesOn = advance(this, this.method, this.dt, now, hands);
       left -= now;
     }
-    return true;
+    return goesOn;
   }
 
   /**

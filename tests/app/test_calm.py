@@ -1,0 +1,143 @@
+"""Pages on which nothing happens cost next to nothing, and wake when somebody does something."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import pytest
+
+import sim
+from app.page import tab as tab_module
+from app.server.ticker import Ticker
+from app.session import commands
+from app.wire.from_page import Grab
+from sim.compiling.compiler import Compiler
+from tests.app.hostile import eventually
+from tests.app.whole import WholePage
+
+
+class Client:
+    """A page, as the ticker sees it."""
+
+    client_id = 7
+
+    def flush(self) -> None:
+        """Nothing waits."""
+
+
+class Page:
+    """A tab that counts its frames."""
+
+    def __init__(self, client: Any) -> None:
+        self.client, self.count, self.is_calm, self.stirred = client, 0, True, 0
+
+    def frame(self, _budget: float, _beside: object) -> bool:
+        """Count it."""
+        self.count += 1
+        return False
+
+    def stir(self) -> None:
+        """It has said something."""
+        self.stirred += 1
+        self.is_calm = False
+
+    def leave(self) -> None:
+        """It goes."""
+
+
+def test_a_calm_page_has_a_frame_a_second_until_it_says_something() -> None:
+    made: list[Page] = []
+
+    def make(client: Any) -> Any:
+        made.append(Page(client))
+        return made[0]
+
+    ticker, server = Ticker(make), Server()
+    ticker.attach(server)  # type: ignore[arg-type]
+    try:
+        server.connect(Client())
+        assert eventually(lambda: made and made[0].count == 1)
+        time.sleep(0.4)
+        assert made[0].count == 1
+        ticker.hear(7)
+        ticker.hear(8)  # which is gone
+        began = made[0].count
+        assert eventually(lambda: made[0].count > began + 5)
+        assert made[0].stirred == 1
+    finally:
+        ticker.stop()
+
+
+class Server:
+    """What the ticker asks of a server."""
+
+    def on_client_connect(self, hear: Any) -> None:
+        """Remember who wants to know."""
+        self._hear = hear
+
+    def on_client_disconnect(self, hear: Any) -> None:
+        """Nobody leaves."""
+
+    def connect(self, client: Any) -> None:
+        """A page comes."""
+        with pytest.raises(StopIteration):
+            self._hear(client).send(None)
+
+
+@pytest.fixture
+def page(monkeypatch: pytest.MonkeyPatch) -> WholePage:
+    monkeypatch.setattr(tab_module, "UNTOUCHED", -1.0)
+    monkeypatch.setattr(Compiler, "progress", (1, 1))
+    return WholePage(sim.load_scene("empty"))
+
+
+def test_a_page_is_calm_once_its_body_rests_and_nobody_does_anything(page: WholePage) -> None:
+    page.frames(10)
+    assert not page.tab.is_calm
+    page.frames(60)
+    assert page.tab.is_calm
+    # What is asked for ends it at once; what only the page's script says does so by `stir`.
+    page.session.post(commands.Play(False))
+    assert not page.tab.is_calm
+    page.frames(90)
+    assert page.tab.is_calm
+    page.session.post(commands.SetValue("gravity", 500.0))
+    assert not page.tab.is_calm
+
+
+def test_a_body_that_moves_or_is_held_is_never_calm(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tab_module, "UNTOUCHED", -1.0)
+    monkeypatch.setattr(Compiler, "progress", (1, 1))
+    rope = WholePage(sim.load_scene("rope"))
+    for _ in range(120):
+        rope.frames(1)
+        assert not rope.tab.is_calm
+    still = WholePage(sim.load_scene("rope"))
+    still.frames(1, commands.Play(False))
+    still.frames(90)
+    assert still.tab.is_calm
+    still.frames(1, commands.Play(True), Grab(0, 3, 0.0, 0.0))
+    still.frames(90)
+    assert not still.tab.is_calm
+
+
+def test_a_touched_page_is_not_calm_for_a_while(page: WholePage, monkeypatch: pytest.MonkeyPatch) -> None:
+    page.frames(90)
+    assert page.tab.is_calm
+    monkeypatch.setattr(tab_module, "UNTOUCHED", 3600.0)
+    page.frames(90, commands.SetValue("gravity", 500.0))
+    assert not page.tab.is_calm
+    page.tab.stir()
+    page.frames(90)
+    assert not page.tab.is_calm
+
+
+def test_a_calm_body_keeps_up_with_the_clock(page: WholePage) -> None:
+    page.frames(90)
+    assert page.tab.is_calm
+    before = page.simulation.time
+    page.wall.time += 1.0
+    page.frames(1)
+    assert page.simulation.time - before == pytest.approx(1.0, abs=0.05)
+    assert page.session.pacer.behind == 0.0
