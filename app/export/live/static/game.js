@@ -28,6 +28,14 @@ function known(name, kind, number, count) {
   throw new RangeError(`${name}: there is no ${kind} ${number}${count ? `, but 0 to ${count - 1}` : ""}`);
 }
 
+/** A copy of lists, maps, objects and what is in them. @param {any} value @returns {any} */
+function copied(value) {
+  if (Array.isArray(value)) return value.map(copied);
+  if (value instanceof Map) return new Map([...value].map(([key, one]) => [key, copied(one)]));
+  if (!value || typeof value !== "object") return value;
+  return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, copied(one)]));
+}
+
 /**
  * A hand that leads a mass a part of the way to where it is to be.
  *
@@ -82,7 +90,7 @@ export class SoftBody extends Body {
       if (["data", "method", "beforeStep"].includes(key)) continue;
       // Whoever reads `positions` goes on with the same array.
       if (ArrayBuffer.isView(value)) own[key].set(value);
-      else own[key] = structuredClone(value);
+      else own[key] = copied(value);
     }
     this.#hands = new Map([...other.#hands].map(([mass, hand]) => [mass, { ...hand }]));
     this.#owed = other.#owed;
