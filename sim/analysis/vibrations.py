@@ -20,6 +20,8 @@ MOST_MASSES = 1000
 _NOT_HELD = "vibrations: the springs do not hold the body where it starts, so it does not vibrate there"
 _BALANCED = 1e-6
 """Acceleration, as a part of the largest by gravity or loads, up to which a body rests."""
+_ROUNDED = 100.0
+"""How many bounds of rounding errors may be left, too."""
 _SHIFT = 1.0
 """What is added to squares of angular frequencies, 1/s², so that the matrix of a free body has an inverse."""
 NOTHING = 1e-3
@@ -67,8 +69,8 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
     """
     body = _checked(scene, count)
     pulls = np.concatenate((body.state.gx, body.state.gy))
-    left = float(np.abs(body.accelerations(body.start)).max(initial=0.0))
-    if left > _BALANCED * float(np.abs(pulls).max(initial=0.0)):
+    small = _BALANCED * float(np.abs(pulls).max(initial=0.0)) + _ROUNDED * body.rounding(body.start)
+    if (np.abs(body.accelerations(body.start)) > small).any():
         warnings.warn(
             "vibrations: forces do not balance where the scene starts, so what they strain at rest is left "
             "out; give it the pose of sim.equilibrium",

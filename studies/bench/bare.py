@@ -108,7 +108,8 @@ def hold_class(shown: str, port: int) -> tuple[str, contextlib.ExitStack]:
 
     classes = Classes()
     scene = sim.load_scene(shown)
-    room = next(iter(classes.go_on() or [classes.begin([scene])])).room
+    classes.take_up([scene], 1)
+    room = next(iter(classes)).room
     stack = contextlib.ExitStack()
     server, ticker, compiler = stack.enter_context(serving(scene, "127.0.0.1", port, classes=classes))
     threading.Thread(target=start_compiling, args=(scene, ticker, compiler), daemon=True).start()

@@ -22,6 +22,7 @@ from playwright.sync_api import Browser, sync_playwright
 import sim
 from app.page import tab
 from app.server.serve import serving
+from app.session.pacing import LONGEST_FRAME
 from app.session.session import FRAME, Session
 from tests.browser.conftest import FLAGS, browser_path
 from tests.browser.driver import Desk, Point, Served
@@ -103,9 +104,9 @@ class Clock:
 class Unhurried(Session):
     """A session whose frames take all the computing that they need, so that no machine is too slow."""
 
-    def tick(self, budget: float) -> None:
+    def tick(self, budget: float, longest: float = LONGEST_FRAME) -> None:
         """See `Session.tick`."""
-        super().tick(math.inf)
+        super().tick(math.inf, longest)
 
 
 class Film:

@@ -131,14 +131,14 @@ def forged(**changes: Any) -> str:
 @pytest.mark.parametrize(
     ("data", "said"),
     [
-        (packed(b""), "not a JSON file"),
+        (packed(b""), "the file is empty"),
         (packed(b"[]"), "a JSON object"),
         (packed(b"[" * 100_000), "not a JSON file"),
-        (packed(b"\xff\xfe"), "not a JSON file"),
+        (packed(b"\xff\xfe"), "the file is empty"),
         (packed(b'{"format": 3, "name": "x"} more'), "not a JSON file"),
         (packed(zlib.compress(b"{}")), "not a JSON file"),
         (forged(format=99), "version 99 is newer"),
-        (forged(air_friction=float("nan")), "not a JSON file"),
+        (forged(air_friction=float("nan")), "NaN is no number that JSON has"),
         (forged(air_friction=-1), "air_friction"),
         (forged(more=1), "more"),
         (forged(name="x" * 1000), "name"),
