@@ -5,8 +5,8 @@ from __future__ import annotations
 import logging
 import re
 import threading
-from collections import defaultdict, deque
-from collections.abc import Callable
+from collections import defaultdict
+from collections.abc import Callable, Collection
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any
@@ -23,15 +23,17 @@ from .files.sharing import Sharing
 from .page import Page
 from .race.race import Races
 from .scenes.gallery import Gallery
+from .waiting import TOO_MUCH, Waiting
 
 _log = logging.getLogger(__name__)
 
-beside = ThreadPoolExecutor(2, thread_name_prefix="softrod-beside")
-"""For what the event loop must not wait for: scenes that are read, packed and painted."""
+beside = ThreadPoolExecutor(8, thread_name_prefix="softrod-beside")
+"""For what the event loop must not wait for: scenes that are read, packed and painted. Some of it waits for
+the step of a heavy body, in which nobody else's is to be held up."""
 
 
-MOST_WAITING = 50
-"""Requests of a page that wait at most; beyond that the page is not a person, and the oldest are dropped."""
+MOST_UNFINISHED = 6_000_000
+"""Letters of texts of which parts are missing that one page may have: the longest one, and some more."""
 
 
 class Answers:
@@ -60,16 +62,24 @@ class Answers:
         self.races = Races(page)
         self.edits = Edits(page.session, page.mail, page.notify)
         self._parts: defaultdict[str, keeping.Parts] = defaultdict(keeping.Parts)
-        self._line = InOrder()
+        self._line = InOrder(page.notify)
 
     def ask(self, ask: from_page.Ask) -> None:
         """Have a question answered after those before it."""
         self._line.submit(self._answer, ask)
 
+    @property
+    def unfinished(self) -> Collection[keeping.Parts]:
+        """The texts of which parts are missing."""
+        return self._parts.values()
+
     def take(self, part: from_page.Part) -> None:
         """Put together what comes in parts, of which this is the next, and do what is to be done with it."""
         letters = self._parts[part.kind].add(part.number, part.of, part.letters)
         if letters is None:
+            if sum(text.size for text in self.unfinished) > MOST_UNFINISHED:
+                self._parts.clear()
+                self._page.notify(TOO_MUCH)
             return
         if part.kind == "link":
             self._line.submit(self.sharing.open, letters)
@@ -125,17 +135,21 @@ _EITHER = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}", re.ASCII)
 
 
 class InOrder:
-    """Work of one page, done in order by the threads of all pages, so that none keeps them to itself."""
+    """Work of one page, done in order by the threads of all pages, so that none keeps them to itself.
 
-    def __init__(self) -> None:
-        self._waiting: deque[Callable[[], None]] = deque(maxlen=MOST_WAITING)
+    Args:
+        refuse: tells the page's user that there is too much of it.
+    """
+
+    def __init__(self, refuse: Callable[[Notice], None]) -> None:
+        self._waiting: Waiting[Callable[[], None]] = Waiting(refuse)
         self._lock = threading.Lock()
         self._busy = False
 
     def submit(self, work: Callable[..., None], *arguments: Any) -> None:
         """Have something done after all that waits, in another thread."""
         with self._lock:
-            self._waiting.append(partial(work, *arguments))
+            self._waiting.add(partial(work, *arguments))
             if self._busy:
                 return
             self._busy = True
@@ -143,12 +157,12 @@ class InOrder:
 
     def _next(self) -> None:
         with self._lock:
-            work = self._waiting.popleft()
+            work = self._waiting.take()
         try:
             work()
         except Exception:  # a defect, or a page that went away meanwhile
             _log.exception("a request of a page failed")
         with self._lock:
-            self._busy = more = bool(self._waiting)
+            self._busy = more = len(self._waiting) > 0
         if more:
             beside.submit(self._next)

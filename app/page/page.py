@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -21,6 +20,7 @@ from .files.keeping import PLAIN, Looks
 from .scenes.shelf import Shelf
 from .viser.comma_switch import CommaSwitch
 from .viser.handlers import on_press
+from .waiting import Waiting
 
 if TYPE_CHECKING:
     from .measure.plot_list import PlotList
@@ -63,7 +63,10 @@ class Page:
     is_closed: Callable[[Lesson], bool] = lambda _: False
     begin_class: Callable[[Scene], str] | None = None
     take_tables: Callable[[tuple[Measurement, ...]], None] | None = None
-    _asked: deque[Callable[[], None]] = field(default_factory=lambda: deque(maxlen=100))
+    _asked: Waiting[Callable[[], None]] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self._asked = Waiting(self.notify)
 
     @property
     def has_lesson(self) -> bool:
@@ -73,17 +76,17 @@ class Page:
 
     def later(self, act: Callable[[], None]) -> None:
         """Have the ticker do something, before the next frame; any thread may ask."""
-        self._asked.append(act)
+        self._asked.add(act)
 
     @property
     def is_asked(self) -> bool:
         """Whether there is something for the ticker to do."""
-        return bool(self._asked)
+        return len(self._asked) > 0
 
     def serve(self) -> None:
         """Do what was asked for; the ticker's."""
         while self._asked:
-            self._asked.popleft()()
+            self._asked.take()()
 
     def clear(self) -> None:
         """All controls are gone: forget them, and what was asked by them."""

@@ -60,6 +60,7 @@ from .probe import KeptState, Probe
 from .race.race import RaceView
 from .scenes.shelf import Shelf
 from .viser.comma_switch import CommaSwitch
+from .waiting import Waiting
 
 READOUTS_EVERY = 0.1
 """Seconds between two updates of texts and sliders; faster would only flicker."""
@@ -152,8 +153,8 @@ class Tab:
     ) -> None:
         self.client = client
         self._compiler = compiler
-        self._requests: deque[Callable[[Session], None]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
+        self._requests: Waiting[Callable[[Session], None]] = Waiting(self.notify)
         self._before_lesson: BeforeLesson | None = None
         self._generation = -1
         self._number = secrets.token_hex(4)
@@ -267,23 +268,23 @@ class Tab:
             case from_page.Ask():
                 self._answers.ask(said)
                 if role is not None and isinstance(said, from_page.Who):
-                    self._requests.append(lambda now: role.introduce(said, now))
+                    self._requests.add(lambda now: role.introduce(said, now))
             case from_page.InSeat() | from_page.Lead() | from_page.Checked():
                 if role is not None:
-                    self._requests.append(lambda now: role.hear(said, now))
+                    self._requests.add(lambda now: role.hear(said, now))
             case from_page.Edit():
                 if "edit" in self._page.controls:
                     self._answers.edits.do(said)
             case from_page.Prepare():
                 if "edit" in self._page.controls and role is None:
-                    self._requests.append(lambda _: self._maker.do(said))
+                    self._requests.add(lambda _: self._maker.do(said))
             case from_page.Seen():
                 self._seen = said
                 self._show_where_seen()
             case from_page.Pick(mass):
-                self._requests.append(lambda now: self._pick(now, mass))
+                self._requests.add(lambda now: self._pick(now, mass))
             case from_page.BeginStep():
-                self._requests.append(lambda _: self._begin_step(said))
+                self._requests.add(lambda _: self._begin_step(said))
 
     def perform(self, command: str) -> None:
         """Do a command of the table, if the page has the control that it needs."""
@@ -294,7 +295,7 @@ class Tab:
         if does == "page":
             self._mail.tell(Run(command=command))
         elif callable(does):
-            self._requests.append(lambda now: does(now, self))
+            self._requests.add(lambda now: does(now, self))
         else:
             session.post(does)
 
@@ -434,12 +435,12 @@ class Tab:
         """What is made after the first picture has been sent."""
 
         def resume(kept: keeping.Kept) -> None:
-            self._requests.append(lambda now: self._resume(now, kept))
+            self._requests.add(lambda now: self._resume(now, kept))
 
         def show(scene: sim.Scene) -> None:  # by the same queue: a link comes after what the page had kept
-            self._requests.append(lambda now: now.post(commands.Open(scene)))
+            self._requests.add(lambda now: now.post(commands.Open(scene)))
 
-        commas = CommaSwitch(lambda on: self._requests.append(lambda now: self._switch(now, "commas", on)))
+        commas = CommaSwitch(lambda on: self._requests.add(lambda now: self._switch(now, "commas", on)))
         self._page = Page(
             self.client, session, self._mail, self.notify, self.perform, self._shelf, commas,
             controls=self._wanted_controls(session.scene), begin_class=self._begin_class,
@@ -458,7 +459,7 @@ class Tab:
         except SceneError as error:
             # Later, when the page knows how to ask for the scenes that there are.
             why = f"{str(error)[:1].upper()}{str(error)[1:]}."
-            self._requests.append(lambda _: self._say_not_found(why))
+            self._requests.add(lambda _: self._say_not_found(why))
             return None
 
     def _is_closed(self, lesson: Lesson) -> bool:
@@ -708,7 +709,7 @@ class Tab:
         self._page.serve()
         # No more in a frame than a person can ask for: others wait for the same thread.
         for _ in range(min(len(self._requests), MOST_REQUESTS)):
-            self._requests.popleft()(session)
+            self._requests.take()(session)
 
     # --------------------------------------------------------------------- what was asked for
     def plot_angle(self) -> None:

@@ -12,12 +12,14 @@ import pytest
 
 import sim
 from app.page import answers, controls
-from app.page.answers import MOST_WAITING, InOrder
+from app.page.answers import InOrder
 from app.page.files.files_panel import open_file
+from app.page.waiting import MOST, TOO_MUCH, Waiting
 from app.session.notices import Notice
 from app.wire.from_page import Ask, ListScenes, Part, Unread, Unsent
 from app.wire.to_page import Resumed
 from sim.store import files
+from tests.app.hostile import eventually
 from tests.app.panels import page_of
 from tests.app.recording import busy_page, log_of
 from tests.app.test_gallery import Page
@@ -32,14 +34,14 @@ def wait(event: threading.Event) -> None:
 
 
 def test_requests_of_a_page_are_done_one_after_the_other() -> None:
-    line, done, go, end = InOrder(), list[int](), threading.Event(), threading.Event()
+    line, done, go, end = InOrder(print), list[int](), threading.Event(), threading.Event()
     line.submit(wait, go)
-    for number in range(MOST_WAITING - 1):
+    for number in range(MOST - 1):
         line.submit(done.append, number)
     line.submit(end.set)
     go.set()
     assert end.wait(LIMIT)
-    assert done == list(range(MOST_WAITING - 1))
+    assert done == list(range(MOST - 1))
 
 
 def fail() -> None:
@@ -48,7 +50,7 @@ def fail() -> None:
 
 
 def test_a_request_that_fails_does_not_stop_those_after_it(caplog: pytest.LogCaptureFixture) -> None:
-    line, end = InOrder(), threading.Event()
+    line, end = InOrder(print), threading.Event()
     line.submit(fail)
     line.submit(end.set)
     assert end.wait(LIMIT)
@@ -58,9 +60,10 @@ def test_a_request_that_fails_does_not_stop_those_after_it(caplog: pytest.LogCap
 def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_others(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    told: list[Notice] = []
     line, others, busy, go, end = (
-        InOrder(),
-        InOrder(),
+        InOrder(told.append),
+        InOrder(told.append),
         threading.Event(),
         threading.Event(),
         threading.Event(),
@@ -71,16 +74,41 @@ def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_othe
     assert busy.wait(LIMIT)
     with monkeypatch.context() as patch:
         patch.setattr(answers.beside, "submit", lambda *_: pytest.fail("it takes more of the threads' room"))
-        for number in range(10 * MOST_WAITING):
+        for number in range(10 * MOST):
             line.submit(done.append, number)
     others.submit(end.set)
     assert end.wait(LIMIT), "another page is answered meanwhile"
     go.set()
+    assert eventually(lambda: len(done) == MOST)
+    # What there was room for is done, and the rest is not left out without a word, nor with a hundred.
+    assert done == list(range(MOST))
+    assert told == [TOO_MUCH]
     last = threading.Event()
     line.submit(last.set)
     assert last.wait(LIMIT)
-    assert len(done) <= MOST_WAITING
-    assert done[-1] == 10 * MOST_WAITING - 1
+
+
+def test_a_full_queue_says_so_once_until_it_is_empty() -> None:
+    told: list[Notice] = []
+    queue: Waiting[int] = Waiting(told.append, 2)
+    for _ in range(2):
+        for number in range(5):
+            queue.add(number)
+        assert [queue.take(), queue.take()] == [0, 1]
+        assert len(queue) == 0
+    assert told == [TOO_MUCH, TOO_MUCH]
+
+
+def test_texts_that_are_never_finished_are_bounded() -> None:
+    page = Page()
+    answering = answers.Answers(page.page, print, print, str)
+    letters = "A" * 48_000
+    for kind in ("resume", "link", "file", "paste", "rival"):
+        for number in range(1, 99):
+            answering.take(Part(kind, number, 99, letters))  # type: ignore[arg-type]
+            held = sum(parts.size for parts in answering.unfinished)
+            assert held <= answers.MOST_UNFINISHED
+    assert TOO_MUCH in page.notices
 
 
 def test_no_event_takes_the_place_of_another(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -79,6 +79,11 @@ class Parts:
     def __init__(self) -> None:
         self._letters: list[str] = []
 
+    @property
+    def size(self) -> int:
+        """Letters of what is not whole yet."""
+        return sum(map(len, self._letters))
+
     def add(self, number: int, of: int, letters: str) -> str | None:
         """The whole, once the last part is there; None before that, or if a part is missing."""
         if number == 1:
