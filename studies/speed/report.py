@@ -27,6 +27,9 @@ OTHERS_TARGET = 30.0
 COARSE, FINE = 0.1, 1e-6
 """Errors at which there are targets, px."""
 
+_AS_FAST = 1.1
+"""Ratio of times up to which one method is as fast as another."""
+
 WITHIN_TARGET = 0.9
 """Share of random bodies that has to end within the tolerance; none may end beyond ten times that."""
 
@@ -177,9 +180,35 @@ def _target_rows(study: Study) -> list[tuple[str, ...]]:
 
 
 def summary(study: Study) -> str:
-    """How many targets are met."""
+    """How many targets are met; empty where there are none, as for a scene of one's own."""
     rows = targets(study)
-    return f"{sum(row.met for row in rows)} of {len(rows)} targets met"
+    return f"{sum(row.met for row in rows)} of {len(rows)} targets met" if rows else ""
+
+
+def advice(study: Study) -> list[str]:
+    """What to take for each scene and each error, and what the next best method costs: a sentence each."""
+    said = []
+    for results in study.scenes:
+        for error in study.errors:
+            where, best = f"{results.scene}, to {error:g} px", results.best(tuple(METHODS), error)
+            if best is None:
+                said.append(f"{where}: none of the settings that were tried comes as near.")
+                continue
+            sentence = f"{where}: take {_setting(best)}, which ends {best.end_error:.1g} px off"
+            others_of_ours = [name for name in METHODS if name != best.integrator]
+            if (next_best := results.best(others_of_ours, error)) is not None:
+                ratio = next_best.seconds / best.seconds
+                as_long = "is as fast" if ratio < _AS_FAST else f"takes {ratio:.2g} times as long"
+                sentence += f"; {_setting(next_best)} {as_long} and ends {next_best.end_error:.1g} px off"
+            said.append(f"{sentence}.")
+    return said
+
+
+def _setting(point: Point) -> str:
+    """A method and its tolerance or its time step, in words."""
+    adaptive = METHODS[point.integrator].adaptive
+    value = f"{point.value:g} px" if adaptive else f"{1e3 * point.value:.3g} ms"
+    return f"{label(point.integrator)} at {value}"
 
 
 def _scene_rows(results: SceneResults, errors: Sequence[float]) -> list[list[str]]:
@@ -213,7 +242,9 @@ def markdown(study: Study, figures: Sequence[tuple[str, str]], note: str) -> str
     blocks = ["# Computing time against error", _INTRODUCTION]
     if not others.has_cvode():
         blocks.append("CVODE is missing: scikit-sundae is not installed (`uv sync --extra compare`).")
-    blocks.append(f"**{summary(study)}.**{' ' + note if note else ''}")
+    met = f"**{summary(study)}.**" if summary(study) else ""
+    blocks.append(f"{met} {note}".strip())
+    blocks.append("\n".join(f"- {sentence}" for sentence in advice(study)))
     missed = [target for target in targets(study) if not target.met]
     blocks.append("\n".join(f"- Missed: {t.what}: {t.found} (target {t.wanted})" for t in missed))
     blocks.append(captioned(figures))

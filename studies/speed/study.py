@@ -116,8 +116,12 @@ def _report(found: Study, note: str, out: Path, console: Console) -> None:
     for error in report.SHORT_HEADINGS:
         console.print(report.short_table(found, error))
         console.print()
-    console.print(report.target_table(found))
-    console.print(f"{report.summary(found)}. {note}".strip())
+    if met := report.summary(found):
+        console.print(report.target_table(found))
+        console.print(f"{met}.")
+    for sentence in (*report.advice(found), note):
+        if sentence:
+            console.print(sentence, highlight=False, soft_wrap=True)
     write_table(out / "study.csv.gz", report.points_csv(found))
     write_table(out / "bodies.csv.gz", report.bodies_csv(found))
     drawn = write_figures(out, figures(found))

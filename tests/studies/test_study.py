@@ -347,3 +347,25 @@ def test_the_rods_of_the_benchmark_are_alike_but_for_their_path() -> None:
         simulation.step(1000)
     assert np.abs(ends[0].positions - ends[1].positions).max() < 1e-6
     assert np.abs(ends[0].positions - [m.position for m in chain.masses]).max() > 1.0
+
+
+def test_a_scene_of_one_s_own_is_told_what_to_take() -> None:
+    def point(integrator: str, value: float, error: float, seconds: float) -> Point:
+        return Point("mine", integrator, value, error, error, seconds)
+
+    points = [
+        point("auto", 1.0, 0.4, 1e-3), point("auto", 0.01, 0.005, 3e-3),
+        point("velocity_verlet", 0.002, 0.03, 1.05e-3), point("rk4", 0.001, 0.004, 9e-3),
+    ]  # fmt: skip
+    found = Study((1.0, 0.01, 1e-6), [SceneResults("mine", 1e-9, points, True)])
+    assert study_report.advice(found) == [
+        "mine, to 1 px: take Auto at 1 px, which ends 0.4 px off; Velocity Verlet at 2 ms is as fast and "
+        "ends 0.03 px off.",
+        "mine, to 0.01 px: take Auto at 0.01 px, which ends 0.005 px off; Runge-Kutta 4 at 1 ms takes 3 times "
+        "as long and ends 0.004 px off.",
+        "mine, to 1e-06 px: none of the settings that were tried comes as near.",
+    ]
+    assert study_report.summary(found) == ""
+    text = markdown(found, [], "")
+    assert "targets met" not in text
+    assert "- mine, to 1 px: take Auto at 1 px" in text
