@@ -361,8 +361,8 @@ def test_a_scene_of_one_s_own_is_told_what_to_take() -> None:
     assert study_report.advice(found) == [
         "mine, to 1 px: take Auto at 1 px, which ends 0.4 px off; Velocity Verlet at 2 ms is as fast and "
         "ends 0.03 px off.",
-        "mine, to 0.01 px: take Auto at 0.01 px, which ends 0.005 px off; Runge-Kutta 4 at 1 ms takes 3 times "
-        "as long and ends 0.004 px off.",
+        "mine, to 0.01 px: take Auto at 0.01 px, which ends 0.005 px off; Runge-Kutta 4 at 1 ms takes 3 "
+        "times as long and ends 0.004 px off.",
         "mine, to 1e-06 px: none of the settings that were tried comes as near.",
     ]
     assert study_report.summary(found) == ""
