@@ -125,9 +125,13 @@ def write_bodies(bodies: Bodies, code: str) -> None:
 
 def read_bodies(code: str) -> Bodies:
     """Where the pupils' bodies were; nothing if that cannot be read, since they can begin anew."""
+    path = folder_of(code) / BODIES
     try:
-        return msgspec.json.decode((folder_of(code) / BODIES).read_bytes(), type=Bodies)
-    except (OSError, ValueError):
+        return msgspec.json.decode(path.read_bytes(), type=Bodies)
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError, RecursionError) as error:
+        _log.warning("the bodies of the class %s begin anew: %s: %s", code, path, error)
         return {}
 
 
@@ -138,9 +142,13 @@ def encode(room: Room) -> bytes:
 
 def codes() -> list[str]:
     """Of the classes that there are on the disk."""
-    with contextlib.suppress(OSError):
+    try:
         return sorted(folder.name for folder in classes_folder().iterdir() if _CODE.fullmatch(folder.name))
-    return []
+    except FileNotFoundError:
+        return []
+    except OSError as error:
+        _log.warning("classes that have not been ended cannot go on: %s", error)
+        return []
 
 
 def read(code: str) -> Room | None:
@@ -150,7 +158,7 @@ def read(code: str) -> Room | None:
         room = msgspec.json.decode((folder / FILE).read_bytes(), type=Room)
         for scene in room.scenes:
             consistent(scene)
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         _log.warning("the class in %s cannot go on: %s", folder, error)
         return None
     return room if room.code == code else None

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import asyncio
-from collections import deque
 from types import SimpleNamespace
 from typing import Any
 
@@ -17,6 +16,7 @@ from app.drawing.sketch import Mapping
 from app.gate.gate import Gate
 from app.page import controls
 from app.page.tab import Tab
+from app.page.waiting import Waiting
 from app.session.session import Session
 from tests.app.letters import Letters
 from tests.app.panels import page_of
@@ -69,10 +69,10 @@ class Bare(Tab):
         self._role = None
         self._mapping = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
         self._mail = Letters()
-        self._requests = deque()
+        self._requests = Waiting(print)
 
     @property
     def done(self) -> list[Any]:
         """What it had done: commands, letters to the page, and requests to the ticker."""
         assert isinstance(self._mail, Letters)
-        return [*self.posted, *self._mail.sent, *self._requests]
+        return [*self.posted, *self._mail.sent, *[self._requests.take() for _ in range(len(self._requests))]]

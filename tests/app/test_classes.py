@@ -6,6 +6,7 @@ import base64
 import errno
 import io
 import itertools
+import random
 import threading
 import time
 import zipfile
@@ -264,13 +265,48 @@ def test_what_a_killed_server_was_forgetting_is_forgotten(
     assert not list(folder.rglob(kept.FILE))
 
 
-def test_a_file_that_makes_no_sense_is_left_alone(folder: Path) -> None:
+def bent(data: bytes, dice: random.Random) -> bytes:
+    """A file of which a disk or a program has kept something else."""
+    cut, made = dice.randrange(len(data)), bytearray(data)
+    match dice.randrange(5):
+        case 0:
+            return data[:cut]
+        case 1:
+            made[cut] = dice.randrange(256)
+        case 2:
+            made[cut:cut] = data[cut : cut + dice.randrange(1, 40)]
+        case 3:
+            del made[cut : cut + dice.randrange(1, 40)]
+        case _:
+            made[cut:cut] = b"[" * 100_000
+    return bytes(made)
+
+
+def test_a_file_that_makes_no_sense_is_left_alone(folder: Path, caplog: pytest.LogCaptureFixture) -> None:
+    """Its class does not go on, and the log says so; no server stops at it."""
+    klass = Classes().begin(a_room().scenes)
+    klass.room.enter(SECRETS[0])
+    until_written(klass)
+    klass.keep(1, b"x")
+    tended(klass, lambda: (kept.folder_of(klass.room.code) / kept.BODIES).exists())
+    kept.release(klass.lock)
+    whole = {name: (folder / klass.room.code / name).read_bytes() for name in (kept.FILE, kept.BODIES)}
+    dice, read = random.Random(1), 0
+    for _ in range(200):
+        for name, data in whole.items():
+            (folder / klass.room.code / name).write_bytes(bent(data, dice))
+        room = kept.read(klass.room.code)
+        kept.read_bodies(klass.room.code)
+        read += room is not None  # what was bent was a name, or white space
+    assert read < 100
     for code, text in (("ABCD", "{"), ("ABCE", '{"code": "ABCE"}'), ("notes", "")):
         (folder / code).mkdir(parents=True)
         (folder / code / kept.FILE).write_text(text)
-    (klass,) = taken_up([sim.rope(masses=4)])
-    assert klass.room.code not in ("ABCD", "ABCE")
-    assert len(list(folder.rglob(kept.FILE))) == 3
+    (folder / klass.room.code / kept.FILE).write_text("[" * 100_000)
+    caplog.clear()
+    (other,) = taken_up([sim.rope(masses=4)])
+    assert other.room.code not in ("ABCD", "ABCE", klass.room.code)
+    assert sum("cannot go on" in record.message for record in caplog.records) == 3
 
 
 def test_a_class_has_no_more_steps_than_a_page_can_list() -> None:
