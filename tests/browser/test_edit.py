@@ -125,6 +125,8 @@ def test_a_joint_is_put_into_a_corner_and_turned_by_its_knob(open_page: OpenPage
     other = desk.place(13 if desk.session.scene.angular_springs[joint].b == 12 else 3)
     toward = math.atan2(other[1] - tip[1], other[0] - tip[0])
     knob = (tip[0] + 58.0 * math.cos(toward), tip[1] + 58.0 * math.sin(toward))
+    mark = page.locator(".softrod-edit-knob")
+    desk.until(lambda: mark.get_attribute("d"), "the page shows it")
     page.mouse.move(*knob)
     page.mouse.down()
     page.keyboard.down("Shift")
