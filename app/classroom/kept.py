@@ -76,8 +76,8 @@ def release(lock: BaseFileLock | None) -> None:
         lock.release()
 
 
-def let_go(lock: BaseFileLock | None) -> None:
-    """Take the lock of a class away that is no more; `lock` as `hold` gave it."""
+def remove_lock(lock: BaseFileLock | None) -> None:
+    """Delete the lock of a class that is no more; `lock` as `hold` gave it."""
     if lock is not None:
         # While it is held: whoever waits for the file then finds no class beside it.
         Path(lock.lock_file).unlink(missing_ok=True)
@@ -179,6 +179,9 @@ def forget(code: str) -> None:
         return
     try:
         shutil.rmtree(away)
+    except FileNotFoundError:
+        # A server that starts sweeps such folders away, too.
+        shutil.rmtree(away, ignore_errors=True)
     except OSError:
         with contextlib.suppress(OSError):
             away.rename(folder)

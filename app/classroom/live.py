@@ -371,7 +371,7 @@ class Class:
         self.ended = True
         for executor in (self._judge, self._maker, self._writer):
             executor.shutdown(wait=False, cancel_futures=True)
-        kept.let_go(self.lock)
+        kept.remove_lock(self.lock)
         self.room.seats.clear()
         self.room.answers.clear()
         self._bodies.clear()
@@ -468,7 +468,7 @@ class Classes:
                 kept.release(lock)
             elif new:
                 kept.forget(code)
-                kept.let_go(lock)
+                kept.remove_lock(lock)
             elif scenes is None or room.begun_with == tuple(scenes):
                 if not is_free:
                     raise Refused(

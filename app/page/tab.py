@@ -179,6 +179,7 @@ class Tab:
         self._for_others = for_others
         self._begin_class = begin_class
         self._is_taught = is_taught
+        self._said_closed: Lesson | None = None
         self._mail = Mail(client)
         self._role = role_of(self._mail)
         # In a class, the class says what is shown.
@@ -530,7 +531,8 @@ class Tab:
         self._view.show_gizmos(self._page.looks.gizmos)
         wanted, has_lesson = self._wanted_controls(session.scene), self._page.has_lesson
         lesson = session.scene.lesson
-        if self._role is None and lesson is not None and self._is_closed(lesson):
+        if self._role is None and lesson not in (None, self._said_closed) and self._is_closed(lesson):
+            self._said_closed = lesson
             text = "Here is its body alone; the steps come with the class."
             self.notify(Notice("info", "A class goes through this lesson now", text))
         if has_lesson and self._before_lesson is None:

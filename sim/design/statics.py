@@ -8,8 +8,7 @@ G of each joint, under every force law. With the vector L = b - a of a spring as
   and with -i G B / |B|² on the b end of B and with the opposite on its a end. What a joint pulls along its
   springs is a part of their T, see `sim.forces.joints`;
 - a wall pushes a mass that touches it with P n, where n is its normal and P is not negative, and friction
-that
-  holds, see `Wall`, with F i n.
+  that holds, see `Wall`, with F i n.
 
 A balance is B x = -f, with a column of B for each unknown and all other forces in f. Of its solutions, the
 one with the smallest sum of T² / k + G² / (K |A||B|) is x = D Bᵀ l with (B D Bᵀ) l = -f, where D has k and

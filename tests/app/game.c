@@ -45,6 +45,9 @@ int main(void) {
     double before = one.time;
     body_advance(&one, 3600.0);
     expect(one.time - before < BODY_LONGEST + 2.0 * BODY_DT, "it does not catch up for ever");
+    before = one.time;
+    for (int i = 0; i < 20; i++) body_advance(&one, NAN), body_advance(&one, -1.0);
+    expect(one.time == before, "no time is none");
 
     // A floor is raised with what lies on it, and lets go of what it held.
     body_reset(&other);

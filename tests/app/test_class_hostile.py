@@ -174,6 +174,30 @@ def test_only_the_class_tells_what_is_right_in_its_lesson(
         page.socket.close()
 
 
+def test_that_a_lesson_is_a_class_s_is_said_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+    classes = Classes(alone=False)
+    classes.begin([sim.load_scene("lesson-hooke")])
+    with serving(sim.rope(), "127.0.0.1", 0, allow_hosts=("laptop.local",), classes=classes) as (server, *_):
+        page = Someone(server.get_port(), f"/at/{1:032x}?scene=lesson-hooke")
+        page.say(who(1))
+        assert eventually(lambda: page.told("keepsake"))
+
+        def said(title: str) -> int:
+            return sum(
+                title == (m.get("props") or {}).get("title") for m in page.received("NotificationShowMessage")
+            )
+
+        assert eventually(lambda: said("A class goes through this lesson now"))
+        for name in ("One", "Two"):
+            # A new name has the panel made anew.
+            page.say(msgspec.json.encode(from_page.SetTexts(name, "")).decode())
+            assert eventually(lambda: name in repr(page.messages))  # noqa: B023
+        time.sleep(0.2)
+        assert said("A class goes through this lesson now") == 1
+        page.socket.close()
+
+
 def test_whatever_a_pupil_and_a_wall_say_the_others_answers_arrive(
     klass: Class, classes: Classes, port: int
 ) -> None:

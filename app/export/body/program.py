@@ -325,9 +325,9 @@ def check_law(body: Body) -> None:
 
 
 def time_step(body: Body) -> tuple[float, list[str]]:
-    """The length of a program's steps by symplectic Euler, s, and what is another in them than in the scene.
+    """The length of a program's steps by symplectic Euler, s, and how these differ from the scene's.
 
-    It is the scene's, or a whole part of that which the body bears.
+    It is the scene's time step, or the largest whole part of it that the body bears with a margin.
     """
     method, dt = body.scene.integrator.method, body.scene.integrator.dt
     notes = []

@@ -6,12 +6,12 @@
 import { onTold, send } from "../../wire/channel.js";
 import { make, makeButton } from "../looks/dialog.js";
 import { perform } from "../../wire/perform.js";
+import { giveUpConnection } from "../viser/connection.js";
 import { betweenPresses } from "./anew.js";
 import { Ghosts, OwnGhost } from "./ghost.js";
 import { icon } from "./icons.js";
 import { forgetAnswers, give, onOutbox, openOutbox, unsent } from "./outbox.js";
 import { keepInPlace } from "./place.js";
-import { giveUpConnection } from "../viser/connection.js";
 
 /** @typedef {import("../../wire/wire.js").Seat} Seat */
 /** @typedef {import("../../wire/wire.js").Asking} Asking */

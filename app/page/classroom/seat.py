@@ -221,9 +221,9 @@ class SeatRole(ClassRole):
 
     def _enter(self) -> None:
         try:
-            given = self.klass.given.setdefault(self._visitor, set())
-            seat = self.room.enter(self._secret, self.klass.pupils, given if self._visitor else ())
-            given.add(seat.number)
+            given = self.klass.given.get(self._visitor, ()) if self._visitor else ()
+            seat = self.room.enter(self._secret, self.klass.pupils, given)
+            self.klass.given.setdefault(self._visitor, set()).add(seat.number)
             self._sit(seat)
             self._problem = ""
         except Refused as error:

@@ -438,7 +438,7 @@ void softbody_step(softbody *body) {
 
 int softbody_advance(softbody *body, double seconds) {
     // After a long pause the game goes on, instead of catching up for ever.
-    body->owed += fmin(seconds, SOFTBODY_LONGEST);
+    body->owed += seconds > 0.0 ? fmin(seconds, SOFTBODY_LONGEST) : 0.0;
     // A hair more, so that ten times 0.0025 s are ten steps whatever the rounding.
     for (long n = (long)floor(body->owed / SOFTBODY_DT + 1e-9); n > 0; n--) {
         softbody_step(body);

@@ -83,7 +83,7 @@ export class SoftBody extends Body {
     this.#take(new SoftBody(this.data, this.dt));
   }
 
-  /** Be as another body of the same data is. @param {SoftBody} other */
+  /** Take over the state of another body of the same data. @param {SoftBody} other */
   #take(other) {
     const own = /** @type {Record<string, any>} */ (this);
     for (const [key, value] of Object.entries(other)) {
@@ -209,7 +209,7 @@ export class SoftBody extends Body {
    * Move a wall, turn it, or make it another; it lets go of what it held.
    *
    * @param {number} wall
-   * @param {Partial<ReturnType<SoftBody["wall"]>>} to what is another one
+   * @param {Partial<ReturnType<SoftBody["wall"]>>} to the numbers that change
    */
   setWall(wall, to) {
     const now = { ...this.wall(wall), ...to };
