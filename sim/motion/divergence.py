@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property, partial
 from typing import Literal
 
 from ..body.system import System
@@ -39,8 +41,7 @@ class Divergence:
             short enough.
         limit: the limit that was passed, px or px/s; infinite for "number", 0 for "step".
         dt: the time step, s.
-        stability: the stability limit in question: that of the body at its start or, if the time step was
-            below it, in its last good shape.
+        find_stability: finds `stability`, which takes far longer than a run that explodes.
         adaptive: whether the method has a tolerance, so that the time step cannot be the cause.
         driven: whether the force law has no energy, so that the law itself can make the body ever faster.
     """
@@ -50,9 +51,15 @@ class Divergence:
     quantity: Quantity
     limit: float
     dt: float
-    stability: StabilityEstimate
+    find_stability: Callable[[], StabilityEstimate] = field(repr=False, compare=False)
     adaptive: bool = False
     driven: bool = False
+
+    @cached_property
+    def stability(self) -> StabilityEstimate:
+        """The stability limit in question: that of the body at its start or, if the time step was below it,
+        in its last good shape."""
+        return self.find_stability()
 
     def __str__(self) -> str:
         what = {
@@ -88,8 +95,8 @@ def explain(scene: Scene, system: System, state: State, steps: int, outcome: Out
     limit = MAX_SPEED if quantity == "speed" and method.adaptive else limit
     driven = scene.force_law == "tutorial" and system.body.joints > 0
     mass = int(system.mass_order[outcome.mass_index - 1]) if outcome.mass_index > 0 else 0
-    blame = limit_to_blame(system, state, method.name, dt)
-    return Divergence(mass, steps, quantity, limit, dt, blame, method.adaptive, driven)
+    find = partial(limit_to_blame, system, state.copied(), method.name, dt)
+    return Divergence(mass, steps, quantity, limit, dt, find, method.adaptive, driven)
 
 
 def limit_to_blame(system: System, state: State, method: str, dt: float) -> StabilityEstimate:

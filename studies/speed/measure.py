@@ -197,6 +197,8 @@ class _Explorer:
         return point
 
     def _enough(self, point: Point) -> bool:
+        if point.failure and point.integrator in METHODS and not METHODS[point.integrator].adaptive:
+            return False  # it exploded, however long that took
         longest = LONGEST_OURS if point.integrator in METHODS else LONGEST
         return point.seconds > longest or point.end_error <= SURE * min(self._errors)
 

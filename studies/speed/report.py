@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 from rich.table import Table
 
+from sim.analysis.advice import Tried, recommended
 from sim.methods.registry import METHODS
 
 from ..reporting.output import captioned, comma_separated, grid, page, table
@@ -26,9 +27,6 @@ OTHERS_TARGET = 30.0
 
 COARSE, FINE = 0.1, 1e-6
 """Errors at which there are targets, px."""
-
-_AS_FAST = 1.1
-"""Ratio of times up to which one method is as fast as another."""
 
 WITHIN_TARGET = 0.9
 """Share of random bodies that has to end within the tolerance; none may end beyond ten times that."""
@@ -187,28 +185,20 @@ def summary(study: Study) -> str:
 
 def advice(study: Study) -> list[str]:
     """What to take for each scene and each error, and what the next best method costs: a sentence each."""
-    said = []
-    for results in study.scenes:
-        for error in study.errors:
-            where, best = f"{results.scene}, to {error:g} px", results.best(tuple(METHODS), error)
-            if best is None:
-                said.append(f"{where}: none of the settings that were tried comes as near.")
-                continue
-            sentence = f"{where}: take {_setting(best)}, which ends {best.end_error:.1g} px off"
-            others_of_ours = [name for name in METHODS if name != best.integrator]
-            if (next_best := results.best(others_of_ours, error)) is not None:
-                ratio = next_best.seconds / best.seconds
-                as_long = "is as fast" if ratio < _AS_FAST else f"takes {ratio:.2g} times as long"
-                sentence += f"; {_setting(next_best)} {as_long} and ends {next_best.end_error:.1g} px off"
-            said.append(f"{sentence}.")
-    return said
+    return [
+        f"{results.scene}, to {error:g} px: {recommended(_tried(results), error)}."
+        for results in study.scenes
+        for error in study.errors
+    ]
 
 
-def _setting(point: Point) -> str:
-    """A method and its tolerance or its time step, in words."""
-    adaptive = METHODS[point.integrator].adaptive
-    value = f"{point.value:g} px" if adaptive else f"{1e3 * point.value:.3g} ms"
-    return f"{label(point.integrator)} at {value}"
+def _tried(results: SceneResults) -> list[Tried]:
+    """What was tried of softrod's methods on a scene."""
+    return [
+        Tried(point.integrator, point.value, point.end_error, point.seconds)
+        for point in results.points
+        if point.integrator in METHODS
+    ]
 
 
 def _scene_rows(results: SceneResults, errors: Sequence[float]) -> list[list[str]]:

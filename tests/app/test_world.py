@@ -289,7 +289,7 @@ def test_energies_of_surroundings_and_losses_have_names() -> None:
 
 @pytest.mark.parametrize("cause", ["walls", "fillings"])
 def test_a_runaway_by_surroundings_is_explained(cause: str) -> None:
-    divergence = sim.Divergence(0, 1, "position", 1e6, 0.01, StabilityEstimate(0.004, cause))  # type: ignore[arg-type]
+    divergence = sim.Divergence(0, 1, "position", 1e6, 0.01, lambda: StabilityEstimate(0.004, cause))  # type: ignore[arg-type]
     text = runaway(divergence, balloon()).text
     assert f"the stiffness of the {cause}" in text
     assert "choose the integrator Auto" in text

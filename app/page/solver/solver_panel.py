@@ -13,6 +13,7 @@ from ..looks import readouts
 from ..page import Page
 from ..viser.choice_box import ChoiceBox
 from ..viser.handlers import on_change
+from .method_panel import MethodPanel
 from .tuning_panel import TuningPanel
 
 NO_GHOST = "nothing"
@@ -55,6 +56,7 @@ class SolverPanel:
             order=LAST + 1.2,
         )
         self._growth = gui.add_html("", order=LAST + 1.4)
+        self._advice = MethodPanel(page, LAST - 0.9)
         self._tuning = TuningPanel(page, LAST + 1.5)
         self._other = gui.add_dropdown(
             "Compare with", (NO_GHOST, REFERENCE_LABEL, *methods.values()), order=LAST + 2
@@ -83,6 +85,7 @@ class SolverPanel:
             self._method.handle, self._about, self._own_values, self._energy, self._foretell, self._other
         ):  # fmt: skip
             handle.visible = moving
+        self._advice.build(moving)
         self._tuning.build(moving)
         self.refresh_controls()
 
@@ -110,11 +113,12 @@ class SolverPanel:
     @property
     def waits(self) -> bool:
         """Whether there will be more to show, though nothing moves."""
-        return self._tuning.waits
+        return self._tuning.waits or self._advice.waits
 
     def refresh_readouts(self) -> None:
         """Show the energies, the tuning, the ghost and the rates as they are now."""
         session = self._session
+        self._advice.refresh()
         self._tuning.refresh()
         self._energies.content = readouts.energy_table(session)
         self._growth.content = readouts.predictability_table(session)

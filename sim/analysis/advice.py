@@ -1,0 +1,245 @@
+"""Which integration method suits a scene: all are tried, from coarse steps or tolerances to fine ones.
+
+The error of a run is how far a mass ends at most from where it ends by two methods of very different kinds at
+a tight tolerance. Its cost is the least computing time of several runs.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import msgspec
+import numpy as np
+
+from ..errors import InputError
+from ..kernels.core.tables import Floats
+from ..methods.registry import METHODS
+from ..motion.simulation import Simulation
+from ..scene.types import Integrator, Scene
+from ..scene.validate import validate
+
+ERRORS = (1.0, 0.1)
+"""Errors for which a method is named unless others are asked for, px."""
+
+SECONDS = 1.0
+"""Simulated time of a run, s."""
+
+FRAME = 1.0 / 60.0
+"""The longest time step that is tried, s; the others are parts of it."""
+
+AS_FAST = 1.1
+"""Ratio of computing times up to which one method is as fast as another."""
+
+_REFERENCES = "adams", "rodas5p"
+_TIGHT = (1e-3, 1e-6)
+"""Tolerances of the references, as parts of the smallest error; the tighter one only where it takes that."""
+_SURE = 0.3
+"""Part of an error up to which the references may be apart."""
+_LONGEST = 0.2
+"""Seconds of computing of a run beyond which no finer setting of its method is tried."""
+_PATIENCE = 3.0
+"""Seconds of computing after which a run is given up; a reference has ten times as long."""
+_AT_ONCE = 2000
+"""Time steps, or steps that are tried, between two looks at the clock."""
+_ROUNDS = 5
+"""How often those that may be the best are timed again, by turns."""
+
+
+class Tried(NamedTuple):
+    """What came of one setting of one method.
+
+    Attributes:
+        method: its name.
+        value: the time step, s, or the tolerance, px.
+        error: largest position error of a mass at the end, px; infinite where the run failed.
+        seconds: of computing.
+    """
+
+    method: str
+    value: float
+    error: float
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Advice:
+    """How the methods do on one scene.
+
+    Attributes:
+        tried: the settings that were tried.
+        doubt: how far the two references end apart, px: no smaller error can be told.
+        moved: how far a mass comes at most, px, from the start to the end.
+    """
+
+    tried: tuple[Tried, ...]
+    doubt: float
+    moved: float
+
+    def front(self, method: str) -> list[Tried]:
+        """The settings of a method that none of its others beats in error and time, the fastest first."""
+        kept: list[Tried] = []
+        for one in sorted(
+            (one for one in self.tried if one.method == method), key=lambda t: (t.seconds, t.error)
+        ):
+            if 0.0 < one.error < math.inf and (not kept or one.error < kept[-1].error):
+                kept.append(one)
+        return kept
+
+    def sentence(self, error: float) -> str:
+        """Which method ends within an error, px, at the least cost, and what the next best one costs."""
+        if self.moved <= error:
+            return f"To {error:g} px nothing can be told: the body ends less than that from its start."
+        if self.doubt > _SURE * error:
+            return (
+                f"To {error:g} px nothing can be told: near-exact solutions end {self.doubt:.1g} px apart, "
+                "since small errors grow in this motion."
+            )
+        return f"To {error:g} px, {recommended(self.tried, error)}."
+
+
+def recommended(tried: Iterable[Tried], error: float) -> str:
+    """What to take of what was tried to end within an error, px, and what the next best method costs."""
+    # Where a tolerance is above the error, that it does is luck.
+    lucky = (one for one in tried if METHODS[one.method].adaptive and one.value > error)
+    good = sorted({one for one in tried if one.error <= error} - {*lucky}, key=lambda one: one.seconds)
+    if not good:
+        return "none of the settings that were tried comes as near"
+    best = good[0]
+    said = f"take {_setting(best)}, which ends {best.error:.1g} px off"
+    other = next((one for one in good if one.method != best.method), None)
+    if other is None:
+        return said
+    ratio = other.seconds / best.seconds
+    as_long = "is as fast" if ratio < AS_FAST else f"takes {ratio:.2g} times as long"
+    return f"{said}; {_setting(other)} {as_long} and ends {other.error:.1g} px off"
+
+
+def _setting(one: Tried) -> str:
+    """A method and its tolerance or its time step, in words."""
+    method = METHODS[one.method]
+    value = f"{one.value:g} px" if method.adaptive else f"{1e3 * one.value:.3g} ms"
+    return f"{method.label} at {value}"
+
+
+def compare_methods(scene: Scene, errors: tuple[float, ...] = ERRORS, wait: bool = True) -> Advice:
+    """Try all methods on the first second of a scene.
+
+    It takes some seconds, in which the processor should have little else to do.
+
+    Args:
+        scene: a valid scene.
+        errors: those of interest, px.
+        wait: whether to wait for methods to be compiled; otherwise those that are not are left out.
+
+    Raises:
+        InputError: an error is not above zero, no method comes to the end of a second, or those that it is
+            held against are not compiled.
+    """
+    scene = validate(scene)
+    if not errors or not all(0.0 < error < math.inf for error in errors):
+        raise InputError("compare_methods: errors are numbers above zero, px")
+    return _Comparison(scene, errors, wait).advice()
+
+
+class _Comparison:
+    def __init__(self, scene: Scene, errors: tuple[float, ...], wait: bool) -> None:
+        self._scene, self._errors, self._wait = scene, errors, wait
+        self._runs: dict[tuple[str, float], Simulation] = {}
+
+    def advice(self) -> Advice:
+        """All of it."""
+        right, doubt = self._reference()
+        start = self._simulation("auto", 1.0).positions
+        tried = [one for method in METHODS for one in self._explore(method, right)]
+        for _ in range(_ROUNDS):
+            tried = [self._again(one) if self._may_be_best(one, tried) else one for one in tried]
+        return Advice(tuple(tried), doubt, _distance(start, right))
+
+    def _reference(self) -> tuple[Floats, float]:
+        """Where the masses end, (n, 2) px, and how far two methods are apart there."""
+        best: tuple[Floats, float] | None = None
+        for part in _TIGHT:
+            tolerance = max(part * min(self._errors), 1e-11)
+            runs = [self._simulation(method, tolerance) for method in _REFERENCES]
+            if any(run.plain for run in runs):
+                raise InputError("the solver is still being compiled; try again in a moment")
+            ends = [run.positions for run in runs if _run(run, 10.0 * _PATIENCE) < math.inf]
+            apart = _distance(*ends) if len(ends) == 2 else math.inf
+            if ends and (best is None or apart < best[1]):
+                best = ends[0], apart
+            if apart <= 0.1 * _SURE * min(self._errors):
+                break
+        if best is None:
+            raise InputError(f"{self._scene.name}: no method comes to the end of {SECONDS:g} s")
+        return best
+
+    def _explore(self, method: str, right: Floats) -> Iterator[Tried]:
+        """Try a method's settings, until it is near enough or takes too long."""
+        for value in self._settings(method):
+            simulation = self._simulation(method, value)
+            if simulation.plain:
+                return
+            seconds = _run(simulation, _PATIENCE)
+            if seconds < _LONGEST:
+                seconds = _run(simulation, _PATIENCE)  # the first run finds nothing in the caches
+            error = _distance(simulation.positions, right) if seconds < math.inf else math.inf
+            self._runs[method, value] = simulation
+            yield Tried(method, value, error, seconds)
+            if error <= min(self._errors) or (seconds > _LONGEST and seconds < math.inf):
+                return
+
+    def _settings(self, method: str) -> Iterator[float]:
+        """Tolerances from the largest error on, half a decade apart; or steps, a factor of sqrt(2) apart."""
+        if METHODS[method].adaptive:
+            for half_decades in range(13):
+                yield float(f"{max(self._errors) * 10.0 ** (-half_decades / 2):.2g}")
+        else:
+            for number in (0, *range(2, 23)):
+                yield FRAME / round(2.0 ** (number / 2))
+
+    def _simulation(self, method: str, value: float) -> Simulation:
+        info = METHODS[method]
+        integrator = Integrator(
+            method=info.name,
+            dt=FRAME if info.adaptive else value,
+            tolerance=min(max(value, 1e-12), 1e3) if info.adaptive else Integrator().tolerance,
+        )
+        return Simulation(msgspec.structs.replace(self._scene, integrator=integrator), wait=self._wait)
+
+    def _may_be_best(self, one: Tried, tried: list[Tried]) -> bool:
+        """Whether it is the cheapest of its method for an error."""
+        return any(
+            one
+            == min(
+                (other for other in tried if other.method == one.method and other.error <= error),
+                key=lambda other: other.seconds,
+                default=None,
+            )
+            for error in self._errors
+        )
+
+    def _again(self, one: Tried) -> Tried:
+        seconds = _run(self._runs[one.method, one.value], _PATIENCE)
+        return one._replace(seconds=min(one.seconds, seconds))
+
+
+def _run(simulation: Simulation, patience: float) -> float:
+    """Let a body run from its start; returns the seconds that it took, infinity where it did not arrive."""
+    simulation.reset()
+    left, seconds = round(SECONDS / simulation.dt), 0.0
+    while left > 0:
+        began = time.perf_counter()
+        left -= simulation.step(min(left, _AT_ONCE), _AT_ONCE)
+        seconds += time.perf_counter() - began
+        if simulation.divergence is not None or seconds > patience:
+            return math.inf
+    return seconds
+
+
+def _distance(one: Floats, other: Floats) -> float:
+    """The largest distance between two positions of a mass, px."""
+    return float(np.sqrt(((one - other) ** 2).sum(-1)).max())
