@@ -212,7 +212,7 @@ class Study:
 
         if not 0 <= self.random <= 100_000:
             return fail(f"--random: {self.random} is not in the range 0..100000")
-        scenes = [(name, sim.load_scene(name)) for name in self.scenes or study_scenes()]
+        scenes = [(scene.name, scene) for scene in map(sim.load_scene, self.scenes or study_scenes())]
         integrators, errors = parse_integrators(self.integrators), parse_errors(self.errors)
         return study(scenes, integrators, errors, self.random, self.out, Console())
 

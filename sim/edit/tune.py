@@ -22,6 +22,7 @@ from ..body.system import same_topology
 from ..errors import InputError, SettingError
 from ..kernels.core.tables import Floats
 from ..methods.registry import METHODS
+from ..motion.divergence import Divergence
 from ..motion.simulation import Simulation
 from ..motion.stability import Cause, limit_at_start
 from ..scene.parts import AngularSpring, LinearSpring
@@ -105,7 +106,7 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
     if rule is None or not is_limited(integrator.method):
         return scene
     calm = _is_calm(scene)
-    if calm and _survives(scene):
+    if calm and _runs_away(scene) is None:
         return scene
     own, step = Numbers.of(scene), integrator.dt
     springs, joints = softnesses(scene)
@@ -129,13 +130,16 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
         middle = math.sqrt(low * high)
         low, high = (middle, high) if _is_calm(capped(middle)) else (low, middle)
     cap = high if calm else low
+    reason = ""
     while cap >= _SOFTEST:
         found = capped(cap)
-        if _survives(found):
+        runs_away = _runs_away(found)
+        if runs_away is None:
             return found
+        reason = runs_away.reason
         cap *= _LOWER
     raise InputError(
-        f"make_stable: at {step:g} s the body runs away from its start, however soft its springs"
+        f"make_stable: at {step:g} s the body runs away from its start, however soft its springs: {reason}"
     )
 
 
@@ -295,7 +299,8 @@ def _cause(scene: Scene) -> Cause | None:
     return limit_at_start(scene, scene.integrator.method).cause
 
 
-def _survives(scene: Scene) -> bool:
+def _runs_away(scene: Scene) -> Divergence | None:
+    """Why a body runs away within a while; None if it does not."""
     simulation = Simulation(scene)
     simulation.step(min(math.ceil(_SECONDS / scene.integrator.dt), _MOST_STEPS))
-    return simulation.divergence is None
+    return simulation.divergence

@@ -59,6 +59,8 @@ def setting_of(scene: Scene, key: str) -> Setting:
         return applying[key]
     if key in SETTINGS:
         raise SettingError(no_use(key, scene))
+    if key in CHOICES:
+        raise SettingError(f"{key}: this takes a name: {', '.join(CHOICES[key].options)}")
     known = ", ".join(applying) or "none for this scene"
     raise SettingError(f"{key}: there is no such setting; there are {known}")
 
@@ -109,7 +111,7 @@ def set_choice(scene: Scene, key: str, value: str) -> Scene:
 
 
 def set_value(scene: Scene, key: str, value: float, time: float = 0.0) -> Scene:
-    """The scene with one setting changed.
+    """The scene with one setting changed, which is a number; `set_choice` is for those that are names.
 
     Args:
         scene: whose setting.

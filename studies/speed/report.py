@@ -19,6 +19,9 @@ from .random_study import OTHER_TOLERANCES, BodyResult, Shares, shares, shares_b
 
 EULER = "symplectic_euler"
 
+OWN = "study-"
+"""With what the names of softrod's own scenes for studies begin."""
+
 TUTORIAL_TARGETS = {"study-w1": 6.5, "study-w2": 16.0, "study-w3": 3.0, "study-w4": 11.0, "study-w5": 12.0}
 """How many times as long as `auto` the tutorial's Euler has to take, with the best step in hindsight."""
 
@@ -70,7 +73,8 @@ def targets(study: Study) -> list[Target]:
         wanted = TUTORIAL_TARGETS.get(results.scene)
         if wanted is not None:
             rows += _against(results, COARSE, (EULER,), wanted, "tutorial Euler, best step")
-        for error in (COARSE, FINE):
+        # Only softrod's own scenes have targets.
+        for error in (COARSE, FINE) if results.scene.startswith(OWN) else ():
             if error in study.errors:
                 names = [*others.SCIPY, *others.CVODE]
                 rows += _against(results, error, names, OTHERS_TARGET, f"best other solver at {error:g} px")
@@ -126,7 +130,7 @@ def short_rows(study: Study, error: float) -> list[tuple[str, ...]]:
     rows = []
     for results in study.scenes:
         auto = results.at(FOLLOWED, error)
-        row = [results.scene.removeprefix("study-"), _ms(auto), _ms(auto, framed=True), _px(auto)]
+        row = [results.scene.removeprefix(OWN), _ms(auto), _ms(auto, framed=True), _px(auto)]
         row += (
             _beside(results, (EULER,), error, named=False)
             if error == COARSE

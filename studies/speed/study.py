@@ -113,7 +113,7 @@ def _report(found: Study, note: str, out: Path, console: Console) -> None:
     """Print and write."""
     from .figures import figures
 
-    for error in report.SHORT_HEADINGS:
+    for error in (error for error in report.SHORT_HEADINGS if error in found.errors):
         console.print(report.short_table(found, error))
         console.print()
     if met := report.summary(found):

@@ -153,6 +153,15 @@ test("a body begins anew, with the arrays that it had", () => {
   assert.deepEqual([...body.positions], [...fresh.positions]);
 });
 
+test("what makes no sense is refused", () => {
+  const body = new SoftBody(pendulum(), 0.01);
+  assert.throws(() => body.release(9), /there is no mass 9/);
+  assert.throws(() => body.advance(-1), /-1 s is below 0/);
+  // @ts-expect-error: which an editor says, too
+  body.method = "rk4";
+  assert.throws(() => body.step(), /no method rk4, but symplectic_euler and verlet/);
+});
+
 test("a clone goes its own way from the same state", () => {
   const body = new SoftBody(pendulum({ walls: [FLOOR] }), 0.01);
   body.push(1, 3, 4);
@@ -188,6 +197,8 @@ test("a wall is read by names and is moved", () => {
   }
   assert.ok(Math.abs(body.positions[3] - 61) < 1, `${body.positions[3]}`);
   assert.equal(body.wall(0).ny, -1);
-  assert.throws(() => body.setWall(0, { nx: 0, ny: 0 }), RangeError);
+  assert.throws(() => body.setWall(0, { nx: 0, ny: 0 }), /has no direction/);
+  // @ts-expect-error: which an editor says, too
+  assert.throws(() => body.setWall(0, { bounciness: 0.1 }), /there is no bounciness, but x, y, nx/);
   assert.throws(() => body.wall(1), /there is no wall 1, but 0 to 0/);
 });

@@ -525,3 +525,8 @@ def test_a_change_of_the_surroundings_lets_the_motion_go_on() -> None:
         assert damage.broken == (1,)
         assert (simulation.positions == moment.positions).all()
         assert (simulation.velocities == moment.velocities).all()
+
+
+def test_a_choice_is_not_a_number() -> None:
+    with pytest.raises(SettingError, match="method: this takes a name: auto, "):
+        set_value(sim.load_scene("rope"), "method", 1.0)

@@ -236,6 +236,12 @@ def test_what_springs_do_not_limit_is_refused() -> None:
         sim.make_stable(scene)
 
 
+def test_a_start_that_no_spring_slows_is_refused_with_the_reason() -> None:
+    fast = sim.Pose(positions=((0.0, 0.0), (0.0, 100.0)), velocities=((0.0, 0.0), (9e6, 0.0)))
+    with pytest.raises(InputError, match="however soft its springs: the time step is below"):
+        sim.make_stable(weight(pose=fast))
+
+
 def test_methods_without_a_limit_change_nothing_but_the_step() -> None:
     stiff = weight(1e9)
     for method in ("auto", "rodas4", "generalized_alpha", "stable_spring"):

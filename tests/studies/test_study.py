@@ -161,7 +161,7 @@ def test_too_slow_settings_are_not_refined(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(measure, "LONGEST_OURS", 0.0)
     monkeypatch.setattr(measure, "repeats", lambda seconds: 1)
     results = measured(ROPE, ("rk4",), (1.0, 1e-6))
-    assert len(results.points) == 1
+    assert [point.failure for point in results.points].count("") == 1
 
 
 def test_what_is_short_is_repeated_more_often() -> None:
@@ -369,3 +369,24 @@ def test_a_scene_of_one_s_own_is_told_what_to_take() -> None:
     text = markdown(found, [], "")
     assert "targets met" not in text
     assert "- mine, to 1 px: take Auto at 1 px" in text
+
+
+def test_a_scene_of_one_s_own_has_no_targets() -> None:
+    points = [
+        Point(name, which, 0.1, 0.05, 0.05, 1e-3) for name in ("mine",) for which in ("auto", "scipy_rk45")
+    ]
+    found = Study((0.1, 1e-6), [SceneResults("mine", 1e-9, points, True)])
+    assert not study_report.targets(found)
+    assert study_report.targets(Study((0.1,), [SceneResults("study-mine", 1e-9, points, True)]))
+
+
+def test_a_step_that_explodes_does_not_end_the_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    # However long that took.
+    monkeypatch.setattr(measure, "LONGEST_OURS", -1.0)
+    scene = sim.rope(4, stiffness=20_000.0)
+    *_, (results, _) = measure.explore(scene, "rope", ["symplectic_euler"], (1.0,))
+    assert results is not None
+    *failed, last = results.points
+    assert failed
+    assert all(point.failure for point in failed)
+    assert not last.failure

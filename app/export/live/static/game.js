@@ -105,8 +105,11 @@ export class SoftBody extends Body {
    */
   step(count = 1) {
     finite("step", count);
+    if (!(this.method in METHODS)) {
+      throw new RangeError(`step: there is no method ${this.method}, but ${Object.keys(METHODS).join(" and ")}`);
+    }
     let goesOn = true;
-    for (let left = Math.floor(count); left > 0; ) {
+    for (let left = Math.floor(count); left > 0 && goesOn; ) {
       // Hands go straight to where they are led, so they are led there bit by bit where steps are done apart.
       const now = this.beforeStep ? 1 : left > 1 ? left - 1 : 1;
       this.beforeStep?.(this);
@@ -128,6 +131,7 @@ export class SoftBody extends Body {
    */
   advance(seconds, most = 0.25) {
     finite("advance", seconds, most);
+    if (seconds < 0) throw new RangeError(`advance: ${seconds} s is below 0`);
     this.#owed += Math.min(seconds, most);
     // A hair more, so that ten times 0.0025 s are ten steps whatever the rounding.
     const count = Math.floor(this.#owed / this.dt + 1e-9);
@@ -166,6 +170,7 @@ export class SoftBody extends Body {
 
   /** Let go of a mass that is dragged: a held one stays where it is, a free one falls. @param {number} mass */
   release(mass) {
+    known("release", "mass", mass, this.masses);
     this.#hands.delete(mass);
   }
 
@@ -212,10 +217,14 @@ export class SoftBody extends Body {
    * @param {Partial<ReturnType<SoftBody["wall"]>>} to the numbers that change
    */
   setWall(wall, to) {
-    const now = { ...this.wall(wall), ...to };
+    const before = this.wall(wall);
+    const now = { ...before, ...to };
+    const strange = Object.keys(to).find((name) => !(name in before));
+    if (strange) throw new RangeError(`setWall: there is no ${strange}, but ${Object.keys(before).join(", ")}`);
     const { x, y, hardness, friction, slipSpeed } = now;
     const length = Math.hypot(now.nx, now.ny);
-    finite("setWall", x, y, hardness, friction, slipSpeed, 1 / length);
+    finite("setWall", x, y, hardness, friction, slipSpeed, length);
+    if (!length) throw new RangeError("setWall: a normal of nx 0 and ny 0 has no direction");
     this.walls[wall].splice(0, 7, x, y, now.nx / length, now.ny / length, hardness, friction, slipSpeed);
     this.wallGrips[wall].clear();
   }
