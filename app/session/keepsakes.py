@@ -14,6 +14,7 @@ from sim.methods.registry import METHODS
 from sim.scene.numbers import MAX_SPRINGS
 from sim.settings import CHOICES
 from sim.store.files import MAX_FILE_BYTES, decode_scene
+from sim.store.places import sentence_of_json
 
 from ..drawing.looks import SPEEDS
 from . import log
@@ -107,7 +108,7 @@ def decode(data: bytes) -> Kept:
     try:
         keepsake = msgspec.json.decode(data, type=_Keepsake)
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
-        raise SceneError(" ".join(str(error).split())) from None
+        raise SceneError(sentence_of_json(error, data, _Keepsake)) from None
     if keepsake.version > VERSION:
         raise SceneError(f"version {keepsake.version} is newer than {VERSION}; a newer softrod can read it")
     scene = decode_scene(bytes(keepsake.scene), "scene", places=False)

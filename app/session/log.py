@@ -26,10 +26,9 @@ from sim.errors import InputError, SceneError
 from sim.kernels.core.tables import SCALE_MAX, SCALE_MIN
 from sim.motion.simulation import Key
 from sim.scene.numbers import Angle, Vector
-from sim.scene.sentences import in_words
 from sim.scene.validate import consistent_pose, validate
 from sim.store.files import MAX_FILE_BYTES, decode_scene, encode_fields, fields_of
-from sim.store.places import as_utf8, repeated_key
+from sim.store.places import as_utf8, repeated_key, sentence_of_json
 
 FORMAT, VERSION = "softrod-log", 1
 
@@ -365,11 +364,9 @@ def is_recorded(data: bytes) -> bool:
 def read_log(path: Path, scene: sim.Scene | None = None) -> Log:
     """The log in a file; arguments and errors as of `decode_log`, or the file cannot be read."""
     try:
-        data = as_utf8(path.read_bytes())
+        data = path.read_bytes()
     except OSError as error:
         raise InputError(f"{path}: the file cannot be read ({error.strerror or error})") from None
-    except UnicodeError as error:
-        raise InputError(f"{path}: {error}") from None
     return decode_log(data, str(path), scene)
 
 
@@ -386,8 +383,13 @@ def decode_log(data: bytes, source: str, scene: sim.Scene | None = None) -> Log:
     """
     if len(data) > _MOST_BYTES:
         raise InputError(f"{source}: {len(data)} bytes are more than the {_MOST_BYTES} that a log may have")
+    try:
+        data = as_utf8(data)
+    except UnicodeError as error:
+        raise InputError(f"{source}: {error}") from None
     lines = [(i, line) for i, line in enumerate(data.splitlines(), start=1) if line.strip()]
     number, line = lines[0] if lines else (1, b"")
+    log: Log | None = None
     try:
         if scene is None or is_recorded(line):
             header = msgspec.json.decode(line, type=Header)
@@ -416,7 +418,7 @@ def decode_log(data: bytes, source: str, scene: sim.Scene | None = None) -> Log:
             log.entries.append(entry)
             log.lines.append(number)
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError, SceneError, InputError) as error:
-        reason = in_words(str(error))
+        reason = sentence_of_json(error, line, _Kinds if log else Header)
         if reason.startswith("the field `do` is missing"):
             reason += f", which says what is done, as in {_EXAMPLE}"
         raise InputError(" ".join(f"{source}: line {number}: {reason}".split())) from None

@@ -9,9 +9,9 @@ import msgspec
 from ..errors import SceneError
 from ..scene.numbers import Vector
 from ..scene.parts import Anchor, AngularSpring, Beat, LinearSpring, Mass
-from ..scene.sentences import in_words
 from ..scene.types import Scene
 from ..scene.validate import validate
+from ..store.places import sentence_of_json
 from .build import place
 from .edit import Edit, Selection, counted, of_parts, refuse_missing, with_added, without
 
@@ -101,7 +101,7 @@ def decode(text: str) -> Fragment:
     try:
         fragment = msgspec.json.decode(data, type=Fragment)
     except (msgspec.DecodeError, RecursionError) as error:
-        raise SceneError(f"this cannot be pasted: {in_words(str(error))}") from None
+        raise SceneError(f"this cannot be pasted: {sentence_of_json(error, data, Fragment)}") from None
     try:
         # A scene of its own, so that whatever could be wrong with it is found.
         validate(

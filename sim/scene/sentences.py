@@ -33,6 +33,8 @@ _PHRASES: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
         r"^Expected `([\w |]+)`, got `(\w+)`",
         lambda m: f"{' or '.join(map(_type_name, m[1].split(' | ')))} is expected, not {_type_name(m[2])}",
     ),
+    (r"^Input data was truncated", "it ends in the middle"),
+    (r"^maximum recursion depth exceeded.*", "it has too many objects within each other"),
     (r"^Object missing required field (`.*`)", r"the field \1 is missing"),
     (r"^Object contains unknown field (`.*`)", r"there is no field \1"),
 )
@@ -59,17 +61,19 @@ def unit_of(meta: msgspec.Meta) -> str:
     return (meta.extra or {}).get("unit", "")
 
 
-def sentence(error: msgspec.ValidationError, found: Any) -> str:
-    """The sentence for what could not be converted to a Scene.
+def sentence(error: msgspec.ValidationError, found: Any, kind: Any = Scene) -> str:
+    """The sentence for what could not be converted.
 
     Args:
         error: what msgspec says.
         found: the scene as made in code, or the decoded contents of a JSON file.
+        kind: the type that was wanted.
     """
     reason, _, path = str(error).rpartition(" - at `$")
     where = path.rstrip("`").lstrip(".") if reason else ""
     value: Any = found
-    kind, meta, at = Scene, None, ""
+    at = ""
+    kind, meta = _split(kind, found)
     for field, index in re.findall(r"(\w+)|\[(\d+)\]", where):
         if hasattr(value, "__struct_fields__") and type(value) is not kind:
             return _expected(at, kind, value)  # a struct of another type
@@ -97,7 +101,8 @@ def sentence(error: msgspec.ValidationError, found: Any) -> str:
 
 
 def in_words(reason: str) -> str:
-    """What msgspec says, without the names of its types."""
+    """What msgspec says, on one line and without the names of its types."""
+    reason = " ".join(reason.split())
     for pattern, words in _PHRASES:
         reason = re.sub(pattern, words, reason)
     return reason

@@ -22,7 +22,7 @@ import platformdirs
 
 from ..errors import InputError, SceneError
 from ..scene.numbers import of_python
-from ..scene.sentences import sentence
+from ..scene.sentences import in_words, sentence
 from ..scene.types import BODY_FIELDS, FORMAT_VERSION, Scene
 from ..scene.validate import consistent, validate
 from .link import link_data, unpack
@@ -147,8 +147,8 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
     version = raw.get("format")
     if isinstance(version, int) and version > FORMAT_VERSION:
         raise SceneError(
-            f"{source}: format: version {version} is newer than {FORMAT_VERSION}, the newest that this "
-            "softrod reads; a newer softrod can open it"
+            f"{source}: format: version {str(version)[:20]} is newer than {FORMAT_VERSION}, the newest "
+            "that this softrod reads; a newer softrod can open it"
         )
     if version == 1 and not isinstance(version, bool):
         raw = _from_format_1(raw)
@@ -183,7 +183,7 @@ def _why_no_json(reason: str, data: bytes) -> str:
     for match in _NO_NUMBER.finditer(data):
         if match[1]:
             return f"{match[1].decode()} is no number that JSON has ({line_and_column(data, match.start(1))})"
-    return f"this is not a JSON file ({_with_line(reason, data)})"
+    return f"this is not a JSON file ({in_words(_with_line(reason, data))})"
 
 
 def _with_line(reason: str, data: bytes) -> str:

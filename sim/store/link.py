@@ -28,8 +28,11 @@ MAX_LINK = 2_000_000
 PATH = "/s"
 """Where a page takes such links."""
 
-_LINK = re.compile(r"https?://[^\s#]+(?:#(.*))?", re.DOTALL)
+_LINK = re.compile(r"<?(https?://[^\s#%]+(?:%(?!23)[^\s#%]*)*)(?:(?:#|%23)(.*))?", re.DOTALL)
 _DATA = re.compile(r"(\d{1,6})\.([A-Za-z0-9_-]+)")
+_BY_MAIL = re.compile(r"=\r?\n|[\s\u200b\ufeff]+|[.,;:!?)\]>\"']+$")
+"""What mail programs and sentences add to a link: breaks of lines, with = where text is quoted-printable, and
+brackets and full stops after it."""
 _BROKEN = "the link is broken: a part of it is missing or was changed"
 
 
@@ -40,11 +43,11 @@ def link_data(text: str) -> str | None:
         SceneError: the link has no `#`: a shell may have taken it for a comment.
     """
     match = _LINK.fullmatch(text.strip())
-    if match is not None and match[1] is None:
+    if match is not None and match[2] is None:
         raise SceneError(
-            f"the link {match[0]} has no # with a scene after it; on a command line, put it in quotes"
+            f"the link {match[1][:200]} has no # with a scene after it; on a command line, put it in quotes"
         )
-    return match[1] if match else None
+    return match[2] if match else None
 
 
 def pack_scene(scene: Scene) -> str:
@@ -80,7 +83,7 @@ def unpack(data: str, most: int) -> bytes:
     """
     if len(data) > MAX_LINK:
         raise SceneError(f"the link has {len(data)} characters, more than the {MAX_LINK} allowed")
-    match = _DATA.fullmatch(data)
+    match = _DATA.fullmatch(_BY_MAIL.sub("", data))
     if match is None:
         raise SceneError(f"{_BROKEN}; a link to a scene ends with #{PACKING}. and letters, digits, - and _")
     packing = int(match[1])

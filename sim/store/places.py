@@ -6,6 +6,11 @@ import codecs
 import json
 import math
 import re
+from typing import Any
+
+import msgspec
+
+from ..scene.sentences import in_words, sentence
 
 _SPACE = re.compile(r"[ \t\n\r]*")
 _STEP = re.compile(r"(\w+)|\[(\d+)\]")
@@ -142,3 +147,15 @@ def _item(text: str, at: int, index: int) -> int:
             return -1
         at = _after(text, at)
     return at if at < len(text) and text[at] != "]" else -1
+
+
+def sentence_of_json(error: Exception, data: bytes, kind: Any) -> str:
+    """The sentence for JSON of which a `kind` could not be made, and for any other error its own."""
+    if isinstance(error, msgspec.ValidationError):
+        if number := infinite_number(data):
+            return f"{number[0][:40]} is too large for a number ({number[1]})"
+        try:
+            return sentence(error, msgspec.json.decode(data), kind)
+        except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as later:  # further on it is no JSON
+            error = later
+    return "the text is not in UTF-8" if isinstance(error, UnicodeDecodeError) else in_words(str(error))

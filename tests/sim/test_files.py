@@ -510,7 +510,7 @@ def test_a_broken_file_of_the_user_is_left_out_of_the_list(home: Path) -> None:
         (b'{"name": "a", "masses": [-Infinity]}', "-Infinity is no number that JSON has (line 1, column 26)"),
         (b'{"format": 3, "name": "a", "masses": [], "gravity": 9.81}',
          "gravity: 2 numbers are expected, as in [0, 0], not 9.81 (line 1, column 53)"),
-        (b'{"name": "a", "masses": [',  "this is not a JSON file (Input data was truncated)"),
+        (b'{"name": "a", "masses": [',  "this is not a JSON file (it ends in the middle)"),
     ],
 )  # fmt: skip
 def test_what_programs_and_people_write_wrong_is_named(text: bytes, said: str) -> None:

@@ -38,6 +38,25 @@ def refused(data: str) -> str:
     return str(caught.value)
 
 
+@pytest.mark.parametrize(
+    "mailed",
+    [
+        "<http://a.org/s#{0}>",
+        "http://a.org/s#{0}.",
+        "http://a.org/s#{0})",
+        "http://a.org/s%23{0}",
+        "https://mail.example/?url=http%3A%2F%2Fa.org%2Fs%23{0}",
+        "http://a.org/s#{1}=\r\n{2}",
+        "http://a.org/s#{1}\n   {2}\n",
+        "http://a.org/s#{1}\u200b{2}",
+    ],
+)
+def test_a_link_that_went_through_the_mail_is_read(mailed: str) -> None:
+    scene = sim.load_scene("rope")
+    data = pack_scene(scene)
+    assert sim.load_scene(mailed.format(data, data[:76], data[76:])) == scene
+
+
 @pytest.mark.parametrize("preset", PRESETS)
 def test_a_preset_comes_back_and_is_short(preset: str) -> None:
     scene = sim.load_scene(preset)
