@@ -7,6 +7,7 @@ could be more than a pupil can do: the scene it begins with, what it sets, and w
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import msgspec
@@ -135,36 +136,33 @@ class _Forged(Exception):
     """What a log says is more than a pupil can do."""
 
 
-def judge(record: Log, scene: sim.Scene, step: Step, resumed: sim.Moment | None = None) -> Verdict:
+def judge(record: Log, scene: sim.Scene, step: Step, been: Collection[str] = ()) -> Verdict:
     """Do again what a log says, and look whether it reached the goal of a step.
 
     Args:
         record: what was handed in; nothing in it is trusted.
         scene: as the step begins.
         step: of the lesson.
-        resumed: where the server itself had the body go on after a reload of its page.
+        been: digests of the moments at which the server itself has seen the body go on, as after a reload of
+            its page or when its kernels were ready, see `Recorder`.
     """
     try:
         _check_scene(record.scene, scene, step.controls, "the log begins with")
-        return _judge(record, scene, step, resumed)
+        return _judge(record, scene, step, been)
     except _Forged as error:
         return Verdict(refused=f"{error}.")
     except (InputError, SettingError) as error:
         return Verdict(refused=f"{error}.")
 
 
-def _judge(record: Log, scene: sim.Scene, step: Step, resumed: sim.Moment | None) -> Verdict:
+def _judge(record: Log, scene: sim.Scene, step: Step, seen: Collection[str]) -> Verdict:
     simulation = sim.Simulation(record.scene)
     player = Player(record, simulation)
     watch = GoalWatch(step.goal, record.scene) if step.goal is not None else None
     meter = Meter(step.collect, record.scene) if step.collect is not None else None
     found = None
     # Where it has been: nobody goes back to where nobody was.
-    been = {digest_of(simulation)}
-    if resumed is not None:
-        there = sim.Simulation(resumed.scene)
-        there.restore(resumed)
-        been.add(digest_of(there))
+    been = {digest_of(simulation), *seen}
     while not player.ended:
         entry = player.upcoming
         match entry:

@@ -10,7 +10,7 @@ import logging
 import secrets
 import time
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, Protocol
@@ -24,7 +24,6 @@ from sim.settings import scene_of_step
 
 from ..drawing.plan import Picture
 from ..drawing.sketch import Floats
-from ..session import keepsakes
 from ..session.log import decode_log
 from . import kept, names
 from .judge import Verdict, judge
@@ -206,7 +205,7 @@ class Class:
         return keepsake if stop == self.room.at else None
 
     def hand_in(
-        self, answer: Answer, log: bytes, step: Step, scene: sim.Scene, resumed: bytes | None = None
+        self, answer: Answer, log: bytes, step: Step, scene: sim.Scene, been: Collection[str] = ()
     ) -> None:
         """Take what a pupil hands in: the log is written with the class, and judged once more by itself.
 
@@ -214,7 +213,7 @@ class Class:
             answer: with what the server saw of the run.
             log: of the run.
             step, scene: that it is of.
-            resumed: the keepsake from which the body went on after a reload, if it did.
+            been: see `judge`.
 
         Raises:
             Refused: see `Room.take`.
@@ -233,8 +232,7 @@ class Class:
 
         def look() -> Verdict | None:
             is_last = answer.id in self.room.answers
-            moment = None if resumed is None else keepsakes.decode(resumed).moment
-            return judge(decode_log(log, "the log"), scene, step, moment) if is_last else None
+            return judge(decode_log(log, "the log"), scene, step, been) if is_last else None
 
         self._judged.append((answer.id, self._judge.submit(look)))
 

@@ -315,6 +315,14 @@ class Room(Struct, kw_only=True):
         """Whether the right answer of the present question may be known."""
         return self.phase in FREE or (self.phase is Phase.RESULTS and self.round > 0)
 
+    @property
+    def vote_round(self) -> int:
+        """The round of the votes that count now: of the present one, or the last that was asked for here."""
+        if self.phase in (Phase.ASK, Phase.RESULTS):
+            return self.round
+        asked = [one.round for one in self.asked if one.stop == self.at and one.phase is Phase.ASK]
+        return max(asked, default=0)
+
     def order(self, stop: int) -> tuple[tuple[Phase, int], ...]:
         """The phases of a stop and their rounds, as a lesson goes through them."""
         step = self.step_at(stop)

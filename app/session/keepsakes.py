@@ -45,6 +45,7 @@ class Wishes(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
         joint: the angular spring that was read out.
         ghost: the second body, if there was one.
         foretell: whether it was told how fast errors grow.
+        touched: whether anything had been done to the body by hand.
     """
 
     playing: bool = True
@@ -53,6 +54,7 @@ class Wishes(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     joint: Annotated[int, Meta(ge=0, lt=MAX_SPRINGS)] = 0
     ghost: Second | None = None
     foretell: bool = False
+    touched: bool = False
 
 
 _NOTHING = msgspec.Raw()

@@ -30,6 +30,7 @@ class Recorder:
     Attributes:
         simulation: the body.
         acts: how often something was done to it.
+        been: digests of the moments that the log goes back to, or on from, see `log.digest_of`.
     """
 
     def __init__(self, simulation: sim.Simulation, note: str = "") -> None:
@@ -52,7 +53,8 @@ class Recorder:
         self._size = 0
         self._last: Entry | None = None  # not in the lines yet: it may come again
         self._times = 0
-        self._moment: tuple[sim.Moment, bool] | None = None  # gone back to, and not noted yet
+        self._moment: tuple[sim.Moment, bool, str] | None = None  # gone back to, and not noted yet
+        self.been: set[str] = set()
         self._checked = self.simulation.time
         self._complete = self.simulation.complete
 
@@ -152,14 +154,15 @@ class Recorder:
     def _put_off(self, moment: sim.Moment, with_scene: bool) -> None:
         """The body is at a moment now; it is noted when it is known that it stays there."""
         with_scene = with_scene or (self._moment is not None and self._moment[1])
-        self._moment = moment, with_scene
+        self._moment = moment, with_scene, log.digest_of(self.simulation)
 
     def _settle(self) -> None:
         """Write all that waits to be."""
         self._write_last()
         if self._moment is not None:
-            moment, with_scene = self._moment
+            moment, with_scene, digest = self._moment
             self._moment = None
+            self.been.add(digest)
             self._write(log.restore_entry(moment, with_scene))
 
     def _write_last(self) -> None:

@@ -408,6 +408,7 @@ class Session:
                 joint=self.joint,
                 ghost=keepsakes.Second(ghost.method, ghost.law, ghost.finer) if ghost else None,
                 foretell=self.foresight is not None,
+                touched=self.recorder.acts > 0,
             ),
             self.opened,
         )
@@ -606,6 +607,7 @@ class Session:
         self.open(moment.scene)
         self.versions = versions if versions is not None and known is not None else Versions()
         self.opened = kept.opened
+        self.recorder.acts = int(wishes.touched)
         self.recorder.restore(moment)
         self._begin_history()
         self.follow = wishes.follow and self.driven is not None

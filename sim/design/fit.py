@@ -38,7 +38,8 @@ _STEP = 3e-4
 _UNKNOWN = 0.5
 """Uncertainty of u from which on a direction counts as unknown."""
 _RANK = 1e-5
-"""Singular value, relative to the largest, below which it is the error of differences."""
+"""Slope along a direction, as a part of those of the unknowns in it, below which it is the error of
+differences."""
 _ELSEWHERE = math.log(4.0)
 """How far from the scene's numbers other starts are."""
 _STARTS = 32
@@ -251,7 +252,9 @@ class _Search:
         """The slopes, their singular values and directions, and which of these are known."""
         slopes = self._differences(u, residuals)
         _, singular, directions = np.linalg.svd(slopes, full_matrices=False)
-        known = singular > max(1.0 / _UNKNOWN, _RANK * float(singular.max(initial=0.0)))
+        # The error of a difference goes with its own unknown, whose unit may be far from those of others.
+        error = _RANK * np.linalg.norm(directions * np.linalg.norm(slopes, axis=0), axis=1)
+        known = singular > np.maximum(1.0 / _UNKNOWN, error)
         return slopes, singular, directions, known
 
     def _left(self, u: Floats) -> list[Floats]:
@@ -317,6 +320,7 @@ class _Search:
         ]  # fmt: skip
         sentences = [
             *(remark for table in problem.tables for remark in table.measurement.remarks),
+            *problem.doubts(u),
             *told.sentences(),
             *problem.lengths_told(u),
             *at_ends(problem.parameters, u, self._low, self._high, told.known),
@@ -342,7 +346,8 @@ class _Search:
         It takes a few steps of Newton's method with the slopes of the best, until that is less than enough.
         """
         free = [i for i in range(at.size) if i not in held]
-        inverse = np.linalg.pinv(slopes[:, free], rcond=_RANK)
+        sizes = np.linalg.norm(slopes[:, free], axis=0) + 1e-300
+        inverse = np.linalg.pinv(slopes[:, free] / sizes, rcond=_RANK) / sizes[:, None]
         at = np.clip(at, self._low, self._high)
         best, rise = at, math.inf
         for _ in range(_GIVING_WAY if free else 1):

@@ -17,6 +17,7 @@ from ..motion.quantities import Quantity
 from ..motion.simulation import Simulation
 from ..scene.types import Scene
 from ..scene.validate import validate
+from ..settings import SETTINGS
 from .circles import all_are_angles, other_radius, rods_to_anchors
 from .estimates import Estimate, plus_minus
 from .matching import Match, matched
@@ -45,6 +46,8 @@ _FEWEST = 8
 """Smallest number of rows that are fitted before the others."""
 _LATEST = 1e6
 """First row, s, beyond which no run comes to it from the scene's start."""
+_HARDLY = 1e-3
+"""Part of a body's size by which what was measured moves at least, or its scale is doubted."""
 _FAILED = 1e3
 """Residual, in units of noise, of a run that ends early."""
 
@@ -272,6 +275,25 @@ class Problem:
         return run
 
     # --------------------------------------------------------------------- what lengths say
+    def doubts(self, u: Floats) -> list[str]:
+        """What may not have been meant: places that hardly move, and one number for parts that differ."""
+        found, unit, length = [], self.scene.view.unit, self.length_scale(u)
+        for table in self.tables:
+            for row, match in zip(table.measured, table.matches, strict=True):
+                moved = float(np.nanmax(row) - np.nanmin(row)) * self._size_of(match, length)
+                if match.quantity.kind.unit == "{unit}" and 0.0 < moved < _HARDLY * self.size:
+                    found.append(
+                        f"{table.measurement.name}: {match.column.name} moves by {moved:.2g} {unit}, in a "
+                        f"body of {self.size:.3g} {unit}; is the scale right?"
+                    )
+        for name in self.vary:
+            if name in SETTINGS and SETTINGS[name].differs(self.scene):
+                found.append(
+                    f"{name} is that of parts which differ: it is the largest, and the others keep their "
+                    "ratio to it; a part alone is named as in spring0.stiffness."
+                )
+        return found
+
     def lengths_told(self, u: Floats) -> list[str]:
         """Where the lengths that were measured are not the scene's, and what stands for what then."""
         found = []

@@ -10,8 +10,7 @@ import pytest
 
 import sim
 from app.classroom.judge import GoalWatch, Meter, judge
-from app.session import keepsakes
-from app.session.log import Set, decode_log
+from app.session.log import Set, decode_log, digest_of
 from app.session.record import Recorder
 from app.session.session import Session
 from sim.scene.lesson import Goal, Reading, Step
@@ -196,9 +195,22 @@ def test_a_run_goes_on_after_its_page_was_reloaded() -> None:
     after.resume(kept, None)
     after.do_steps(60)
     record = decode_log(after.recorder.file(), "log")
-    moment = keepsakes.decode(kept).moment
-    assert judge(record, scene, GOAL, moment).refused == ""
+    assert judge(record, scene, GOAL, after.recorder.been).refused == ""
     # What the server has not seen there was never there.
     first.do_steps(1)
-    for other in (None, first.simulation.capture()):
-        assert "where the body never was" in judge(record, scene, GOAL, other).refused
+    for been in ((), (digest_of(first.simulation),)):
+        assert "where the body never was" in judge(record, scene, GOAL, been).refused
+
+
+def test_a_run_goes_on_when_its_kernels_are_ready(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As after a restart of the server: the log begins where NumPy has led the body."""
+    simulation = sim.Simulation(a_scene())
+    with monkeypatch.context() as patch:
+        patch.setattr(sim.Simulation, "complete", False)
+        recorder = Recorder(simulation)
+        recorder.step(60)
+    recorder.step(60)
+    recorder.step(60)
+    record = decode_log(recorder.file(), "log")
+    assert judge(record, a_scene(), GOAL, recorder.been).refused == ""
+    assert "never was" in judge(record, a_scene(), GOAL).refused

@@ -206,3 +206,10 @@ def test_what_is_kept_for_pages_that_come_back_is_bounded(monkeypatch: pytest.Mo
     monkeypatch.setattr(pasts, "MOST_BYTES", 3 * page.session.versions.bytes)
     pasts.keep(32 * "c", page.session.versions)
     assert [name for name in (*names, 32 * "c") if pasts.of(name) is not None] == [*names[-2:], 32 * "c"]
+
+
+def test_that_somebody_did_something_is_kept() -> None:
+    page = SessionPage("rope")
+    assert resumed(page.session.keepsake()).session.recorder.acts == 0
+    page.frames(1, commands.HoldKeys(frozenset(("up",))))
+    assert resumed(page.session.keepsake()).session.recorder.acts > 0

@@ -345,3 +345,13 @@ def test_whatever_happens_every_answer_counts_once_and_the_last_one_before_it_is
     places = [answer.place for answer in room.answers.values()]
     assert len(places) == len(set(places))
     assert {answer.id for answer in last.values()} == set(room.answers)
+
+
+def test_after_a_second_vote_it_is_the_one_that_counts() -> None:
+    room = a_room()
+    rounds = []
+    while (after := room.next()) is not None and after[0] == 0:
+        room.go(*after)
+        rounds.append((room.phase, room.vote_round))
+    assert [at for phase, at in rounds if phase in (Phase.ASK, Phase.RESULTS)] == [0, 0, 1, 1]
+    assert [at for phase, at in rounds if phase in (Phase.RUN, Phase.TRY, Phase.COLLECT)] == [0, 1, 1]

@@ -412,3 +412,28 @@ def test_what_cannot_be_compared_is_refused() -> None:
     euler = REPLACE(swing(), integrator=sim.Integrator(method="symplectic_euler"))
     with pytest.raises(sim.InputError, match="steps, more than 200000"):
         sim.fit(euler, late, ["gravity"])
+
+
+@pytest.mark.parametrize("scale", [1.0, 30.0, 1000.0])
+def test_an_interval_is_as_wide_at_any_scale(scale: float) -> None:
+    """The stiffness is known by the period alone, whatever the unit of the places is."""
+    rng, time = random(), np.arange(0.0, 5.0, 0.05)
+    k, c = 20.0, 0.3
+    measured = 0.05 * np.exp(-0.5 * c * time) * np.cos(math.sqrt(k - 0.25 * c * c) * time)
+    column = Column("Weg", "m", measured + 3e-4 * rng.standard_normal(time.size))
+    data = Measurement("a.csv", time, (column,))
+    scene = spring_pendulum(1.0, k, c)
+    vary = ["spring0.stiffness", "spring0.damping", "start", "origin"]
+    found = sim.fit(scene, data, vary, {"Weg": "mass1.y"}, scale).values["spring0.stiffness"]
+    assert found.high - found.low == pytest.approx(0.0273, rel=0.1)
+    assert found.low < k < found.high
+
+
+def test_places_that_hardly_move_and_one_number_for_springs_that_differ_are_doubted() -> None:
+    scene = sim.load_scene("lesson-hooke")
+    time = np.arange(0.0, 2.0, 0.05)
+    column = Column("y", "m", 0.05 * np.cos(math.sqrt(20.0) * time))
+    data = Measurement("a.csv", time, (column,))
+    said = sim.fit(scene, data, ["linear_stiffness", "start", "origin"], {"y": "mass1.y"}, 1.0).sentences
+    assert any("y moves by 0.1 px, in a body of " in one and "is the scale right?" in one for one in said)
+    assert any(one.startswith("linear_stiffness is that of parts which differ") for one in said)

@@ -40,7 +40,7 @@ const ABOUT = {
   ask: "Each one answers, unseen by the others.",
   results: "All see what was answered, without names.",
   run: "All see the same run.",
-  explain: "Each one writes a line. Star those that come on the wall.",
+  explain: "Each one writes a line. Star those that the wall is to show: it does as soon as you go on.",
   try: "Each one has a body of their own.",
   collect: "Each one hands in what they found.",
 };

@@ -361,7 +361,7 @@ class DeskRole(ClassRole):
                 )
                 for a in answers
             ),
-            bars=tuple(room.bars(room.at, room.round)),
+            bars=tuple(room.bars(room.at, room.vote_round)),
             right=step.question.answer if step is not None and step.question is not None else -1,
             over=over(klass),
             law=law_of(found),

@@ -250,7 +250,9 @@ function line(asking) {
 
 /** The choice that was made, and once it may be known, what is right. @param {Asking} asking */
 function verdict(asking) {
-  const given = mine(asking, "vote");
+  // Who was asked again has chosen again.
+  const last = asking.phase === "results" ? asking.round : 1;
+  const given = (last ? mine({ ...asking, round: last }, "vote") : undefined) ?? mine({ ...asking, round: 0 }, "vote");
   const text = make("p", "softrod-verdict");
   if (given && given.choice >= 0) text.append("You chose: ", make("b", "", asking.choices[given.choice]), ". ");
   if (asking.right >= 0) text.append("Right is: ", make("b", "", asking.choices[asking.right]), `. ${asking.because}`);

@@ -62,7 +62,6 @@ class SeatRole(ClassRole):
         self._stop = -1
         self._paused = False
         self._session: Session | None = None
-        self._resumed: bytes | None = None  # what its body went on from
         self._unwritten: deque[tuple[int, str]] = deque(maxlen=MOST_ANSWERS)
         self._hand_in_due = 0.0
         self._audience: set[viser.ClientHandle] = set()  # that see its body on the wall
@@ -142,7 +141,7 @@ class SeatRole(ClassRole):
         if self.seat is not None and self.front is None:
             if self._stop != self.room.at:
                 if (body := self.klass.body(self._number)) is not None:
-                    self._stop, self._resumed = self.room.at, body
+                    self._stop = self.room.at
                     session.post(commands.Resume(body, None))
                 else:
                     self.begin()
@@ -179,7 +178,6 @@ class SeatRole(ClassRole):
         self.show(scene)
 
     def show(self, scene: sim.Scene) -> None:
-        self._resumed = None
         if self._session is not None:
             # The class's page tells what the step is; the scene's own card would tell it twice.
             self._session.post(commands.Open(msgspec.structs.replace(scene, lesson=None)))
@@ -296,7 +294,7 @@ class SeatRole(ClassRole):
             self.room.take(seat.number, answer)
         else:
             scene, log = self.klass.scene(self.room.at), session.recorder.file()
-            self.klass.hand_in(answer, log, step, scene, self._resumed)
+            self.klass.hand_in(answer, log, step, scene, frozenset(session.recorder.been))
         self._unwritten.append((self.room.version, said.id))
 
     def _state(self) -> Seat:

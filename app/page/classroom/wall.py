@@ -48,6 +48,7 @@ class WallRole(ClassRole):
         found = found_by(room)
         answered = answered_by(self.klass)
         shown = room.phase in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN)
+        voted = shown and bool(room.given(room.at, 0, Vote))
         lines = [answer for answer in room.given(room.at, 0, Line) if answer.starred]
         self._mail.tell(
             Wall(
@@ -57,7 +58,9 @@ class WallRole(ClassRole):
                 seats=len(seats_here(self.klass) | answered),
                 answered=len(answered),
                 asking=asking(room),
-                bars=tuple(room.bars(room.at, room.round)) if shown and room.given(room.at, 0, Vote) else (),
+                bars=tuple(room.bars(room.at, room.vote_round))
+                if shown and room.given(room.at, 0, Vote)
+                else (),
                 lines=tuple(
                     WallLine(text=answer.content.text, color=room.seats[answer.seat].color)
                     for answer in lines

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import math
 import threading
 from functools import partial
 
@@ -23,7 +24,6 @@ from sim.settings import settings_of
 
 from ...export.workshop import Breath, Workshop
 from ...session import commands
-from ...session.notices import Notice
 from ...wire.to_page import Fan, Measured, ShowMeasures
 from ..looks import readouts
 from ..page import Page
@@ -101,12 +101,10 @@ class FitPanel:
                     hint="as mass1.x, -mass1.y or 90 - spring0.direction; empty to leave it out",
                     order=FIRST + 1 + 0.1 * i,
                 )
-            self._scale = gui.add_number(
-                "Scale",
-                initial_value=1.0,
-                min=1e-6,
-                max=1e9,
-                hint=f"{self._scene.view.unit} to a metre",
+            self._scale = gui.add_text(
+                f"{self._scene.view.unit} to a metre",
+                initial_value="",
+                hint="how large one metre of the table is in the scene",
                 order=FIRST + 2,
             )
             usual = _OF_JOINTS if self._scene.angular_springs else _OF_SPRINGS
@@ -182,6 +180,14 @@ class FitPanel:
             raise InputError("there is no table")
         return matched(table, scene, {name: box.value[:100] for name, box in self._columns.items()})
 
+    def _given_scale(self) -> float | None:
+        """What the box says; None if that is no scale."""
+        try:
+            scale = float(self._scale.value[:100].replace(",", "."))
+        except ValueError:
+            return None
+        return scale if 1e-6 <= scale <= 1e9 else None
+
     def _needs_scale(self, matches: tuple[Match, ...]) -> bool:
         return any(each.scale is None for each in matches) and not self._switches["length_scale"].value
 
@@ -198,13 +204,13 @@ class FitPanel:
         numbers = NONE
         if matches:
             values = self._found.values if self._found is not None else {}
-            scale = _value(values.get("length_scale"), float(self._scale.value))
+            scale = _value(values.get("length_scale"), self._given_scale() or math.nan)
             origin = tuple(_value(values.get(f"origin_{axis}"), 0.0) for axis in "xy")
             rows, places = places_of(matches, self._session.scene, scale, (origin[0], origin[1]))
             some = np.linspace(0, rows.size - 1, min(rows.size, MOST_POINTS)).astype(int)
             begin = table.time[0] if self._switches["start"].value or table.is_absolute else 0.0
             both = np.column_stack((table.time[rows[some]] - begin, places[some]))
-            both = both[(np.abs(both) < 1e7).all(axis=1)]
+            both = both[(np.abs(both) < 1e7).all(axis=1)]  # and no NaN, where there is no scale yet
             numbers = both.astype(np.float32).ravel()
         self._page.mail.tell(Measured(numbers=numbers))
 
@@ -223,7 +229,7 @@ class FitPanel:
             self._say(error)
             return
         texts = {each.column.name: each.text for each in matches}
-        scale = float(self._scale.value) if self._needs_scale(matches) else None
+        scale = self._given_scale() if self._needs_scale(matches) else None
         self._fit.disabled = True
         self._result.content = _text("The fit begins ...")
         self._page.mail.tell(Fan(numbers=NONE))
@@ -236,6 +242,11 @@ class FitPanel:
             raise InputError(f"a page fits at most {MOST_MASSES} masses; softrod fit takes more")
         if numbers > MOST_NUMBERS:
             raise InputError(f"a page fits at most {MOST_NUMBERS} numbers; softrod fit takes more")
+        if self._needs_scale(matches) and self._given_scale() is None:
+            unit = scene.view.unit
+            raise InputError(
+                f"write how many {unit} of the scene are one metre, 0.000001..1e9, or seek the length scale"
+            )
         if not 1 <= len(vary) <= MAX_VARIED:
             raise InputError(f"choose from 1 to {MAX_VARIED} numbers that are sought, not {len(vary)}")
         if not is_ready(needed_by(scene.integrator.method)):
@@ -283,9 +294,8 @@ class FitPanel:
 
     def _say(self, error: Exception) -> None:
         text = str(error).removeprefix("fit: ")
-        self._page.notify(Notice("error", "It cannot be fitted", f"{text[:1].upper()}{text[1:]}."))
         if self._table is not None:
-            self._result.content = ""
+            self._result.content = _text(f"<b>It cannot be fitted</b>: {html.escape(text)}.")
 
     def _take_found(self, table: Measurement, scene: sim.Scene, found: Fit, seen: Fan) -> None:
         """Show what was found, and put it into the scene as one step of undo."""
