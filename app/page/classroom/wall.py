@@ -58,9 +58,7 @@ class WallRole(ClassRole):
                 seats=len(seats_here(self.klass) | answered),
                 answered=len(answered),
                 asking=asking(room),
-                bars=tuple(room.bars(room.at, room.vote_round))
-                if shown and room.given(room.at, 0, Vote)
-                else (),
+                bars=tuple(room.bars(room.at, room.vote_round)) if voted else (),
                 lines=tuple(
                     WallLine(text=answer.content.text, color=room.seats[answer.seat].color)
                     for answer in lines
