@@ -196,7 +196,7 @@ RING = files.encode_scene(sim.load_scene("ring"))
         (
             "log.jsonl",
             b'{"do": "move", "mass": "x", "to": [0, 0]}\n',
-            "a whole number is expected, not a text",
+            "mass: a whole number is expected, not 'x'",
         ),
     ],
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from typing import Any
 
@@ -11,6 +12,7 @@ import sim
 from app.page import tab as tab_module
 from app.server.ticker import Ticker
 from app.session import commands
+from app.session import session as session_module
 from app.wire.from_page import Grab
 from sim.compiling.compiler import Compiler
 from tests.app.hostile import eventually
@@ -89,6 +91,7 @@ class Server:
 def page(monkeypatch: pytest.MonkeyPatch) -> WholePage:
     monkeypatch.setattr(tab_module, "UNTOUCHED", -1.0)
     monkeypatch.setattr(Compiler, "progress", (1, 1))
+    monkeypatch.setattr(session_module, "CHEAP", math.inf)  # however busy the machine is
     return WholePage(sim.load_scene("empty"))
 
 

@@ -109,7 +109,7 @@ export class SoftBody extends Body {
       throw new RangeError(`step: there is no method ${this.method}, but ${Object.keys(METHODS).join(" and ")}`);
     }
     let goesOn = true;
-    for (let left = Math.floor(count); left > 0 && goesOn; ) {
+    for (let left = Math.floor(count); left > 0; ) {
       // Hands go straight to where they are led, so they are led there bit by bit where steps are done apart.
       const now = this.beforeStep ? 1 : left > 1 ? left - 1 : 1;
       this.beforeStep?.(this);
