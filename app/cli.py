@@ -27,7 +27,6 @@ from .command import CsvComma, Settings, fail, scene_of
 from .export.command import Export
 from .lessons import check_lesson
 from .linking import Link
-from .page.controls import of_scene
 from .session.log import Log, read_log
 from .site.command import MakeGallery
 from .teaching import TeachClass
@@ -187,13 +186,15 @@ class Check:
 
     def run(self) -> int:
         """Check each; 1 if any is not valid."""
+        from .page.features import CONTROLS
+
         if not self.files:
             return fail("check: name at least one file")
         failed = 0
         for path in self.files:
             try:
                 scene = read_scene(path)
-                of_scene(scene)
+                of_scene(scene, CONTROLS)
                 check_lesson(scene)
             except (InputError, SettingError) as error:
                 failed = fail(f"{path}: {error}")

@@ -82,7 +82,7 @@ class Palette:
     liquid: Rgb
     muscle: Rgb
     force: Rgb
-    rival: Rgb
+    second: Rgb
 
     def css(self, name: str) -> str:
         """One of the colours as CSS has it."""

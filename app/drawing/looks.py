@@ -36,10 +36,10 @@ COLORS = {
     "force": ("c2185b", "ff7eb6"),
     "velocity": ("00796b", "3ce0c4"),
     "torque": ("7c4a03", "ffe066"),
-    "rival": ("0ca678", "38d9a9"),
+    "second": ("0ca678", "38d9a9"),
 }
 """Each on white and on dark paper, sRGB. `line` is of every fifth line of the grid, and of edges; `brand`
-also of the driven mass, a ghost and gas; `rival` of the other body of a race."""
+also of the driven mass, a ghost and gas; `second` of a second body."""
 
 TUTORIAL_COLORS = {
     "mass": ("ff2020", "ff2020"),

@@ -45,7 +45,7 @@ class Picture:
         ghost: (n, 2) px, where the masses of a second body are, or None.
         damage: what has yielded and broken, or None.
         ghost_broken: indices of the springs of the second body that are broken.
-        rival: the other body of a race, which has a plan of its own, or None.
+        second: a second body, which has a plan of its own, or None.
     """
 
     positions: Floats
@@ -55,7 +55,7 @@ class Picture:
     ghost: Floats | None = None
     damage: Damage | None = None
     ghost_broken: tuple[int, ...] = ()
-    rival: Picture | None = None
+    second: Picture | None = None
 
     @staticmethod
     def of(
@@ -168,8 +168,8 @@ def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:
     beside: tuple[ArrayLike, ...] = ()
     if picture.ghost is not None:
         beside = (picture.ghost,)
-    if (rival := picture.rival) is not None:
-        beside = *(beside or ([],)), moment(rival), rival.positions
+    if (second := picture.second) is not None:
+        beside = *(beside or ([],)), moment(second), second.positions
     return joined((generation, *moment(picture)), picture.positions, *beside)
 
 
@@ -181,7 +181,7 @@ def encode_damage(generation: int, picture: Picture) -> NDArray[np.float32]:
         picture: what is drawn.
     """
     damage, sections = picture.damage or Damage(), list[ArrayLike]()
-    if picture.rival is not None and (other := picture.rival.damage) is not None:
+    if picture.second is not None and (other := picture.second.damage) is not None:
         sections = [other.broken, other.set_lengths, other.set_angles]
     return joined(
         [generation], damage.broken, damage.set_lengths, damage.set_angles, picture.ghost_broken, *sections

@@ -182,7 +182,8 @@ class Export:
         """What pictures, films and replays show."""
         if not self.race:
             return list(map(Shot.of, moments))
-        from ..session.rival import on_terrain
+        from sim.edit.terrain import on_terrain
+
         from .making import simulated
         from .race import race, result
 

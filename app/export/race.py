@@ -10,10 +10,10 @@ import msgspec
 import numpy as np
 
 import sim
+from sim.edit.terrain import center
 from sim.scene.types import Damage, shown_name
 
 from ..drawing.plan import Picture
-from ..session.rival import center
 from .clip import Shot
 
 

@@ -6,7 +6,7 @@ import logging
 import re
 import threading
 from collections import defaultdict
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any
@@ -14,6 +14,7 @@ from typing import Any
 from sim.scene.types import Scene
 
 from ..session.notices import Notice
+from ..ui.feature import Feature
 from ..wire import from_page
 from ..wire.to_page import Resumed
 from .edit.edits import Edits
@@ -21,7 +22,6 @@ from .files import keeping
 from .files.files_panel import open_file
 from .files.sharing import Sharing
 from .page import Page
-from .race.race import Races
 from .scenes.gallery import Gallery
 from .waiting import TOO_MUCH, Waiting
 
@@ -41,17 +41,19 @@ class Answers:
 
     Args:
         page: whose script asks.
+        features: the page's, which may read long texts.
         resume: goes on with what the page had kept.
         show: opens the scene of a link, after what the page had kept.
         for_others: the address by which others reach the page, from that by which it was reached itself.
 
     Attributes:
-        sharing, gallery, races, edits: what it asks about.
+        sharing, gallery, edits: what it asks about.
     """
 
     def __init__(
         self,
         page: Page,
+        features: Iterable[Feature],
         resume: Callable[[keeping.Kept], None],
         show: Callable[[Scene], None],
         for_others: Callable[[str], str],
@@ -59,7 +61,7 @@ class Answers:
         self._page, self._resume = page, resume
         self.sharing = Sharing(page, show, for_others)
         self.gallery = Gallery(page)
-        self.races = Races(page)
+        self._readers = {kind: feature for feature in features for kind in feature.texts}
         self.edits = Edits(page.session, page.mail, page.notify)
         self._parts: defaultdict[str, keeping.Parts] = defaultdict(keeping.Parts)
         self._line = InOrder(page.notify)
@@ -75,6 +77,8 @@ class Answers:
 
     def take(self, part: from_page.Part) -> None:
         """Put together what comes in parts, of which this is the next, and do what is to be done with it."""
+        if part.kind not in VERBS and part.kind not in self._readers:
+            return
         letters = self._parts[part.kind].add(part.number, part.of, part.letters)
         if letters is None:
             if sum(text.size for text in self.unfinished) > MOST_UNFINISHED:
@@ -86,16 +90,22 @@ class Answers:
         elif part.kind == "file":
             if "files" in self._page.controls:
                 self._line.submit(open_file, self._page, letters)
-        elif part.kind == "rival":
-            if "chooser" in self._page.controls:
-                self._line.submit(self.races.against, letters)
+        elif (reader := self._readers.get(part.kind)) is not None:
+            if reader.texts[part.kind].needs in self._page.controls:
+                self._line.submit(reader.read, part.kind, letters)
         elif part.kind == "paste":
             if "edit" in self._page.controls:
                 self._line.submit(self.edits.paste, letters)
-        elif kept := keeping.decode(letters):
-            self._resume(kept)
-        else:
-            self._page.mail.tell(Resumed())  # as far as it can be
+        elif part.kind == "resume":
+            if kept := keeping.decode(letters):
+                self._resume(kept)
+            else:
+                self._page.mail.tell(Resumed())  # as far as it can be
+
+    def _verb(self, kind: str) -> str:
+        """What is done with long texts of a kind."""
+        reader = self._readers.get(kind)
+        return reader.texts[kind].verb if reader is not None else VERBS.get(kind, "sent")
 
     def _answer(self, ask: from_page.Ask) -> None:
         match ask:
@@ -106,7 +116,7 @@ class Answers:
             case from_page.Unread(text):
                 self._page.notify(unread(text))
             case from_page.Unsent(what):
-                self._page.notify(Notice("error", f"That cannot be {_DONE[what]}", UNSENT))
+                self._page.notify(Notice("error", f"That cannot be {self._verb(what)}", UNSENT))
             case from_page.ListScenes():
                 self.gallery.list(ask)
             case from_page.OpenScene():
@@ -118,7 +128,8 @@ class Answers:
 
 
 UNSENT = "It is too large for a page to send: at most 4.7 MB, which is some 11,000 masses."
-_DONE = {"resume": "resumed", "link": "opened", "file": "opened", "paste": "pasted", "rival": "raced against"}
+VERBS = {"resume": "resumed", "link": "opened", "file": "opened", "paste": "pasted"}
+"""What is done with long texts."""
 
 
 def unread(text: str) -> Notice:

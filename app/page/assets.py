@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import hashlib
+import inspect
 from functools import cache
 from pathlib import Path
 
@@ -11,22 +12,18 @@ from ..drawing.looks import style_rules
 from ..gate.gate import CHECK, PAGE_PATHS, VIDEO, GateError, StaticFile
 from ..viser_inside import PLACE, page_script
 from .check.page import SCRIPT, check_page
+from .features import FEATURES
 from .video.page import SCRIPTS, video_page
 
 _APP = Path(__file__).parents[1]
 _FOLDER = _APP / "page"
-_SCRIPTS = (_APP / "drawing" / "static", _APP / "wire", _FOLDER)
+_SCRIPTS = (_APP / "drawing" / "static", _APP / "wire", _APP / "ui", _APP / "features", _FOLDER)
 """Scripts have the same places relative to each other as on the disk."""
 _TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/webp"}
 _FOREVER = "public, max-age=31536000, immutable"
-_STYLES = (
-    "page.css",
-    "viser/viser.css",
-    "body/overlay.css",
-    "time/dock.css",
+_FIRST = ("page.css", "viser/viser.css", "body/overlay.css", "time/dock.css")
+_LAST = (
     "muscles/muscles.css",
-    "modes/modes.css",
-    "race/race.css",
     "measure/tools.css",
     "edit/edit.css",
     "looks/dialogs.css",
@@ -37,7 +34,7 @@ _STYLES = (
     "looks/menu.css",
     "looks/looks.css",
 )
-"""Later ones win."""
+"""Style sheets of no feature, before and after those of features; later ones win."""
 
 
 @cache
@@ -64,6 +61,17 @@ def page_files() -> dict[str, StaticFile]:
     return {**files, **dict.fromkeys(PAGE_PATHS, index), **others}
 
 
+def _sheets() -> list[Path]:
+    """The style sheets; later ones win."""
+    of_features = [Path(inspect.getfile(feature)).parent for feature in FEATURES]
+    sheets = [folder / f"{folder.name}.css" for folder in of_features]
+    return [
+        *(_FOLDER / name for name in _FIRST),
+        *(sheet for sheet in sheets if sheet.exists()),
+        *(_FOLDER / name for name in _LAST),
+    ]
+
+
 def _html(page: str) -> StaticFile:
     return StaticFile(gzip.compress(page.encode(), mtime=0), "text/html", "no-cache")
 
@@ -81,7 +89,7 @@ def _index(folder: str, scripts: list[str]) -> str:
     styles = "\n".join(
         (
             style_rules('html[data-mantine-color-scheme="dark"]*'),
-            *((_FOLDER / name).read_text(encoding="utf-8") for name in _STYLES),
+            *(path.read_text(encoding="utf-8") for path in _sheets()),
         )
     )
     return "\n".join(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 import urllib.parse
+from collections.abc import Collection
 from dataclasses import dataclass
 
 from sim.errors import InputError
@@ -16,7 +17,7 @@ from sim.settings import Setting, setting_keys
 
 from ..gate.address import page_query
 
-PARTS = {
+CORE = {
     "play": "the bar of time under the body",
     "chooser": "the button with the scene's title, which opens the gallery, and Open anew",
     "about": "what the scene shows, in words",
@@ -28,12 +29,12 @@ PARTS = {
     "solver": "the Solver tab",
     "measure": "the Measure tab",
     "tools": "the instruments",
-    "modes": "the strip of modes, in the View menu",
     "edit": "the tools that build and change the body, undo and redo",
     "files": "the Share tab",
     "view": "the other entries of the View menu",
 }
-"""Names of controls, and what they stand for; besides them, the key of any setting stands for its slider."""
+"""Names of controls of no feature, and what they stand for; besides them and those of features, the key of any
+setting stands for its slider."""
 
 IN_PLAY_TAB = ("chooser", "about", "follow", "angle", "keys", "body")
 """Those that stand in the Play tab, as the sliders of single settings do."""
@@ -43,7 +44,7 @@ TABS = ("solver", "measure", "tools", "files")
 
 @dataclass(frozen=True)
 class Controls:
-    """The controls of a page; see `PARTS`.
+    """The controls of a page.
 
     Attributes:
         names: which there are, in order; None for all.
@@ -57,7 +58,7 @@ class Controls:
     @property
     def in_play_tab(self) -> bool:
         """Whether the Play tab has anything."""
-        return self.names is None or any(n in IN_PLAY_TAB or n not in PARTS for n in self.names)
+        return self.names is None or any(n in IN_PLAY_TAB or _is_setting(n) for n in self.names)
 
     @property
     def in_panel(self) -> bool:
@@ -75,32 +76,40 @@ class Controls:
 ALL = Controls()
 
 
-def checked(names: tuple[str, ...], source: str) -> Controls:
+def _is_setting(name: str) -> bool:
+    return re.sub(r"^bodies\[\d+\]\.", "", name) in setting_keys()
+
+
+def checked(names: tuple[str, ...], source: str, parts: Collection[str]) -> Controls:
     """Controls of that list.
+
+    Args:
+        names: of controls, and keys of settings.
+        source: where they are from.
+        parts: the names of all controls.
 
     Raises:
         InputError: one of them is no control; one sentence that begins with the source and has all there are.
     """
-    known = setting_keys()
     for name in names:
-        if name not in PARTS and re.sub(r"^bodies\[\d+\]\.", "", name) not in known:
+        if name not in parts and not _is_setting(name):
             raise InputError(
-                f"{source}: there is no control called {name!r}; there are {', '.join(PARTS)}, and the "
-                f"settings {', '.join(sorted(known))}"
+                f"{source}: there is no control called {name!r}; there are {', '.join(parts)}, and the "
+                f"settings {', '.join(sorted(setting_keys()))}"
             )
     return Controls(tuple(dict.fromkeys(names)))
 
 
-def of_scene(scene: Scene) -> Controls:
-    """What a scene asks for.
+def of_scene(scene: Scene, parts: Collection[str]) -> Controls:
+    """What a scene asks for, of controls with those names.
 
     Raises:
         InputError: as `checked`.
     """
-    return ALL if scene.view.controls is None else checked(scene.view.controls, "view.controls")
+    return ALL if scene.view.controls is None else checked(scene.view.controls, "view.controls", parts)
 
 
-def of_query(query: str) -> Controls | None:
+def of_query(query: str, parts: Collection[str]) -> Controls | None:
     """What the query of a page's address asks for, as in `controls=play,rest_angle`; None if it has none.
 
     Raises:
@@ -111,4 +120,4 @@ def of_query(query: str) -> Controls | None:
         return None
     text = urllib.parse.unquote(fields["controls"])
     names = tuple(name for part in text.split(",") if (name := part.strip()[:80]))
-    return checked(names, "the address, controls")
+    return checked(names, "the address, controls", parts)

@@ -5,8 +5,8 @@ import { mindAbsence } from "./away.js";
 import { tellApart } from "./viser/axis_numbers.js";
 import { addClassroom } from "./classroom/classroom.js";
 import { addBodyKeys } from "./hands/body_keys.js";
-import { fitted, keepFlat } from "./body/camera.js";
-import { addChase } from "./body/chase.js";
+import { fit, fitted, keepFlat } from "./body/camera.js";
+import { addChase, toggleChase } from "./body/chase.js";
 import { listenToClipboard } from "./edit/clipboard.js";
 import { drawBody, shown } from "./body/canvas.js";
 import { askedScene, watchConnection } from "./viser/connection.js";
@@ -17,7 +17,7 @@ import { listenToEditKeys } from "./edit/edit_keys.js";
 import { addEditMarks } from "./edit/edit_marks.js";
 import { addEditStrip } from "./edit/edit_strip.js";
 import { addEmpty } from "./body/empty.js";
-import { addGallery } from "./scenes/gallery.js";
+import { addGallery, gallery } from "./scenes/gallery.js";
 import { showHud } from "./looks/hud.js";
 import { addInstruments } from "./measure/instruments.js";
 import { hasKept, keepOnlyOf, resume } from "./files/keep.js";
@@ -28,23 +28,20 @@ import { keepAddress, listenToLinks, openLink, takeLink } from "./files/links.js
 import { listenToOpenFile } from "./files/open_file.js";
 import { addLoads } from "./body/load_marks.js";
 import { beginViser, canDraw, complain, endLoading, mindGraphics } from "./viser/loading.js";
-import { restoreLooks } from "./looks/looks.js";
+import { restoreLooks, toggleProjector } from "./looks/looks.js";
 import { showMeasures } from "./measure/measure.js";
 import { addMenu } from "./looks/menu.js";
-import { listenToMelodies } from "./modes/melody.js";
 import { addMuscles } from "./muscles/muscle_strip.js";
-import { addModes } from "./modes/strip.js";
 import { mindWidgets } from "./viser/widgets.js";
 import { mindNumbers } from "./viser/numbers.js";
 import { addOverlay } from "./body/overlay.js";
 import { sayWhose } from "./scenes/owner.js";
-import { listenToCommands } from "../wire/perform.js";
-import { addRace } from "./race/race.js";
+import { listenToCommands, provide } from "../wire/perform.js";
 import { readPhases } from "./measure/phase.js";
 import { listenToPointer } from "./hands/pointer.js";
 import { addPaper } from "./body/paper.js";
 import { listenToPresses } from "./hands/presses.js";
-import { addShareDialog } from "./files/share.js";
+import { addShareDialog, openShareDialog } from "./files/share.js";
 import { addUnderlay } from "./body/underlay.js";
 import { addTexts } from "./scenes/texts.js";
 import { hearTools } from "./measure/tools.js";
@@ -53,8 +50,23 @@ import { addTraces } from "./measure/trace.js";
 import { addTracing } from "./edit/tracing.js";
 import { addTransport } from "./time/transport.js";
 import * as seen from "./viser/seen.js";
-import { isKnown, whenViser } from "./viser/viser.js";
-import { send } from "../wire/channel.js";
+import { isKnown, viser, whenViser } from "./viser/viser.js";
+import { send, sendBy } from "../wire/channel.js";
+import { FEATURES } from "./features.js";
+import { editing, setEditing } from "./edit/editing.js";
+import { takePicture } from "./files/picture.js";
+
+/** What the page does itself, of no feature. @type {Record<import("../wire/wire.js").PageCommands["core"], () => void>} */
+const OWN = {
+  gallery: () => gallery.open(),
+  share: () => openShareDialog(),
+  fit: () => void fit(true),
+  chase: () => toggleChase(),
+  larger: () => toggleProjector(),
+  picture: () => void takePicture(),
+  video: () => void window.open("video", "_blank", "noopener"),
+  edit: () => setEditing(!editing.on),
+};
 
 /** Seconds after which viser's page has made its hook, or never will. */
 const PATIENCE = 20;
@@ -70,19 +82,21 @@ watchConnection(mindAbsence(), () => !hasKept());
 const plotsAreLoaded = tellApart();
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let late;
-whenViser((viser) => {
+sendBy((message) => viser()?.sendMessage(message));
+whenViser((hook) => {
   clearTimeout(late);
   plotsAreLoaded();
-  if (!isKnown(viser)) {
+  if (!isKnown(hook)) {
     complain(FAULT);
     return;
   }
   endLoading();
   mindGraphics();
-  drawBody(viser);
+  drawBody(hook);
   showHud();
   hearTools();
   mindWidgets();
+  provide(OWN);
   listenToCommands();
   keepFlat();
   addChase(); // before what is drawn where the camera looks
@@ -103,9 +117,10 @@ whenViser((viser) => {
   restoreLooks();
   addTransport();
   addMuscles();
-  addModes();
-  addRace();
-  listenToMelodies();
+  for (const { commands, begin } of FEATURES) {
+    provide(commands);
+    begin();
+  }
   addShareDialog();
   addUnderlay();
   addTraces();

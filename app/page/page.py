@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ from sim.scene.types import Scene
 
 from ..session.notices import Notice
 from ..session.session import Session
+from ..ui.commands import CORE, Row
 from ..wire.carrier import Mail
 from .controls import ALL, Controls
 from .files.keeping import PLAIN, Looks
@@ -38,6 +39,7 @@ class Page:
         perform: does a command of the table.
         shelf: its scenes.
         commas: whether its tables have decimal commas.
+        commands: the whole table of them.
         controls: which it has; what there is not is not made.
         looks: how it looks.
         plots: its lists of plots.
@@ -56,6 +58,7 @@ class Page:
     perform: Callable[[str], None]
     shelf: Shelf
     commas: CommaSwitch
+    commands: Mapping[str, Row] = field(default_factory=lambda: CORE)
     controls: Controls = ALL
     looks: Looks = PLAIN
     plots: list[PlotList] = field(default_factory=list)

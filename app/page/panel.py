@@ -18,7 +18,7 @@ from sim.settings import CHOICES, TEMPLATES, Setting, settings_of
 
 from ..drawing.colors import palette
 from ..session import commands
-from ..wire.commands import COMMANDS
+from ..ui.commands import key_lines
 from ..wire.to_page import Hud
 from .edit.selection_panel import SelectionPanel
 from .looks import readouts
@@ -162,7 +162,7 @@ class Panel:
     # --------------------------------------------------------------------- what stays
     def _add_palette_commands(self) -> None:
         """The table of commands, for the command palette; the page's script acts on the keys themselves."""
-        for name, row in COMMANDS.items():
+        for name, row in self._page.commands.items():
             if not row.listed or (row.needs and row.needs not in self._controls):
                 continue
             keys = " or ".join(row.keys)
@@ -309,7 +309,7 @@ class Panel:
     def show_help(self) -> None:
         """Open the help."""
         with self._client.gui.add_modal("How to use softrod") as modal:
-            self._client.gui.add_html(readouts.help_html())
+            self._client.gui.add_html(readouts.help_html(key_lines(self._page.commands)))
             on_press(self._client.gui.add_button("Close"), modal.close)
 
     def refresh_controls(self) -> None:

@@ -13,6 +13,7 @@ from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Literal, Protocol
 
 import msgspec
@@ -33,10 +34,10 @@ from ..session.notices import About
 from ..session.pacing import LONGEST_FRAME, is_large
 from ..session.plots import Wish, text_of
 from ..session.session import Changed, Notice, Session
+from ..ui.commands import Look
 from ..viser_inside import element_id
 from ..wire import from_page
 from ..wire.carrier import Mail, listen
-from ..wire.commands import COMMANDS, Look
 from ..wire.to_page import Hud, Keepsake, PageState, Resumed, Run
 from . import controls
 from .answers import Answers
@@ -44,6 +45,7 @@ from .body.view import Canvas, picture_of
 from .classroom.front import FrontView
 from .classroom.role import Role
 from .controls import Controls
+from .features import COMMANDS, CONTROLS, FEATURES
 from .files import keeping, pasts
 from .files.export_panel import ExportPanel
 from .files.files_panel import FilesPanel
@@ -52,12 +54,10 @@ from .making.maker import LessonMaker, Measured
 from .measure.fit_panel import FitPanel
 from .measure.measure_panel import MeasurePanel
 from .measure.tools_panel import ToolsPanel
-from .modes.modes import ModesView
 from .opening import asked_scene
 from .page import Page
 from .panel import Panel, set_theme
 from .probe import KeptState, Probe
-from .race.race import RaceView
 from .scenes.shelf import Shelf
 from .viser.comma_switch import CommaSwitch
 from .waiting import Waiting
@@ -84,7 +84,11 @@ UNTOUCHED = 1.0
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
 
-TOLD_CONTROLS = ("chooser", "edit", "files", "help", "measure", "modes", "play", "solver", "tools", "view")
+_OF_FEATURES = (name for feature in FEATURES for name in feature.controls)
+TOLD_CONTROLS = (
+    *("chooser", "edit", "files", "help", "measure", "play", "solver", "tools", "view"),
+    *_OF_FEATURES,
+)
 """Controls of which the script is told whether they are there: it makes some, and commands need some."""
 
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
@@ -184,13 +188,11 @@ class Tab:
         self._role = role_of(self._mail)
         # In a class, the class says what is shown.
         self._first = scene = (self._asked_scene(query) if self._role is None else None) or scene
-        self._modes = ModesView(self._mail)
-        self._race = RaceView(self._mail)
         self._view = Canvas(client, self._mail, self._post)
         self._front: Front | None = None
         self._front_view = FrontView(client, self._mail, self._view, self._number)
         listen(client, self.hear)
-        self._asked_controls = self._checked(controls.of_query, query)
+        self._asked_controls = self._checked(partial(controls.of_query, parts=CONTROLS), query)
         self._scenes_controls = controls.ALL
         self._named_controls: tuple[str, ...] | None = None
         self._plots_kept: tuple[Wish, ...] = ()
@@ -258,10 +260,6 @@ class Tab:
                 session.post(commands.Speed(speed))
             case from_page.Visit():
                 session.post(commands.Visit())
-            case from_page.PutMode(mode, part):
-                session.post(commands.PutMode(mode, part))
-            case from_page.DriveMode(mode):
-                session.post(commands.DriveMode(mode))
             case from_page.Perform(command):
                 self.perform(command)
             case from_page.Part():
@@ -286,17 +284,24 @@ class Tab:
                 self._requests.add(lambda now: self._pick(now, mass))
             case from_page.BeginStep():
                 self._requests.add(lambda _: self._begin_step(said))
+            case _ if (feature := self._hearers.get(type(said))) is not None:
+                needs = feature.messages[type(said)]
+                if not needs or needs in self._page.controls:
+                    feature.hear(said)
 
     def perform(self, command: str) -> None:
         """Do a command of the table, if the page has the control that it needs."""
-        row, session = COMMANDS[command], self._session
+        row, session = COMMANDS.get(command), self._session
+        if row is None or session is None or (row.needs and row.needs not in self._page.controls):
+            return
         does = row.does
-        if session is None or (row.needs and row.needs not in self._page.controls) or does in ("edit", "own"):
+        if does in ("edit", "own"):
             return
         if does == "page":
             self._mail.tell(Run(command=command))
         elif callable(does):
-            self._requests.add(lambda now: does(now, self))
+            owner = next((one for one in self._features if command in one.commands), self)
+            self._requests.add(lambda now: does(now, owner))
         else:
             session.post(does)
 
@@ -418,8 +423,8 @@ class Tab:
         if self._measure is not None:
             self._measure.tick()
         self._show(session)
-        self._modes.tell(session)
-        self._race.tell(session)
+        for feature in self._features:
+            feature.frame()
         self._panel.show_selection()
         if "edit" in self._page.controls:
             self._answers.edits.tell()
@@ -444,10 +449,12 @@ class Tab:
         commas = CommaSwitch(lambda on: self._requests.add(lambda now: self._switch(now, "commas", on)))
         self._page = Page(
             self.client, session, self._mail, self.notify, self.perform, self._shelf, commas,
-            controls=self._wanted_controls(session.scene), begin_class=self._begin_class,
+            commands=COMMANDS, controls=self._wanted_controls(session.scene), begin_class=self._begin_class,
             is_closed=self._is_closed,
         )  # fmt: skip
-        self._answers = Answers(self._page, resume, show, self._for_others)
+        self._features = tuple(feature(self._page) for feature in FEATURES)
+        self._hearers = {kind: feature for feature in self._features for kind in feature.messages}
+        self._answers = Answers(self._page, self._features, resume, show, self._for_others)
         self._maker = LessonMaker(self._page, self._measured)
         self._make_panel(session)
         self._session = session
@@ -473,7 +480,9 @@ class Tab:
             return given
         if self._asked_controls is None and scene.view.controls != self._named_controls:
             self._named_controls = scene.view.controls
-            self._scenes_controls = self._checked(controls.of_scene, scene) or controls.ALL
+            self._scenes_controls = (
+                self._checked(partial(controls.of_scene, parts=CONTROLS), scene) or controls.ALL
+            )
         return self._asked_controls or self._scenes_controls
 
     def _checked(self, find: Callable[[Any], Controls | None], source: Any) -> Controls | None:
@@ -594,9 +603,9 @@ class Tab:
         """Tell the page of the body, as far as it is another one."""
         self._planned = session.revision
         self._mapping = Mapping.of(session.scene)
-        dark, rival = self._page.looks.dark, session.rival
+        dark, second = self._page.looks.dark, session.companions.second
         self._view.build(session.scene, dark, own_rest_angles(session.simulation))
-        self._view.build_rival(rival.simulation.capture().scene if rival is not None else None, dark)
+        self._view.build_second(second.capture().scene if second is not None else None, dark)
 
     def _show(self, session: Session) -> None:
         """Send the picture, the texts and the controls, as far as they changed."""

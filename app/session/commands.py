@@ -24,7 +24,6 @@ from . import log
 from .ghost import Ghost
 from .hand import DRAG_EVENT, FRAME
 from .log import Log
-from .modes import ModesWatch
 from .pacing import is_large
 from .session import Changed, Command, Session
 from .shadow import Foresight
@@ -181,12 +180,11 @@ class Compare(Command):
     changes = Changed.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
-        session.history.forget("ghost")
-        session.companions.ghost = (
-            Ghost(session.simulation, self.method, self.law, self.finer, session.can_wait)
-            if self.method
-            else None
-        )
+        if not self.method:
+            session.companions.remove(Ghost, session.history)
+            return
+        ghost = Ghost(session.simulation, self.method, self.law, self.finer, session.can_wait)
+        session.companions.put(ghost, session.history)
 
 
 @dataclass(frozen=True)
@@ -198,8 +196,10 @@ class Foretell(Command):
     changes = Changed.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
-        session.history.forget("foresight")
-        session.companions.foresight = Foresight(session.simulation, session.can_wait) if self.on else None
+        if self.on:
+            session.companions.put(Foresight(session.simulation, session.can_wait), session.history)
+        else:
+            session.companions.remove(Foresight, session.history)
 
 
 @dataclass(frozen=True)
@@ -225,62 +225,6 @@ class SelectJoint(Command):
     def apply(self, session: Session, at: float) -> None:
         if 0 <= self.joint < len(session.simulation.scene.angular_springs):
             session.joint = self.joint
-
-
-# ------------------------------------------------------------------------- modes
-@dataclass(frozen=True)
-class ShowModes(Command):
-    """Whether the body's slow vibrations are looked at; or the other of the two (None)."""
-
-    on: bool | None = None
-    changes = Changed.SETTINGS
-
-    def apply(self, session: Session, at: float) -> None:
-        on = session.modes is None if self.on is None else self.on
-        if not on:
-            session.driving.end()
-        session.modes = (session.modes or ModesWatch()) if on else None
-
-
-@dataclass(frozen=True)
-class PutMode(Command):
-    """The body is to be put into a mode, with a part of the amplitude of a full bar."""
-
-    mode: int
-    part: float
-    acts = True
-
-    def apply(self, session: Session, at: float) -> None:
-        watch = session.modes
-        if watch is None or watch.excitation(session.simulation) is None or watch.found is None:
-            return
-        if not (0 <= self.mode < len(watch.full) and math.isfinite(self.part)):
-            return
-        mode, modes = self.mode, watch.found
-        amplitude = min(max(self.part, 0.0), 1.0) * float(watch.full[mode])
-        session.put(lambda now: modes.put(now, mode, amplitude), f"mode {mode + 1}", f"mode {mode}")
-
-
-@dataclass(frozen=True)
-class DriveMode(Command):
-    """A mode is to be driven by hand from now on, or none any more (-1)."""
-
-    mode: int
-    acts = True
-
-    def apply(self, session: Session, at: float) -> None:
-        driving, watch = session.driving, session.modes
-        if self.mode < 0:
-            driving.fade()
-        elif not driving.goes_on(self.mode, at) and watch is not None:
-            session.play(True)
-            driving.begin(watch, self.mode)
-
-    def takes_over(self, session: Session) -> bool:
-        return self.mode >= 0
-
-    def playing_after(self, playing: bool) -> bool:
-        return playing or self.mode >= 0
 
 
 # ------------------------------------------------------------------------- editing
@@ -421,36 +365,6 @@ class Resume(Command):
 
     def apply(self, session: Session, at: float) -> None:
         session.resume(self.keepsake, self.versions)
-
-
-@dataclass(frozen=True)
-class Race(Command):
-    """The body is to race against that of another scene: both are put at their starts, and stand."""
-
-    scene: Scene
-    acts = True
-    changes = Changed.SETTINGS
-
-    def apply(self, session: Session, at: float) -> None:
-        session.race(self.scene)
-
-    @property
-    def is_heavy(self) -> bool:
-        return is_large(self.scene)
-
-    def playing_after(self, playing: bool) -> bool:
-        return False
-
-
-@dataclass(frozen=True)
-class LeaveRace(Command):
-    """There is to be no race any more; the body goes on."""
-
-    changes = Changed.SETTINGS
-
-    def apply(self, session: Session, at: float) -> None:
-        session.history.forget("rival")
-        session.companions.rival = None
 
 
 # ------------------------------------------------------------------------- time

@@ -18,14 +18,20 @@ class Companion(ABC):
         bodies: its own.
 
     Attributes:
+        name: of its kind, in the history.
         span: simulated seconds of its past that it needs to go back.
         by_hand: whether the same is done by hand to its bodies as to the session's.
+        in_step: whether the body's clock waits for it.
+        drawn: whether its body is drawn with a look of its own beside the session's.
         cost: seconds of computing in the last frames, on average.
         costs: what its steps cost.
     """
 
+    name: ClassVar[str]
     span: ClassVar[float] = 0.0
     by_hand: ClassVar[bool] = True
+    in_step: ClassVar[bool] = False
+    drawn: ClassVar[bool] = False
 
     def __init__(self, bodies: tuple[sim.Simulation, ...]) -> None:
         self.bodies = bodies
@@ -35,6 +41,14 @@ class Companion(ABC):
     def waits(self) -> bool:
         """Whether its method is still being compiled; by NumPy, it would say nothing of that method."""
         return any(body.plain for body in self.bodies)
+
+    @property
+    def is_late(self) -> bool:
+        """Whether it has not come as far in time as the session's body yet."""
+        return False
+
+    def touch(self) -> None:
+        """Know that something was done by hand to the session's body."""
 
     def is_ready(self, simulation: sim.Simulation) -> bool:
         """Whether it may go on; when its method has just become ready, it begins with the body."""

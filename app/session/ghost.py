@@ -59,6 +59,8 @@ class Ghost(Companion):
         worst: the largest that it has been.
     """
 
+    name = "ghost"
+
     def __init__(
         self, simulation: sim.Simulation, method: str, law: str, finer: int = 1, wait: bool = True
     ) -> None:

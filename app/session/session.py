@@ -37,7 +37,6 @@ from .notices import About, Notice, no_shape, runaway
 from .pacing import HEAVY_UNIT, LONGEST_FRAME, Costs, Pacer, is_large
 from .record import Recorder
 from .replay import Player
-from .rival import Rival
 from .shadow import Foresight
 from .stability import StabilityWatch
 from .versions import Versions
@@ -228,17 +227,12 @@ class Session:
     @property
     def ghost(self) -> Ghost | None:
         """The second body, if one is wanted."""
-        return self.companions.ghost
+        return self.companions.get(Ghost)
 
     @property
     def foresight(self) -> Foresight | None:
         """What tells how fast errors grow, if that is wanted."""
-        return self.companions.foresight
-
-    @property
-    def rival(self) -> Rival | None:
-        """The other body, if there is a race."""
-        return self.companions.rival
+        return self.companions.get(Foresight)
 
     @property
     def stability(self) -> StabilityEstimate:
@@ -262,7 +256,7 @@ class Session:
         No hand, key or log moves the body then, there is no other one, and nothing was asked for.
         """
         acts = self.simulation.keys or self.hands.masses or self.driving.drive is not None or self.follow
-        others = self.replay is not None or self.modes is not None or any(True for _ in self.companions)
+        others = self.replay is not None or self.modes is not None or len(self.companions) > 0
         busy = self.notices or self.stability_watch.is_looking or self.has_commands
         cheap = self.pacer.rates(self.clock()).solver_ms < CHEAP or not self.playing
         return cheap and not (acts or others or busy)
@@ -448,8 +442,7 @@ class Session:
             InputError: it cannot be done.
         """
         self.recorder.do(act)
-        if self.rival is not None:
-            self.rival.fair = False
+        self.companions.touch()
         for body in self.companions.bodies:
             # Those that are as fast as any hand are led to where the body came to.
             if body.rate_limited or not isinstance(act, log.Follow):
@@ -574,18 +567,6 @@ class Session:
         self.companions.begin(self.simulation, self.history)
         self.pacer.restart()
 
-    def race(self, scene: sim.Scene) -> None:
-        """Have a rival, and both at the start.
-
-        Raises:
-            SceneError: it does not go with the terrain.
-        """
-        rival = Rival(self.simulation, scene, self.can_wait)
-        self.play(False)
-        self.history.forget("rival")
-        self.companions.rival = rival
-        self.reset()
-
     def resume(self, keepsake: bytes, versions: Versions | None) -> None:
         """Go on where a keepsake was made.
 
@@ -615,11 +596,10 @@ class Session:
         self._choose_joint()
         self.pacer.speed = wishes.speed
         if (second := wishes.ghost) is not None:
-            self.companions.ghost = Ghost(
-                self.simulation, second.method, second.law, second.finer, self.can_wait
-            )
+            ghost = Ghost(self.simulation, second.method, second.law, second.finer, self.can_wait)
+            self.companions.put(ghost, self.history)
         if wishes.foretell:
-            self.companions.foresight = Foresight(self.simulation, self.can_wait)
+            self.companions.put(Foresight(self.simulation, self.can_wait), self.history)
         self.play(wishes.playing)
 
     # --------------------------------------------------------------------- time
@@ -684,10 +664,9 @@ class Session:
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
         began = time.perf_counter()
-        waits = self.rival is not None and self.rival.is_late
         step = partial(self.driving.step, self.recorder, self.modes)
-        own = budget if self.rival is None else 0.5 * budget
-        done = 0 if waits else self.costs.move(self.simulation, steps, own, step)
+        own = 0.5 * budget if self.companions.are_in_step else budget
+        done = 0 if self.companions.are_late else self.costs.move(self.simulation, steps, own, step)
         self.companions.keep_pace(self.simulation, done, budget - (time.perf_counter() - began))
         seconds = self._count(now, done, steps - done, began)
         self.companions.follow(self.simulation, done, led, budget - seconds)

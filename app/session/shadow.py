@@ -49,7 +49,7 @@ class Foresight(Companion):
         shadow: the two bodies.
     """
 
-    span = WINDOW
+    name, span = "foresight", WINDOW
 
     def __init__(self, simulation: sim.Simulation, wait: bool = True) -> None:
         self.shadow = Shadow(simulation, wait)

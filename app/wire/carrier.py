@@ -11,8 +11,7 @@ import viser
 
 from .. import viser_inside
 from ..viser_inside import SoftrodMessage
-from .from_page import FromPage, read
-from .to_page import Numbers, State, ToPage
+from .messages import FromPage, Numbers, State, ToPage, read
 
 _encode = msgspec.json.Encoder().encode
 _numbers = itertools.count()

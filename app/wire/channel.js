@@ -4,15 +4,22 @@
  * message that viser's page never sees.
  *
  * @typedef {import("./wire.js").Told} Told
+ * @typedef {object} Message as it travels
+ * @property {string} type
+ * @property {string} text
+ * @property {Float32Array} [numbers]
  */
-import { viser } from "../page/viser/viser.js";
-
 /** The name of that kind. */
 const CARRIER = "SoftrodMessage";
+/** Sends a message by the connection that there is. @type {(message: Message) => void} */
+let post = () => {};
 /** The state of the page. @type {Partial<import("./wire.js").PageState>} */
 let heard = {};
 /** @type {Map<string, ((told: any) => void)[]>} */
 const readers = new Map();
+
+/** Has everything sent in a way. @param {typeof post} sender */
+export const sendBy = (sender) => void (post = sender);
 
 /** How things are, as the server told it last. */
 export const told = () => heard;
@@ -34,7 +41,7 @@ export function onTold(kind, reader) {
 /**
  * Takes what the server tells out of a message.
  *
- * @param {import("../page/viser/viser.js").Message} message
+ * @param {Message} message
  * @returns {boolean} whether it was for the script
  */
 export function hear({ type, text, numbers }) {
@@ -66,5 +73,5 @@ export const hangUp = () => (heard = { ...heard, page: "" });
 
 /** Says something to the server, if there is a connection. @param {import("./wire.js").FromPage} message */
 export function send(message) {
-  if (heard.page) viser()?.sendMessage({ type: CARRIER, text: JSON.stringify(message) });
+  if (heard.page) post({ type: CARRIER, text: JSON.stringify(message) });
 }

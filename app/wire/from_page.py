@@ -8,67 +8,54 @@ Places are in the page's world, see `drawing.sketch.Mapping`.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, Literal
 
-import msgspec
-from msgspec import Meta, Struct
+from msgspec import Meta
 
 from sim.scene.parts import Wave
 
-from .commands import COMMANDS
-
-
-def tag_of(name: str) -> str:
-    """The tag of a message, from the name of its class: its first letter is a small one."""
-    return name[:1].lower() + name[1:]
-
-
-class FromPage(Struct, frozen=True, forbid_unknown_fields=True, tag_field="do", tag=tag_of):
-    """Something that a page says."""
-
-
-Index = Annotated[int, Meta(ge=0, le=999_999)]
-Hand = Annotated[int, Meta(ge=0, le=9)]
-# Bounds refuse infinity, too; JSON has no NaN.
-Coordinate = Annotated[float, Meta(ge=-1e7, le=1e7)]
-Degrees = Annotated[float, Meta(ge=-1e4, le=1e4)]
-Parts = Annotated[tuple[Index, ...], Meta(max_length=100)]
-Point = tuple[Coordinate, Coordinate]
-StepNumber = Annotated[int, Meta(ge=0, le=99)]
-Number = Annotated[float, Meta(ge=-1e15, le=1e15)]
-LongText = Annotated[str, Meta(max_length=8000)]
-"""Longer than any text of a lesson may be: its user is told by how much it is too long."""
-QuantityName = Annotated[str, Meta(max_length=100)]
-SceneName = Annotated[str, Meta(min_length=1, max_length=200)]
-Key = Literal["up", "down", "left", "right"]
-PhaseName = Literal["lobby", "show", "ask", "results", "run", "explain", "try", "collect"]
-
-if TYPE_CHECKING:
-    CommandName = str
-else:
-    CommandName = Literal[tuple(COMMANDS)]
+from .messages import (
+    Ask,
+    CommandName,
+    Coordinate,
+    Degrees,
+    FromPage,
+    Hand,
+    Index,
+    Key,
+    LongText,
+    Number,
+    OwnBody,
+    Parts,
+    PhaseName,
+    Point,
+    QuantityName,
+    SceneName,
+    StepNumber,
+    TextKind,
+)
 
 
 # ------------------------------------------------------------------------- commands, keys and hands
-class Perform(FromPage, frozen=True):
+class Perform(OwnBody, frozen=True):
     """Do a command of the table, see `commands`."""
 
     command: CommandName
 
 
-class Keys(FromPage, frozen=True):
+class Keys(OwnBody, frozen=True):
     """The arrow keys that are held; said again and again while any is."""
 
     held: Annotated[tuple[Key, ...], Meta(max_length=4)]
 
 
-class At(FromPage, frozen=True):
+class At(OwnBody, frozen=True):
     """Where hands are; said at every animation frame in which one moved."""
 
     hands: Annotated[tuple[tuple[Hand, Coordinate, Coordinate], ...], Meta(min_length=1, max_length=10)]
 
 
-class Grab(FromPage, frozen=True):
+class Grab(OwnBody, frozen=True):
     """A hand takes hold of a mass."""
 
     hand: Hand
@@ -77,36 +64,36 @@ class Grab(FromPage, frozen=True):
     y: Coordinate
 
 
-class Drop(FromPage, frozen=True):
+class Drop(OwnBody, frozen=True):
     """A hand lets go."""
 
     hand: Hand
 
 
-class Pick(FromPage, frozen=True):
+class Pick(OwnBody, frozen=True):
     """A mass was clicked."""
 
     mass: Index
 
 
 # ------------------------------------------------------------------------- time and looks
-class GoTo(FromPage, frozen=True):
+class GoTo(OwnBody, frozen=True):
     """Show a moment of the past, s."""
 
     time: Coordinate
 
 
-class Speed(FromPage, frozen=True):
+class Speed(OwnBody, frozen=True):
     """How fast time goes, simulated seconds per second."""
 
     speed: Coordinate
 
 
-class Visit(FromPage, frozen=True):
+class Visit(OwnBody, frozen=True):
     """A slider was pressed, or a number box entered: what is changed from here on is another step of undo."""
 
 
-class Seen(FromPage, frozen=True):
+class Seen(OwnBody, frozen=True):
     """In which tab somebody sees plots now; they are not sent otherwise."""
 
     tab: Literal["measure", "lesson", ""]
@@ -124,41 +111,23 @@ class BeginStep(FromPage, frozen=True):
     how: Literal["run", "wait", "on"] = "wait"
 
 
-# ------------------------------------------------------------------------- modes
-class PutMode(FromPage, frozen=True):
-    """The body is to be put into a mode, with a part of the amplitude of a full bar."""
-
-    mode: Annotated[int, Meta(ge=0, le=99)]
-    part: Annotated[float, Meta(ge=0.0, le=1.0)]
-
-
-class DriveMode(FromPage, frozen=True):
-    """A mode is to be driven as long as a bar is pressed; none (-1) from then on."""
-
-    mode: Annotated[int, Meta(ge=-1, le=99)]
-
-
 # ------------------------------------------------------------------------- long texts
 class Part(FromPage, frozen=True):
-    """A part of what is too long for one message: a keepsake ("resume"), a link, a file, what is pasted, or
-    the link or name of a scene to race against ("rival").
+    """A part of what is too long for one message.
 
     Attributes:
+        kind: of the whole text: a keepsake ("resume"), a link, a file, what is pasted, or one of a feature's.
         number: from 1.
         of: how many parts there are.
     """
 
-    kind: Literal["resume", "link", "file", "paste", "rival"]
+    kind: TextKind
     number: Annotated[int, Meta(ge=1, le=99)]
     of: Annotated[int, Meta(ge=1, le=99)]
     letters: Annotated[str, Meta(max_length=48_000, pattern=r"^[\x21-\x7e]*$")]
 
 
 # ------------------------------------------------------------------------- questions
-class Ask(FromPage, frozen=True):
-    """Something that takes a while: it is done in a thread, in the order in which it was asked for."""
-
-
 class Share(Ask, frozen=True):
     """A link to the scene, with the present pose or without.
 
@@ -186,7 +155,7 @@ class Unread(Ask, frozen=True):
 class Unsent(Ask, frozen=True):
     """Something was too long to be sent; its user is to be told."""
 
-    what: Literal["resume", "link", "file", "paste", "rival"]
+    what: TextKind
 
 
 class Who(Ask, frozen=True):
@@ -640,33 +609,3 @@ class Act(Gesture, frozen=True):
     ]
     mass: Index | None = None
     under: Index | None = None
-
-
-def leaves(kind: type) -> list[type]:
-    """The messages of a kind: classes of which there are no others, in the order of the file."""
-    below = kind.__subclasses__()
-    return [leaf for one in below for leaf in leaves(one)] if below else [kind]
-
-
-MESSAGES = tuple(leaves(FromPage))
-"""All that a page can say."""
-
-if TYPE_CHECKING:
-    _decoder: msgspec.json.Decoder[FromPage]
-else:
-    from functools import reduce
-    from operator import or_
-
-    _decoder = msgspec.json.Decoder(reduce(or_, MESSAGES))
-
-
-def read(text: str) -> FromPage | None:
-    """What a page says; None if that makes no sense.
-
-    Args:
-        text: JSON.
-    """
-    try:
-        return _decoder.decode(text)
-    except (msgspec.DecodeError, UnicodeError, RecursionError):
-        return None

@@ -4,30 +4,11 @@ from __future__ import annotations
 
 from typing import Literal
 
-import numpy as np
 from msgspec import Struct
 
 from sim.scene.lesson import Question, Step
 
-from .from_page import CommandName, PhaseName, leaves, tag_of
-
-
-class ToPage(Struct, frozen=True, kw_only=True, tag_field="tell", tag=tag_of):
-    """Something that a page is told."""
-
-
-class State(ToPage, frozen=True, kw_only=True):
-    """How something is now: only the latest counts, and it is told only when it has changed."""
-
-
-class Event(ToPage, frozen=True, kw_only=True):
-    """Something that happened: all of them arrive, in order."""
-
-
-class Numbers(ToPage, frozen=True, kw_only=True):
-    """Numbers of single precision, which travel beside the JSON: only the latest count."""
-
-    numbers: np.ndarray
+from .messages import CommandName, Event, Numbers, PhaseName, State
 
 
 # ------------------------------------------------------------------------- states
@@ -94,48 +75,6 @@ class Tools(State, frozen=True, kw_only=True):
     seconds: int = 5
     chosen: int = -1
     coordinates: bool = False
-
-
-class Modes(State, frozen=True, kw_only=True, omit_defaults=True):
-    """The slow vibrations of the body, where the page looks at them.
-
-    Attributes:
-        on: whether it does.
-        number: of the shapes that belong to them.
-        trouble: why there are none, in a sentence without a full stop; empty while they are looked for, too.
-        frequencies: Hz, the slowest first.
-        damping: ratios, 1 where a vibration is critically damped.
-        full: amplitudes of full bars, px.
-        driven: the mode that is driven, or -1.
-    """
-
-    on: bool = False
-    number: int = 0
-    trouble: str = ""
-    frequencies: tuple[float, ...] = ()
-    damping: tuple[float, ...] = ()
-    full: tuple[float, ...] = ()
-    driven: int = -1
-
-
-class Race(State, frozen=True, kw_only=True, omit_defaults=True):
-    """The race of the body against another one, if there is one.
-
-    Attributes:
-        on: whether there is.
-        names: of the body and of the other one.
-        ways: px that each has come along x since the start.
-        seconds: simulated, since then.
-        fair: whether nobody has moved or changed the body since then.
-        out: why the other one takes part no more; empty while it does.
-    """
-
-    on: bool = False
-    names: tuple[str, str] = ("", "")
-    ways: tuple[float, float] = (0.0, 0.0)
-    seconds: float = 0.0
-    fair: bool = True
-    out: str = ""
 
 
 class Hud(State, frozen=True, kw_only=True):
@@ -237,8 +176,8 @@ class Plan(Numbers, frozen=True, kw_only=True):
     """What a body is made of, see `drawing.plan.encode_plan`."""
 
 
-class RivalPlan(Numbers, frozen=True, kw_only=True):
-    """What the other body of a race is made of, as a plan; where its masses are is in the frames."""
+class SecondPlan(Numbers, frozen=True, kw_only=True):
+    """What a second body beside the page's is made of, as a plan; where its masses are is in the frames."""
 
 
 class Frame(Numbers, frozen=True, kw_only=True):
@@ -275,14 +214,6 @@ class Fan(Numbers, frozen=True, kw_only=True):
     draws: int = 0
     masses: int = 0
     rate: float = 0.0
-
-
-class ModeShapes(Numbers, frozen=True, kw_only=True):
-    """Shapes of the modes, see `modes.modes.encode_shapes`; none while nobody looks."""
-
-
-class ModeLevels(Numbers, frozen=True, kw_only=True):
-    """How much of each mode is in the motion now, see `modes.modes.encode_levels`."""
 
 
 # ------------------------------------------------------------------------- in a class
@@ -698,12 +629,6 @@ class UsedInClass(Event, frozen=True, kw_only=True):
     command: str
 
 
-class RaceAnswer(Event, frozen=True, kw_only=True):
-    """Whether a race begins: a sentence that says why not, or nothing."""
-
-    problem: str
-
-
 class Link(Event, frozen=True, kw_only=True):
     """A link to the scene.
 
@@ -715,7 +640,3 @@ class Link(Event, frozen=True, kw_only=True):
     link: str = ""
     qr: str = ""
     problem: str = ""
-
-
-MESSAGES = tuple(leaves(ToPage))
-"""All that a page can be told."""

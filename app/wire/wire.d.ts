@@ -1,7 +1,13 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "race" | "leaveRace" | "lesson" | "follow" | "plot" | "fit" | "chase" | "larger" | "stopwatch" | "modes" | "mute" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "muscle" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
-/** Commands that the page's script does. */
-export type PageCommand = "gallery" | "share" | "race" | "fit" | "chase" | "larger" | "mute" | "video" | "picture" | "edit";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "chase" | "larger" | "stopwatch" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "muscle" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help" | "modes" | "mute" | "race" | "leaveRace";
+/** Texts that are too long for one message. */
+export type TextKind = "resume" | "link" | "file" | "paste" | "rival";
+/** Commands that the page's script does, by the features that they belong to. */
+export type PageCommands = { core: "gallery" | "share" | "fit" | "chase" | "larger" | "video" | "picture" | "edit"; modes: "mute"; race: "race" };
+/** The body is to be put into a mode, with a part of the amplitude of a full bar. */
+export type PutMode = { do: "putMode"; mode: number; part: number };
+/** A mode is to be driven as long as a bar is pressed; none (-1) from then on. */
+export type DriveMode = { do: "driveMode"; mode: number };
 /** Do a command of the table, see `commands`. */
 export type Perform = { do: "perform"; command: CommandName };
 /** The arrow keys that are held; said again and again while any is. */
@@ -22,20 +28,12 @@ export type Speed = { do: "speed"; speed: number };
 export type Visit = { do: "visit" };
 /** In which tab somebody sees plots now; they are not sent otherwise. */
 export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
-/** The page goes to a step of the scene's lesson. */
-export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "wait" };
-/** The body is to be put into a mode, with a part of the amplitude of a full bar. */
-export type PutMode = { do: "putMode"; mode: number; part: number };
-/** A mode is to be driven as long as a bar is pressed; none (-1) from then on. */
-export type DriveMode = { do: "driveMode"; mode: number };
-/** A part of what is too long for one message: a keepsake ("resume"), a link, a file, what is pasted, or the link or name of a scene to race against ("rival"). */
-export type Part = { do: "part"; kind: "file" | "link" | "paste" | "resume" | "rival"; number: number; of: number; letters: string };
 /** A link to the scene, with the present pose or without. */
 export type Share = { do: "share"; pose: boolean; page: string; short?: boolean; controls?: "all" | "play" | "sliders" };
 /** A text was typed into a number box that is no number; its user is to be told. */
 export type Unread = { do: "unread"; text: string };
 /** Something was too long to be sent; its user is to be told. */
-export type Unsent = { do: "unsent"; what: "file" | "link" | "paste" | "resume" | "rival" };
+export type Unsent = { do: "unsent"; what: TextKind };
 /** Whose the page is: a secret of its browser, and the owner's key if it was opened with that. */
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
 /** All scenes, and pictures of the user's own. */
@@ -46,6 +44,10 @@ export type OpenScene = { do: "openScene"; name: string };
 export type UseInClass = { do: "useInClass"; name: string };
 /** Do something with one of the page's own scenes; `name` is that of a deleted one for "restore". */
 export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
+/** The page goes to a step of the scene's lesson. */
+export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "wait" };
+/** A part of what is too long for one message. */
+export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
 /** One of the choices of a question. */
 export type GiveVote = { do: "giveVote"; id: string; turn: number; stop: number; round: number; twin: number; choice: number };
 /** Where each mass will be. */
@@ -140,7 +142,7 @@ export type MoveMuscles = { do: "moveMuscles"; later?: number; stretch?: number;
 export type ShapeMuscles = { do: "shapeMuscles"; wave?: "pulse" | "sine" | null; per_beat?: number | null; spread?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "keep" | "mirror" | "pin" | "remove" | "rest" | "stiffen" | "triangulate"; mass?: number | null; under?: number | null };
-export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | PutMode | DriveMode | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act;
+export type FromPage = PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | BeginStep | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act;
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */
@@ -173,14 +175,20 @@ export type DeskSeat = { number: number; name: string; color: string; here: bool
 export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
 /** A scene as the gallery shows it. */
 export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
+/** The slow vibrations of the body, where the page looks at them. */
+export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };
+/** Shapes of the modes, see `modes.feature.encode_shapes`; none while nobody looks. */
+export type ModeShapes = { tell: "modeShapes"; numbers: Float32Array };
+/** How much of each mode is in the motion now, see `modes.feature.encode_levels`. */
+export type ModeLevels = { tell: "modeLevels"; numbers: Float32Array };
+/** The race of the body against another one, if there is one. */
+export type Race = { tell: "race"; on?: boolean; names?: [string, string]; ways?: [number, number]; seconds?: number; fair?: boolean; out?: string };
+/** Whether a race begins: a sentence that says why not, or nothing. */
+export type RaceAnswer = { tell: "raceAnswer"; problem: string };
 /** What the script has to know of the session and of the page. */
 export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };
 /** What is measured on the canvas. */
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
-/** The slow vibrations of the body, where the page looks at them. */
-export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };
-/** The race of the body against another one, if there is one. */
-export type Race = { tell: "race"; on?: boolean; names?: [string, string]; ways?: [number, number]; seconds?: number; fair?: boolean; out?: string };
 /** The head-up display over the canvas, HTML. */
 export type Hud = { tell: "hud"; html: string };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
@@ -237,14 +245,12 @@ export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, st
 export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 /** How a scene is used in a class. */
 export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
-/** Whether a race begins: a sentence that says why not, or nothing. */
-export type RaceAnswer = { tell: "raceAnswer"; problem: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
 /** What a body is made of, see `drawing.plan.encode_plan`. */
 export type Plan = { tell: "plan"; numbers: Float32Array };
-/** What the other body of a race is made of, as a plan; where its masses are is in the frames. */
-export type RivalPlan = { tell: "rivalPlan"; numbers: Float32Array };
+/** What a second body beside the page's is made of, as a plan; where its masses are is in the frames. */
+export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
 /** Where the masses are, see `drawing.plan.encode_frame`. */
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 /** What has yielded and broken, see `drawing.plan.encode_damage`. */
@@ -255,10 +261,6 @@ export type Arrows = { tell: "arrows"; numbers: Float32Array };
 export type Measured = { tell: "measured"; numbers: Float32Array };
 /** Bodies that go with what was measured about as well as the fitted one: (frames, draws, masses, 2) places, px, from time 0 on; none where no fit is shown. */
 export type Fan = { tell: "fan"; numbers: Float32Array; draws: number; masses: number; rate: number };
-/** Shapes of the modes, see `modes.modes.encode_shapes`; none while nobody looks. */
-export type ModeShapes = { tell: "modeShapes"; numbers: Float32Array };
-/** How much of each mode is in the motion now, see `modes.modes.encode_levels`. */
-export type ModeLevels = { tell: "modeLevels"; numbers: Float32Array };
-export type ToPage = PageState | Tools | Modes | Race | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | Melody | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | RaceAnswer | Link | Plan | RivalPlan | Frame | Damage | Arrows | Measured | Fan | ModeShapes | ModeLevels;
+export type ToPage = Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Tools | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | Melody | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | SecondPlan | Frame | Damage | Arrows | Measured | Fan;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; modes: Modes; race: Race; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; melody: Melody; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; raceAnswer: RaceAnswer; link: Link; plan: Plan; rivalPlan: RivalPlan; frame: Frame; damage: Damage; arrows: Arrows; measured: Measured; fan: Fan; modeShapes: ModeShapes; modeLevels: ModeLevels };
+export type Told = { modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; melody: Melody; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage; arrows: Arrows; measured: Measured; fan: Fan };

@@ -19,7 +19,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
 
-from app.wire.from_page import FromPage
+from app.wire.messages import FromPage
 
 FRAME_TIME, FRAME_PLACES = 2, 7
 """Where the time and the places are among the numbers of a frame, see `drawing.plan.encode_frame`."""

@@ -11,8 +11,7 @@ import msgspec
 
 from app.viser_inside import SoftrodMessage
 from app.wire.carrier import Mail
-from app.wire.from_page import leaves
-from app.wire.to_page import Event, State, ToPage
+from app.wire.messages import Event, State, ToPage
 
 _decoder: Any = msgspec.json.Decoder(reduce(or_, (*leaves(State), *leaves(Event))))
 _T = TypeVar("_T", bound=ToPage)

@@ -20,7 +20,7 @@ from app.page.viser.comma_switch import CommaSwitch
 from app.session.notices import Notice
 from app.session.session import Session
 from app.viser_inside import SoftrodMessage
-from app.wire.from_page import FromPage
+from app.wire.messages import FromPage
 from tests.app.letters import Letters
 
 

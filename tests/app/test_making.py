@@ -15,7 +15,7 @@ from app.session import commands
 from app.session.notices import Notice
 from app.session.plots import text_of, wish_of
 from app.wire import from_page as asks
-from app.wire.from_page import read
+from app.wire.messages import read
 from app.wire.to_page import LessonForm, LessonOffers, LessonTaken
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
 from sim.settings import scene_of_step

@@ -13,9 +13,9 @@ from app.drawing.colors import palette
 from app.drawing.plan import Picture, encode_plan, own_rest_angles
 from app.drawing.sketch import Sketch
 from app.export import instances
+from app.page.features import COMMANDS
 from app.session import commands, log
 from app.session.replay import Player
-from app.wire.commands import COMMANDS
 from app.wire.from_page import MoveMuscles, Select, ShapeMuscles, Tempo, read
 from sim.edit.edit import Selection
 from sim.edit.muscles import crest, give_muscles

@@ -16,11 +16,12 @@ from app.export.clip import Clip
 from app.export.making import simulated
 from app.export.race import race, result
 from app.export.replay import replay_html
-from app.page.race.race import Races
+from app.features.race.feature import BeginRace, LeaveRace
+from app.features.race.messages import RaceAnswer
+from app.features.race.rival import Rival
 from app.page.scenes.shelf import Shelf
 from app.session import commands
-from app.session.rival import Rival, on_terrain
-from app.wire.to_page import RaceAnswer
+from sim.edit.terrain import on_terrain
 from sim.errors import SceneError
 from sim.scene.types import Damage
 from sim.store.link import pack_scene
@@ -126,7 +127,7 @@ def racing(one: str = "worm", other: str = "walker", **changes: object) -> tuple
     """A page with a race that has not begun."""
     page = SessionPage(sim.load_scene(one))
     page.frames(20)
-    page.frames(1, commands.Race(REPLACE(sim.load_scene(other), **changes)))
+    page.frames(1, BeginRace(REPLACE(sim.load_scene(other), **changes)))
     rival = page.session.rival
     assert rival is not None
     return page, rival
@@ -152,7 +153,7 @@ def test_both_start_together_and_keep_to_one_clock() -> None:
     assert rival.fair
     page.frames(1, commands.Reset())
     assert rival.simulation.time < 0.05
-    page.frames(1, commands.LeaveRace())
+    page.frames(1, LeaveRace())
     assert session.rival is None
     page.frames(5)
     assert not any("rival" in beside for _, beside in session.history.recent(1.0))

@@ -30,7 +30,8 @@ from app.session import commands
 from app.session.commands import DragStart, Open
 from app.session.plots import Wish
 from app.session.session import Session
-from app.wire.from_page import FromPage, OpenScene, Part, Perform
+from app.wire.from_page import OpenScene, Part, Perform
+from app.wire.messages import FromPage
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 from sim.store.link import pack_scene
 from studies.bench.client import FRAME_PLACES, Page, is_frame

@@ -11,11 +11,12 @@ import pytest
 from msgspec import inspect
 
 from app.page import controls
+from app.page.features import COMMANDS
 from app.page.tab import TOLD_CONTROLS
 from app.session import commands
+from app.ui.commands import key_lines
 from app.wire import from_page, to_page
-from app.wire.commands import COMMANDS, key_lines
-from app.wire.from_page import read
+from app.wire.messages import read
 from app.wire.to_page import OfferGallery, ShelfChanged, Tools
 from tests.app.inside import Bare
 from tests.app.letters import Letters
@@ -126,7 +127,7 @@ def test_what_is_made_from_the_messages_and_commands_is_up_to_date() -> None:
 def test_the_readme_has_all_keys() -> None:
     text = (generate.ROOT / "README.md").read_text(encoding="utf-8")
     shown = re.findall(r"<kbd>(.+?)</kbd>", text)
-    for keys, _ in key_lines():
+    for keys, _ in key_lines(COMMANDS):
         for key in re.split(r" or | ", keys):
             assert key in shown
 

@@ -13,7 +13,7 @@ from app.page.tab import Tab
 from app.page.viser import slider_box
 from app.session import commands
 from app.session.session import Session
-from app.wire.from_page import FromPage
+from app.wire.messages import FromPage
 from app.wire.to_page import Hud
 from sim.compiling.compiler import Compiler
 from tests.app.pages import BUDGET, FRAME, Wall

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from app.page.features import COMMANDS
 from app.session import commands
-from app.wire.commands import COMMANDS, key_lines
+from app.ui.commands import key_lines
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -151,7 +152,7 @@ def test_help_and_the_command_palette_list_the_keys(open_page: OpenPage) -> None
     desk.view("Help")
     dialog = desk.page.get_by_role("dialog")
     text = dialog.inner_text()
-    for key, what in key_lines():
+    for key, what in key_lines(COMMANDS):
         assert key in text
         assert what in text
     # Keys act on the page behind only once the dialog is gone.

@@ -13,12 +13,15 @@ from typing import Any
 
 from msgspec import inspect
 
-from app.wire import from_page, to_page
-from app.wire.commands import COMMANDS, key_lines
+from app.page.answers import VERBS
+from app.page.features import COMMANDS, FEATURES
+from app.ui.commands import CORE, key_lines
+from app.ui.feature import Feature
+from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages
 
 COMMAND = "uv run python -m tests.page.generate"
 ROOT = Path(__file__).parents[2]
-WIRE = ROOT / "app" / "wire"
+WIRE, PAGE = ROOT / "app" / "wire", ROOT / "app" / "page"
 LETTERS = {"Space": " ", "Esc": "Escape"}
 """Keys that a browser calls otherwise than the help."""
 
@@ -28,8 +31,10 @@ def typescript(kind: inspect.Type) -> str:
     match kind:
         case inspect.StructType(cls):
             return cls.__name__
+        case inspect.Metadata(inner, extra=extra):
+            return extra["typescript"] if extra and "typescript" in extra else typescript(inner)
         case inspect.LiteralType(values):
-            return "CommandName" if set(values) == set(COMMANDS) else " | ".join(map(json.dumps, values))
+            return " | ".join(map(json.dumps, values))
         case inspect.UnionType(types):
             return " | ".join(map(typescript, types))
         case inspect.VarTupleType(item):
@@ -61,7 +66,7 @@ def first_sentence(kind: type) -> str:
     return " ".join((kind.__doc__ or "").split("\n\n")[0].split())
 
 
-def parts_of(kinds: tuple[type, ...]) -> list[type]:
+def parts_of(kinds: list[type]) -> list[type]:
     """The structures that are inside of some messages, and are none themselves."""
     found: dict[type, None] = {}
 
@@ -84,14 +89,21 @@ def parts_of(kinds: tuple[type, ...]) -> list[type]:
 
 def types() -> str:
     """wire.d.ts."""
-    says, tells = from_page.MESSAGES, to_page.MESSAGES
-    page = [name for name, row in COMMANDS.items() if row.does == "page"]
+    says, tells = messages(FromPage), messages(ToPage)
+    tables = {"core": CORE, **{name_of(feature): feature.commands for feature in FEATURES}}
+    page = {of: [name for name, row in table.items() if row.does == "page"] for of, table in tables.items()}
+    texts = [*VERBS, *(kind for feature in FEATURES for kind in feature.texts)]
+    commands = "; ".join(
+        f"{of}: {' | '.join(map(json.dumps, names)) or 'never'}" for of, names in page.items()
+    )
     told = "; ".join(f"{kind.__struct_config__.tag}: {kind.__name__}" for kind in tells)
     lines = [
         f"// Made by `{COMMAND}` from app/wire.",
         f"export type CommandName = {' | '.join(map(json.dumps, COMMANDS))};",
-        "/** Commands that the page's script does. */",
-        f"export type PageCommand = {' | '.join(map(json.dumps, page))};",
+        "/** Texts that are too long for one message. */",
+        f"export type TextKind = {' | '.join(map(json.dumps, texts))};",
+        "/** Commands that the page's script does, by the features that they belong to. */",
+        f"export type PageCommands = {{ {commands} }};",
         *(declared(kind, says=True) for kind in says),
         f"export type FromPage = {' | '.join(kind.__name__ for kind in says)};",
         *(declared(kind, says=False) for kind in (*parts_of(tells), *tells)),
@@ -145,6 +157,26 @@ def table() -> str:
     )
 
 
+def name_of(feature: type[Feature]) -> str:
+    """The name of a feature: that of its folder."""
+    return feature.__module__.split(".")[-2]
+
+
+def features() -> str:
+    """features.js."""
+    names = [name_of(feature) for feature in FEATURES]
+    return "\n".join(
+        (
+            "// @ts-check",
+            f"/** The features of the page. Made by `{COMMAND}` from app/page/features.py. */",
+            *(f'import {name} from "../features/{name}/{name}.js";' for name in names),
+            "",
+            f"export const FEATURES = [{', '.join(names)}];",
+            "",
+        )
+    )
+
+
 def key_name(key: str) -> str:
     """A key as the script calls it."""
     *modifiers, letter = key.split(" ")
@@ -154,7 +186,9 @@ def key_name(key: str) -> str:
 
 def keys_list() -> str:
     """The keys, for docs/page.md."""
-    return "\n".join(("| key | |", "|---|---|", *(f"| {keys} | {what} |" for keys, what in key_lines())))
+    return "\n".join(
+        ("| key | |", "|---|---|", *(f"| {keys} | {what} |" for keys, what in key_lines(COMMANDS)))
+    )
 
 
 def messages_list() -> str:
@@ -163,10 +197,10 @@ def messages_list() -> str:
         f"### {title}\n\n| | |\n|---|---|\n"
         + "\n".join(f"| `{kind.__struct_config__.tag}` | {first_sentence(kind)} |" for kind in kinds)
         for title, kinds in (
-            ("What a page says (`app/wire/from_page.py`)", from_page.MESSAGES),
-            ("States that a page is told (`app/wire/to_page.py`)", from_page.leaves(to_page.State)),
-            ("Numbers that a page is told", from_page.leaves(to_page.Numbers)),
-            ("Events that a page is told", from_page.leaves(to_page.Event)),
+            ("What a page says", messages(FromPage)),
+            ("States that a page is told", messages(State)),
+            ("Numbers that a page is told", messages(Numbers)),
+            ("Events that a page is told", messages(Event)),
         )
     )
 
@@ -185,6 +219,7 @@ def files() -> dict[Path, str]:
     return {
         WIRE / "wire.d.ts": types(),
         WIRE / "commands.js": table(),
+        PAGE / "features.js": features(),
         page: between(page, "keys", keys_list()),
         wire: between(wire, "messages", messages_list()),
     }

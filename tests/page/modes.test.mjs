@@ -2,9 +2,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { become, pass } from "./page.mjs";
-import { addSound, toggleSound } from "../../app/page/modes/sound.js";
-import { HIGH, HIGHEST, LOW, LOWEST, melodyOf, octavesOf, rendered, tonesOf } from "../../app/page/modes/tones.js";
-import { percent, posed, readLevels, readShapes } from "../../app/page/modes/shapes.js";
+import { addSound, toggleSound } from "../../app/features/modes/sound.js";
+import { HIGH, HIGHEST, LOW, LOWEST, melodyOf, octavesOf, rendered, tonesOf } from "../../app/features/modes/tones.js";
+import { percent, posed, readLevels, readShapes } from "../../app/features/modes/shapes.js";
 
 const RATE = 48000;
 /** Hz and damping ratios of a bridge. */

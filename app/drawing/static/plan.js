@@ -78,7 +78,7 @@ export function sections(data) {
  * @property {Float32Array} setLength px by which each rest length has moved for good; empty if none has
  * @property {Float32Array} setAngle degrees by which each rest angle has moved for good; empty if none has
  * @property {Set<number>} ghostBroken the springs of a second body that are broken
- * @property {Damage} [rival] of the other body of a race
+ * @property {Damage} [second] of a second body
  */
 
 /**
@@ -90,7 +90,7 @@ export function readDamage(data) {
   const [generation] = take();
   const one = () => ({ broken: new Set(take()), setLength: take(), setAngle: take(), ghostBroken: new Set() });
   const own = { generation, ...one(), ghostBroken: new Set(take()) };
-  return { ...own, rival: { generation, ...one() } };
+  return { ...own, second: { generation, ...one() } };
 }
 
 /** Nothing has yielded or broken. */
@@ -104,7 +104,7 @@ export const UNHARMED = readDamage(new Float32Array([1, -1]));
  * @property {number} angleShift degrees added to all rest angles
  * @property {Float32Array} positions px, x and y of each mass
  * @property {Float32Array | null} ghost of a second body
- * @property {Frame | null} [rival] the other body of a race
+ * @property {Frame | null} [second] a second body
  */
 
 /**
@@ -119,7 +119,7 @@ export function readFrame(data) {
   const [positions, ghost, moment] = [take(), take(), take()];
   const frame = { generation, ...momentOf(own), positions, ghost: ghost.length ? ghost : null };
   if (!moment.length) return frame;
-  return { ...frame, rival: { generation, ...momentOf([...moment]), positions: take(), ghost: null } };
+  return { ...frame, second: { generation, ...momentOf([...moment]), positions: take(), ghost: null } };
 }
 
 /**
@@ -140,6 +140,6 @@ export function between(one, two, part) {
     angleShift: mix(one.angleShift, two.angleShift),
     positions: mixed(one.positions, two.positions),
     ghost: one.ghost && two.ghost ? mixed(one.ghost, two.ghost) : two.ghost,
-    rival: one.rival && two.rival && one.rival.positions.length === two.rival.positions.length ? between(one.rival, two.rival, part) : two.rival,
+    second: one.second && two.second && one.second.positions.length === two.second.positions.length ? between(one.second, two.second, part) : two.second,
   };
 }

@@ -133,8 +133,8 @@ function bounds(width, height, withBody) {
   const all = { left: -width / 2, right: width / 2, low: -height / 2, high: height / 2 };
   if (plan) showWalls(all, plan);
   if (!withBody || !plan || !frame) return all;
-  const { rival } = frame;
-  const world = [...toWorld(plan, frame.positions), ...(rival ? toWorld(plan, rival.positions) : [])];
+  const { second } = frame;
+  const world = [...toWorld(plan, frame.positions), ...(second ? toWorld(plan, second.positions) : [])];
   const whole = { ...all };
   for (let i = 0; i < world.length; i += 2) {
     const radius = plan.radius[i / 2] ?? 0;

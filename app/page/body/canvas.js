@@ -14,8 +14,8 @@ import { readDamage, readFrame, readPlan, UNHARMED } from "../../drawing/static/
 import { callAll, hear, onTold } from "../../wire/channel.js";
 import { Glide } from "./glide.js";
 
-/** Where the nodes of the body are, and those of the other one in a race. */
-const [BODY, RIVAL] = ["/body/", "/rival/"];
+/** Where the nodes of the body are, and those of a second one. */
+const [BODY, SECOND] = ["/body/", "/second/"];
 
 const state = {
   /** @type {Plan | null} */
@@ -28,8 +28,8 @@ const state = {
   pictured: null,
   /** When it was shown, ms of the screen's clock. */
   since: 0,
-  /** What the other body of a race is made of. @type {Plan | null} */
-  rivalPlan: null,
+  /** What a second body is made of. @type {Plan | null} */
+  secondPlan: null,
   /** Pictures drawn so far. */
   drawn: 0,
 };
@@ -51,10 +51,10 @@ const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 /** What is shown now. */
 export const shown = () => state;
 
-/** The other body of a race in a picture, and what it is made of; null without one. @param {Frame} frame */
-export function rivalIn({ rival }) {
-  const { rivalPlan: plan } = state;
-  return rival && plan?.radius.length === rival.positions.length / 2 ? { plan, frame: rival } : null;
+/** A second body in a picture, and what it is made of; null without one. @param {Frame} frame */
+export function secondIn({ second }) {
+  const { secondPlan: plan } = state;
+  return second && plan?.radius.length === second.positions.length / 2 ? { plan, frame: second } : null;
 }
 
 /** @type {((frame: Frame) => void)[]} */
@@ -94,8 +94,8 @@ function paint() {
     state.since = performance.now();
     const damage = state.damage.generation === plan.generation ? state.damage : UNHARMED;
     show(BODY, plan, frame, damage);
-    const rival = rivalIn(frame);
-    if (rival) show(RIVAL, rival.plan, rival.frame, damage.rival);
+    const second = secondIn(frame);
+    if (second) show(SECOND, second.plan, second.frame, damage.second);
     state.drawn += 1;
     page?.requestRender();
     callAll(listeners, frame, plan);
@@ -144,8 +144,8 @@ function listen() {
     colors.clear();
     ask();
   });
-  onTold("rivalPlan", ({ numbers }) => {
-    state.rivalPlan = readPlan(numbers);
+  onTold("secondPlan", ({ numbers }) => {
+    state.secondPlan = readPlan(numbers);
     colors.clear();
     glide.last = null;
     ask();
@@ -166,7 +166,7 @@ function listen() {
 /** Notes which nodes of the body there are. @param {Message} message */
 function note({ type, name = "", owner, props }) {
   if (type === "RemoveSceneNodeMessage") owners.delete(name);
-  if (!props || !(name.startsWith(BODY) || name.startsWith(RIVAL))) return;
+  if (!props || !(name.startsWith(BODY) || name.startsWith(SECOND))) return;
   owners.set(name, owner);
   colors.delete(name);
   glide.last = null; // a new node has to be filled in

@@ -43,7 +43,7 @@ function middle() {
   const [{ frame, pictured: plan }, seen, box] = [shown(), screen(), viser()?.canvas?.getBoundingClientRect()];
   if (!frame || !plan || !seen || !box) return null;
   const own = middleOf(plan, frame.positions);
-  const { x, y } = frame.rival ? middleOf(plan, frame.rival.positions) : own;
+  const { x, y } = frame.second ? middleOf(plan, frame.second.positions) : own;
   /** @param {number} way @param {number} size */
   const part = (way, size) => Math.max(-BESIDE * size, Math.min(BESIDE * size, (way * seen.step) / 2)) / seen.step;
   return { x: own.x + part(x - own.x, box.width), y: own.y + part(y - own.y, box.height) };

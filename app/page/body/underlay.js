@@ -4,7 +4,7 @@
  */
 import { moving, standing, streaks } from "../../drawing/static/environment.js";
 import { LAYERS } from "../../drawing/static/looks.js";
-import { onPicture, rivalIn, shown } from "./canvas.js";
+import { onPicture, secondIn, shown } from "./canvas.js";
 import { onTold, told } from "../../wire/channel.js";
 import { makeSvg, set, sight } from "./overlay.js";
 import { onScreen } from "./screen.js";
@@ -85,10 +85,10 @@ export function addUnderlay() {
     for (const other of others) other(seen, svg);
     const { damage } = shown();
     const outlines = moving(seen, damage.broken);
-    const rival = rivalIn(seen.frame);
-    if (rival) {
-      const places = onScreen(rival.plan, rival.frame.positions, seen.on);
-      const theirs = moving({ plan: rival.plan, places }, damage.rival?.broken ?? new Set());
+    const second = secondIn(seen.frame);
+    if (second) {
+      const places = onScreen(second.plan, second.frame.positions, seen.on);
+      const theirs = moving({ plan: second.plan, places }, damage.second?.broken ?? new Set());
       outlines.gas += theirs.gas;
       outlines.liquid += theirs.liquid;
     }

@@ -26,7 +26,7 @@ from ...session import commands
 from ...session.hand import GIZMO
 from ...session.session import Session
 from ...wire.carrier import Mail
-from ...wire.to_page import Damage, Frame, Plan, RivalPlan
+from ...wire.to_page import Damage, Frame, Plan, SecondPlan
 
 STILL = 0.1
 """Movement (in pixels of a 600 pixel high frame) below which a picture counts as unchanged."""
@@ -38,8 +38,8 @@ MAX_GIZMOS = 12
 _FLAT: dict[str, Any] = {"material": "toon3", "lod": "off", "cast_shadow": False, "receive_shadow": False}
 
 
-_BODY, _RIVAL = "/body/", "/rival/"
-"""Where the nodes of the body are, and those of the other one in a race."""
+_BODY, _SECOND = "/body/", "/second/"
+"""Where the nodes of the body are, and those of a second one."""
 
 _BEHIND = -0.3
 """Depth of the other body, behind all of the first."""
@@ -77,8 +77,8 @@ class Canvas:
         self._nodes: dict[str, Any] = {}
         self._gizmos: list[tuple[int, viser.TransformControlsHandle]] = []
         self._built: tuple[Any, ...] = ()
-        self._rival_built: tuple[Any, ...] = ()
-        self._rival_plan: NDArray[np.float32] | None = None
+        self._second_built: tuple[Any, ...] = ()
+        self._second_plan: NDArray[np.float32] | None = None
         self._plan: NDArray[np.float32] | None = None
         self._plan_number = self._own_number = 0
         self._drawn: Picture | None = None
@@ -138,36 +138,36 @@ class Canvas:
                 self._mail.tell(Plan(numbers=encode_plan(self._plan_number, sketch, rest_angles)))
                 self._drawn = self._damaged = None
 
-    def build_rival(self, rival: Scene | None, dark: bool) -> None:
-        """Put up the other body of a race behind the first, in its place and with its colour; or none.
+    def build_second(self, second: Scene | None, dark: bool) -> None:
+        """Put up a second body behind the first, in its place and with its colour; or none.
 
         Call it after `build`, whose view it has.
         """
-        if rival is None or self.sketch is None:
-            if self._rival_built:
-                self._remove(_RIVAL)
-                self._rival_built, self._rival_plan, self._drawn = (), None, None
+        if second is None or self.sketch is None:
+            if self._second_built:
+                self._remove(_SECOND)
+                self._second_built, self._second_plan, self._drawn = (), None, None
             return
         # Its surroundings are the first one's, and drawn with that; nobody drives it.
-        still = tuple(msgspec.structs.replace(anchor, driven=False) for anchor in rival.anchors)
+        still = tuple(msgspec.structs.replace(anchor, driven=False) for anchor in second.anchors)
         alone = msgspec.structs.replace(
-            rival, view=self._view, walls=(), wind=None, contact=None, anchors=still
+            second, view=self._view, walls=(), wind=None, contact=None, anchors=still
         )
-        colors = palette(rival.view.colors, dark)
-        rest = blend(colors.paper, colors.rival, np.array([0.6]))[0]
-        sketch = Sketch(alone, replace(colors, mass=colors.rival, held=colors.rival, rest=rest))
+        colors = palette(second.view.colors, dark)
+        rest = blend(colors.paper, colors.second, np.array([0.6]))[0]
+        sketch = Sketch(alone, replace(colors, mass=colors.second, held=colors.second, rest=rest))
         kinds = kinds_of(sketch)
-        angles = np.array([joint.rest_angle for joint in rival.angular_springs])
+        angles = np.array([joint.rest_angle for joint in second.angular_springs])
         with self._client.atomic():
-            if kinds != dict(self._rival_built):
-                self._remove(_RIVAL)
-                self._rival_built, self._drawn = tuple(kinds.items()), None
+            if kinds != dict(self._second_built):
+                self._remove(_SECOND)
+                self._second_built, self._drawn = tuple(kinds.items()), None
                 for name, mesh in kinds.items():
-                    self._add_empty(f"{_RIVAL}{name}", mesh, _BEHIND)
+                    self._add_empty(f"{_SECOND}{name}", mesh, _BEHIND)
             plan = encode_plan(0, sketch, angles)
-            if self._rival_plan is None or not np.array_equal(plan, self._rival_plan):
-                self._rival_plan, self._drawn = plan, None
-                self._mail.tell(RivalPlan(numbers=plan))
+            if self._second_plan is None or not np.array_equal(plan, self._second_plan):
+                self._second_plan, self._drawn = plan, None
+                self._mail.tell(SecondPlan(numbers=plan))
 
     def show_gizmos(self, on: bool) -> None:
         """Put up a gizmo at each held mass, or take them away."""
@@ -210,8 +210,8 @@ class Canvas:
         known = self._damaged
         if (known.ghost_broken if known is not None else ()) != picture.ghost_broken:
             return False
-        one, other = (known.damage, known.rival) if known is not None else (None, None)
-        theirs = picture.rival.damage if picture.rival is not None else None
+        one, other = (known.damage, known.second) if known is not None else (None, None)
+        theirs = picture.second.damage if picture.second is not None else None
         return self._near_damage(one, picture.damage, exactly) and self._near_damage(
             other.damage if other is not None else None, theirs, exactly
         )
@@ -240,9 +240,9 @@ class Canvas:
         if (drawn.ghost is None) != (picture.ghost is None) or not self._same_damage(picture, exactly):
             return False
         moved = np.abs(picture.positions - drawn.positions).max(initial=0.0)
-        if drawn.rival is not None and picture.rival is not None:
-            moved = max(moved, np.abs(picture.rival.positions - drawn.rival.positions).max(initial=0.0))
-        elif drawn.rival is not picture.rival:
+        if drawn.second is not None and picture.second is not None:
+            moved = max(moved, np.abs(picture.second.positions - drawn.second.positions).max(initial=0.0))
+        elif drawn.second is not picture.second:
             return False
         if drawn.ghost is not None and picture.ghost is not None:
             moved = max(moved, np.abs(picture.ghost - drawn.ghost).max(initial=0.0))
@@ -350,6 +350,7 @@ def picture_of(session: Session) -> Picture:
         if len(shape) == len(simulation.scene.masses):
             other = shape + _SWAY * float(np.ptp(shape, axis=0).max(initial=0.0)) * session.refusal.motion
     picture = Picture.of(simulation, other, damage)
-    if session.rival is None:
+    second = session.companions.second
+    if second is None:
         return picture
-    return replace(picture, rival=Picture.of(session.rival.simulation))
+    return replace(picture, second=Picture.of(second))

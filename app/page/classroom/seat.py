@@ -22,14 +22,10 @@ from ...session import commands
 from ...session.session import Session
 from ...wire import from_page
 from ...wire.carrier import Mail
+from ...wire.messages import OwnBody
 from ...wire.to_page import Given, Seat, Taken
 from ..controls import Controls
 from .role import NOTHING, ClassRole, asking, kind_of, places_of, predictions, text_of
-
-_HANDS = (from_page.At, from_page.Grab, from_page.Drop, from_page.Keys, from_page.GoTo, from_page.Speed)
-_MODES = (from_page.PutMode, from_page.DriveMode)
-_OWN = (*_HANDS, *_MODES, from_page.Visit, from_page.Perform, from_page.Pick, from_page.Seen)
-"""What a pupil may say of a body of their own."""
 
 _ALWAYS = (from_page.InSeat, from_page.Who, from_page.Unread)
 
@@ -95,7 +91,7 @@ class SeatRole(ClassRole):
         return Controls(("play", *(step.controls if step is not None else ())))
 
     def allows(self, said: from_page.FromPage) -> bool:
-        return isinstance(said, _ALWAYS) or (self.front is None and isinstance(said, _OWN))
+        return isinstance(said, _ALWAYS) or (self.front is None and isinstance(said, OwnBody))
 
     def introduce(self, who: from_page.Who, session: Session) -> None:
         # One page is one browser's, and takes no seat after seat.

@@ -52,11 +52,9 @@ class FilesPanel:
         save = gui.add_button("Save", icon=viser.Icon.DEVICE_FLOPPY)
         on_press(save, lambda: self._try(self._save), blocks=True)
         gui.add_divider()
-        page.button("Share by a link", viser.Icon.LINK, lambda: page.perform("share"))
-        if "chooser" in page.controls:
-            page.button("Race against …", viser.Icon.FLAG, lambda: page.perform("race"))
-        if "edit" in page.controls:
-            page.button("Make a lesson", viser.Icon.LIST_CHECK, lambda: page.perform("lesson"))
+        for name, row in page.commands.items():
+            if row.share is not None and row.needs in page.controls:
+                page.button(*row.share, partial(page.perform, name))
         for label, icon, action in (
             ("Download as a file", viser.Icon.DOWNLOAD, self._download),
             ("Save a log", viser.Icon.HISTORY, self._save_log),

@@ -37,7 +37,7 @@ export function keepAddress() {
 /**
  * Sends a text in parts; one that is too long is not sent, and its user is told.
  *
- * @param {"resume" | "link" | "file" | "paste" | "rival"} kind
+ * @param {import("../../wire/wire.js").TextKind} kind
  * @param {string} letters
  * @returns {boolean} whether it was sent
  */

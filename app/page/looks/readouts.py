@@ -19,7 +19,6 @@ from sim.scene.types import is_loaded
 from ...drawing.colors import Palette
 from ...drawing.plan import broken_of, yielded_of
 from ...session.session import Session
-from ...wire.commands import key_lines
 
 _NAMES = {
     "sine": "sine",
@@ -427,16 +426,14 @@ HELP_PICTURES = (
 """What can be done: a word, a picture of 150 by 96, and the rest of the sentence."""
 
 
-def help_html() -> str:
-    """The help panel."""
+def help_html(keys: list[tuple[str, str]]) -> str:
+    """The help panel, with the keys and what each does."""
     figures = "".join(
         f'<figure><svg viewBox="0 0 150 96" aria-hidden="true">{picture}</svg>'
         f"<figcaption><b>{title}</b> {text}</figcaption></figure>"
         for title, picture, text in HELP_PICTURES
     )
-    rows = "".join(
-        f"<tr><td><kbd translate='no'>{key}</kbd></td><td>{what}</td></tr>" for key, what in key_lines()
-    )
+    rows = "".join(f"<tr><td><kbd translate='no'>{key}</kbd></td><td>{what}</td></tr>" for key, what in keys)
     return (
         f'<div class="softrod-text"><div class="softrod-help">{figures}</div>'
         "<p>The bar below the body goes back in time, about a minute. Play goes on from the moment that it "

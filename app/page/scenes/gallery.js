@@ -8,22 +8,33 @@
 import { onTold, send } from "../../wire/channel.js";
 import { copied } from "../files/share.js";
 import { make, makeButton, makeDialog } from "../looks/dialog.js";
-import { raceAgainst } from "../race/race.js";
 import { isDark } from "../viser/widgets.js";
 import { arrived, isFound } from "./finding.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
 /** The preset with which one builds a body of one's own. */
 const EMPTY = "empty";
-/** The group of presets that move by themselves. */
-const MOVING = "Muscles";
 const NONE_SAVED = "You have saved no scene yet. Save the one that you see in the Share tab, or build one: ";
 const CARD = ".softrod-card:not([hidden]) .softrod-open";
 
-/** Opens the gallery, once it is there. */
-export let openGallery = () => {};
-/** Opens it to choose whom to race against. */
-export let openRivals = () => {};
+/**
+ * Another use of the gallery than to open a scene.
+ *
+ * @typedef {object} Picker
+ * @property {string} title
+ * @property {HTMLElement} line over the cards
+ * @property {string} first the group that comes first
+ * @property {(name: string) => void} pick what a card does
+ */
+
+/** The gallery, once it is there. */
+export const gallery = {
+  /** @param {Picker} [_picker] */
+  open: (_picker) => {},
+  /** Says something in the foot. @param {string} _text */
+  say: (_text) => {},
+  close: () => {},
+};
 
 /** Puts up the dialog, which opens when the server says so. */
 export function addGallery() {
@@ -33,19 +44,10 @@ export function addGallery() {
   search.placeholder = "Find a scene";
   search.ariaLabel = "Find a scene";
   head.insertBefore(search, head.lastChild);
-  const link = make("form", "softrod-dialog-line softrod-rival");
-  const pasted = make("input", "softrod-search");
-  pasted.placeholder = "Paste a link to a scene, or choose one below";
-  pasted.ariaLabel = "Link to the scene to race against";
-  link.append(pasted, make("button", "softrod-button softrod-first", "Race"));
-  link.hidden = true;
-  link.addEventListener("submit", (event) => {
-    event.preventDefault();
-    if (pasted.value.trim()) raceAgainst(pasted.value);
-  });
+  const line = make("div", "");
   const none = make("p", "softrod-none", "No scene has all of these words.");
   const cards = make("div", "");
-  body.append(link, none, cards);
+  body.append(line, none, cards);
   const foot = make("div", "softrod-dialog-foot");
   foot.hidden = true;
   const said = make("span", "softrod-said");
@@ -56,6 +58,8 @@ export function addGallery() {
   let entries = [];
   let present = "";
   let teaches = false;
+  /** @type {Picker | undefined} */
+  let picker;
   /** Of scenes that are saved, by name. @type {Record<string, string>} */
   const pictures = {};
   /** The scene whose card has the focus, or had it last. */
@@ -91,8 +95,8 @@ export function addGallery() {
   };
   /** @param {Entry} entry */
   const open = ({ name }) => {
-    if (!link.hidden) {
-      raceAgainst(name);
+    if (picker) {
+      picker.pick(name);
       return;
     }
     send({ do: "openScene", name });
@@ -189,9 +193,8 @@ export function addGallery() {
 
   const build = () => {
     const had = cards.contains(document.activeElement);
-    // Whoever races is shown first what moves by itself.
-    const moving = link.hidden ? [] : entries.filter(({ group }) => group === MOVING);
-    const groups = new Map([...moving, ...entries].map(({ group }) => [group, /** @type {Entry[]} */ ([])]));
+    const first = entries.filter(({ group }) => group === picker?.first);
+    const groups = new Map([...first, ...entries].map(({ group }) => [group, /** @type {Entry[]} */ ([])]));
     for (const entry of entries) groups.get(entry.group)?.push(entry);
     cards.replaceChildren(
       ...(entries.some(({ own }) => own) ? [] : [noneSaved()]),
@@ -213,12 +216,14 @@ export function addGallery() {
     if (had) focus(found().find((one) => one.tabIndex === 0));
   };
 
-  const show = (races = false) => {
+  /** @param {Picker} [wanted] */
+  const show = (wanted) => {
     if (dialog.open) return;
-    link.hidden = !races;
-    dialog.toggleAttribute("data-race", races);
-    if (head.firstElementChild) head.firstElementChild.textContent = races ? "Race against" : "Scenes";
-    search.value = pasted.value = "";
+    picker = wanted;
+    line.replaceChildren(...(picker ? [picker.line] : []));
+    dialog.toggleAttribute("data-picks", picker !== undefined);
+    if (head.firstElementChild) head.firstElementChild.textContent = picker?.title ?? "Scenes";
+    search.value = "";
     chosen = "";
     say();
     dialog.showModal();
@@ -254,12 +259,7 @@ export function addGallery() {
       search.focus(); // which takes the letter
     }
   });
-  openGallery = () => show();
-  openRivals = () => show(true);
-  onTold("raceAnswer", ({ problem }) => {
-    if (problem) say(problem);
-    else if (dialog.open) close();
-  });
+  Object.assign(gallery, { open: show, say, close: () => dialog.open && close() });
   onTold("offerGallery", ({ why }) => {
     show();
     if (why) say(why);

@@ -1,8 +1,10 @@
-"""What a page is told of its body's modes, only while it looks at them."""
+"""The modes of a page's body: how much of each is in its motion, and how it is put into one, only while somebody looks
+at them."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,9 +12,13 @@ from numpy.typing import NDArray
 from sim.analysis.modes import Modes
 
 from ...drawing.plan import joined
-from ...session.session import Session
-from ...wire import to_page
-from ...wire.carrier import Mail
+from ...page.page import Page
+from ...session.modes import ModesWatch
+from ...session.session import Changed, Command, Session
+from ...ui.commands import Row
+from ...ui.feature import Feature
+from ...wire.messages import FromPage
+from . import messages
 
 EVERY = 1.0 / 20.0
 """Seconds between two sets of levels while the body moves, at least; the page glides between them."""
@@ -22,39 +28,111 @@ STILL = 2e-4
 """Change of a level, as a part of a full bar, below which nothing is sent."""
 
 
-class ModesView:
-    """What one page is told of modes.
+@dataclass(frozen=True)
+class ShowModes(Command):
+    """Whether the body's slow vibrations are looked at; or the other of the two (None)."""
 
-    Args:
-        mail: to its script.
-    """
+    on: bool | None = None
+    changes = Changed.SETTINGS
 
-    def __init__(self, mail: Mail) -> None:
-        self._mail = mail
+    def apply(self, session: Session, at: float) -> None:
+        on = session.modes is None if self.on is None else self.on
+        if not on:
+            session.driving.end()
+        session.modes = (session.modes or ModesWatch()) if on else None
+
+
+@dataclass(frozen=True)
+class PutIntoMode(Command):
+    """The body is to be put into a mode, with a part of the amplitude of a full bar."""
+
+    mode: int
+    part: float
+    acts = True
+
+    def apply(self, session: Session, at: float) -> None:
+        watch = session.modes
+        if watch is None or watch.excitation(session.simulation) is None or watch.found is None:
+            return
+        if not (0 <= self.mode < len(watch.full) and math.isfinite(self.part)):
+            return
+        mode, modes = self.mode, watch.found
+        amplitude = min(max(self.part, 0.0), 1.0) * float(watch.full[mode])
+        session.put(lambda now: modes.put(now, mode, amplitude), f"mode {mode + 1}", f"mode {mode}")
+
+
+@dataclass(frozen=True)
+class DriveMode(Command):
+    """A mode is to be driven by hand from now on, or none any more (-1)."""
+
+    mode: int
+    acts = True
+
+    def apply(self, session: Session, at: float) -> None:
+        driving, watch = session.driving, session.modes
+        if self.mode < 0:
+            driving.fade()
+        elif not driving.goes_on(self.mode, at) and watch is not None:
+            session.play(True)
+            driving.begin(watch, self.mode)
+
+    def takes_over(self, session: Session) -> bool:
+        return self.mode >= 0
+
+    def playing_after(self, playing: bool) -> bool:
+        return playing or self.mode >= 0
+
+
+class ModesFeature(Feature):
+    """Tells a page of the modes of its body, and does what it says of them."""
+
+    messages = {messages.PutMode: "modes", messages.DriveMode: "modes"}
+    commands = {
+        "modes": Row(
+            "Modes", ShowModes(), ("V",), "modes: how the body can swing, and how much of each is in its motion",
+            hint="how the body can swing, and how much of each is in its motion", needs="modes",
+        ),
+        "mute": Row(
+            "Sound of the modes, or silence", "page", ("M",), "the sound of the modes, or silence", needs="modes"
+        ),
+    }  # fmt: skip
+    controls = {"modes": "the strip of modes, in the View menu"}
+
+    def __init__(self, page: Page) -> None:
+        super().__init__(page)
         self._on = False
         self._shapes = -1
         self._sent: tuple[int, float, NDArray[np.float32]] | None = None
         self._due = 0.0
 
-    def tell(self, session: Session) -> None:
-        """Send what the page does not know yet."""
+    def hear(self, said: FromPage) -> None:
+        """See `Feature`."""
+        match said:
+            case messages.PutMode(mode, part):
+                self.session.post(PutIntoMode(mode, part))
+            case messages.DriveMode(mode):
+                self.session.post(DriveMode(mode))
+
+    def frame(self) -> None:
+        """See `Feature`."""
+        session = self.session
         watch = session.modes
         if watch is None:
             if self._on:
                 self._on, self._shapes, self._sent = False, -1, None
-                self._mail.tell(to_page.ModeShapes(numbers=np.zeros(0, np.float32)))
-                self._mail.tell(to_page.Modes())
+                self.page.mail.tell(messages.ModeShapes(numbers=np.zeros(0, np.float32)))
+                self.page.mail.tell(messages.Modes())
             return
         self._on = True
         modes, drive = watch.found, session.driving.drive
         if modes is None:
             self._shapes, self._sent = -1, None
-            self._mail.tell(to_page.Modes(on=True, number=watch.number, trouble=watch.trouble))
+            self.page.mail.tell(messages.Modes(on=True, number=watch.number, trouble=watch.trouble))
             return
         if self._shapes != watch.number:
             self._shapes, self._sent = watch.number, None
-            self._mail.tell(to_page.ModeShapes(numbers=encode_shapes(watch.number, modes)))
-        state = to_page.Modes(
+            self.page.mail.tell(messages.ModeShapes(numbers=encode_shapes(watch.number, modes)))
+        state = messages.Modes(
             on=True,
             number=watch.number,
             trouble="" if modes.omega.size else "it does not vibrate about its pose at rest",
@@ -63,7 +141,7 @@ class ModesView:
             full=_rounded(watch.full),
             driven=-1 if drive is None or drive.let_go < math.inf else drive.mode,
         )
-        self._mail.tell(state)
+        self.page.mail.tell(state)
         self._tell_levels(session, modes)
 
     def _tell_levels(self, session: Session, modes: Modes) -> None:
@@ -97,7 +175,7 @@ class ModesView:
                 self._sent = number, simulation.time, before
                 return
         self._sent = watch.number, simulation.time, numbers
-        self._mail.tell(to_page.ModeLevels(numbers=numbers))
+        self.page.mail.tell(messages.ModeLevels(numbers=numbers))
 
 
 def encode_shapes(number: int, modes: Modes) -> NDArray[np.float32]:

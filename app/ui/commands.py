@@ -1,15 +1,17 @@
-"""The one table of commands: what keys, buttons, menus, the palette and the help offer.
+"""Commands: what keys, buttons, menus, the palette and the help offer.
 
 A row is all that a command needs: the page's copy of the table (`app/wire/commands.js`), the list of keys in
-docs/page.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. A
-command of the page's own needs its function in `app/wire/perform.js`, too; the type check says so.
+docs/page.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. Rows of a
+feature stand with the feature; `app.page.features` has the whole table.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Any, Literal, Protocol
+
+import viser
 
 from sim.edit.muscles import toggle_muscles
 
@@ -41,10 +43,11 @@ class Page(Protocol):
         ...
 
 
-Does = commands.Command | Callable[[Session, Page], None] | Literal["page", "edit", "own"]
-"""What a command does: a command of the session, a function for the ticker, something that the page's script
-does (`app/wire/perform.js`), or what the script does where it listens to the keys: while the tools of editing
-are out, or in a place of its own. The last two are not in the palette."""
+Does = commands.Command | Callable[[Session, Any], None] | Literal["page", "edit", "own"]
+"""What a command does: a command of the session; a function for the ticker, of the session and of the feature
+that the command belongs to, or else of the page; something that the page's script does; or what the script does
+where it listens to the keys: while the tools of editing are out, or in a place of its own. The last two are not
+in the palette."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +65,7 @@ class Row:
         word: beside the icon of its button, where there is room; the label contains it.
         palette: whether the palette may have it.
         held: whether its keys act as long as they are held.
+        share: what its button in the Share tab says, and that button's icon; None without one.
     """
 
     label: str
@@ -74,6 +78,7 @@ class Row:
     word: str = ""
     palette: bool = True
     held: bool = False
+    share: tuple[str, viser.IconName] | None = None
 
     @property
     def listed(self) -> bool:
@@ -98,10 +103,6 @@ def _energy(session: Session, _: Page) -> None:
 
 def _foretell(session: Session, _: Page) -> None:
     session.post(commands.Foretell(session.foresight is None))
-
-
-def _modes(session: Session, _: Page) -> None:
-    session.post(commands.ShowModes())
 
 
 def _anew(session: Session, _: Page) -> None:
@@ -133,7 +134,7 @@ _HAND = (
     "-5.500-4l-2-3.500a1.500 1.500 0 0 1 2.500-1.500L8 14"
 )
 
-COMMANDS: dict[str, Row] = {
+CORE: dict[str, Row] = {
     # ------------------------------------------------------------------------- time
     "play": Row("Play or pause", commands.Play(), ("Space",), "play or pause", icon=ICONS["play"]),
     "step": Row(
@@ -167,14 +168,12 @@ COMMANDS: dict[str, Row] = {
     # ------------------------------------------------------------------------- what is shown
     "gallery": Row("Choose another scene", "page", ("O",), "choose another scene", needs="chooser"),
     "anew": Row("Open this scene anew", _anew, needs="chooser"),
-    "share": Row("Share this scene by a link", "page", needs="files"),
-    "race": Row(
-        "Race against another body", "page", ("A",), "race against another body; in a race, start it anew",
-        hint="both on this terrain, started together", needs="chooser",
+    "share": Row(
+        "Share this scene by a link", "page", needs="files", share=("Share by a link", viser.Icon.LINK)
     ),
-    "leaveRace": Row("Leave the race", commands.LeaveRace(), needs="chooser"),
     "lesson": Row(
-        "Make a lesson", _lesson, hint="steps with a question, a goal, sliders and plots", needs="edit"
+        "Make a lesson", _lesson, hint="steps with a question, a goal, sliders and plots", needs="edit",
+        share=("Make a lesson", viser.Icon.LIST_CHECK),
     ),
     "follow": Row(
         "Follow the pointer, or stop", _follow, ("F",),
@@ -189,13 +188,6 @@ COMMANDS: dict[str, Row] = {
     "stopwatch": Row(
         "Stopwatch", "own", ("T", "L"),
         "start or stop the stopwatch, a lap, once it is on the canvas",
-    ),
-    "modes": Row(
-        "Modes", _modes, ("V",), "modes: how the body can swing, and how much of each is in its motion",
-        hint="how the body can swing, and how much of each is in its motion", needs="modes",
-    ),
-    "mute": Row(
-        "Sound of the modes, or silence", "page", ("M",), "the sound of the modes, or silence", needs="modes"
     ),
     "dark": Row("Dark", _toggle("dark"), needs="view"),
     "meter": Row(
@@ -271,13 +263,13 @@ COMMANDS: dict[str, Row] = {
     "ownSolver": Row("The solver's own values", commands.OwnValues("solver")),
     "help": Row("Help", _help, needs="help"),
 }  # fmt: skip
-"""All commands by their names, in the order of the palette and of the help."""
+"""Commands of no feature by their names, in the order of the palette and of the help."""
 
 
-def key_lines() -> list[tuple[str, str]]:
+def key_lines(table: Mapping[str, Row]) -> list[tuple[str, str]]:
     """The keys and what the help says of them; keys that have the same words share a line."""
     keys: dict[str, list[str]] = {}
-    for row in COMMANDS.values():
+    for row in table.values():
         if row.help:
             keys.setdefault(row.help, []).extend(row.keys)
     return [(" or ".join(names), help) for help, names in keys.items()]

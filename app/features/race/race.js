@@ -3,13 +3,13 @@
  * The strip of a race over the bar of time: how far each body has come, who is ahead, and the start after a count-down.
  * It is made when there is a race for the first time.
  */
-import { viser } from "../viser/viser.js";
+import { viser } from "../../page/viser/viser.js";
 import { onTold, told } from "../../wire/channel.js";
-import { sendParts } from "../files/links.js";
-import { withKey } from "../hands/key_table.js";
-import { make, makeButton } from "../looks/dialog.js";
-import { roundUp } from "../body/overlay.js";
-import { openRivals } from "../scenes/gallery.js";
+import { sendParts } from "../../page/files/links.js";
+import { withKey } from "../../page/hands/key_table.js";
+import { make, makeButton } from "../../page/looks/dialog.js";
+import { roundUp } from "../../page/body/overlay.js";
+import { gallery } from "../../page/scenes/gallery.js";
 import { perform } from "../../wire/perform.js";
 
 /** @typedef {import("../../wire/wire.js").Race} Race */
@@ -21,6 +21,8 @@ const READ_EVERY = 3000;
 /** px by which one is ahead at least, and that a bar has at least in full. */
 const [CLOSE, SHORTEST] = [0.5, 100];
 
+/** The group of presets that move by themselves. */
+const MOVING = "Muscles";
 const RULE =
   "Both start together, on this body's terrain. Changes of this body and of the terrain are allowed, and are noted here; Start again makes it fair.";
 
@@ -49,10 +51,27 @@ export function verdict(race) {
 }
 
 /** Begins a race against a scene, by its link or its name. @param {string} text */
-export const raceAgainst = (text) => void sendParts("rival", encodeURIComponent(text.trim()));
+const raceAgainst = (text) => void sendParts("rival", encodeURIComponent(text.trim()));
+
+/** The line of the gallery into which a link to a rival is pasted. */
+function makeLine() {
+  const line = make("form", "softrod-dialog-line softrod-rival");
+  const pasted = make("input", "softrod-search");
+  pasted.placeholder = "Paste a link to a scene, or choose one below";
+  pasted.ariaLabel = "Link to the scene to race against";
+  line.append(pasted, make("button", "softrod-button softrod-first", "Race"));
+  line.addEventListener("submit", (event) => {
+    event.preventDefault();
+    if (pasted.value.trim()) raceAgainst(pasted.value);
+  });
+  return line;
+}
 
 /** Chooses a rival; or in a race, starts it anew. */
-export const openRace = () => (race.on ? start() : openRivals());
+function openRace() {
+  if (race.on) start();
+  else gallery.open({ title: "Race against", line: makeLine(), first: MOVING, pick: raceAgainst });
+}
 
 let start = () => {};
 
@@ -137,7 +156,7 @@ function makeStrip() {
 }
 
 /** Begins to look for a race. */
-export function addRace() {
+function begin() {
   /** @type {ReturnType<typeof makeStrip> | null} */
   let show = null;
   onTold("race", (now) => {
@@ -146,4 +165,8 @@ export function addRace() {
     show ??= makeStrip();
     show(now);
   });
+  onTold("raceAnswer", ({ problem }) => (problem ? gallery.say(problem) : gallery.close()));
 }
+
+/** @type {import("../../ui/feature.js").Feature<"race">} */
+export default { commands: { race: openRace }, begin };

@@ -4,11 +4,12 @@
  * that is pointed at shows its shape; one that is dragged puts the body into it; one that is pressed drives it.
  */
 import { addGhost } from "./ghost.js";
+import { listenToMelodies } from "./melody.js";
 import { few, percent, readLevels, readShapes } from "./shapes.js";
-import { addSound } from "./sound.js";
+import { addSound, toggleSound } from "./sound.js";
 import { onTold, send, told } from "../../wire/channel.js";
-import { withKey } from "../hands/key_table.js";
-import { make, makeButton } from "../looks/dialog.js";
+import { withKey } from "../../page/hands/key_table.js";
+import { make, makeButton } from "../../page/looks/dialog.js";
 import { perform } from "../../wire/perform.js";
 
 /**
@@ -37,7 +38,8 @@ const OTHERS = "In none of these: faster modes, and what a large motion has beyo
 const hertz = (f) => few(f, f < 100 ? 2 : 3);
 
 /** Puts up the strip, which is hidden while nobody looks at modes. */
-export function addModes() {
+function begin() {
+  listenToMelodies();
   const strip = make("div", "softrod-strip softrod-modes");
   strip.setAttribute("role", "group");
   strip.ariaLabel = "Modes";
@@ -316,3 +318,6 @@ export function addModes() {
     drawLevels();
   });
 }
+
+/** @type {import("../../ui/feature.js").Feature<"modes">} */
+export default { commands: { mute: toggleSound }, begin };

@@ -7,43 +7,14 @@ import time
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import msgspec
-import numpy as np
-from numpy.typing import NDArray
-
 import sim
+from sim.edit.terrain import center, on_terrain
 from sim.errors import SceneError
-from sim.scene.types import shown_name
 
-from .companion import Companion
-
-TERRAIN = ("gravity", "air_friction", "wind", "medium", "ground", "walls", "contact")
-"""The fields of a scene that are around a body."""
+from ...session.companion import Companion
 
 _ROUNDING = 1e-6
 """Of a time step: what is as near to a whole one is one."""
-
-
-def on_terrain(scene: sim.Scene, terrain: sim.Scene) -> sim.Scene:
-    """A scene with all that is around the body of another one; what would begin in its walls is moved out.
-
-    Raises:
-        SceneError: the body does not go with it.
-    """
-    name, (one, other) = shown_name(scene)[:80], (scene.view, terrain.view)
-    if one.unit != other.unit:
-        raise SceneError(f"{name!r} is measured in {one.unit}; on this terrain, a race needs {other.unit}")
-    if one.y_down != other.y_down:
-        raise SceneError(f"{name!r} would stand on its head here: its y axis points the other way")
-    around = {field: getattr(terrain, field) for field in TERRAIN}
-    placed = msgspec.structs.replace(scene, **around)
-    return sim.validate(placed if scene.walls == terrain.walls else _out_of_walls(placed))
-
-
-def center(scene: sim.Scene, positions: NDArray[np.float64]) -> float:
-    """x of the centre of mass, px."""
-    mass = np.array([one.mass for one in scene.masses])
-    return float(mass @ positions[:, 0] / mass.sum()) if len(mass) else 0.0
 
 
 class RivalMoment(NamedTuple):
@@ -78,7 +49,7 @@ class Rival(Companion):
         SceneError: it does not go with the terrain.
     """
 
-    by_hand = False
+    name, by_hand, in_step, drawn = "rival", False, True, True
 
     def __init__(self, simulation: sim.Simulation, scene: sim.Scene, wait: bool = True) -> None:
         self.scene = scene
@@ -102,8 +73,12 @@ class Rival(Companion):
 
     @property
     def is_late(self) -> bool:
-        """Whether it has not come as far in time as the session's body yet."""
+        """See `Companion`."""
         return not self.out and self._owed >= (1.0 - _ROUNDING) * self.simulation.dt
+
+    def touch(self) -> None:
+        """See `Companion`."""
+        self.fair = False
 
     def begin(self, simulation: sim.Simulation) -> None:
         """Start anew where the session's body is at its start; else that was changed on the way."""
@@ -150,26 +125,3 @@ class Rival(Companion):
         self._owed -= done * own.dt
         if own.divergence is not None:
             self.out = "it exploded"
-
-
-def _out_of_walls(scene: sim.Scene) -> sim.Scene:
-    """The scene with its body moved out of the walls in which it would begin, by the shortest way."""
-    pose = scene.pose
-    places = np.array(pose.positions if pose else [mass.position for mass in scene.masses]).reshape(-1, 2)
-    way = np.zeros(2)
-    for wall in scene.walls:
-        normal = np.array(wall.normal) / math.hypot(*wall.normal)
-        depth = float(((wall.point - places - way) @ normal).max(initial=0.0))
-        way += depth * normal
-    if not way.any():
-        return scene
-    moved = [(x, y) for x, y in (places + way).tolist()]
-    if pose is not None:
-        return msgspec.structs.replace(scene, pose=msgspec.structs.replace(pose, positions=tuple(moved)))
-    masses = zip(scene.masses, moved, strict=True)
-    return msgspec.structs.replace(
-        scene,
-        bodies=(),
-        links=(),
-        masses=tuple(msgspec.structs.replace(mass, position=place) for mass, place in masses),
-    )

@@ -1,0 +1,141 @@
+"""A race of the body against that of another scene, on one terrain and one clock."""
+
+from __future__ import annotations
+
+import re
+import urllib.parse
+from dataclasses import dataclass
+
+import viser
+
+import sim
+from sim.edit.terrain import on_terrain
+from sim.errors import InputError, SceneError
+from sim.scene.types import shown_name
+from sim.store import files
+from sim.store.files import read_scene
+
+from ...page.opening import asked_scene
+from ...page.page import Page
+from ...session.pacing import is_large
+from ...session.session import Changed, Command, Session
+from ...ui.commands import Row
+from ...ui.feature import Feature, LongText
+from .messages import Race, RaceAnswer
+from .rival import Rival
+
+EVERY = 0.1
+"""Seconds between two readings while the bodies move; faster would only flicker."""
+
+_ADDRESS = re.compile(r"\S+\?(\S+)")
+
+
+@dataclass(frozen=True)
+class BeginRace(Command):
+    """The body is to race against that of another scene: both are put at their starts, and stand."""
+
+    scene: sim.Scene
+    acts = True
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        rival = Rival(session.simulation, self.scene, session.can_wait)
+        session.play(False)
+        session.companions.put(rival, session.history)
+        session.reset()
+
+    @property
+    def is_heavy(self) -> bool:
+        return is_large(self.scene)
+
+    def playing_after(self, playing: bool) -> bool:
+        return False
+
+
+@dataclass(frozen=True)
+class LeaveRace(Command):
+    """There is to be no race any more; the body goes on."""
+
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.companions.remove(Rival, session.history)
+
+
+class RaceFeature(Feature):
+    """Finds a page's rivals, and tells the page how far each body has come."""
+
+    texts = {"rival": LongText(needs="chooser", verb="raced against")}
+    commands = {
+        "race": Row(
+            "Race against another body", "page", ("A",), "race against another body; in a race, start it anew",
+            hint="both on this terrain, started together", needs="chooser",
+            share=("Race against …", viser.Icon.FLAG),
+        ),
+        "leaveRace": Row("Leave the race", LeaveRace(), needs="chooser"),
+    }  # fmt: skip
+
+    def __init__(self, page: Page) -> None:
+        super().__init__(page)
+        self._on = False
+        self._due = 0.0
+
+    def read(self, kind: str, letters: str) -> None:
+        """Begin a race against the body of a scene, or say why not.
+
+        Args:
+            kind: "rival".
+            letters: a link to it, its short address or its name, as in an address.
+        """
+        session = self.session
+        try:
+            rival = self._find(urllib.parse.unquote(letters).strip())
+            on_terrain(rival, session.snapshot(session.scene.name, with_pose=False))
+        except (SceneError, InputError) as error:
+            text = str(error)
+            self.page.mail.tell(RaceAnswer(problem=f"{text[:1].upper()}{text[1:]}."))
+            return
+        session.post(BeginRace(rival))
+        self.page.mail.tell(RaceAnswer(problem=""))
+
+    def _find(self, text: str) -> sim.Scene:
+        """The scene that is meant.
+
+        Raises:
+            SceneError: there is none; one sentence.
+        """
+        if "#" in text:
+            return files.decode_link(text.partition("#")[2])
+        address = _ADDRESS.fullmatch(text)
+        if address is not None and (scene := asked_scene(address[1])) is not None:
+            return scene
+        # Only what is listed: a name could be the path of any file.
+        info = self.page.shelf.find(text)
+        if info is None:
+            raise SceneError(f"{text[:80]!r} is neither a link to a scene nor the name of one")
+        return read_scene(info.path)
+
+    def frame(self) -> None:
+        """See `Feature`."""
+        session = self.session
+        rival = session.companions.get(Rival)
+        if rival is None:
+            if self._on:
+                self._on = False
+                self.page.mail.tell(Race())
+            return
+        now = session.now()
+        if now < self._due:
+            return
+        self._on, self._due = True, now + EVERY
+        one, other = rival.ways(session.simulation)
+        self.page.mail.tell(
+            Race(
+                on=True,
+                names=(shown_name(session.scene), shown_name(rival.scene)),
+                ways=(round(one, 1), round(other, 1)),
+                seconds=round(rival.seconds, 1),
+                fair=rival.fair,
+                out=rival.out,
+            )
+        )

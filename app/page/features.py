@@ -1,0 +1,23 @@
+"""The features of a page, in the order in which they begin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ..features.modes.feature import ModesFeature
+from ..features.race.feature import RaceFeature
+from ..ui.commands import CORE, Row
+from ..ui.feature import Feature
+from . import controls
+
+FEATURES: tuple[type[Feature], ...] = (ModesFeature, RaceFeature)
+
+COMMANDS: Mapping[str, Row] = CORE | {
+    name: row for feature in FEATURES for name, row in feature.commands.items()
+}
+"""All commands by their names, in the order of the palette and of the help."""
+
+CONTROLS: Mapping[str, str] = controls.CORE | {
+    name: text for feature in FEATURES for name, text in feature.controls.items()
+}
+"""Names of all controls, and what they stand for."""

@@ -1,0 +1,1 @@
+"""What the features of a page are made of: commands, controls, panels, dialogs."""
