@@ -186,6 +186,7 @@ class Check:
 
     def run(self) -> int:
         """Check each; 1 if any is not valid."""
+        from .page.controls import of_scene
         from .page.features import CONTROLS
 
         if not self.files:

@@ -33,8 +33,8 @@ CORE = {
     "files": "the Share tab",
     "view": "the other entries of the View menu",
 }
-"""Names of controls of no feature, and what they stand for; besides them and those of features, the key of any
-setting stands for its slider."""
+"""Names of controls of no feature, and what they stand for; besides them and those of features, the key of
+any setting stands for its slider."""
 
 IN_PLAY_TAB = ("chooser", "about", "follow", "angle", "keys", "body")
 """Those that stand in the Play tab, as the sliders of single settings do."""

@@ -50,8 +50,8 @@ import { addTraces } from "./measure/trace.js";
 import { addTracing } from "./edit/tracing.js";
 import { addTransport } from "./time/transport.js";
 import * as seen from "./viser/seen.js";
-import { isKnown, viser, whenViser } from "./viser/viser.js";
-import { send, sendBy } from "../wire/channel.js";
+import { isKnown, whenViser } from "./viser/viser.js";
+import { send } from "../wire/channel.js";
 import { FEATURES } from "./features.js";
 import { editing, setEditing } from "./edit/editing.js";
 import { takePicture } from "./files/picture.js";
@@ -82,17 +82,16 @@ watchConnection(mindAbsence(), () => !hasKept());
 const plotsAreLoaded = tellApart();
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let late;
-sendBy((message) => viser()?.sendMessage(message));
-whenViser((hook) => {
+whenViser((viser) => {
   clearTimeout(late);
   plotsAreLoaded();
-  if (!isKnown(hook)) {
+  if (!isKnown(viser)) {
     complain(FAULT);
     return;
   }
   endLoading();
   mindGraphics();
-  drawBody(hook);
+  drawBody(viser);
   showHud();
   hearTools();
   mindWidgets();

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import viser
 
@@ -13,6 +13,7 @@ from sim.scene.lesson import Lesson
 from sim.scene.types import Scene
 
 from ..session.notices import Notice
+from ..session.plots import Wish
 from ..session.session import Session
 from ..ui.commands import CORE, Row
 from ..wire.carrier import Mail
@@ -23,8 +24,21 @@ from .viser.comma_switch import CommaSwitch
 from .viser.handlers import on_press
 from .waiting import Waiting
 
-if TYPE_CHECKING:
-    from .measure.plot_list import PlotList
+
+class Plots(Protocol):
+    """A list of plots, as others see it."""
+
+    looked_at: bool
+
+    @property
+    def wishes(self) -> tuple[Wish, ...]:
+        """What is plotted."""
+        ...
+
+    @property
+    def wants_energy(self) -> bool:
+        """Whether one of them is of the energy balance."""
+        ...
 
 
 @dataclass
@@ -61,7 +75,7 @@ class Page:
     commands: Mapping[str, Row] = field(default_factory=lambda: CORE)
     controls: Controls = ALL
     looks: Looks = PLAIN
-    plots: list[PlotList] = field(default_factory=list)
+    plots: list[Plots] = field(default_factory=list)
     makes_lesson: bool = False
     is_closed: Callable[[Lesson], bool] = lambda _: False
     begin_class: Callable[[Scene], str] | None = None

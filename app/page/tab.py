@@ -85,9 +85,8 @@ RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
 
 _OF_FEATURES = (name for feature in FEATURES for name in feature.controls)
-TOLD_CONTROLS = (
-    *("chooser", "edit", "files", "help", "measure", "play", "solver", "tools", "view"),
-    *_OF_FEATURES,
+TOLD_CONTROLS = sorted(
+    (*("chooser", "edit", "files", "help", "measure", "play", "solver", "tools", "view"), *_OF_FEATURES)
 )
 """Controls of which the script is told whether they are there: it makes some, and commands need some."""
 

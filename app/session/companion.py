@@ -47,7 +47,7 @@ class Companion(ABC):
         """Whether it has not come as far in time as the session's body yet."""
         return False
 
-    def touch(self) -> None:
+    def touch(self) -> None:  # noqa: B027  most do not mind
         """Know that something was done by hand to the session's body."""
 
     def is_ready(self, simulation: sim.Simulation) -> bool:

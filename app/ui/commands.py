@@ -1,8 +1,8 @@
 """Commands: what keys, buttons, menus, the palette and the help offer.
 
 A row is all that a command needs: the page's copy of the table (`app/wire/commands.js`), the list of keys in
-docs/page.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. Rows of a
-feature stand with the feature; `app.page.features` has the whole table.
+docs/page.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. Rows of
+a feature stand with the feature; `app.page.features` has the whole table.
 """
 
 from __future__ import annotations
@@ -45,9 +45,9 @@ class Page(Protocol):
 
 Does = commands.Command | Callable[[Session, Any], None] | Literal["page", "edit", "own"]
 """What a command does: a command of the session; a function for the ticker, of the session and of the feature
-that the command belongs to, or else of the page; something that the page's script does; or what the script does
-where it listens to the keys: while the tools of editing are out, or in a place of its own. The last two are not
-in the palette."""
+that the command belongs to, or else of the page; something that the page's script does; or what the script
+does where it listens to the keys: while the tools of editing are out, or in a place of its own. The last two
+are not in the palette."""
 
 
 @dataclass(frozen=True)

@@ -30,9 +30,9 @@ class LongText:
 class Feature:
     """What one page has of a feature. A subclass stands in a folder of its own, and in `app.page.features`.
 
-    The class says as data what others have to know. A script and a style sheet with the folder's name belong to
-    the page; the script's default export has its commands and begins it, see `Feature` in `feature.js`. All
-    methods are the ticker's but for `hear` and `read`.
+    The class says as data what others have to know. A script and a style sheet with the folder's name belong
+    to the page; the script's default export has its commands and begins it, see `Feature` in `feature.js`.
+    All methods are the ticker's but for `hear` and `read`.
 
     Attributes:
         messages: those that it hears, and the control without which each is ignored; "" for none.

@@ -6,7 +6,7 @@
  * @typedef {import("./wire.js").Told} Told
  * @typedef {object} Message as it travels
  * @property {string} type
- * @property {string} text
+ * @property {string} [text]
  * @property {Float32Array} [numbers]
  */
 /** The name of that kind. */
@@ -46,7 +46,7 @@ export function onTold(kind, reader) {
  */
 export function hear({ type, text, numbers }) {
   if (type !== CARRIER) return false;
-  const message = { ...JSON.parse(text), ...(numbers && { numbers }) };
+  const message = { ...JSON.parse(text ?? "{}"), ...(numbers && { numbers }) };
   if (message.tell === "pageState") heard = message;
   callAll(readers.get(message.tell) ?? [], message);
   return true;

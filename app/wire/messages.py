@@ -1,7 +1,7 @@
 """What messages between a page and the server are made of.
 
-A message is a class: whoever defines it has it on the wire, typed in the page's script (`wire.d.ts`) and listed
-in docs/wire.md. Nothing here knows which there are.
+A message is a class: whoever defines it has it on the wire, typed in the page's script (`wire.d.ts`) and
+listed in docs/wire.md. Nothing here knows which there are.
 """
 
 from __future__ import annotations

@@ -31,6 +31,7 @@ import sim
 from app.classroom import kept
 from app.classroom.room import Room, digest
 from app.wire import from_page
+from app.wire.messages import tag_of
 from sim.scene.lesson import Lesson, Question, Reading, Step
 from sim.store.files import encode_scene
 
@@ -324,7 +325,7 @@ _KINDS = {"Vote": "giveVote", "Ghost": "givePlaces", "Line": "giveLine", "Work":
 
 
 def _place(said: from_page.Give) -> Place:
-    return said.stop, said.round, from_page.tag_of(type(said).__name__)
+    return said.stop, said.round, tag_of(type(said).__name__)
 
 
 class Teacher:

@@ -67,6 +67,7 @@ class Bare(Tab):
         self._session, self._page = session, page_of(session)
         self._page.controls = names
         self._role = None
+        self._features, self._hearers = (), {}
         self._mapping = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
         self._mail = Letters()
         self._requests = Waiting(print)

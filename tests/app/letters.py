@@ -9,11 +9,12 @@ from unittest.mock import MagicMock
 
 import msgspec
 
+from app.page import features  # noqa: F401  with all their messages
 from app.viser_inside import SoftrodMessage
 from app.wire.carrier import Mail
-from app.wire.messages import Event, State, ToPage
+from app.wire.messages import Event, State, ToPage, messages
 
-_decoder: Any = msgspec.json.Decoder(reduce(or_, (*leaves(State), *leaves(Event))))
+_decoder: Any = msgspec.json.Decoder(reduce(or_, (*messages(State), *messages(Event))))
 _T = TypeVar("_T", bound=ToPage)
 
 

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 import sim
 from app.drawing.plan import encode_damage, encode_frame
+from app.features.modes.feature import DriveMode, PutIntoMode, ShowModes
 from app.page.body.view import picture_of
 from app.page.edit.edits import edited
 from app.session import commands
@@ -58,9 +59,9 @@ COMMANDS: st.SearchStrategy[commands.Command] = st.one_of(
     st.builds(commands.Point, unit, unit, late=st.just(True)),
     st.builds(commands.DragEnd),
     st.builds(commands.Follow, st.booleans()),
-    st.builds(commands.ShowModes, st.booleans()),
-    st.builds(commands.PutMode, index, unit),
-    st.builds(commands.DriveMode, st.integers(-1, 5)),
+    st.builds(ShowModes, st.booleans()),
+    st.builds(PutIntoMode, index, unit),
+    st.builds(DriveMode, st.integers(-1, 5)),
     st.builds(commands.SelectJoint, index),
     st.builds(commands.HoldKeys, st.sampled_from([frozenset(), frozenset({"up"}), frozenset({"left"})])),
     st.builds(select, st.frozensets(index, max_size=3), st.frozensets(index, max_size=2)),

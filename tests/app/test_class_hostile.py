@@ -41,6 +41,7 @@ from app.page.classroom.wall import WallRole
 from app.server.serve import serving
 from app.session.session import Session
 from app.wire import from_page
+from app.wire.messages import FromPage, messages, read
 from tests.amount import NIGHT
 from tests.app.hostile import CAMERA, HostilePage, eventually
 from tests.app.letters import Letters
@@ -212,7 +213,7 @@ def test_whatever_a_pupil_and_a_wall_say_the_others_answers_arrive(
     for number, (phase, round) in enumerate(room.order(0)):
         desk.say(msgspec.json.encode(from_page.Stage(0, phase.value, round)).decode())
         assert eventually(lambda: room.phase is phase)  # noqa: B023
-        for kind in from_page.MESSAGES:
+        for kind in messages(FromPage):
             if kind is not from_page.Who:
                 pupil.say(*(a_message(kind, dice) for _ in range(12 if NIGHT else 4)))
                 wall.say(*(a_message(kind, dice) for _ in range(3)))
@@ -257,11 +258,11 @@ def test_a_hundred_forged_acts_of_a_teacher_and_none_is_done(classes: Classes, k
     teacher = desk()
     teacher.introduce(from_page.Who("0" * 32, "", klass.room.key), session)
     makes = (lambda: SeatRole(klass, Letters()), lambda: WallRole(klass, Letters(), "", ""), desk)
-    for make, key, kind in itertools.product(makes, keys, from_page.leaves(from_page.Lead)):
+    for make, key, kind in itertools.product(makes, keys, messages(from_page.Lead)):
         role = make()
         role.introduce(from_page.Who(f"{7:032x}", key, key), session)
         for _ in range(3):
-            said = from_page.read(a_message(kind, dice))
+            said = read(a_message(kind, dice))
             if said is not None:
                 tried += 1
                 assert not role.allows(said)
@@ -275,7 +276,7 @@ def test_a_hundred_forged_acts_of_a_teacher_and_none_is_done(classes: Classes, k
 
 def test_what_is_handed_in_is_read_off_by_the_server_alone(klass: Class) -> None:
     head = '{"do":"handIn","id":"000000000000000a","turn":1,"stop":0,"round":0,"twin":0'
-    assert isinstance(from_page.read(head + "}"), from_page.HandIn)
+    assert isinstance(read(head + "}"), from_page.HandIn)
     for more in (
         '"found":9000',
         '"reached":true',
@@ -284,7 +285,7 @@ def test_what_is_handed_in_is_read_off_by_the_server_alone(klass: Class) -> None
         '"log":"../x"',
         '"points":[]',
     ):
-        assert from_page.read(f"{head},{more}}}") is None
+        assert read(f"{head},{more}}}") is None
     # Nor is there a run to hand in while all look at one body, or of another step.
     session, letters = Session(sim.rope(4), wait=False), Letters()
     role = SeatRole(klass, letters)

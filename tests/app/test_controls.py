@@ -10,7 +10,8 @@ import pytest
 
 import sim
 from app.page import controls
-from app.page.controls import ALL, PARTS, Controls, of_query, of_scene
+from app.page.controls import ALL, Controls, of_query, of_scene
+from app.page.features import CONTROLS
 from sim.errors import InputError, SceneError
 from sim.settings import setting_keys, settings_of
 from sim.store.files import decode_scene, encode_scene
@@ -24,36 +25,38 @@ def with_controls(*names: str, scene: str = "tutorial-3.3") -> sim.Scene:
 
 
 def test_an_address_names_controls() -> None:
-    assert of_query("controls=play,rest_angle%2Ckeys,,play") == Controls(("play", "rest_angle", "keys"))
-    assert of_query("controls=") == Controls(())
-    assert of_query("") is None
-    assert of_query("websocket=ws://evil.example") is None
+    assert of_query("controls=play,rest_angle%2Ckeys,,play", CONTROLS) == Controls(
+        ("play", "rest_angle", "keys")
+    )
+    assert of_query("controls=", CONTROLS) == Controls(())
+    assert of_query("", CONTROLS) is None
+    assert of_query("websocket=ws://evil.example", CONTROLS) is None
 
 
 def test_a_scene_names_controls() -> None:
-    assert of_scene(sim.load_scene("ring")) is ALL
+    assert of_scene(sim.load_scene("ring"), CONTROLS) is ALL
     scene = with_controls("play", "gravity")
-    assert of_scene(scene) == Controls(("play", "gravity"))
+    assert of_scene(scene, CONTROLS) == Controls(("play", "gravity"))
     assert decode_scene(encode_scene(scene), "x") == scene
 
 
 @pytest.mark.parametrize("name", ["foo", "Play", "bodies[1].foo", "method", "play "])
 def test_what_is_no_control_is_one_sentence(name: str) -> None:
     with pytest.raises(InputError, match=r"there is no control called .*; there are play, chooser") as caught:
-        of_scene(with_controls("play", name))
+        of_scene(with_controls("play", name), CONTROLS)
     assert "\n" not in str(caught.value)
     assert str(caught.value).startswith("view.controls: ")
     with pytest.raises(InputError, match=r"^the address, controls: there is no control called 'foo'"):
-        of_query("controls=foo")
+        of_query("controls=foo", CONTROLS)
 
 
 def test_every_setting_of_every_preset_can_be_named() -> None:
     keys = setting_keys()
-    assert not keys & set(PARTS)
+    assert not keys & set(CONTROLS)
     for info in sim.list_scenes():
         scene = sim.load_scene(info.name)
-        of_scene(scene)
-        named = controls.checked(tuple(setting.key for setting in settings_of(scene)), info.name)
+        of_scene(scene, CONTROLS)
+        named = controls.checked(tuple(setting.key for setting in settings_of(scene)), info.name, CONTROLS)
         assert named.foremost(settings_of(scene)) == settings_of(scene)
 
 
@@ -67,7 +70,7 @@ def test_what_a_list_says() -> None:
     assert named is not None
     assert [setting.key for setting in named] == ["gravity", "rest_angle"]
     assert ALL.foremost(applicable) is None
-    assert all(part in ALL for part in PARTS)
+    assert all(part in ALL for part in CONTROLS)
     assert not Controls(("play",)).in_panel
     assert Controls(("body",)).in_play_tab
     assert not Controls(("view", "help")).in_panel

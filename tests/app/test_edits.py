@@ -28,8 +28,8 @@ from app.wire.from_page import (
     SetTexts,
     Stroke,
     Turn,
-    read,
 )
+from app.wire.messages import read
 from app.wire.to_page import Copied, Selected, TextsTaken, Versions
 from sim.edit import build
 from sim.edit.edit import Selection

@@ -15,7 +15,8 @@ from app.session import commands
 from app.session.log import decode_log
 from app.session.notices import Notice
 from app.session.plots import Wish
-from app.wire.from_page import BeginStep, Perform, read
+from app.wire.from_page import BeginStep, Perform
+from app.wire.messages import read
 from app.wire.to_page import Lesson as LessonState
 from app.wire.to_page import LessonStep
 from sim.edit.build import add_mass

@@ -15,12 +15,14 @@ from app.gate import address
 from app.gate.address import address_for_others, public_address
 from app.page import controls
 from app.page.controls import Controls
+from app.page.features import CONTROLS
 from app.page.files.keeping import Parts
 from app.page.files.sharing import Sharing
 from app.page.opening import asked_scene
 from app.session import commands
 from app.session.notices import Notice
-from app.wire.from_page import Ask, Part, Share, read
+from app.wire.from_page import Part, Share
+from app.wire.messages import Ask, read
 from app.wire.to_page import Link
 from sim.errors import SceneError
 from sim.store.files import decode_link, save_user_scene
@@ -104,7 +106,9 @@ def test_an_address_says_which_controls_a_phone_gets(home: None) -> None:
     page = Page("tutorial-3.3")
     short = page.link(short=True, controls="sliders").link
     assert short == f"{PAGE}?scene=tutorial-3.3&controls=play,rest_angle,angular_stiffness"
-    assert controls.of_query(short.partition("?")[2]) == Controls(("play", "rest_angle", "angular_stiffness"))
+    assert controls.of_query(short.partition("?")[2], CONTROLS) == Controls(
+        ("play", "rest_angle", "angular_stiffness")
+    )
     long = page.link(controls="play").link
     assert long.startswith(f"{PAGE}s?controls=play#1.")
 
@@ -191,7 +195,7 @@ def test_parts_are_put_together_in_their_order() -> None:
     part = read('{"do":"part","kind":"link","number":1,"of":2,"letters":"1.ab<>%"}')
     assert part == Part("link", 1, 2, "1.ab<>%")
     assert read('{"do":"part","kind":"link","number":1,"of":2,"letters":"a b"}') is None
-    assert read('{"do":"part","kind":"rm","number":1,"of":1,"letters":"a"}') is None
+    assert read('{"do":"part","kind":"rm -r","number":1,"of":1,"letters":"a"}') is None
     parts = Parts()
     assert parts.add(1, 2, "a") is None
     assert parts.add(1, 2, "b") is None  # begun anew

@@ -10,14 +10,15 @@ import numpy as np
 import pytest
 
 import sim
-from app.page.modes.modes import ModesView
+from app.features.modes import messages
+from app.features.modes.feature import DriveMode, ModesFeature, PutIntoMode, ShowModes
 from app.session import commands
 from app.session.modes import COUNT, ModesWatch
 from app.session.session import KEYS_FORGOTTEN_AFTER
-from app.wire import to_page
 from sim.compiling.compiler import FOR_FALLBACK, fetch
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
+from tests.app.panels import page_of
 from tests.app.recording import agrees
 from tests.app.test_arrows import sections
 
@@ -28,7 +29,7 @@ def opened(name: str = "bridge") -> tuple[SessionPage, ModesWatch]:
     """A page that looks at the modes of a preset, which are found."""
     fetch(FOR_FALLBACK)
     page = SessionPage(sim.load_scene(name))
-    page.frames(1, commands.ShowModes(True))
+    page.frames(1, ShowModes(True))
     return page, found(page)
 
 
@@ -64,14 +65,14 @@ def numbers(letters: Letters, kind: str) -> np.ndarray:
 def test_nothing_is_done_while_nobody_looks() -> None:
     page = SessionPage("bridge")
     letters = Letters()
-    view = ModesView(letters)
+    view = ModesFeature(page_of(page.session, letters=letters))
     for _ in range(5):
         page.frames(1)
-        view.tell(page.session)
+        view.frame()
     assert page.session.modes is None
     assert not letters.sent
     assert not any(thread.name == "softrod-modes" for thread in threading.enumerate())
-    page.frames(1, commands.PutMode(0, 0.5), commands.DriveMode(0))
+    page.frames(1, PutIntoMode(0, 0.5), DriveMode(0))
     assert page.session.driving.drive is None
     assert not page.session.notices
 
@@ -82,12 +83,12 @@ def test_a_body_is_put_into_a_mode_by_one_step_of_undo() -> None:
     session = page.session
     before = session.simulation.capture()
     generation, openings = session.generation, session.openings
-    page.frames(1, commands.Visit(), commands.PutMode(2, 0.3))
-    page.frames(1, commands.PutMode(2, 0.8))
+    page.frames(1, commands.Visit(), PutIntoMode(2, 0.3))
+    page.frames(1, PutIntoMode(2, 0.8))
     assert amplitude(page, 2) == pytest.approx(0.8, rel=1e-9)
     assert (session.generation, session.openings) == (generation, openings)
     assert session.versions.undoable == "mode 3"
-    page.frames(1, commands.Visit(), commands.PutMode(1, 0.4))
+    page.frames(1, commands.Visit(), PutIntoMode(1, 0.4))
     page.frames(1, commands.Undo())
     assert amplitude(page, 2) == pytest.approx(0.8, rel=1e-9)
     assert amplitude(page, 1) < 1e-3
@@ -102,7 +103,7 @@ def test_undo_comes_back_to_the_motion_at_the_present_time() -> None:
     page, _ = opened()
     page.frames(10)
     before = page.simulation.capture()
-    page.frames(20, commands.PutMode(0, 0.5))
+    page.frames(20, PutIntoMode(0, 0.5))
     now = page.simulation.time
     page.frames(0, commands.Play(False), commands.Undo())
     page.session.drain()
@@ -110,10 +111,8 @@ def test_undo_comes_back_to_the_motion_at_the_present_time() -> None:
     assert np.array_equal(page.simulation.capture().rows, before.rows)
 
 
-@pytest.mark.parametrize(
-    "command", [commands.PutMode(99, 0.5), commands.PutMode(-1, 0.5), commands.PutMode(0, np.nan)]
-)
-def test_what_cannot_be_put_in_is_nothing(command: commands.PutMode) -> None:
+@pytest.mark.parametrize("command", [PutIntoMode(99, 0.5), PutIntoMode(-1, 0.5), PutIntoMode(0, np.nan)])
+def test_what_cannot_be_put_in_is_nothing(command: PutIntoMode) -> None:
     page, _ = opened()
     page.frames(1, commands.Play(False))
     rows = page.simulation.capture().rows
@@ -125,7 +124,7 @@ def test_a_mode_is_driven_while_it_is_said_and_its_support_comes_back() -> None:
     page, watch = opened("lesson-bridge-modes")
     session, start = page.session, page.simulation.positions
     for _ in range(90):
-        page.frames(1, commands.DriveMode(1))
+        page.frames(1, DriveMode(1))
     drive = session.driving.drive
     assert drive is not None
     assert not drive.grabbed
@@ -144,7 +143,7 @@ def test_a_mode_is_driven_while_it_is_said_and_its_support_comes_back() -> None:
 
 def test_a_driven_frame_tries_no_more_steps_than_any_other() -> None:
     page, _ = opened("lesson-bridge-modes")
-    page.frames(20, commands.DriveMode(1))
+    page.frames(20, DriveMode(1))
     session = page.session
     simulation, drive = session.simulation, session.driving.drive
     assert drive is not None
@@ -161,19 +160,19 @@ def test_a_body_that_nothing_holds_is_driven_where_it_swings_most() -> None:
     fetch(FOR_FALLBACK)
     scene = REPLACE(sim.load_scene("girder"), anchors=(), gravity=(0.0, 0.0), bodies=())
     page = SessionPage(scene)
-    page.frames(1, commands.ShowModes(True))
+    page.frames(1, ShowModes(True))
     found(page)
-    page.frames(30, commands.DriveMode(0))
+    page.frames(30, DriveMode(0))
     assert page.session.driving.drive is not None
     assert page.simulation.grabbed
-    page.frames(1, commands.DriveMode(-1))
+    page.frames(1, DriveMode(-1))
     assert page.session.driving.drive is None
     assert not page.simulation.grabbed
 
 
 def test_a_mode_that_is_not_there_cannot_be_driven() -> None:
     page, _ = opened()
-    page.frames(1, commands.DriveMode(50))
+    page.frames(1, DriveMode(50))
     (notice,) = page.session.notices
     assert notice.text == "there is no mode 51 to drive"
 
@@ -196,7 +195,7 @@ def test_another_number_and_another_body_have_other_modes() -> None:
 def test_too_large_a_body_says_so() -> None:
     fetch(FOR_FALLBACK)
     page = SessionPage(sim.rope(1001))
-    page.frames(1, commands.ShowModes(True))
+    page.frames(1, ShowModes(True))
     watch = found(page)
     assert watch.found is None
     assert watch.trouble == "modes: 1001 masses are more than 1000"
@@ -205,11 +204,11 @@ def test_too_large_a_body_says_so() -> None:
 def test_a_page_is_told_of_them() -> None:
     page, watch = opened()
     letters = Letters()
-    view = ModesView(letters)
-    page.frames(1, commands.PutMode(3, 0.5))
-    view.tell(page.session)
+    view = ModesFeature(page_of(page.session, letters=letters))
+    page.frames(1, PutIntoMode(3, 0.5))
+    view.frame()
     assert watch.found is not None
-    state = letters.last(to_page.Modes)
+    state = letters.last(messages.Modes)
     assert state.on
     assert state.frequencies == pytest.approx(watch.found.omega / (2.0 * np.pi), rel=1e-6)
     shapes = sections(numbers(letters, "ModeShapes"))
@@ -222,9 +221,9 @@ def test_a_page_is_told_of_them() -> None:
     assert float(np.abs(shares).sum()) == pytest.approx(1.0, rel=1e-5)
     assert frames == pytest.approx([1.0, 0.0, 0.0, 0.0])
     assert head[0] == state.number
-    page.frames(1, commands.ShowModes(False))
-    view.tell(page.session)
-    assert not letters.last(to_page.Modes).on
+    page.frames(1, ShowModes(False))
+    view.frame()
+    assert not letters.last(messages.Modes).on
     assert not numbers(letters, "ModeShapes").size
 
 
@@ -233,14 +232,14 @@ def test_a_page_is_told_when_the_body_begins_to_touch() -> None:
     floor = sim.Wall(point=(0.0, 450.0), normal=(0.0, -1.0))
     page = SessionPage(sim.jelly(columns=3, rows=2, width=80.0, height=40.0, walls=(floor,)))
     letters = Letters()
-    view = ModesView(letters)
-    page.frames(1, commands.Play(False), commands.ShowModes(True))
+    view = ModesFeature(page_of(page.session, letters=letters))
+    page.frames(1, commands.Play(False), ShowModes(True))
     found(page)
     page.frames(1, commands.Play())
     touching: list[float] = []
     while max(touching, default=0.0) <= 1e-4 and page.simulation.time < 2.0:
         lowest = page.simulation.positions[:, 1].max()
-        view.tell(page.session)
+        view.frame()
         touching.append(float(sections(numbers(letters, "ModeLevels"))[0][3]))
         if lowest < 440.0:
             assert touching[-1] == 0.0

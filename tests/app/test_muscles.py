@@ -16,7 +16,8 @@ from app.export import instances
 from app.page.features import COMMANDS
 from app.session import commands, log
 from app.session.replay import Player
-from app.wire.from_page import MoveMuscles, Select, ShapeMuscles, Tempo, read
+from app.wire.from_page import MoveMuscles, Select, ShapeMuscles, Tempo
+from app.wire.messages import read
 from sim.edit.edit import Selection
 from sim.edit.muscles import crest, give_muscles
 from sim.forces.muscles import swings

@@ -14,9 +14,10 @@ import msgspec
 import pytest
 
 import sim
+from app.page import features  # noqa: F401  with all their messages
 from app.page.files import keeping
 from app.session import keepsakes, log
-from app.wire import from_page
+from app.wire.messages import read
 from sim.edit import copying
 from sim.errors import InputError, SceneError
 from sim.store.files import decode_link, decode_scene
@@ -125,7 +126,7 @@ READERS: dict[str, tuple[Callable[[], bytes], Callable[[bytes], object]]] = {
     ),
     "a message": (
         lambda: b'{"do": "putMode", "mode": 1, "part": 0.5}\n',
-        lambda data: from_page.read(text(data)),
+        lambda data: read(text(data)),
     ),
 }
 

@@ -11,12 +11,12 @@ import pytest
 from msgspec import inspect
 
 from app.page import controls
-from app.page.features import COMMANDS
+from app.page.features import COMMANDS, CONTROLS
 from app.page.tab import TOLD_CONTROLS
 from app.session import commands
 from app.ui.commands import key_lines
 from app.wire import from_page, to_page
-from app.wire.messages import read
+from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages, read
 from app.wire.to_page import OfferGallery, ShelfChanged, Tools
 from tests.app.inside import Bare
 from tests.app.letters import Letters
@@ -46,7 +46,7 @@ def test_messages_are_understood(text: str) -> None:
     "text",
     [
         "", "null", '"play"', "{}", '{"do":"format"}', '{"do":"perform"}',
-        '{"do":"perform","command":"format"}', '{"do":"perform","command":"play","more":1}',
+        '{"do":"perform","command":"for mat"}', '{"do":"perform","command":"play","more":1}',
         '{"do":"keys","held":["X"]}', '{"do":"keys","held":"up"}',
         '{"do":"keys","held":["up","up","up","up","up"]}', '{"do":"at","hands":[]}',
         '{"do":"at","hands":[[0,NaN,0]]}', '{"do":"at","hands":[[0,Infinity,1]]}',
@@ -84,7 +84,7 @@ def test_every_number_that_a_page_says_has_bounds() -> None:
         if inner := getattr(kind, "item_type", None):
             look(inner, where)
 
-    for message in from_page.MESSAGES:
+    for message in messages(FromPage):
         for field in inspect.type_info(message).fields:  # type: ignore[attr-defined]
             look(field.type, f"{message.__name__}.{field.name}")
 
@@ -103,8 +103,8 @@ def test_of_states_the_latest_counts_and_events_all_arrive() -> None:
 
 
 def test_every_message_is_a_state_an_event_or_numbers() -> None:
-    kinds = to_page.State | to_page.Event | to_page.Numbers
-    assert all(issubclass(kind, kinds) for kind in to_page.MESSAGES)
+    kinds = State | Event | Numbers
+    assert all(issubclass(kind, kinds) for kind in messages(ToPage))
 
 
 def test_numbers_are_told_each_time_and_the_latest_count() -> None:
@@ -114,7 +114,7 @@ def test_numbers_are_told_each_time_and_the_latest_count() -> None:
     assert [message.text for message in letters.sent] == ['{"tell":"frame","wall":12.25}'] * 2
     assert all(message.numbers is numbers for message in letters.sent)
     assert letters.keys[0] == letters.keys[1]
-    for kind in (*from_page.MESSAGES, *to_page.MESSAGES):
+    for kind in (*messages(FromPage), *messages(ToPage)):
         assert kind.__doc__, f"{kind.__name__} does not say what it is"
 
 
@@ -148,7 +148,7 @@ def test_the_readme_has_all_keys() -> None:
         (from_page.Perform("second"), commands.GoBack(1.0)),
     ],
 )
-def test_what_a_page_says_is_done(said: from_page.FromPage, posted: commands.Command) -> None:
+def test_what_a_page_says_is_done(said: FromPage, posted: commands.Command) -> None:
     tab = Bare()
     tab.hear(said)
     assert tab.posted == [posted]
@@ -168,4 +168,10 @@ def test_a_command_is_done_by_whom_the_table_says_and_needs_its_control() -> Non
             offered = (not row.needs or row.needs in names) and row.does not in ("edit", "own")
             assert len(tab.done) == offered, name
     assert {row.needs for row in COMMANDS.values()} <= {"", *TOLD_CONTROLS}
-    assert set(TOLD_CONTROLS) <= set(controls.PARTS)
+    assert set(TOLD_CONTROLS) <= set(CONTROLS)
+
+
+def test_a_command_that_is_none_is_not_done() -> None:
+    tab = Bare()
+    tab.hear(from_page.Perform("format"))
+    assert not tab.done

@@ -9,12 +9,12 @@ import { beatsAt } from "../../app/drawing/static/swing.js";
 const joined = (/** @type {number[][]} */ ...sections) =>
   Float32Array.from(sections.flatMap((section) => [section.length, ...section]));
 
-test("a rival has a time, a scale of lengths and a turn of angles of its own", () => {
-  const { rival, ...own } = readFrame(joined([1, 2, 1.5, 30], [10, 20], [], [3, 0.5, -45], [7, 8, 9, 10]));
+test("a second body has a time, a scale of lengths and a turn of angles of its own", () => {
+  const { second, ...own } = readFrame(joined([1, 2, 1.5, 30], [10, 20], [], [3, 0.5, -45], [7, 8, 9, 10]));
   assert.deepEqual([own.time, own.lengthScale, own.angleShift, [...own.positions]], [2, 1.5, 30, [10, 20]]);
-  assert.ok(rival);
-  assert.deepEqual([rival.time, rival.lengthScale, rival.angleShift], [3, 0.5, -45]);
-  assert.deepEqual([...rival.positions], [7, 8, 9, 10]);
+  assert.ok(second);
+  assert.deepEqual([second.time, second.lengthScale, second.angleShift], [3, 0.5, -45]);
+  assert.deepEqual([...second.positions], [7, 8, 9, 10]);
 });
 
 test("after a day the time still goes on by each step", () => {

@@ -1,10 +1,11 @@
-"""The modes of a page's body: how much of each is in its motion, and how it is put into one, only while somebody looks
-at them."""
+"""The modes of a page's body, while somebody looks at them: how much of each is in its motion, and how the
+body is put into one."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -86,17 +87,19 @@ class DriveMode(Command):
 class ModesFeature(Feature):
     """Tells a page of the modes of its body, and does what it says of them."""
 
-    messages = {messages.PutMode: "modes", messages.DriveMode: "modes"}
-    commands = {
+    messages: ClassVar = {messages.PutMode: "modes", messages.DriveMode: "modes"}
+    commands: ClassVar = {
         "modes": Row(
-            "Modes", ShowModes(), ("V",), "modes: how the body can swing, and how much of each is in its motion",
+            "Modes", ShowModes(), ("V",),
+            "modes: how the body can swing, and how much of each is in its motion",
             hint="how the body can swing, and how much of each is in its motion", needs="modes",
         ),
         "mute": Row(
-            "Sound of the modes, or silence", "page", ("M",), "the sound of the modes, or silence", needs="modes"
+            "Sound of the modes, or silence", "page", ("M",), "the sound of the modes, or silence",
+            needs="modes",
         ),
     }  # fmt: skip
-    controls = {"modes": "the strip of modes, in the View menu"}
+    controls: ClassVar = {"modes": "the strip of modes, in the View menu"}
 
     def __init__(self, page: Page) -> None:
         super().__init__(page)

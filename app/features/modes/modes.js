@@ -10,6 +10,7 @@ import { addSound, toggleSound } from "./sound.js";
 import { onTold, send, told } from "../../wire/channel.js";
 import { withKey } from "../../page/hands/key_table.js";
 import { make, makeButton } from "../../page/looks/dialog.js";
+import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
 
 /**
@@ -40,22 +41,15 @@ const hertz = (f) => few(f, f < 100 ? 2 : 3);
 /** Puts up the strip, which is hidden while nobody looks at modes. */
 function begin() {
   listenToMelodies();
-  const strip = make("div", "softrod-strip softrod-modes");
-  strip.setAttribute("role", "group");
-  strip.ariaLabel = "Modes";
-  strip.hidden = true;
-  const head = make("div", "softrod-strip-head softrod-modes-head");
-  const says = make("span", "softrod-strip-says softrod-modes-says", HOW);
+  const { strip, head, says, live, show } = makeStrip("modes", "Modes");
+  says.textContent = HOW;
   const close = makeButton("×", () => perform("modes"), "softrod-modes-close");
   close.ariaLabel = "Close the modes";
   close.title = withKey("Close", "modes");
   const bars = make("div", "softrod-modes-bars");
-  const live = make("div", "softrod-tell");
-  live.setAttribute("role", "status");
   const sound = addSound();
-  head.append(says, ...sound.controls, close);
-  strip.append(head, bars, live);
-  document.querySelector(".softrod-transport")?.before(strip);
+  head.append(...sound.controls, close);
+  strip.append(bars);
   const ghost = addGhost();
 
   /** @type {Modes} */
@@ -297,8 +291,7 @@ function begin() {
     modes = now;
     const on = now.on ?? false;
     if (strip.hidden === on) {
-      strip.hidden = !on;
-      document.documentElement.toggleAttribute("data-softrod-modes", on);
+      show(on);
       live.textContent = on ? "Modes are shown over the bar of time" : "";
       if (!on) [over, focused, dragged, kept] = [-1, -1, -1, -1];
     }

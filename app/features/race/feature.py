@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import urllib.parse
 from dataclasses import dataclass
+from typing import ClassVar
 
 import viser
 
@@ -65,10 +66,11 @@ class LeaveRace(Command):
 class RaceFeature(Feature):
     """Finds a page's rivals, and tells the page how far each body has come."""
 
-    texts = {"rival": LongText(needs="chooser", verb="raced against")}
-    commands = {
+    texts: ClassVar = {"rival": LongText(needs="chooser", verb="raced against")}
+    commands: ClassVar = {
         "race": Row(
-            "Race against another body", "page", ("A",), "race against another body; in a race, start it anew",
+            "Race against another body", "page", ("A",),
+            "race against another body; in a race, start it anew",
             hint="both on this terrain, started together", needs="chooser",
             share=("Race against …", viser.Icon.FLAG),
         ),

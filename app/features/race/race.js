@@ -10,6 +10,7 @@ import { withKey } from "../../page/hands/key_table.js";
 import { make, makeButton } from "../../page/looks/dialog.js";
 import { roundUp } from "../../page/body/overlay.js";
 import { gallery } from "../../page/scenes/gallery.js";
+import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
 
 /** @typedef {import("../../wire/wire.js").Race} Race */
@@ -75,19 +76,13 @@ function openRace() {
 
 let start = () => {};
 
-function makeStrip() {
-  const strip = make("div", "softrod-strip softrod-race");
-  strip.setAttribute("role", "group");
-  strip.ariaLabel = "Race";
-  const head = make("div", "softrod-strip-head softrod-race-head");
-  const says = make("span", "softrod-strip-says softrod-race-says");
+function makeRace() {
+  const { strip, head, says, live, show } = makeStrip("race", "Race");
   const begin = makeButton("Start", () => start(), "softrod-race-start");
   begin.title = withKey("Both from the start, after a count-down", "race");
   const leave = makeButton("Leave", () => perform("leaveRace"), "");
   leave.title = "Leave the race; this body goes on alone";
-  head.append(says, begin, leave);
-  const live = make("div", "softrod-tell");
-  live.setAttribute("role", "status");
+  head.append(begin, leave);
   const rows = ["softrod-race-mine", "softrod-race-theirs"].map((name) => {
     const row = make("div", `softrod-race-row ${name}`);
     const [who, track, bar, way] = [make("b", ""), make("span", "softrod-race-track"), make("i", ""), make("output", "")];
@@ -97,8 +92,7 @@ function makeStrip() {
     return { row, who, bar, way };
   });
   const rule = make("small", "softrod-race-rule", RULE);
-  strip.append(head, ...rows.map(({ row }) => row), rule, live);
-  document.querySelector(".softrod-transport")?.before(strip);
+  strip.append(...rows.map(({ row }) => row), rule);
   const count = make("div", "softrod-count");
   count.ariaLive = "assertive";
   count.hidden = true;
@@ -131,8 +125,7 @@ function makeStrip() {
   return (/** @type {Race} */ now) => {
     const on = now.on ?? false;
     if (strip.hidden === on) live.textContent = on ? `A race against ${namesOf(now)[1]}. ${withKey("Start", "race")}.` : "The race is left";
-    strip.hidden = !on;
-    document.documentElement.toggleAttribute("data-softrod-race", on);
+    show(on);
     if (!on) stopCount();
     const { ways = [0, 0], seconds = 0, fair = true } = now;
     const full = roundUp(Math.max(SHORTEST, ...ways.map(Math.abs)));
@@ -157,12 +150,12 @@ function makeStrip() {
 
 /** Begins to look for a race. */
 function begin() {
-  /** @type {ReturnType<typeof makeStrip> | null} */
+  /** @type {ReturnType<typeof makeRace> | null} */
   let show = null;
   onTold("race", (now) => {
     race = now;
     if (!show && !now.on) return;
-    show ??= makeStrip();
+    show ??= makeRace();
     show(now);
   });
   onTold("raceAnswer", ({ problem }) => (problem ? gallery.say(problem) : gallery.close()));

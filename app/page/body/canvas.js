@@ -11,7 +11,8 @@
  */
 import * as draw from "../../drawing/static/draw.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "../../drawing/static/plan.js";
-import { callAll, hear, onTold } from "../../wire/channel.js";
+import { callAll, hear, onTold, sendBy } from "../../wire/channel.js";
+import { viser as current } from "../viser/viser.js";
 import { Glide } from "./glide.js";
 
 /** Where the nodes of the body are, and those of a second one. */
@@ -180,6 +181,7 @@ function note({ type, name = "", owner, props }) {
  */
 export function drawBody(viser) {
   page = viser;
+  sendBy((message) => current()?.sendMessage(message));
   listen();
   const queue = viser.messageQueue;
   queue.push = (...messages) => {

@@ -1,0 +1,52 @@
+"""The feature that docs/extending.md builds is one, and no other file has to know of it."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+FILES = ("messages.py", "feature.py", "speed.js")
+TRY = """
+import sys
+
+import app.features
+
+app.features.__path__.append(sys.argv[1])
+from app.features.speed.feature import SpeedFeature
+from app.page import features
+
+features.FEATURES = (*features.FEATURES, SpeedFeature)
+features.COMMANDS = {**features.COMMANDS, **SpeedFeature.commands}
+features.CONTROLS = {**features.CONTROLS, **SpeedFeature.controls}
+from app.wire.from_page import Perform
+from tests.app.whole import WholePage
+from tests.page import generate
+
+assert 'import speed from "../features/speed/speed.js";' in generate.features()
+assert "export type Fastest = " in generate.types()
+page = WholePage("rope")
+page.frames(5, Perform("speed"))
+page.frames(5)
+told = [one for one in page.client.mail.sent if type(one).__name__ == "Fastest"]
+assert told[0].mass == -1, told
+assert told[-1].speed > 0.0, told
+assert "Speed" in [one.name for one in page.gui.there if one.kind == "command"]
+"""
+
+
+def test_the_guide_s_feature_is_one(tmp_path: Path) -> None:
+    guide = (ROOT / "docs" / "extending.md").read_text(encoding="utf-8")
+    section = guide.partition("## A feature\n")[2].partition("\n## ")[0]
+    blocks = re.findall(r"^   ```\w+\n(.*?)^   ```", section, re.DOTALL | re.MULTILINE)
+    folder = tmp_path / "speed"
+    folder.mkdir()
+    (folder / "__init__.py").touch()
+    for name, block in zip(FILES, blocks, strict=True):
+        (folder / name).write_text(re.sub(r"^   ", "", block, flags=re.MULTILINE), encoding="utf-8")
+    tried = subprocess.run(
+        [sys.executable, "-c", TRY, str(tmp_path)], capture_output=True, text=True, cwd=ROOT, check=False
+    )
+    assert tried.returncode == 0, tried.stderr
