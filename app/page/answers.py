@@ -17,7 +17,6 @@ from ..session.notices import Notice
 from ..ui.feature import Feature
 from ..wire import from_page
 from ..wire.to_page import Resumed
-from .edit.edits import Edits
 from .files import keeping
 from .files.files_panel import open_file
 from .files.sharing import Sharing
@@ -47,7 +46,7 @@ class Answers:
         for_others: the address by which others reach the page, from that by which it was reached itself.
 
     Attributes:
-        sharing, gallery, edits: what it asks about.
+        sharing, gallery: what it asks about.
     """
 
     def __init__(
@@ -62,7 +61,6 @@ class Answers:
         self.sharing = Sharing(page, show, for_others)
         self.gallery = Gallery(page)
         self._readers = {kind: feature for feature in features for kind in feature.texts}
-        self.edits = Edits(page.session, page.mail, page.notify)
         self._parts: defaultdict[str, keeping.Parts] = defaultdict(keeping.Parts)
         self._line = InOrder(page.notify)
 
@@ -93,9 +91,6 @@ class Answers:
         elif (reader := self._readers.get(part.kind)) is not None:
             if reader.texts[part.kind].needs in self._page.controls:
                 self._line.submit(reader.read, part.kind, letters)
-        elif part.kind == "paste":
-            if "edit" in self._page.controls:
-                self._line.submit(self.edits.paste, letters)
         elif part.kind == "resume":
             if kept := keeping.decode(letters):
                 self._resume(kept)
@@ -128,7 +123,7 @@ class Answers:
 
 
 UNSENT = "It is too large for a page to send: at most 4.7 MB, which is some 11,000 masses."
-VERBS = {"resume": "resumed", "link": "opened", "file": "opened", "paste": "pasted"}
+VERBS = {"resume": "resumed", "link": "opened", "file": "opened"}
 """What is done with long texts."""
 
 

@@ -23,14 +23,10 @@ _TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/web
 _FOREVER = "public, max-age=31536000, immutable"
 _FIRST = ("page.css", "viser/viser.css", "body/overlay.css", "time/dock.css")
 _LAST = (
-    "muscles/muscles.css",
-    "measure/tools.css",
-    "edit/edit.css",
     "looks/dialogs.css",
     "scenes/gallery.css",
     "scenes/lesson.css",
     "classroom/classroom.css",
-    "making/maker.css",
     "looks/menu.css",
     "looks/looks.css",
 )

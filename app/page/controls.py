@@ -27,9 +27,6 @@ CORE = {
     "help": "Help, in the View menu",
     "body": "the sliders of all other numbers of the body",
     "solver": "the Solver tab",
-    "measure": "the Measure tab",
-    "tools": "the instruments",
-    "edit": "the tools that build and change the body, undo and redo",
     "files": "the Share tab",
     "view": "the other entries of the View menu",
 }

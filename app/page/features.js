@@ -1,6 +1,12 @@
 // @ts-check
 /** The features of the page. Made by `uv run python -m tests.page.generate` from app/page/features.py. */
+import measure from "../features/measure/measure.js";
+import instruments from "../features/instruments/instruments.js";
+import fit from "../features/fit/fit.js";
+import muscles from "../features/muscles/muscles.js";
 import modes from "../features/modes/modes.js";
 import race from "../features/race/race.js";
+import making from "../features/making/making.js";
+import edit from "../features/edit/edit.js";
 
-export const FEATURES = [modes, race];
+export const FEATURES = [measure, instruments, fit, muscles, modes, race, making, edit];

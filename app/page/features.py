@@ -4,13 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ..features.edit.feature import EditFeature
+from ..features.fit.feature import FitFeature
+from ..features.instruments.feature import InstrumentsFeature
+from ..features.making.feature import MakingFeature
+from ..features.measure.feature import MeasureFeature
 from ..features.modes.feature import ModesFeature
+from ..features.muscles.feature import MusclesFeature
 from ..features.race.feature import RaceFeature
 from ..ui.commands import CORE, Row
 from ..ui.feature import Feature
 from . import controls
 
-FEATURES: tuple[type[Feature], ...] = (ModesFeature, RaceFeature)
+FEATURES: tuple[type[Feature], ...] = (
+    MeasureFeature,
+    InstrumentsFeature,
+    FitFeature,
+    MusclesFeature,
+    ModesFeature,
+    RaceFeature,
+    MakingFeature,
+    EditFeature,
+)
 
 COMMANDS: Mapping[str, Row] = CORE | {
     name: row for feature in FEATURES for name, row in feature.commands.items()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 import viser
 
@@ -23,6 +23,8 @@ from .scenes.shelf import Shelf
 from .viser.comma_switch import CommaSwitch
 from .viser.handlers import on_press
 from .waiting import Waiting
+
+_F = TypeVar("_F")
 
 
 class Plots(Protocol):
@@ -57,6 +59,8 @@ class Page:
         controls: which it has; what there is not is not made.
         looks: how it looks.
         plots: its lists of plots.
+        features: what it can do; see `find`.
+        is_in_class: whether it is a page of a class.
         makes_lesson: whether the scene's lesson is being made; it is not shown meanwhile.
         is_closed: whether a lesson is not to be seen here, since a class goes through it.
         begin_class: begins a class with a scene, and returns the address of the teacher's page, from this
@@ -76,11 +80,13 @@ class Page:
     controls: Controls = ALL
     looks: Looks = PLAIN
     plots: list[Plots] = field(default_factory=list)
+    features: tuple[object, ...] = ()
     makes_lesson: bool = False
+    is_in_class: bool = False
     is_closed: Callable[[Lesson], bool] = lambda _: False
     begin_class: Callable[[Scene], str] | None = None
     take_tables: Callable[[tuple[Measurement, ...]], None] | None = None
-    _asked: Waiting[Callable[[], None]] = field(init=False)
+    _asked: Waiting[Callable[[], object]] = field(init=False)
 
     def __post_init__(self) -> None:
         self._asked = Waiting(self.notify)
@@ -91,7 +97,11 @@ class Page:
         lesson = self.session.scene.lesson
         return lesson is not None and not self.makes_lesson and not self.is_closed(lesson)
 
-    def later(self, act: Callable[[], None]) -> None:
+    def find(self, kind: type[_F]) -> _F | None:
+        """One of its features, by its class; None if it is not there."""
+        return next((feature for feature in self.features if isinstance(feature, kind)), None)
+
+    def later(self, act: Callable[[], object]) -> None:
         """Have the ticker do something, before the next frame; any thread may ask."""
         self._asked.add(act)
 

@@ -17,15 +17,14 @@ from sim.scene.types import Scene
 from sim.settings import CHOICES, TEMPLATES, Setting, settings_of
 
 from ..drawing.colors import palette
+from ..features.solver.solver_panel import SolverPanel
 from ..session import commands
 from ..ui.commands import key_lines
 from ..wire.to_page import Hud
-from .edit.selection_panel import SelectionPanel
 from .looks import readouts
 from .page import Page
 from .play_panel import LAST, PlayPanel
 from .scenes.lesson_panel import LessonPanel
-from .solver.solver_panel import SolverPanel
 from .viser.choice_box import ChoiceBox
 from .viser.handlers import add_command, on_change, on_press
 from .viser.slider_box import SliderBox, mixed_words
@@ -126,9 +125,6 @@ class Panel:
         has_lesson = page.has_lesson
         if not (controls.in_panel or has_lesson):
             gui.main_panel.minimize()
-        self._selection: SelectionPanel | None = None
-        if "edit" in controls:
-            self._selection = SelectionPanel(page)
         self.lesson: LessonPanel | None = None
         self.play_tab: viser.GuiTabHandle | None = None
         self._solver_tab: viser.GuiTabHandle | None = None
@@ -300,11 +296,6 @@ class Panel:
         """Whether a control shows what is not set, or there will be more to show."""
         waits = self._solver is not None and self._solver.waits
         return waits or not all(slider_box.settled for slider_box in self._sliders)
-
-    def show_selection(self) -> None:
-        """Show what is selected, if it may be edited."""
-        if self._selection is not None:
-            self._selection.tick()
 
     def show_help(self) -> None:
         """Open the help."""

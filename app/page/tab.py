@@ -29,15 +29,19 @@ from sim.scene.types import shown_name
 
 from ..drawing.plan import Picture, broken_of, own_rest_angles
 from ..drawing.sketch import Mapping, world_size
+from ..features.instruments.feature import InstrumentsFeature
+from ..features.measure.feature import MeasureFeature
 from ..session import commands
 from ..session.notices import About
 from ..session.pacing import LONGEST_FRAME, is_large
-from ..session.plots import Wish, text_of
+from ..session.plots import Wish
 from ..session.session import Changed, Notice, Session
 from ..ui.commands import Look
+from ..ui.feature import Drawn, Feature
 from ..viser_inside import element_id
 from ..wire import from_page
 from ..wire.carrier import Mail, listen
+from ..wire.messages import messages
 from ..wire.to_page import Hud, Keepsake, PageState, Resumed, Run
 from . import controls
 from .answers import Answers
@@ -50,10 +54,6 @@ from .files import keeping, pasts
 from .files.export_panel import ExportPanel
 from .files.files_panel import FilesPanel
 from .looks import readouts
-from .making.maker import LessonMaker, Measured
-from .measure.fit_panel import FitPanel
-from .measure.measure_panel import MeasurePanel
-from .measure.tools_panel import ToolsPanel
 from .opening import asked_scene
 from .page import Page
 from .panel import Panel, set_theme
@@ -85,9 +85,7 @@ RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
 
 _OF_FEATURES = (name for feature in FEATURES for name in feature.controls)
-TOLD_CONTROLS = sorted(
-    (*("chooser", "edit", "files", "help", "measure", "play", "solver", "tools", "view"), *_OF_FEATURES)
-)
+TOLD_CONTROLS = sorted((*("chooser", "files", "help", "play", "solver", "view"), *_OF_FEATURES))
 """Controls of which the script is told whether they are there: it makes some, and commands need some."""
 
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
@@ -194,11 +192,8 @@ class Tab:
         self._asked_controls = self._checked(partial(controls.of_query, parts=CONTROLS), query)
         self._scenes_controls = controls.ALL
         self._named_controls: tuple[str, ...] | None = None
-        self._plots_kept: tuple[Wish, ...] = ()
-        self._arrows_kept: frozenset[str] = frozenset()
-        self._measure: MeasurePanel | None = None
-        self._fit: FitPanel | None = None
-        self._tools: ToolsPanel | None = None
+        self._features: tuple[Feature, ...] = ()
+        self._hearers: dict[type, list[tuple[Feature, str]]] = {}
         self._files: FilesPanel | None = None
         self._session: Session | None = None
         self._calm, self._stirred = False, time.monotonic()
@@ -227,8 +222,8 @@ class Tab:
             hud=hud.html if hud is not None else "",
             looks=page.looks,
             controls=page.controls.names,
-            plots=self._measure.plots.wishes if self._measure is not None else (),
-            plots_seen=self._measure is not None and self._measure.plots.looked_at,
+            plots=self._wishes,
+            plots_seen=(measure := page.find(MeasureFeature)) is not None and measure.is_seen,
             kept=self._kept,
             owned=self._shelf.owned,
             requests=len(self._requests),
@@ -270,12 +265,6 @@ class Tab:
             case from_page.InSeat() | from_page.Lead() | from_page.Checked():
                 if role is not None:
                     self._requests.add(lambda now: role.hear(said, now))
-            case from_page.Edit():
-                if "edit" in self._page.controls:
-                    self._answers.edits.do(said)
-            case from_page.Prepare():
-                if "edit" in self._page.controls and role is None:
-                    self._requests.add(lambda _: self._maker.do(said))
             case from_page.Seen():
                 self._seen = said
                 self._show_where_seen()
@@ -283,10 +272,11 @@ class Tab:
                 self._requests.add(lambda now: self._pick(now, mass))
             case from_page.BeginStep():
                 self._requests.add(lambda _: self._begin_step(said))
-            case _ if (feature := self._hearers.get(type(said))) is not None:
-                needs = feature.messages[type(said)]
-                if not needs or needs in self._page.controls:
-                    feature.hear(said)
+            case _:
+                pass
+        for feature, needs in self._hearers.get(type(said), ()):
+            if not needs or needs in self._page.controls:
+                feature.hear(said)
 
     def perform(self, command: str) -> None:
         """Do a command of the table, if the page has the control that it needs."""
@@ -419,16 +409,9 @@ class Tab:
             self._plan(session)
         if self._panel.lesson is not None:
             self._panel.lesson.plots.tick()
-        if self._measure is not None:
-            self._measure.tick()
-        self._show(session)
+        drawn = self._show(session)
         for feature in self._features:
-            feature.frame()
-        self._panel.show_selection()
-        if "edit" in self._page.controls:
-            self._answers.edits.tell()
-        if self._maker.is_told:
-            self._maker.tell()
+            feature.frame(drawn)
         self._tell(session)
 
     @staticmethod
@@ -449,12 +432,14 @@ class Tab:
         self._page = Page(
             self.client, session, self._mail, self.notify, self.perform, self._shelf, commas,
             commands=COMMANDS, controls=self._wanted_controls(session.scene), begin_class=self._begin_class,
-            is_closed=self._is_closed,
+            is_closed=self._is_closed, is_in_class=self._role is not None,
         )  # fmt: skip
-        self._features = tuple(feature(self._page) for feature in FEATURES)
-        self._hearers = {kind: feature for feature in self._features for kind in feature.messages}
+        self._page.features = self._features = tuple(feature(self._page) for feature in FEATURES)
+        for feature in self._features:
+            for kind, needs in feature.messages.items():
+                for message in messages(kind):
+                    self._hearers.setdefault(message, []).append((feature, needs))
         self._answers = Answers(self._page, self._features, resume, show, self._for_others)
-        self._maker = LessonMaker(self._page, self._measured)
         self._make_panel(session)
         self._session = session
         return session
@@ -500,17 +485,9 @@ class Tab:
             with self._panel.play_tab:
                 self.client.gui.add_html(self._role.place, order=0)
         self._has_lesson = page.has_lesson
-        self._measure = self._fit = self._tools = self._files = None
-        if self._panel.measure_tab is not None:
-            if "measure" in page.controls:
-                self._measure = MeasurePanel(page, self._panel.measure_tab)
-                self._measure.plots.remember(self._plots_kept)
-                self._fit = FitPanel(page, self._panel.measure_tab)
-                page.take_tables = self._fit.take
-            if "tools" in page.controls:
-                with self._panel.measure_tab:
-                    self._tools = ToolsPanel(page)
-                self._tools.show_arrows(self._arrows_kept)
+        for feature in self._features:
+            feature.attach(self._panel)
+        self._files = None
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
                 self._files = FilesPanel(page)
@@ -549,54 +526,46 @@ class Tab:
             if (wanted.in_panel or has_lesson) and not (self._page.controls.in_panel or self._has_lesson):
                 self.client.gui.main_panel.expand()
             self._page.controls = wanted
-            if self._measure is not None:
-                self._plots_kept = self._measure.plots.wishes
-            if self._fit is not None:
-                self._fit.forget()
-            if self._tools is not None:
-                self._arrows_kept = self._tools.leave()
+            for feature in self._features:
+                feature.detach()
             self.client.gui.reset()
             self._page.clear()
             self._make_panel(session)
         if self._panel.lesson is not None:
             self._panel.lesson.build()
         self._panel.build()
-        if self._tools is not None:
-            self._tools.build()
         if self._files is not None:
             self._files.build()
         self._show_lessons_things(session)
-        if self._measure is not None:
-            self._measure.build()
-        if self._fit is not None:
-            self._fit.build()
+        for feature in self._features:
+            feature.build()
         self._moved_at = session.now()
         self._generation = session.generation
 
     def _show_lessons_things(self, session: Session) -> None:
         """The arrows that the present step of a lesson wants; after it, what its user had before."""
-        lesson, tools = self._panel.lesson, self._tools
+        lesson, instruments = self._panel.lesson, self._page.find(InstrumentsFeature)
         if lesson is not None:
             wanted = lesson.step.arrows if lesson.step else None
-            if tools is not None and wanted is not None:
-                tools.show_arrows(frozenset(wanted))
+            if instruments is not None and wanted is not None:
+                instruments.show_arrows(frozenset(wanted))
         elif self._before_lesson is not None:
             before, self._before_lesson = self._before_lesson, None
-            if tools is not None:
-                tools.show_arrows(before.arrows)
-            if self._measure is not None:
-                self._measure.plots.remember(before.plots)
+            if instruments is not None:
+                instruments.show_arrows(before.arrows)
+            if (measure := self._page.find(MeasureFeature)) is not None:
+                measure.remember(before.plots)
             if not self._page.makes_lesson:  # where a step was tried, it is back already
                 session.post(before.ghost)
 
     def _switched_on(self, session: Session) -> BeforeLesson:
         """What the user has switched on; a ghost in the middle of a lesson is the lesson's."""
-        plots = self._measure.plots.wishes if self._measure is not None else ()
-        arrows = self._tools.kinds if self._tools is not None else frozenset()
+        instruments = self._page.find(InstrumentsFeature)
+        arrows = instruments.arrows if instruments is not None else frozenset()
         ghost, compare = session.ghost, commands.Compare("", "")
         if ghost is not None and not session.lesson_begun:
             compare = commands.Compare(ghost.method, ghost.law, ghost.finer)
-        return BeforeLesson(plots, arrows, compare)
+        return BeforeLesson(self._wishes, arrows, compare)
 
     def _plan(self, session: Session) -> None:
         """Tell the page of the body, as far as it is another one."""
@@ -606,7 +575,13 @@ class Tab:
         self._view.build(session.scene, dark, own_rest_angles(session.simulation))
         self._view.build_second(second.capture().scene if second is not None else None, dark)
 
-    def _show(self, session: Session) -> None:
+    @property
+    def _wishes(self) -> tuple[Wish, ...]:
+        """What is plotted."""
+        measure = self._page.find(MeasureFeature)
+        return measure.wishes if measure is not None else ()
+
+    def _show(self, session: Session) -> Drawn:
         """Send the picture, the texts and the controls, as far as they changed."""
         now = session.now()
         running = session.playing and session.simulation.divergence is None
@@ -616,8 +591,6 @@ class Tab:
         picture = picture_of(session)
         if self._view.draw(picture, now, force=changed or not running):
             self._moved_at = now
-        if self._tools is not None:
-            self._tools.draw(self._view.plan_number, now, exactly=changed or not running)
         at_rest = now - self._moved_at > RESTING_AFTER
         self._broken = len(broken_of(picture.damage))
         self._rests = at_rest and running
@@ -629,6 +602,7 @@ class Tab:
             with self.client.atomic():
                 self._panel.refresh_controls()
                 self._panel.refresh_readouts(at_rest)
+        return Drawn(self._view.plan_number, now, exactly=changed or not running)
 
     def _set_state(self, playing: bool) -> None:
         """Tell the page's script how things are."""
@@ -666,7 +640,7 @@ class Tab:
 
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
-        now, plots = session.now(), self._measure.plots.wishes if self._measure is not None else ()
+        now, plots = session.now(), self._wishes
         state = KeptState(session.revision, self._page.looks, plots, session.simulation.time)
         # At rest only the clock goes on: that is not worth a message.
         resting = self._was_at_rest and self._kept is not None and state[:-1] == self._kept[:-1]
@@ -699,9 +673,8 @@ class Tab:
         session.post(commands.Resume(bytes(kept.session), versions))
         self._mail.tell(Resumed())
         self._kept = None
-        self._plots_kept = kept.plots
-        if self._measure is not None:
-            self._measure.plots.remember(kept.plots)
+        if (measure := self._page.find(MeasureFeature)) is not None:
+            measure.remember(kept.plots)
         for what in kept.looks.__struct_fields__:
             if getattr(kept.looks, what):
                 self._switch(session, what, True)
@@ -722,28 +695,6 @@ class Tab:
             self._requests.take()(session)
 
     # --------------------------------------------------------------------- what was asked for
-    def plot_angle(self) -> None:
-        """Plot the angle of the joint that is read out."""
-        if self._measure is not None:
-            self._measure.plot_angle()
-
-    def make_lesson(self) -> None:
-        """Open the form of the scene's lesson."""
-        if self._role is None:
-            self._maker.do(from_page.MakeLesson(True))
-        else:
-            text = "Open softrod by itself, without a class: the lesson that is made there can be held here."
-            self.notify(Notice("info", "Not in a class", text))
-
-    def _measured(self) -> Measured:
-        """What is measured on the page now."""
-        measure, tools = self._measure, self._tools
-        return Measured(
-            measure.parts if measure is not None else (),
-            tuple(map(text_of, measure.plots.wishes)) if measure is not None else (),
-            tools.kinds if tools is not None else frozenset(),
-        )
-
     def show_help(self) -> None:
         """Open the help."""
         self._panel.show_help()
@@ -766,13 +717,9 @@ class Tab:
             self._page.commas.show(on)
 
     def _pick(self, session: Session, mass: int) -> None:
-        """A mass was clicked: it is chosen for all that is measured."""
+        """A mass was clicked: its joint is read out."""
         if mass >= len(session.scene.masses):
             return
-        if self._tools is not None:
-            self._tools.choose(mass)
-        if self._measure is not None:
-            self._measure.choose(mass)
         joint = readouts.joint_of_mass(session.scene, mass)
         if joint is not None:
             session.post(commands.SelectJoint(joint))
@@ -782,12 +729,8 @@ class Tab:
             self._panel.lesson.begin(begin)
 
     def _show_where_seen(self) -> None:
-        """Have those plots sent that somebody sees."""
-        if self._seen is None:
-            return
-        if self._measure is not None:
-            self._measure.plots.looked_at = self._seen.tab == "measure"
-        if self._panel.lesson is not None:
+        """Have the lesson's plots sent if somebody sees them."""
+        if self._seen is not None and self._panel.lesson is not None:
             self._panel.lesson.plots.looked_at = self._seen.tab == "lesson"
 
     def _say_not_found(self, why: str) -> None:

@@ -13,8 +13,6 @@ from typing import Any, Literal, Protocol
 
 import viser
 
-from sim.edit.muscles import toggle_muscles
-
 from ..drawing.looks import ICONS
 from ..session import commands
 from ..session.session import Session
@@ -25,14 +23,6 @@ Look = Literal["dark", "gizmos", "meter"]
 
 class Page(Protocol):
     """What commands do beyond the session: `Tab` has it. All of it is called in the ticker's thread."""
-
-    def plot_angle(self) -> None:
-        """Plot the angle of the joint that is read out."""
-        ...
-
-    def make_lesson(self) -> None:
-        """Open the form of the scene's lesson."""
-        ...
 
     def show_help(self) -> None:
         """Open the help."""
@@ -109,18 +99,6 @@ def _anew(session: Session, _: Page) -> None:
     session.post(commands.Open(session.opened, session.lesson_begun))
 
 
-def _plot(_: Session, page: Page) -> None:
-    page.plot_angle()
-
-
-def _lesson(_: Session, page: Page) -> None:
-    page.make_lesson()
-
-
-def _muscle(session: Session, _: Page) -> None:
-    session.post(commands.Change(lambda moment, selected: toggle_muscles(moment.scene, selected)))
-
-
 def _help(_: Session, page: Page) -> None:
     page.show_help()
 
@@ -128,11 +106,6 @@ def _help(_: Session, page: Page) -> None:
 def _toggle(look: Look) -> Callable[[Session, Page], None]:
     return lambda _, page: page.toggle(look)
 
-
-_HAND = (
-    "M8 12V5.5a1.5 1.5 0 0 1 3 0V11m0-1V4.5a1.5 1.5 0 0 1 3 0V11m0-5a1.5 1.5 0 0 1 3 0v7c0 4-2 7-6 7-3 0-4-1"
-    "-5.500-4l-2-3.500a1.500 1.500 0 0 1 2.500-1.500L8 14"
-)
 
 CORE: dict[str, Row] = {
     # ------------------------------------------------------------------------- time
@@ -171,24 +144,15 @@ CORE: dict[str, Row] = {
     "share": Row(
         "Share this scene by a link", "page", needs="files", share=("Share by a link", viser.Icon.LINK)
     ),
-    "lesson": Row(
-        "Make a lesson", _lesson, hint="steps with a question, a goal, sliders and plots", needs="edit",
-        share=("Make a lesson", viser.Icon.LIST_CHECK),
-    ),
     "follow": Row(
         "Follow the pointer, or stop", _follow, ("F",),
         "the ringed mass follows the pointer, or stops following",
     ),
-    "plot": Row("Plot the joint's angle", _plot, ("G",), "plot the angle of the joint", needs="measure"),
     "fit": Row("Show the whole scene", "page", ("0",), "show the whole scene"),
     "chase": Row(
         "Camera goes with the body", "page", hint="with both, in a race; pan and zoom as ever", needs="view"
     ),
     "larger": Row("Larger, for a projector", "page", ("P",), "larger, for a projector"),
-    "stopwatch": Row(
-        "Stopwatch", "own", ("T", "L"),
-        "start or stop the stopwatch, a lap, once it is on the canvas",
-    ),
     "dark": Row("Dark", _toggle("dark"), needs="view"),
     "meter": Row(
         "Stability bar", _toggle("meter"), hint="always, not only where the time step is near its limit",
@@ -201,54 +165,6 @@ CORE: dict[str, Row] = {
     "picture": Row("Picture of the page (PNG)", "page", ("I",), "a picture of the page, as a file"),
     "energy": Row("Energy: follow it, or stop", _energy, needs="solver"),
     "foretell": Row("Predictability: measure it, or stop", _foretell, needs="solver"),
-    # ------------------------------------------------------------------------- editing
-    "edit": Row(
-        "Edit", "page", ("E",), "the tools that build and change the body: Build, Joint, Select, Cut",
-        hint="Build and change the body", needs="edit", word="Edit", icon="M4 20l1-4L16 5l3 3L8 19zM14 7l3 3",
-    ),
-    "undo": Row(
-        "Undo the last change of the body", commands.Undo(), ("Ctrl Z",), "undo, redo", word="Undo",
-        icon="M9 7L4 12l5 5M4 12h10a5 5 0 0 1 0 10h-2",
-    ),
-    "redo": Row(
-        "Do again what was undone", commands.Redo(), ("Ctrl Y",), "undo, redo", word="Redo",
-        icon="M15 7l5 5-5 5M20 12H10a5 5 0 0 0 0 10h2",
-    ),
-    "hand": Row("Hand", "edit", ("H",), hint="Take hold of masses and drag them", icon=_HAND),
-    "build": Row(
-        "Build", "edit", ("B",), hint="Click for a mass, drag from mass to mass for a spring",
-        icon="M6 18a2.500 2.500 0 1 0 0-.01zM18 8a2.500 2.500 0 1 0 0-.01zM8 16l8-7M18 15v6M15 18h6",
-    ),
-    "joint": Row(
-        "Joint", "edit", ("K",), hint="Point at a mass and click a corner for an angular spring",
-        icon="M5 19L19 6M5 19h15M11 13.500a8 8 0 0 1 2.500 5.500",
-    ),
-    "select": Row(
-        "Select", "edit", ("S",), hint="Click parts, or drag a frame around them",
-        icon="M5 4l14 7-6 2-2 6z",
-    ),
-    "cut": Row(
-        "Cut", "edit", ("C",), hint="Draw a line through springs",
-        icon="M6 8a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM6 20a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM7.700 7.200L19 18"
-        "M7.700 16.800L19 6",
-    ),
-    "pin": Row("Pin", "edit", ("P",), hint="Hold the masses where they are, or let them go"),
-    "remove": Row("Delete", "edit", ("Delete", "Backspace"), hint="Take away what is selected"),
-    "duplicate": Row("Duplicate", "edit", ("Ctrl D",), hint="A copy beside it"),
-    "copy": Row("Copy", "edit", ("Ctrl C",)),
-    "all": Row("Select all", "edit", ("Ctrl A",)),
-    "mirror": Row("Mirror", "edit", hint="Left becomes right"),
-    "corners": Row("Corners", "edit", hint="Angular springs at every corner, at rest as they are"),
-    "triangulate": Row("Triangulate", "edit", hint="Springs until all is triangles"),
-    "rest": Row("Rest as is", "edit", hint="Springs and joints rest as they are now"),
-    "keep": Row(
-        "Keep this shape", "edit", hint="Springs and joints hold the body as it is now"
-    ),
-    "stiffen": Row("Keep it, stiffer", "edit", hint="With the least stiffness that holds it as it is now"),
-    "muscle": Row(
-        "Muscle", _muscle, ("U",), "selected springs and joints become muscles, or are none any more",
-        hint="Springs and joints that move to a beat; again, and they are none any more", needs="edit",
-    ),
     # ------------------------------------------------------------------------- the body by keys, and the help
     "body": Row(
         "The body by keys", "own", ("Tab",),

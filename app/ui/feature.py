@@ -12,6 +12,22 @@ from .commands import Row
 
 if TYPE_CHECKING:
     from ..page.page import Page
+    from ..page.panel import Panel
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A picture that was just drawn.
+
+    Attributes:
+        plan: the number of the body's plan, which belongs to it.
+        now: wall time, s.
+        exactly: whether the body stands, so that what goes with the picture is to be exact.
+    """
+
+    plan: int
+    now: float
+    exactly: bool
 
 
 @dataclass(frozen=True)
@@ -35,7 +51,7 @@ class Feature:
     All methods are the ticker's but for `hear` and `read`.
 
     Attributes:
-        messages: those that it hears, and the control without which each is ignored; "" for none.
+        messages: kinds of those that it hears, and the control without which each is ignored; "" for none.
         texts: long texts that it reads, by their kinds.
         commands: see `Row`.
         controls: names of controls that a page may have, and what they stand for.
@@ -60,8 +76,14 @@ class Feature:
     def read(self, kind: str, letters: str) -> None:
         """Do what is to be done with one of `texts`; in a thread that may take its time."""
 
+    def attach(self, panel: Panel) -> None:
+        """Put controls into a panel, which is a new one with the controls that the page has now."""
+
+    def detach(self) -> None:
+        """Remember what the controls have come to: the panel is about to be taken out of the page."""
+
     def build(self) -> None:
         """The body is another one."""
 
-    def frame(self) -> None:
-        """Tell the page what it does not know yet; after each frame."""
+    def frame(self, drawn: Drawn) -> None:
+        """Tell the page what it does not know yet; after each picture."""

@@ -6,7 +6,7 @@ from typing import Literal
 
 from msgspec import Struct
 
-from sim.scene.lesson import Question, Step
+from sim.scene.lesson import Question
 
 from .messages import CommandName, Event, Numbers, PhaseName, State
 
@@ -61,22 +61,6 @@ class PageState(State, frozen=True, kw_only=True, omit_defaults=True):
     lesson: bool | None = None
 
 
-class Tools(State, frozen=True, kw_only=True):
-    """What is measured on the canvas.
-
-    Attributes:
-        traced: masses whose path is drawn.
-        seconds: of a path.
-        chosen: the mass that was clicked last, or -1.
-        coordinates: whether a mass is read out beside it.
-    """
-
-    traced: tuple[int, ...] = ()
-    seconds: int = 5
-    chosen: int = -1
-    coordinates: bool = False
-
-
 class Hud(State, frozen=True, kw_only=True):
     """The head-up display over the canvas, HTML."""
 
@@ -96,73 +80,6 @@ class Lesson(State, frozen=True, kw_only=True):
     """The scene's lesson, which may be anyone's: the script shows it as text only."""
 
     steps: tuple[LessonStep, ...]
-
-
-class LessonForm(State, frozen=True, kw_only=True):
-    """The lesson that is being made, which the page shows as a form.
-
-    Attributes:
-        open: whether it is to be shown.
-        trying: the step that is tried; -1 for none.
-        steps: of the lesson, which may be anyone's: the script shows them as text only.
-        begins: what each of them sets, in words; empty for nothing.
-    """
-
-    open: bool = False
-    trying: int = -1
-    steps: tuple[Step, ...] = ()
-    begins: tuple[str, ...] = ()
-
-
-class LessonControl(Struct, frozen=True):
-    """A slider or a list that a step can have."""
-
-    key: str
-    label: str
-
-
-class LessonOffers(State, frozen=True, kw_only=True):
-    """What a step of the lesson can have, as things are now.
-
-    Attributes:
-        parts: that can be measured: what is at the mass that was clicked last, and what there is one of.
-        quantities: of each kind of part, with their units.
-        controls: that the scene has a use for.
-        methods: of a second body, by their names for people.
-        settings: what is set otherwise than the steps, or the scene as it was opened, have it; in words.
-        plots, arrows: that are open, and on.
-    """
-
-    parts: tuple[str, ...]
-    quantities: dict[str, dict[str, str]]
-    controls: tuple[LessonControl, ...]
-    methods: dict[str, str]
-    settings: str
-    plots: tuple[str, ...]
-    arrows: tuple[str, ...]
-
-
-class Selected(State, frozen=True, kw_only=True):
-    """What is selected."""
-
-    masses: tuple[int, ...] = ()
-    springs: tuple[int, ...] = ()
-    joints: tuple[int, ...] = ()
-
-
-class Versions(State, frozen=True, kw_only=True):
-    """What undo takes back, and what redo does again; empty for nothing.
-
-    Attributes:
-        count: how many changes can be undone.
-        stiffen: the factor of stiffness with which the body could keep the shape that it could not keep
-            without; 0 for none.
-    """
-
-    undo: str = ""
-    redo: str = ""
-    count: int = 0
-    stiffen: float = 0.0
 
 
 class Keepsake(State, frozen=True, kw_only=True):
@@ -192,28 +109,6 @@ class Frame(Numbers, frozen=True, kw_only=True):
 
 class Damage(Numbers, frozen=True, kw_only=True):
     """What has yielded and broken, see `drawing.plan.encode_damage`."""
-
-
-class Arrows(Numbers, frozen=True, kw_only=True):
-    """Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any."""
-
-
-class Measured(Numbers, frozen=True, kw_only=True):
-    """Where a table says that masses were: time, x and y of each place; none where no table is open."""
-
-
-class Fan(Numbers, frozen=True, kw_only=True):
-    """Bodies that go with what was measured about as well as the fitted one: (frames, draws, masses, 2)
-    places, px, from time 0 on; none where no fit is shown.
-
-    Attributes:
-        draws, masses: how many.
-        rate: frames a second.
-    """
-
-    draws: int = 0
-    masses: int = 0
-    rate: float = 0.0
 
 
 # ------------------------------------------------------------------------- in a class
@@ -509,56 +404,10 @@ class Resumed(Event, frozen=True, kw_only=True):
     """The server has what the page gave back."""
 
 
-class ShowMeasures(Event, frozen=True, kw_only=True):
-    """Turn to the Measure tab, where a plot is about to come."""
-
-
-class Copied(Event, frozen=True, kw_only=True):
-    """What was to be copied, as text."""
-
-    text: str
-
-
-class TextsTaken(Event, frozen=True, kw_only=True):
-    """Whether the scene has its new texts: a sentence that says why not, or nothing."""
-
-    refused: str
-
-
-class LessonTaken(Event, frozen=True, kw_only=True):
-    """What was done of the lesson that is being made.
-
-    Attributes:
-        step: at which.
-        part: of the step: what was to be changed.
-        field: what was refused, as in "question.choices[1]"; empty if nothing was.
-        refused: a sentence that says why, or nothing.
-    """
-
-    step: int
-    part: str
-    field: str
-    refused: str
-
-
 class OfferGallery(Event, frozen=True, kw_only=True):
     """Show the gallery, and why."""
 
     why: str
-
-
-class Melody(Event, frozen=True, kw_only=True):
-    """A plot is to be heard.
-
-    Attributes:
-        name: what is plotted.
-        unit: of its values.
-        values: of equal distance in time; None where there is none.
-    """
-
-    name: str
-    unit: str
-    values: tuple[float | None, ...]
 
 
 class ShelfChanged(Event, frozen=True, kw_only=True):

@@ -1,9 +1,69 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "lesson" | "follow" | "plot" | "fit" | "chase" | "larger" | "stopwatch" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "muscle" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help" | "modes" | "mute" | "race" | "leaveRace";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "follow" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help" | "plot" | "stopwatch" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen";
 /** Texts that are too long for one message. */
-export type TextKind = "resume" | "link" | "file" | "paste" | "rival";
+export type TextKind = "resume" | "link" | "file" | "rival" | "paste";
 /** Commands that the page's script does, by the features that they belong to. */
-export type PageCommands = { core: "gallery" | "share" | "fit" | "chase" | "larger" | "video" | "picture" | "edit"; modes: "mute"; race: "race" };
+export type PageCommands = { core: "gallery" | "share" | "fit" | "chase" | "larger" | "video" | "picture"; measure: never; instruments: never; fit: never; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit" };
+/** The scene is to have another name and another description. */
+export type SetTexts = { do: "setTexts"; name: string; description: string };
+/** The beat of all muscles is to have another frequency, Hz. */
+export type Tempo = { do: "tempo"; frequency: number };
+/** Some parts are to be selected; with `toggle`, they change sides and the others stay as they are. */
+export type Select = { do: "select"; masses?: number[]; springs?: number[]; joints?: number[]; toggle?: boolean };
+/** What lies whole in a rectangle is to be selected, or with `add` selected too. */
+export type Marquee = { do: "marquee"; x: [number, number]; y: [number, number]; add?: boolean };
+/** A mass is to be put down. */
+export type Place = { do: "place"; x: number; y: number };
+/** Two masses are to be joined by a spring; where one is not named, it is to be put down. */
+export type Line = { do: "line"; a?: number | null; b?: number | null; start?: [number, number]; end?: [number, number] };
+/** An angular spring is to hold two springs at the angle that they have. */
+export type Hold = { do: "hold"; a: number; b: number };
+/** A joint is to rest at an angle, degrees, or at the one that it has. */
+export type Turn = { do: "turn"; joint: number; angle?: number | null };
+/** The springs that a stroke crosses are to be cut. */
+export type Stroke = { do: "stroke"; points: [number, number][] };
+/** What is selected, or else one mass, is to be moved by (x, y), and may rest as it is then. */
+export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
+/** The selected muscles are to come to their largest later, and to be larger. */
+export type MoveMuscles = { do: "moveMuscles"; later?: number; stretch?: number; turn?: number; keys?: boolean };
+/** The selected muscles are to have another wave, or another number of waves in a beat, or are to be spread over the beat. */
+export type ShapeMuscles = { do: "shapeMuscles"; wave?: "pulse" | "sine" | null; per_beat?: number | null; spread?: boolean };
+/** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
+export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "keep" | "mirror" | "pin" | "remove" | "rest" | "stiffen" | "triangulate"; mass?: number | null; under?: number | null };
+/** The form of the lesson is to be open, or not. */
+export type MakeLesson = { do: "makeLesson"; on: boolean };
+/** A new step, which is to have that number, counted from 0. */
+export type AddStep = { do: "addStep"; at: number };
+/** A copy of the step is to come after it. */
+export type CopyStep = { do: "copyStep"; step: number };
+/** The step is to go; with the last one, the lesson goes. */
+export type RemoveStep = { do: "removeStep"; step: number };
+/** The step is to have another place. */
+export type MoveStep = { do: "moveStep"; step: number; to: number };
+/** A text of the step. */
+export type WriteStep = { do: "writeStep"; step: number; field: "do" | "title" | "watch"; text: string };
+/** The question of the step. */
+export type AskInStep = { do: "askInStep"; step: number; text: string; choices: string[]; answer: number; because: string };
+/** The time after which the body's place is asked for, s. */
+export type PredictInStep = { do: "predictInStep"; step: number; seconds: number };
+/** The goal of the step, see `sim.scene.lesson.Goal`. */
+export type AimInStep = { do: "aimInStep"; step: number; quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
+/** What is handed in of the step. */
+export type CollectInStep = { do: "collectInStep"; step: number; quantity: string; of: "period" | "value" };
+/** The sliders and lists that stand below the step, by their keys. */
+export type OfferInStep = { do: "offerInStep"; step: number; controls: string[] };
+/** The method of the second body, "reference", or "" for none. */
+export type CompareInStep = { do: "compareInStep"; step: number; ghost: string };
+/** The step is to have the settings, the plots or the arrows as they are now. */
+export type TakeInStep = { do: "takeInStep"; step: number; what: "arrows" | "plots" | "settings" };
+/** The step is to have no such thing any more; without arrows of its own it leaves them as they are. */
+export type DropFromStep = { do: "dropFromStep"; step: number; what: "arrows" | "collect" | "goal" | "plots" | "predict" | "question" };
+/** The step is to begin as a pupil sees it. */
+export type TryStep = { do: "tryStep"; step: number };
+/** The page goes back to where a step was tried from. */
+export type EndTrying = { do: "endTrying" };
+/** The lesson is to go. */
+export type DropLesson = { do: "dropLesson" };
 /** The body is to be put into a mode, with a part of the amplitude of a full bar. */
 export type PutMode = { do: "putMode"; mode: number; part: number };
 /** A mode is to be driven as long as a bar is pressed; none (-1) from then on. */
@@ -82,79 +142,19 @@ export type ToWall = { do: "toWall"; answer: string };
 export type Bring = { do: "bring"; text: string };
 /** Something is to be done with one seat. */
 export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
-/** The form of the lesson is to be open, or not. */
-export type MakeLesson = { do: "makeLesson"; on: boolean };
-/** A new step, which is to have that number, counted from 0. */
-export type AddStep = { do: "addStep"; at: number };
-/** A copy of the step is to come after it. */
-export type CopyStep = { do: "copyStep"; step: number };
-/** The step is to go; with the last one, the lesson goes. */
-export type RemoveStep = { do: "removeStep"; step: number };
-/** The step is to have another place. */
-export type MoveStep = { do: "moveStep"; step: number; to: number };
-/** A text of the step. */
-export type WriteStep = { do: "writeStep"; step: number; field: "do" | "title" | "watch"; text: string };
-/** The question of the step. */
-export type AskInStep = { do: "askInStep"; step: number; text: string; choices: string[]; answer: number; because: string };
-/** The time after which the body's place is asked for, s. */
-export type PredictInStep = { do: "predictInStep"; step: number; seconds: number };
-/** The goal of the step, see `sim.scene.lesson.Goal`. */
-export type AimInStep = { do: "aimInStep"; step: number; quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
-/** What is handed in of the step. */
-export type CollectInStep = { do: "collectInStep"; step: number; quantity: string; of: "period" | "value" };
-/** The sliders and lists that stand below the step, by their keys. */
-export type OfferInStep = { do: "offerInStep"; step: number; controls: string[] };
-/** The method of the second body, "reference", or "" for none. */
-export type CompareInStep = { do: "compareInStep"; step: number; ghost: string };
-/** The step is to have the settings, the plots or the arrows as they are now. */
-export type TakeInStep = { do: "takeInStep"; step: number; what: "arrows" | "plots" | "settings" };
-/** The step is to have no such thing any more; without arrows of its own it leaves them as they are. */
-export type DropFromStep = { do: "dropFromStep"; step: number; what: "arrows" | "collect" | "goal" | "plots" | "predict" | "question" };
-/** The step is to begin as a pupil sees it. */
-export type TryStep = { do: "tryStep"; step: number };
-/** The page goes back to where a step was tried from. */
-export type EndTrying = { do: "endTrying" };
-/** The lesson is to go. */
-export type DropLesson = { do: "dropLesson" };
-/** The scene is to have another name and another description. */
-export type SetTexts = { do: "setTexts"; name: string; description: string };
-/** The beat of all muscles is to have another frequency, Hz. */
-export type Tempo = { do: "tempo"; frequency: number };
-/** Some parts are to be selected; with `toggle`, they change sides and the others stay as they are. */
-export type Select = { do: "select"; masses?: number[]; springs?: number[]; joints?: number[]; toggle?: boolean };
-/** What lies whole in a rectangle is to be selected, or with `add` selected too. */
-export type Marquee = { do: "marquee"; x: [number, number]; y: [number, number]; add?: boolean };
-/** A mass is to be put down. */
-export type Place = { do: "place"; x: number; y: number };
-/** Two masses are to be joined by a spring; where one is not named, it is to be put down. */
-export type Line = { do: "line"; a?: number | null; b?: number | null; start?: [number, number]; end?: [number, number] };
-/** An angular spring is to hold two springs at the angle that they have. */
-export type Hold = { do: "hold"; a: number; b: number };
-/** A joint is to rest at an angle, degrees, or at the one that it has. */
-export type Turn = { do: "turn"; joint: number; angle?: number | null };
-/** The springs that a stroke crosses are to be cut. */
-export type Stroke = { do: "stroke"; points: [number, number][] };
-/** What is selected, or else one mass, is to be moved by (x, y), and may rest as it is then. */
-export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
-/** The selected muscles are to come to their largest later, and to be larger. */
-export type MoveMuscles = { do: "moveMuscles"; later?: number; stretch?: number; turn?: number; keys?: boolean };
-/** The selected muscles are to have another wave, or another number of waves in a beat, or are to be spread over the beat. */
-export type ShapeMuscles = { do: "shapeMuscles"; wave?: "pulse" | "sine" | null; per_beat?: number | null; spread?: boolean };
-/** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
-export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "keep" | "mirror" | "pin" | "remove" | "rest" | "stiffen" | "triangulate"; mass?: number | null; under?: number | null };
-export type FromPage = PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | BeginStep | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act;
-/** What the script shows of a step, see `sim.scene.lesson.Step`. */
-export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
-/** A question with answers to choose from. */
-export type Question = { text: string; choices: string[]; answer: number; because: string };
+export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | BeginStep | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
 /** One step of a lesson. */
 export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
+/** A question with answers to choose from. */
+export type Question = { text: string; choices: string[]; answer: number; because: string };
 /** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
 export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
 /** Something that is read off a run. */
 export type Reading = { quantity: string; of: "period" | "value" };
 /** A slider or a list that a step can have. */
 export type LessonControl = { key: string; label: string };
+/** What the script shows of a step, see `sim.scene.lesson.Step`. */
+export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** What a class looks at. */
 export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
 /** Something that the pupil at a page has given. */
@@ -175,6 +175,32 @@ export type DeskSeat = { number: number; name: string; color: string; here: bool
 export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
 /** A scene as the gallery shows it. */
 export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
+/** What is selected. */
+export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
+/** What undo takes back, and what redo does again; empty for nothing. */
+export type Versions = { tell: "versions"; undo: string; redo: string; count: number; stiffen: number };
+/** What was to be copied, as text. */
+export type Copied = { tell: "copied"; text: string };
+/** Whether the scene has its new texts: a sentence that says why not, or nothing. */
+export type TextsTaken = { tell: "textsTaken"; refused: string };
+/** Where a table says that masses were: time, x and y of each place; none where no table is open. */
+export type Measured = { tell: "measured"; numbers: Float32Array };
+/** Bodies that go with what was measured about as well as the fitted one: (frames, draws, masses, 2) places, px, from time 0 on; none where no fit is shown. */
+export type Fan = { tell: "fan"; numbers: Float32Array; draws: number; masses: number; rate: number };
+/** What is measured on the canvas. */
+export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
+/** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
+export type Arrows = { tell: "arrows"; numbers: Float32Array };
+/** The lesson that is being made, which the page shows as a form. */
+export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[] };
+/** What a step of the lesson can have, as things are now. */
+export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
+/** What was done of the lesson that is being made. */
+export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; field: string; refused: string };
+/** Turn to the Measure tab, where a plot is about to come. */
+export type ShowMeasures = { tell: "showMeasures" };
+/** A plot is to be heard. */
+export type Melody = { tell: "melody"; name: string; unit: string; values: (number | null)[] };
 /** The slow vibrations of the body, where the page looks at them. */
 export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };
 /** Shapes of the modes, see `modes.feature.encode_shapes`; none while nobody looks. */
@@ -187,20 +213,10 @@ export type Race = { tell: "race"; on?: boolean; names?: [string, string]; ways?
 export type RaceAnswer = { tell: "raceAnswer"; problem: string };
 /** What the script has to know of the session and of the page. */
 export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };
-/** What is measured on the canvas. */
-export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
 /** The head-up display over the canvas, HTML. */
 export type Hud = { tell: "hud"; html: string };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
 export type Lesson = { tell: "lesson"; steps: LessonStep[] };
-/** The lesson that is being made, which the page shows as a form. */
-export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[] };
-/** What a step of the lesson can have, as things are now. */
-export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
-/** What is selected. */
-export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
-/** What undo takes back, and what redo does again; empty for nothing. */
-export type Versions = { tell: "versions"; undo: string; redo: string; count: number; stiffen: number };
 /** What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
 /** What a pupil's page has to know of the class. */
@@ -223,18 +239,8 @@ export type ClassEnded = { tell: "classEnded" };
 export type Run = { tell: "run"; command: CommandName };
 /** The server has what the page gave back. */
 export type Resumed = { tell: "resumed" };
-/** Turn to the Measure tab, where a plot is about to come. */
-export type ShowMeasures = { tell: "showMeasures" };
-/** What was to be copied, as text. */
-export type Copied = { tell: "copied"; text: string };
-/** Whether the scene has its new texts: a sentence that says why not, or nothing. */
-export type TextsTaken = { tell: "textsTaken"; refused: string };
-/** What was done of the lesson that is being made. */
-export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; field: string; refused: string };
 /** Show the gallery, and why. */
 export type OfferGallery = { tell: "offerGallery"; why: string };
-/** A plot is to be heard. */
-export type Melody = { tell: "melody"; name: string; unit: string; values: (number | null)[] };
 /** There are other scenes than before. */
 export type ShelfChanged = { tell: "shelfChanged" };
 /** All scenes, and the name of the present one. */
@@ -255,12 +261,6 @@ export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 /** What has yielded and broken, see `drawing.plan.encode_damage`. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
-/** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
-export type Arrows = { tell: "arrows"; numbers: Float32Array };
-/** Where a table says that masses were: time, x and y of each place; none where no table is open. */
-export type Measured = { tell: "measured"; numbers: Float32Array };
-/** Bodies that go with what was measured about as well as the fitted one: (frames, draws, masses, 2) places, px, from time 0 on; none where no fit is shown. */
-export type Fan = { tell: "fan"; numbers: Float32Array; draws: number; masses: number; rate: number };
-export type ToPage = Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Tools | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | Melody | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | SecondPlan | Frame | Damage | Arrows | Measured | Fan;
+export type ToPage = Selected | Versions | Copied | TextsTaken | Measured | Fan | Tools | Arrows | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Lesson | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | SecondPlan | Frame | Damage;
 /** What the page is told, by its tag. */
-export type Told = { modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; melody: Melody; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage; arrows: Arrows; measured: Measured; fan: Fan };
+export type Told = { selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; measured: Measured; fan: Fan; tools: Tools; arrows: Arrows; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; lesson: Lesson; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };

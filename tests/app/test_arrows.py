@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import sim
-from app.page.measure.arrows import KINDS, MOST, Arrows, encode, smallest
-from app.page.measure.tools_panel import LAST, MOST_TRACES, ToolsPanel
+from app.features.instruments.arrows import KINDS, MOST, Arrows, encode, smallest
+from app.features.instruments.messages import Tools
+from app.features.instruments.panel import LAST, MOST_TRACES, ToolsPanel
 from app.session import commands
-from app.wire.to_page import Tools
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 from tests.app.panels import page_of

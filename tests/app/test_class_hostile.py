@@ -35,6 +35,7 @@ from app.classroom.room import (
     digest,
     plain,
 )
+from app.features.edit.messages import SetTexts
 from app.page.classroom.desk import DeskRole
 from app.page.classroom.seat import SeatRole
 from app.page.classroom.wall import WallRole
@@ -192,7 +193,7 @@ def test_that_a_lesson_is_a_class_s_is_said_once(tmp_path: Path, monkeypatch: py
         assert eventually(lambda: said("A class goes through this lesson now"))
         for name in ("One", "Two"):
             # A new name has the panel made anew.
-            page.say(msgspec.json.encode(from_page.SetTexts(name, "")).decode())
+            page.say(msgspec.json.encode(SetTexts(name, "")).decode())
             assert eventually(lambda: name in repr(page.messages))  # noqa: B023
         time.sleep(0.2)
         assert said("A class goes through this lesson now") == 1

@@ -12,12 +12,10 @@ import pytest
 
 import sim
 from app.drawing.sketch import Mapping
-from app.page.body.view import picture_of
-from app.page.edit.edits import OFFER, Edits
-from app.session import commands
-from app.session.notices import Notice
-from app.wire.from_page import (
+from app.features.edit.edits import OFFER, Edits
+from app.features.edit.messages import (
     Act,
+    Copied,
     Gesture,
     Hold,
     Line,
@@ -25,12 +23,17 @@ from app.wire.from_page import (
     Move,
     Place,
     Select,
+    Selected,
     SetTexts,
     Stroke,
+    TextsTaken,
     Turn,
+    Versions,
 )
+from app.page.body.view import picture_of
+from app.session import commands
+from app.session.notices import Notice
 from app.wire.messages import read
-from app.wire.to_page import Copied, Selected, TextsTaken, Versions
 from sim.edit import build
 from sim.edit.edit import Selection
 from tests.app.letters import Letters

@@ -9,14 +9,14 @@ import pytest
 
 import sim
 from app.classroom.live import Classes
+from app.features.making import messages as asks
+from app.features.making.maker import LessonMaker, Measured, in_words
+from app.features.making.messages import LessonForm, LessonOffers, LessonTaken
 from app.lessons import check_lesson
-from app.page.making.maker import LessonMaker, Measured, in_words
 from app.session import commands
 from app.session.notices import Notice
 from app.session.plots import text_of, wish_of
-from app.wire import from_page as asks
 from app.wire.messages import read
-from app.wire.to_page import LessonForm, LessonOffers, LessonTaken
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
 from sim.settings import scene_of_step
 from sim.store.files import decode_link, decode_scene, encode_scene

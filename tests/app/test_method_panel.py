@@ -9,8 +9,8 @@ import pytest
 from msgspec.structs import replace
 
 import sim
-from app.page.solver import method_panel
-from app.page.solver.method_panel import MOST_MASSES, MethodPanel
+from app.features.solver import method_panel
+from app.features.solver.method_panel import MOST_MASSES, MethodPanel
 from app.session import commands
 from app.session.notices import Notice
 from sim.compiling.compiler import fetch, needed_by

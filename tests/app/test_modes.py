@@ -15,6 +15,7 @@ from app.features.modes.feature import DriveMode, ModesFeature, PutIntoMode, Sho
 from app.session import commands
 from app.session.modes import COUNT, ModesWatch
 from app.session.session import KEYS_FORGOTTEN_AFTER
+from app.ui.feature import Drawn
 from sim.compiling.compiler import FOR_FALLBACK, fetch
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
@@ -23,6 +24,7 @@ from tests.app.recording import agrees
 from tests.app.test_arrows import sections
 
 REPLACE = msgspec.structs.replace
+DRAWN = Drawn(0, 0.0, exactly=True)
 
 
 def opened(name: str = "bridge") -> tuple[SessionPage, ModesWatch]:
@@ -68,7 +70,7 @@ def test_nothing_is_done_while_nobody_looks() -> None:
     view = ModesFeature(page_of(page.session, letters=letters))
     for _ in range(5):
         page.frames(1)
-        view.frame()
+        view.frame(DRAWN)
     assert page.session.modes is None
     assert not letters.sent
     assert not any(thread.name == "softrod-modes" for thread in threading.enumerate())
@@ -206,7 +208,7 @@ def test_a_page_is_told_of_them() -> None:
     letters = Letters()
     view = ModesFeature(page_of(page.session, letters=letters))
     page.frames(1, PutIntoMode(3, 0.5))
-    view.frame()
+    view.frame(DRAWN)
     assert watch.found is not None
     state = letters.last(messages.Modes)
     assert state.on
@@ -222,7 +224,7 @@ def test_a_page_is_told_of_them() -> None:
     assert frames == pytest.approx([1.0, 0.0, 0.0, 0.0])
     assert head[0] == state.number
     page.frames(1, ShowModes(False))
-    view.frame()
+    view.frame(DRAWN)
     assert not letters.last(messages.Modes).on
     assert not numbers(letters, "ModeShapes").size
 
@@ -239,7 +241,7 @@ def test_a_page_is_told_when_the_body_begins_to_touch() -> None:
     touching: list[float] = []
     while max(touching, default=0.0) <= 1e-4 and page.simulation.time < 2.0:
         lowest = page.simulation.positions[:, 1].max()
-        view.frame()
+        view.frame(DRAWN)
         touching.append(float(sections(numbers(letters, "ModeLevels"))[0][3]))
         if lowest < 440.0:
             assert touching[-1] == 0.0

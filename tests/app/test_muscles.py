@@ -13,10 +13,10 @@ from app.drawing.colors import palette
 from app.drawing.plan import Picture, encode_plan, own_rest_angles
 from app.drawing.sketch import Sketch
 from app.export import instances
+from app.features.edit.messages import MoveMuscles, Select, ShapeMuscles, Tempo
 from app.page.features import COMMANDS
 from app.session import commands, log
 from app.session.replay import Player
-from app.wire.from_page import MoveMuscles, Select, ShapeMuscles, Tempo
 from app.wire.messages import read
 from sim.edit.edit import Selection
 from sim.edit.muscles import crest, give_muscles

@@ -17,10 +17,10 @@ from PIL import Image
 import sim
 from app.drawing.colors import palette
 from app.export.plot_picture import plot_png
-from app.page.measure import plots
-from app.page.measure.measure_panel import MeasurePanel
-from app.page.measure.phase import phase_svg
-from app.page.measure.plot_list import ADD
+from app.features.measure import plots
+from app.features.measure.panel import MeasurePanel
+from app.features.measure.phase import phase_svg
+from app.features.measure.plot_list import ADD
 from app.session import commands
 from app.session.history import SPAN
 from app.session.notices import Notice

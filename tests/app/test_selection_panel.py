@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import sim
-from app.page.edit import selection_panel
-from app.page.edit.selection_panel import SelectionPanel, described, numbers_of
+from app.features.edit import selection_panel
+from app.features.edit.selection_panel import SelectionPanel, described, numbers_of
 from app.session import commands
 from app.session.notices import Notice
 from sim.edit.edit import Selection

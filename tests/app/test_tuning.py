@@ -12,9 +12,9 @@ import pytest
 from msgspec.structs import replace
 
 import sim
+from app.features.solver import tuning_panel
+from app.features.solver.tuning_panel import MOST_MASSES, Tuner, TuningPanel
 from app.page.looks import readouts
-from app.page.solver import tuning_panel
-from app.page.solver.tuning_panel import MOST_MASSES, Tuner, TuningPanel
 from app.session import commands
 from app.session.notices import Notice
 from sim.compiling.compiler import FOR_FALLBACK, fetch

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import sim
-from app.page.measure.fit_panel import DRAWS
+from app.features.fit.panel import DRAWS
 from app.session import commands
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk

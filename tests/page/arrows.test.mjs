@@ -1,9 +1,9 @@
 // Arrows of forces, velocities and torques: their numbers, their scale, and their outlines.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { unitOf } from "../../app/page/measure/arrow_marks.js";
+import { unitOf } from "../../app/features/instruments/arrow_marks.js";
 import { arrow, loadArrows } from "../../app/drawing/static/arrow_shapes.js";
-import { largest, massesOf, readArrows, Scale, Series, torqueArrows, turnArrow, vectorArrows } from "../../app/page/measure/arrows.js";
+import { largest, massesOf, readArrows, Scale, Series, torqueArrows, turnArrow, vectorArrows } from "../../app/features/instruments/arrows.js";
 
 const view = { left: 0, right: 800, top: 0, bottom: 600 };
 const points = (path) => [...path.matchAll(/(-?[\d.]+) (-?[\d.]+)(?=[A-Z]|$)/g)].map(([, x, y]) => [Number(x), Number(y)]);

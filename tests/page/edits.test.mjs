@@ -2,10 +2,10 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 import { become, canvas, heard, key, pass, point, put, show, tell } from "./page.mjs";
-import { listenToEdits } from "../../app/page/edit/edit.js";
-import { listenToEditKeys } from "../../app/page/edit/edit_keys.js";
-import { addEditMarks } from "../../app/page/edit/edit_marks.js";
-import { editing, setEditing, setTool } from "../../app/page/edit/editing.js";
+import { listenToEdits } from "../../app/features/edit/gestures.js";
+import { listenToEditKeys } from "../../app/features/edit/keys.js";
+import { addEditMarks } from "../../app/features/edit/marks.js";
+import { editing, setEditing, setTool } from "../../app/features/edit/editing.js";
 import { listenToPresses } from "../../app/page/hands/presses.js";
 
 listenToPresses();

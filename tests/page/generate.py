@@ -21,6 +21,7 @@ from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages
 
 COMMAND = "uv run python -m tests.page.generate"
 ROOT = Path(__file__).parents[2]
+FOLDER = ROOT / "app" / "features"
 WIRE, PAGE = ROOT / "app" / "wire", ROOT / "app" / "page"
 LETTERS = {"Space": " ", "Esc": "Escape"}
 """Keys that a browser calls otherwise than the help."""
@@ -164,7 +165,7 @@ def name_of(feature: type[Feature]) -> str:
 
 def features() -> str:
     """features.js."""
-    names = [name_of(feature) for feature in FEATURES]
+    names = [name for feature in FEATURES if (FOLDER / (name := name_of(feature)) / f"{name}.js").exists()]
     return "\n".join(
         (
             "// @ts-check",

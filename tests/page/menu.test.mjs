@@ -5,7 +5,7 @@ import { become, canvas, heard, key, point, show } from "./page.mjs";
 import { listenToKeys } from "../../app/page/hands/keys.js";
 import { listenToPointer } from "../../app/page/hands/pointer.js";
 import { addMenu } from "../../app/page/looks/menu.js";
-import { addInstruments } from "../../app/page/measure/instruments.js";
+import { addInstruments } from "../../app/features/instruments/toolbox.js";
 
 listenToKeys();
 listenToPointer();

@@ -1,7 +1,7 @@
 // What a plot of one quantity over another stands for at a place.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { valuesAt } from "../../app/page/measure/phase.js";
+import { valuesAt } from "../../app/features/measure/phase.js";
 
 const EDGES = [58, 298, 200, 10];
 const ENDS = [-1, 1, 100, 300];

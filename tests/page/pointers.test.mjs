@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 import { become, canvas, heard, pass, point, put, show } from "./page.mjs";
-import { change } from "../../app/page/edit/editing.js";
-import { listenToEdits } from "../../app/page/edit/edit.js";
+import { change } from "../../app/features/edit/editing.js";
+import { listenToEdits } from "../../app/features/edit/gestures.js";
 import { listenToPointer } from "../../app/page/hands/pointer.js";
 import { listenToPresses } from "../../app/page/hands/presses.js";
 

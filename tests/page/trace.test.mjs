@@ -1,8 +1,8 @@
 // The path of a mass during the last seconds.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { BANDS, Trail } from "../../app/page/measure/trace.js";
-import { speedOf } from "../../app/page/measure/coordinates.js";
+import { BANDS, Trail } from "../../app/features/instruments/trace.js";
+import { speedOf } from "../../app/features/instruments/coordinates.js";
 
 const place = ({ x, y }) => `${x} ${y}`;
 const shownAt = (t) => ({ t, x: 10 * t, y: 0 });

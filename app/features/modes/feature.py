@@ -17,7 +17,7 @@ from ...page.page import Page
 from ...session.modes import ModesWatch
 from ...session.session import Changed, Command, Session
 from ...ui.commands import Row
-from ...ui.feature import Feature
+from ...ui.feature import Drawn, Feature
 from ...wire.messages import FromPage
 from . import messages
 
@@ -116,7 +116,7 @@ class ModesFeature(Feature):
             case messages.DriveMode(mode):
                 self.session.post(DriveMode(mode))
 
-    def frame(self) -> None:
+    def frame(self, drawn: Drawn) -> None:
         """See `Feature`."""
         session = self.session
         watch = session.modes

@@ -21,7 +21,7 @@ from ...page.page import Page
 from ...session.pacing import is_large
 from ...session.session import Changed, Command, Session
 from ...ui.commands import Row
-from ...ui.feature import Feature, LongText
+from ...ui.feature import Drawn, Feature, LongText
 from .messages import Race, RaceAnswer
 from .rival import Rival
 
@@ -117,7 +117,7 @@ class RaceFeature(Feature):
             raise SceneError(f"{text[:80]!r} is neither a link to a scene nor the name of one")
         return read_scene(info.path)
 
-    def frame(self) -> None:
+    def frame(self, drawn: Drawn) -> None:
         """See `Feature`."""
         session = self.session
         rival = session.companions.get(Rival)

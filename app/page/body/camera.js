@@ -4,7 +4,7 @@ import { shown } from "./canvas.js";
 import { onTold, told } from "../../wire/channel.js";
 import { toWorld } from "../../drawing/static/draw.js";
 import { MARGIN, NEAR, STRIP } from "../../drawing/static/looks.js";
-import { editing } from "../edit/editing.js";
+import { editing } from "../../features/edit/editing.js";
 import { placeTransport } from "../time/transport.js";
 import { viser } from "../viser/viser.js";
 

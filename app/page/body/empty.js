@@ -1,7 +1,7 @@
 // @ts-check
 /** What to do on a canvas where there is nothing but one mass: a sentence, and the tool that draws a body. */
 import { make, makeButton } from "../looks/dialog.js";
-import { editing, isEditable, onEditing, setEditing, setTool } from "../edit/editing.js";
+import { editing, isEditable, onEditing, setEditing, setTool } from "../../features/edit/editing.js";
 import { onSight, redrawMarks } from "./overlay.js";
 
 /** How far down it stands, as a part of the canvas above the bar of time. */

@@ -5,7 +5,7 @@
  */
 import { shown } from "../body/canvas.js";
 import { send, told } from "../../wire/channel.js";
-import { editing } from "../edit/editing.js";
+import { editing } from "../../features/edit/editing.js";
 import { areFree, freeHand, freshHand, handAt } from "./hands.js";
 import { nearest, onScreen, wireNumber, screen, worldAt } from "../body/screen.js";
 import { viser } from "../viser/viser.js";

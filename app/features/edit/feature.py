@@ -1,0 +1,102 @@
+"""Building and changing the body: gestures on the canvas, the numbers of what is selected, undo and redo."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, ClassVar
+
+from ...page.page import Page
+from ...session import commands
+from ...ui.commands import Row
+from ...ui.feature import Drawn, Feature, LongText
+from ...wire.messages import FromPage
+from .edits import Edits
+from .messages import Edit
+from .selection_panel import SelectionPanel
+
+if TYPE_CHECKING:
+    from ...page.panel import Panel
+
+_HAND = (
+    "M8 12V5.5a1.5 1.5 0 0 1 3 0V11m0-1V4.5a1.5 1.5 0 0 1 3 0V11m0-5a1.5 1.5 0 0 1 3 0v7c0 4-2 7-6 7-3 0-4-1"
+    "-5.500-4l-2-3.500a1.500 1.500 0 0 1 2.500-1.500L8 14"
+)
+
+
+class EditFeature(Feature):
+    """What a page does to the parts of its body."""
+
+    messages: ClassVar = {Edit: "edit"}
+    texts: ClassVar = {"paste": LongText(needs="edit", verb="pasted")}
+    controls: ClassVar = {"edit": "the tools that build and change the body, undo and redo"}
+    commands: ClassVar = {
+        "edit": Row(
+            "Edit", "page", ("E",), "the tools that build and change the body: Build, Joint, Select, Cut",
+            hint="Build and change the body", needs="edit", word="Edit",
+            icon="M4 20l1-4L16 5l3 3L8 19zM14 7l3 3",
+        ),
+        "undo": Row(
+            "Undo the last change of the body", commands.Undo(), ("Ctrl Z",), "undo, redo", word="Undo",
+            icon="M9 7L4 12l5 5M4 12h10a5 5 0 0 1 0 10h-2",
+        ),
+        "redo": Row(
+            "Do again what was undone", commands.Redo(), ("Ctrl Y",), "undo, redo", word="Redo",
+            icon="M15 7l5 5-5 5M20 12H10a5 5 0 0 0 0 10h2",
+        ),
+        "hand": Row("Hand", "edit", ("H",), hint="Take hold of masses and drag them", icon=_HAND),
+        "build": Row(
+            "Build", "edit", ("B",), hint="Click for a mass, drag from mass to mass for a spring",
+            icon="M6 18a2.500 2.500 0 1 0 0-.01zM18 8a2.500 2.500 0 1 0 0-.01zM8 16l8-7M18 15v6M15 18h6",
+        ),
+        "joint": Row(
+            "Joint", "edit", ("K",), hint="Point at a mass and click a corner for an angular spring",
+            icon="M5 19L19 6M5 19h15M11 13.500a8 8 0 0 1 2.500 5.500",
+        ),
+        "select": Row(
+            "Select", "edit", ("S",), hint="Click parts, or drag a frame around them",
+            icon="M5 4l14 7-6 2-2 6z",
+        ),
+        "cut": Row(
+            "Cut", "edit", ("C",), hint="Draw a line through springs",
+            icon="M6 8a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM6 20a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM7.700 7.200L19 18"
+            "M7.700 16.800L19 6",
+        ),
+        "pin": Row("Pin", "edit", ("P",), hint="Hold the masses where they are, or let them go"),
+        "remove": Row("Delete", "edit", ("Delete", "Backspace"), hint="Take away what is selected"),
+        "duplicate": Row("Duplicate", "edit", ("Ctrl D",), hint="A copy beside it"),
+        "copy": Row("Copy", "edit", ("Ctrl C",)),
+        "all": Row("Select all", "edit", ("Ctrl A",)),
+        "mirror": Row("Mirror", "edit", hint="Left becomes right"),
+        "corners": Row("Corners", "edit", hint="Angular springs at every corner, at rest as they are"),
+        "triangulate": Row("Triangulate", "edit", hint="Springs until all is triangles"),
+        "rest": Row("Rest as is", "edit", hint="Springs and joints rest as they are now"),
+        "keep": Row(
+            "Keep this shape", "edit", hint="Springs and joints hold the body as it is now"
+        ),
+        "stiffen": Row(
+            "Keep it, stiffer", "edit", hint="With the least stiffness that holds it as it is now"
+        ),
+    }  # fmt: skip
+
+    def __init__(self, page: Page) -> None:
+        super().__init__(page)
+        self._edits = Edits(page.session, page.mail, page.notify)
+        self._selection: SelectionPanel | None = None
+
+    def hear(self, said: FromPage) -> None:
+        """See `Feature`."""
+        if isinstance(said, Edit):
+            self._edits.do(said)
+
+    def read(self, kind: str, letters: str) -> None:
+        """See `Feature`."""
+        self._edits.paste(letters)
+
+    def attach(self, panel: Panel) -> None:
+        """See `Feature`."""
+        self._selection = SelectionPanel(self.page) if "edit" in self.page.controls else None
+
+    def frame(self, drawn: Drawn) -> None:
+        """See `Feature`."""
+        if self._selection is not None:
+            self._selection.tick()
+            self._edits.tell()

@@ -1,0 +1,250 @@
+"""The numbers of what is selected, and what can be done to it: a folder above the tabs, there while anything
+is selected."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Collection
+from dataclasses import dataclass
+from typing import Any
+
+import viser
+
+from sim import Moment, Scene
+from sim.edit.build import pin, remove
+from sim.edit.edit import Edit, Selection, counted
+from sim.edit.values import (
+    NUMBERS,
+    STARTS,
+    Kind,
+    Number,
+    middle_of_starts,
+    number,
+    scale_number,
+    set_number,
+    set_start,
+    take_as_rest,
+    values_of,
+)
+
+from ...page.page import Page
+from ...page.viser.handlers import on_change
+from ...page.viser.slider_box import DECIMALS, TOUCHED, Limits, alike, rounded
+from ...session import commands
+from ...session.notices import Notice
+
+EVERY = 0.1
+"""Seconds between two looks at the numbers; held arrow keys change some of them all the time."""
+
+FIRST = -100.0
+"""Order of the folder in the panel: above the tabs."""
+
+PIN, LET_GO = "Pin", "Let go"
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A number of what is selected.
+
+    Attributes:
+        of: which.
+        value: that of all, or the largest in size; of places, their middle.
+        note: "mixed" where they differ, "middle" of places.
+    """
+
+    of: Number
+    value: float
+    note: str = ""
+
+
+def numbers_of(scene: Scene, selection: Selection) -> list[Shown]:
+    """The numbers that any selected part has."""
+    masses = selection.masses
+    found = [
+        Shown(of, middle_of_starts(scene, of, masses), "middle" if len(masses) > 1 else "")
+        for of in (STARTS if masses else ())
+    ]
+    for of in NUMBERS:
+        parts = parts_of(selection, of.kind)
+        values = values_of(scene, of, parts)
+        known = [value for value in values if value is not None]
+        if not known or (of.field == "hardening" and values_of(scene, _YIELD_FORCE, parts) <= {None}):
+            continue  # hardening has no meaning without a yield force
+        found.append(Shown(of, max(known, key=abs), "mixed" if len(values) > 1 else ""))
+    return found
+
+
+_YIELD_FORCE = number("linear_springs", "yield_force")
+_ALL = (*STARTS, *NUMBERS)
+_OF_MUSCLES = tuple(of for of in NUMBERS if of.field.startswith("muscle."))
+"""Those that get a box only when a muscle is selected for the first time."""
+
+
+def parts_of(selection: Selection, kind: Kind) -> Collection[int]:
+    """The selected parts of a kind."""
+    return selection[("masses", "linear_springs", "angular_springs").index(kind)]
+
+
+def described(selection: Selection) -> str:
+    """What is selected, in words, as in "2 masses, 3 springs"."""
+    kinds = zip(selection, ("mass", "spring", "joint"), strict=True)
+    return ", ".join(counted(len(parts), what) for parts, what in kinds if parts)
+
+
+def changed(of: Number, value: float, in_proportion: bool) -> commands.MakeEdit:
+    """Sets a number of what is selected: of all, or of the largest, with the others in proportion."""
+
+    def make(moment: Moment, selection: Selection) -> Edit:
+        parts = parts_of(selection, of.kind)
+        if of in STARTS:
+            return set_start(moment.scene, of, parts, value) if parts else Edit("", moment.scene)
+        scales = in_proportion and len(values_of(moment.scene, of, parts)) > 1
+        if not parts or (scales and value == 0.0):  # 0.5 begins with 0, which would leave no proportions
+            return Edit("", moment.scene)
+        change = scale_number if scales else set_number
+        return change(moment.scene, of, parts, value, moment.rest_angle_shift)
+
+    return make
+
+
+class SelectionPanel:
+    """The folder of one page; it is made when anything is selected for the first time.
+
+    Args:
+        page: whose body it is.
+    """
+
+    def __init__(self, page: Page) -> None:
+        self._page, self._client, self._session = page, page.client, page.session
+        self._selection = self._session.selection if not any(self._session.selection) else None
+        self._scene: Scene | None = None
+        self._due = -math.inf
+        self._folder: viser.GuiFolderHandle | None = None
+        self._rows: list[_Row] = []
+
+    # --------------------------------------------------------------------- the ticker's
+    def tick(self) -> None:
+        """Show what is selected, if that has changed, and its numbers as they are now."""
+        selection, now = self._session.selection, self._session.now()
+        another = selection is not self._selection
+        if not another and (now < self._due or not any(selection)):
+            return
+        self._due, self._selection = now + EVERY, selection
+        if self._folder is None and not any(selection):
+            return
+        with self._client.atomic():
+            folder = self._folder = self._folder or self._make_folder()
+            if any(selection):
+                self._show(folder, selection, another)
+            else:
+                folder.visible = False
+
+    def _show(self, folder: viser.GuiFolderHandle, selection: Selection, another: bool) -> None:
+        scene = self._session.scene
+        if another or scene is not self._scene:
+            self._scene = scene
+            shown = {each.of: each for each in numbers_of(scene, selection)}
+            known = {row.of for row in self._rows}
+            if known.isdisjoint(_OF_MUSCLES) and not shown.keys().isdisjoint(_OF_MUSCLES):
+                with folder:
+                    self._rows += map(self._row, _OF_MUSCLES)
+            for row in self._rows:
+                row.take(shown.get(row.of), another)
+            self._proportions.visible = any(each.note == "mixed" for each in shown.values())
+            self._holding.visible = bool(selection.masses)
+            folder.label = described(selection)
+            folder.visible = True
+        for row in self._rows:
+            row.show()
+
+    # --------------------------------------------------------------------- made once
+    def _make_folder(self) -> viser.GuiFolderHandle:
+        gui, post = self._client.gui, self._session.post
+        folder = gui.add_folder("", order=FIRST)
+        with folder:
+            self._rows = [self._row(of) for of in _ALL if of not in _OF_MUSCLES]
+            self._proportions = gui.add_checkbox(
+                "Keep proportions",
+                initial_value=False,
+                hint="a number is then that of the largest, and the others change with it",
+            )
+            self._holding = gui.add_button_group("Masses", (PIN, LET_GO))
+            self._page.button(
+                "Rest as it is now",
+                viser.Icon.RULER_2,
+                lambda: post(commands.Change(take_as_rest)),
+                hint="rest lengths and rest angles become the present ones",
+            )
+            self._page.button(
+                "Delete",
+                viser.Icon.TRASH,
+                lambda: post(commands.Change(lambda moment, selected: remove(moment.scene, selected))),
+            )
+
+        @self._holding.on_click
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            on = event.target.value == PIN
+            post(commands.Change(lambda moment, selected: pin(moment.scene, selected.masses, on)))
+
+        return folder
+
+    def _row(self, of: Number) -> _Row:
+        return _Row(self._client, of, self._set, self._page.notify, FIRST + _ALL.index(of))
+
+    def _set(self, of: Number, value: float) -> None:
+        """A number was entered; what is entered in a row, for the same parts, is one step of undo."""
+        change = changed(of, value, bool(self._proportions.value))
+        key = f"{of.kind}.{of.field}.{of.axis} {hash(self._session.selection)}"
+        self._session.post(commands.Change(change, key))
+
+
+class _Row:
+    """A number box for one number; what is out of range is not taken, and its user is told so."""
+
+    def __init__(
+        self,
+        client: viser.ClientHandle,
+        of: Number,
+        post: Callable[[Number, float], None],
+        tell: Callable[[Notice], None],
+        order: float,
+    ) -> None:
+        self.of = of
+        self._limits = Limits(of, tell)
+        self._shown: Shown | None = None
+        self._touched = -math.inf
+        self._box = client.gui.add_number(
+            of.label, initial_value=0.0, step=0.1, hint=self._limits.range, visible=False, order=order
+        )
+        self._box.precision = DECIMALS
+
+        def enter() -> None:
+            value = self._box.value
+            if self._limits.allow(value):
+                self._touched = time.monotonic()
+                post(self.of, value)
+            elif self._shown is not None:
+                self._box.value = rounded(self._shown.value)
+
+        on_change(self._box, enter)
+
+    def take(self, shown: Shown | None, another: bool) -> None:
+        """Have other numbers to show, or none; of other parts, whatever is being typed."""
+        self._shown = shown
+        self._box.visible = shown is not None
+        if shown is None:
+            return
+        self._box.label = f"{self.of.label} ({shown.note})" if shown.note else self.of.label
+        if another:
+            self._touched = -math.inf
+            size = abs(shown.value)
+            self._box.step = 10.0 ** (math.floor(math.log10(size)) - 1) if size > 1e-6 else 0.1
+
+    def show(self) -> None:
+        """Show what is set, if that is not what its user is just typing."""
+        if self._shown is None:
+            return
+        value = self._shown.value
+        if time.monotonic() - self._touched >= TOUCHED and not alike(value, self._box.value):
+            self._box.value = rounded(value)

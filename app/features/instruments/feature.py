@@ -1,0 +1,71 @@
+"""Instruments on the canvas: arrows, traces, coordinates, ruler, protractor and stopwatch."""
+
+from __future__ import annotations
+
+from collections.abc import Set
+from typing import TYPE_CHECKING, ClassVar
+
+from ...page.page import Page
+from ...ui.commands import Row
+from ...ui.feature import Drawn, Feature
+from ...wire.from_page import Pick
+from ...wire.messages import FromPage
+from .panel import ToolsPanel
+
+if TYPE_CHECKING:
+    from ...page.panel import Panel
+
+
+class InstrumentsFeature(Feature):
+    """The instruments of a page.
+
+    Attributes:
+        panel: their switches, if the page has them.
+    """
+
+    messages: ClassVar = {Pick: ""}
+    commands: ClassVar = {
+        "stopwatch": Row(
+            "Stopwatch", "own", ("T", "L"), "start or stop the stopwatch, a lap, once it is on the canvas"
+        ),
+    }
+    controls: ClassVar = {"tools": "the instruments"}
+
+    def __init__(self, page: Page) -> None:
+        super().__init__(page)
+        self.panel: ToolsPanel | None = None
+        self._remembered: frozenset[str] = frozenset()
+
+    @property
+    def arrows(self) -> frozenset[str]:
+        """The kinds of arrows that are on."""
+        return self.panel.kinds if self.panel is not None else frozenset()
+
+    def show_arrows(self, kinds: Set[str]) -> None:
+        """Have arrows of these kinds, and no others."""
+        if self.panel is not None:
+            self.panel.show_arrows(kinds)
+
+    # --------------------------------------------------------------------- as of `Feature`
+    def hear(self, said: FromPage) -> None:
+        if isinstance(said, Pick):
+            self.page.later(lambda: self.panel is not None and self.panel.choose(said.mass))
+
+    def attach(self, panel: Panel) -> None:
+        self.panel = None
+        if panel.measure_tab is not None and "tools" in self.page.controls:
+            with panel.measure_tab:
+                self.panel = ToolsPanel(self.page)
+            self.panel.show_arrows(self._remembered)
+
+    def detach(self) -> None:
+        if self.panel is not None:
+            self._remembered = self.panel.leave()
+
+    def build(self) -> None:
+        if self.panel is not None:
+            self.panel.build()
+
+    def frame(self, drawn: Drawn) -> None:
+        if self.panel is not None:
+            self.panel.draw(drawn.plan, drawn.now, drawn.exactly)

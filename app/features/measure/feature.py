@@ -1,0 +1,108 @@
+"""Measuring: the Measure tab, whose plots follow what is chosen."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, ClassVar
+
+from ...page.page import Page
+from ...session.plots import Wish, text_of
+from ...session.session import Session
+from ...ui.commands import Row
+from ...ui.feature import Drawn, Feature
+from ...wire.from_page import Pick, Seen
+from ...wire.messages import FromPage
+from .panel import MeasurePanel
+
+if TYPE_CHECKING:
+    from ...page.panel import Panel
+
+
+def _plot_angle(_: Session, feature: MeasureFeature) -> None:
+    if feature.panel is not None:
+        feature.panel.plot_angle()
+
+
+class MeasureFeature(Feature):
+    """The plots of a page.
+
+    Attributes:
+        panel: the controls, if the page has them.
+    """
+
+    messages: ClassVar = {Pick: "", Seen: ""}
+    commands: ClassVar = {
+        "plot": Row(
+            "Plot the joint's angle", _plot_angle, ("G",), "plot the angle of the joint", needs="measure"
+        ),
+    }
+    controls: ClassVar = {"measure": "the Measure tab"}
+
+    def __init__(self, page: Page) -> None:
+        super().__init__(page)
+        self.panel: MeasurePanel | None = None
+        self._remembered: tuple[Wish, ...] = ()
+        self._is_looked_at: bool | None = None
+
+    @property
+    def wishes(self) -> tuple[Wish, ...]:
+        """What is plotted."""
+        return self.panel.plots.wishes if self.panel is not None else ()
+
+    @property
+    def is_seen(self) -> bool:
+        """Whether somebody sees the plots."""
+        return self.panel is not None and self.panel.plots.looked_at
+
+    @property
+    def texts_of_plots(self) -> tuple[str, ...]:
+        """The plots, by what names them."""
+        return tuple(map(text_of, self.wishes))
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """The parts of the body that are offered."""
+        return self.panel.parts if self.panel is not None else ()
+
+    def remember(self, wishes: tuple[Wish, ...]) -> None:
+        """Have these plots, and no others, as soon as there is a scene that has them."""
+        self._remembered = wishes
+        if self.panel is not None:
+            self.panel.plots.remember(wishes)
+
+    # --------------------------------------------------------------------- as of `Feature`
+    def hear(self, said: FromPage) -> None:
+        match said:
+            case Pick(mass):
+                self.page.later(lambda: self._choose(mass))
+            case Seen(tab):
+                self.page.later(lambda: self._see(tab == "measure"))
+
+    def attach(self, panel: Panel) -> None:
+        self.panel = None
+        if panel.measure_tab is not None and "measure" in self.page.controls:
+            self.panel = MeasurePanel(self.page, panel.measure_tab)
+            self.panel.plots.remember(self._remembered)
+            if self._is_looked_at is not None:
+                self.panel.plots.looked_at = self._is_looked_at
+
+    def detach(self) -> None:
+        if self.panel is not None:
+            self._remembered = self.panel.plots.wishes
+
+    def build(self) -> None:
+        if self.panel is not None:
+            self.panel.build()
+
+    def frame(self, drawn: Drawn) -> None:
+        if self.panel is not None:
+            self.panel.tick()
+
+    # --------------------------------------------------------------------- inside
+    def _choose(self, mass: int) -> None:
+        if self.panel is not None and mass < len(self.session.scene.masses):
+            self.panel.choose(mass)
+
+    def _see(self, on: bool) -> None:
+        self._is_looked_at = on
+        if self.panel is not None:
+            self.panel.plots.looked_at = on

@@ -1,0 +1,26 @@
+"""Muscles: selected springs and joints become some, or are none any more; edits have what is done to them."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from sim.edit.muscles import toggle_muscles
+
+from ...session import commands
+from ...ui.commands import Row
+from ...ui.feature import Feature
+
+
+class MusclesFeature(Feature):
+    """The muscles of a page's body."""
+
+    commands: ClassVar = {
+        "muscle": Row(
+            "Muscle",
+            commands.Change(lambda moment, selected: toggle_muscles(moment.scene, selected)),
+            ("U",),
+            "selected springs and joints become muscles, or are none any more",
+            hint="Springs and joints that move to a beat; again, and they are none any more",
+            needs="edit",
+        ),
+    }
