@@ -126,7 +126,7 @@ def test_no_event_takes_the_place_of_another(tmp_path: Path, monkeypatch: pytest
 @pytest.mark.parametrize(
     ("message", "title", "text"),
     [
-        (Unsent("paste"), "That cannot be pasted", "at most 4.7 MB"),
+        (Unsent("file"), "That cannot be opened", "at most 4.7 MB"),
         (Unread("2x4"), "That cannot be read", "“2x4” is not a number"),
         (Unread("1,234"), "That cannot be read", "could be 1.234 or 1234"),
     ],

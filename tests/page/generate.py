@@ -6,12 +6,13 @@ and the lists in the documents. A test says when they are old.
 
 from __future__ import annotations
 
+import inspect
 import json
 import re
 from pathlib import Path
 from typing import Any
 
-from msgspec import inspect
+from msgspec import inspect as types_of
 
 from app.page.answers import VERBS
 from app.page.features import COMMANDS, FEATURES
@@ -21,40 +22,39 @@ from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages
 
 COMMAND = "uv run python -m tests.page.generate"
 ROOT = Path(__file__).parents[2]
-FOLDER = ROOT / "app" / "features"
 WIRE, PAGE = ROOT / "app" / "wire", ROOT / "app" / "page"
 LETTERS = {"Space": " ", "Esc": "Escape"}
 """Keys that a browser calls otherwise than the help."""
 
 
-def typescript(kind: inspect.Type) -> str:
+def typescript(kind: types_of.Type) -> str:
     """A type as TypeScript writes it."""
     match kind:
-        case inspect.StructType(cls):
+        case types_of.StructType(cls):
             return cls.__name__
-        case inspect.Metadata(inner, extra=extra):
+        case types_of.Metadata(inner, extra=extra):
             return extra["typescript"] if extra and "typescript" in extra else typescript(inner)
-        case inspect.LiteralType(values):
+        case types_of.LiteralType(values):
             return " | ".join(map(json.dumps, values))
-        case inspect.UnionType(types):
+        case types_of.UnionType(types):
             return " | ".join(map(typescript, types))
-        case inspect.VarTupleType(item):
+        case types_of.VarTupleType(item):
             inner = typescript(item)
             return f"({inner})[]" if " " in inner and not inner.startswith("[") else f"{inner}[]"
-        case inspect.TupleType(items):
+        case types_of.TupleType(items):
             return f"[{', '.join(map(typescript, items))}]"
-        case inspect.DictType(key, value):
+        case types_of.DictType(key, value):
             return f"Record<{typescript(key)}, {typescript(value)}>"
     names: dict[type, str] = {
-        inspect.IntType: "number", inspect.FloatType: "number", inspect.StrType: "string",
-        inspect.BoolType: "boolean", inspect.NoneType: "null", inspect.CustomType: "Float32Array",
+        types_of.IntType: "number", types_of.FloatType: "number", types_of.StrType: "string",
+        types_of.BoolType: "boolean", types_of.NoneType: "null", types_of.CustomType: "Float32Array",
     }  # fmt: skip
     return names[type(kind)]
 
 
 def declared(kind: type, says: bool) -> str:
     """The type of a message, or of what is in one; fields with defaults need not be said by a page."""
-    info: Any = inspect.type_info(kind)
+    info: Any = types_of.type_info(kind)
     fields = [f"{info.tag_field}: {json.dumps(info.tag)}"] if info.tag_field else []
     for field in info.fields:
         optional = not field.required and (says or kind.__struct_config__.omit_defaults)  # type: ignore[attr-defined]
@@ -71,8 +71,8 @@ def parts_of(kinds: list[type]) -> list[type]:
     """The structures that are inside of some messages, and are none themselves."""
     found: dict[type, None] = {}
 
-    def look(kind: inspect.Type) -> None:
-        if isinstance(kind, inspect.StructType):
+    def look(kind: types_of.Type) -> None:
+        if isinstance(kind, types_of.StructType):
             if kind.cls not in kinds:
                 found[kind.cls] = None
             for field in kind.fields:
@@ -84,7 +84,7 @@ def parts_of(kinds: list[type]) -> list[type]:
             look(inner)
 
     for kind in kinds:
-        look(inspect.type_info(kind))
+        look(types_of.type_info(kind))
     return list(found)
 
 
@@ -165,7 +165,8 @@ def name_of(feature: type[Feature]) -> str:
 
 def features() -> str:
     """features.js."""
-    names = [name for feature in FEATURES if (FOLDER / (name := name_of(feature)) / f"{name}.js").exists()]
+    scripts = (Path(inspect.getfile(feature)).with_name(f"{name_of(feature)}.js") for feature in FEATURES)
+    names = [script.stem for script in scripts if script.exists()]
     return "\n".join(
         (
             "// @ts-check",
