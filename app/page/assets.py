@@ -25,7 +25,6 @@ _FIRST = ("page.css", "viser/viser.css", "body/overlay.css", "time/dock.css")
 _LAST = (
     "looks/dialogs.css",
     "scenes/gallery.css",
-    "scenes/lesson.css",
     "classroom/classroom.css",
     "looks/menu.css",
     "looks/looks.css",

@@ -20,13 +20,7 @@ from ..gate.address import page_query
 CORE = {
     "play": "the bar of time under the body",
     "chooser": "the button with the scene's title, which opens the gallery, and Open anew",
-    "about": "what the scene shows, in words",
-    "follow": "the switch that has the ringed mass follow the pointer",
-    "angle": "the table of the joint's angle",
-    "keys": "the arrow pad",
     "help": "Help, in the View menu",
-    "body": "the sliders of all other numbers of the body",
-    "solver": "the Solver tab",
     "files": "the Share tab",
     "view": "the other entries of the View menu",
 }
@@ -35,8 +29,6 @@ any setting stands for its slider."""
 
 IN_PLAY_TAB = ("chooser", "about", "follow", "angle", "keys", "body")
 """Those that stand in the Play tab, as the sliders of single settings do."""
-
-TABS = ("solver", "measure", "tools", "files")
 
 
 @dataclass(frozen=True)
@@ -56,11 +48,6 @@ class Controls:
     def in_play_tab(self) -> bool:
         """Whether the Play tab has anything."""
         return self.names is None or any(n in IN_PLAY_TAB or _is_setting(n) for n in self.names)
-
-    @property
-    def in_panel(self) -> bool:
-        """Whether the panel has anything."""
-        return self.in_play_tab or any(tab in self for tab in TABS)
 
     def foremost(self, applicable: list[Setting]) -> list[Setting] | None:
         """The settings that are named, of those that the scene has; None if none is to be named."""

@@ -1,5 +1,6 @@
 // @ts-check
 /** The features of the page. Made by `uv run python -m tests.page.generate` from app/page/features.py. */
+import lesson from "../features/lesson/lesson.js";
 import measure from "../features/measure/measure.js";
 import instruments from "../features/instruments/instruments.js";
 import fit from "../features/fit/fit.js";
@@ -9,4 +10,4 @@ import race from "../features/race/race.js";
 import making from "../features/making/making.js";
 import edit from "../features/edit/edit.js";
 
-export const FEATURES = [measure, instruments, fit, muscles, modes, race, making, edit];
+export const FEATURES = [lesson, measure, instruments, fit, muscles, modes, race, making, edit];

@@ -7,19 +7,25 @@ from collections.abc import Mapping
 from ..features.edit.feature import EditFeature
 from ..features.fit.feature import FitFeature
 from ..features.instruments.feature import InstrumentsFeature
+from ..features.lesson.feature import LessonFeature
 from ..features.making.feature import MakingFeature
 from ..features.measure.feature import MeasureFeature
 from ..features.modes.feature import ModesFeature
 from ..features.muscles.feature import MusclesFeature
+from ..features.play.feature import PlayFeature
 from ..features.race.feature import RaceFeature
+from ..features.solver.feature import SolverFeature
 from ..ui.commands import CORE, Row
 from ..ui.feature import Feature
 from . import controls
 
 FEATURES: tuple[type[Feature], ...] = (
+    LessonFeature,
+    PlayFeature,
     MeasureFeature,
     InstrumentsFeature,
     FitFeature,
+    SolverFeature,
     MusclesFeature,
     ModesFeature,
     RaceFeature,

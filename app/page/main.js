@@ -14,7 +14,6 @@ import { addGallery, gallery } from "./scenes/gallery.js";
 import { showHud } from "./looks/hud.js";
 import { hasKept, keepOnlyOf, resume } from "./files/keep.js";
 import { listenToKeys } from "./hands/keys.js";
-import { addLesson } from "./scenes/lesson.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "./files/links.js";
 import { listenToOpenFile } from "./files/open_file.js";
 import { addLoads } from "./body/load_marks.js";
@@ -101,7 +100,6 @@ whenViser((viser) => {
   restoreLooks();
   addShareDialog();
   addPaper();
-  addLesson();
   addClassroom();
   addTexts();
   addMenu();

@@ -12,7 +12,6 @@ import time
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
-from dataclasses import dataclass
 from functools import partial
 from typing import Any, Literal, Protocol
 
@@ -27,16 +26,16 @@ from sim.methods.registry import METHODS
 from sim.scene.lesson import Lesson
 from sim.scene.types import shown_name
 
+from ..drawing.colors import palette
 from ..drawing.plan import Picture, broken_of, own_rest_angles
 from ..drawing.sketch import Mapping, world_size
-from ..features.instruments.feature import InstrumentsFeature
 from ..features.measure.feature import MeasureFeature
 from ..session import commands
 from ..session.notices import About
 from ..session.pacing import LONGEST_FRAME, is_large
 from ..session.plots import Wish
 from ..session.session import Changed, Notice, Session
-from ..ui.commands import Look
+from ..ui.commands import Look, key_lines
 from ..ui.feature import Drawn, Feature
 from ..viser_inside import element_id
 from ..wire import from_page
@@ -60,6 +59,7 @@ from .panel import Panel, set_theme
 from .probe import KeptState, Probe
 from .scenes.shelf import Shelf
 from .viser.comma_switch import CommaSwitch
+from .viser.handlers import on_press
 from .waiting import Waiting
 
 READOUTS_EVERY = 0.1
@@ -83,10 +83,6 @@ UNTOUCHED = 1.0
 
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
-
-_OF_FEATURES = (name for feature in FEATURES for name in feature.controls)
-TOLD_CONTROLS = sorted((*("chooser", "files", "help", "play", "solver", "view"), *_OF_FEATURES))
-"""Controls of which the script is told whether they are there: it makes some, and commands need some."""
 
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
 
@@ -114,15 +110,6 @@ class Submit(Protocol):
     """Has something done in another thread, as `ThreadPoolExecutor.submit`."""
 
     def __call__(self, work: Any, /, *arguments: Any, **options: Any) -> Future[Any]: ...
-
-
-@dataclass(frozen=True)
-class BeforeLesson:
-    """What a user had switched on before a lesson, which comes back after it."""
-
-    plots: tuple[Wish, ...]
-    arrows: frozenset[str]
-    ghost: commands.Compare
 
 
 class Tab:
@@ -156,10 +143,8 @@ class Tab:
         self._compiler = compiler
         self._notices: deque[Notice] = deque(maxlen=100)
         self._requests: Waiting[Callable[[Session], None]] = Waiting(self.notify)
-        self._before_lesson: BeforeLesson | None = None
         self._generation = -1
         self._number = secrets.token_hex(4)
-        self._seen: from_page.Seen | None = None
         self._planned = -1
         self._kept: KeptState | None = None
         self._shelf = Shelf(owned)
@@ -180,7 +165,6 @@ class Tab:
         self._for_others = for_others
         self._begin_class = begin_class
         self._is_taught = is_taught
-        self._said_closed: Lesson | None = None
         self._mail = Mail(client)
         self._role = role_of(self._mail)
         # In a class, the class says what is shown.
@@ -265,13 +249,8 @@ class Tab:
             case from_page.InSeat() | from_page.Lead() | from_page.Checked():
                 if role is not None:
                     self._requests.add(lambda now: role.hear(said, now))
-            case from_page.Seen():
-                self._seen = said
-                self._show_where_seen()
             case from_page.Pick(mass):
                 self._requests.add(lambda now: self._pick(now, mass))
-            case from_page.BeginStep():
-                self._requests.add(lambda _: self._begin_step(said))
             case _:
                 pass
         for feature, needs in self._hearers.get(type(said), ()):
@@ -327,7 +306,7 @@ class Tab:
 
     def _is_settled(self, session: Session) -> bool:
         """Whether the page is told all that there is to tell, and nothing goes on but the clock."""
-        waits = not self._all_ready or self._passing or self._panel.unsettled or self._role is not None
+        waits = not self._all_ready or self._passing or self._unsettled or self._role is not None
         lists = [*self._page.plots] if session.playing else []
         plots = any(each.wishes and each.looked_at for each in lists)
         untouched = time.monotonic() - self._stirred > UNTOUCHED
@@ -407,8 +386,6 @@ class Tab:
             self._rebuild(session)
         if session.revision != self._planned:
             self._plan(session)
-        if self._panel.lesson is not None:
-            self._panel.lesson.plots.tick()
         drawn = self._show(session)
         for feature in self._features:
             feature.frame(drawn)
@@ -481,18 +458,19 @@ class Tab:
         """The panel, with the controls that there are."""
         page = self._page
         self._panel = Panel(page)
-        if self._role is not None and self._panel.play_tab is not None:
-            with self._panel.play_tab:
-                self.client.gui.add_html(self._role.place, order=0)
         self._has_lesson = page.has_lesson
         for feature in self._features:
             feature.attach(self._panel)
+        play = self._panel.find("Play")
+        if self._role is not None and play is not None:
+            with play:
+                self.client.gui.add_html(self._role.place, order=0)
         self._files = None
-        if self._panel.files_tab is not None:
-            with self._panel.files_tab:
+        if "files" in page.controls:
+            with self._panel.tab("Share"):
                 self._files = FilesPanel(page)
                 ExportPanel(page)
-        self._show_where_seen()
+        self._panel.finish()
 
     def _prepare(self, session: Session) -> None:
         """Have compiled first what the session waits for, and say what it is and how far it is."""
@@ -515,57 +493,22 @@ class Tab:
         self._plan(session)
         self._view.show_gizmos(self._page.looks.gizmos)
         wanted, has_lesson = self._wanted_controls(session.scene), self._page.has_lesson
-        lesson = session.scene.lesson
-        if self._role is None and lesson not in (None, self._said_closed) and self._is_closed(lesson):
-            self._said_closed = lesson
-            text = "Here is its body alone; the steps come with the class."
-            self.notify(Notice("info", "A class goes through this lesson now", text))
-        if has_lesson and self._before_lesson is None:
-            self._before_lesson = self._switched_on(session)
         if (wanted, has_lesson) != (self._page.controls, self._has_lesson):
-            if (wanted.in_panel or has_lesson) and not (self._page.controls.in_panel or self._has_lesson):
-                self.client.gui.main_panel.expand()
+            was_empty = self._panel.is_empty
             self._page.controls = wanted
             for feature in self._features:
                 feature.detach()
             self.client.gui.reset()
             self._page.clear()
             self._make_panel(session)
-        if self._panel.lesson is not None:
-            self._panel.lesson.build()
-        self._panel.build()
+            if was_empty and not self._panel.is_empty:
+                self.client.gui.main_panel.expand()
         if self._files is not None:
             self._files.build()
-        self._show_lessons_things(session)
         for feature in self._features:
             feature.build()
         self._moved_at = session.now()
         self._generation = session.generation
-
-    def _show_lessons_things(self, session: Session) -> None:
-        """The arrows that the present step of a lesson wants; after it, what its user had before."""
-        lesson, instruments = self._panel.lesson, self._page.find(InstrumentsFeature)
-        if lesson is not None:
-            wanted = lesson.step.arrows if lesson.step else None
-            if instruments is not None and wanted is not None:
-                instruments.show_arrows(frozenset(wanted))
-        elif self._before_lesson is not None:
-            before, self._before_lesson = self._before_lesson, None
-            if instruments is not None:
-                instruments.show_arrows(before.arrows)
-            if (measure := self._page.find(MeasureFeature)) is not None:
-                measure.remember(before.plots)
-            if not self._page.makes_lesson:  # where a step was tried, it is back already
-                session.post(before.ghost)
-
-    def _switched_on(self, session: Session) -> BeforeLesson:
-        """What the user has switched on; a ghost in the middle of a lesson is the lesson's."""
-        instruments = self._page.find(InstrumentsFeature)
-        arrows = instruments.arrows if instruments is not None else frozenset()
-        ghost, compare = session.ghost, commands.Compare("", "")
-        if ghost is not None and not session.lesson_begun:
-            compare = commands.Compare(ghost.method, ghost.law, ghost.finer)
-        return BeforeLesson(self._wishes, arrows, compare)
 
     def _plan(self, session: Session) -> None:
         """Tell the page of the body, as far as it is another one."""
@@ -581,6 +524,11 @@ class Tab:
         measure = self._page.find(MeasureFeature)
         return measure.wishes if measure is not None else ()
 
+    @property
+    def _unsettled(self) -> bool:
+        """Whether a control shows what is not set, or there will be more to show."""
+        return any(feature.unsettled for feature in self._features)
+
     def _show(self, session: Session) -> Drawn:
         """Send the picture, the texts and the controls, as far as they changed."""
         now = session.now()
@@ -595,13 +543,15 @@ class Tab:
         self._broken = len(broken_of(picture.damage))
         self._rests = at_rest and running
         self._set_state(session.playing)
-        still = at_rest and self._was_at_rest and not self._panel.unsettled
+        still = at_rest and self._was_at_rest and not self._unsettled
         if changed or (now >= self._readouts_due and not still):
             self._readouts_due = now + READOUTS_EVERY
             self._was_at_rest = at_rest and not session.stability_watch.is_looking
             with self.client.atomic():
-                self._panel.refresh_controls()
-                self._panel.refresh_readouts(at_rest)
+                for feature in self._features:
+                    feature.refresh()
+                colors, looks = palette(session.scene.view.colors, self._page.looks.dark), self._page.looks
+                self._mail.tell(Hud(html=readouts.hud(session, colors, at_rest, looks.meter)))
         return Drawn(self._view.plan_number, now, exactly=changed or not running)
 
     def _set_state(self, playing: bool) -> None:
@@ -610,7 +560,7 @@ class Tab:
             return
         history, joint = session.history, session.joint
         width, height = world_size(session.scene)
-        scrubbed, measures = history.scrubbed, self._panel.measure_tab
+        scrubbed, measures = history.scrubbed, self._panel.find("Measure")
         state = PageState(
             page=self._number,
             scene=session.openings,
@@ -630,7 +580,7 @@ class Tab:
             future=session.old_future is not None,
             follow=session.follow,
             broken=self._broken,
-            controls=tuple(name for name in TOLD_CONTROLS if name in self._page.controls),
+            controls=tuple(name for name in CONTROLS if name in self._page.controls),
             gizmos=self._page.looks.gizmos,
             meter=self._page.looks.meter,
             measuring=element_id(measures) if measures is not None else "",
@@ -697,7 +647,9 @@ class Tab:
     # --------------------------------------------------------------------- what was asked for
     def show_help(self) -> None:
         """Open the help."""
-        self._panel.show_help()
+        with self.client.gui.add_modal("How to use softrod") as modal:
+            self.client.gui.add_html(readouts.help_html(key_lines(COMMANDS)))
+            on_press(self.client.gui.add_button("Close"), modal.close)
 
     def toggle(self, look: Look) -> None:
         """Turn a look of the page on or off."""
@@ -723,15 +675,6 @@ class Tab:
         joint = readouts.joint_of_mass(session.scene, mass)
         if joint is not None:
             session.post(commands.SelectJoint(joint))
-
-    def _begin_step(self, begin: from_page.BeginStep) -> None:
-        if self._panel.lesson is not None:
-            self._panel.lesson.begin(begin)
-
-    def _show_where_seen(self) -> None:
-        """Have the lesson's plots sent if somebody sees them."""
-        if self._seen is not None and self._panel.lesson is not None:
-            self._panel.lesson.plots.looked_at = self._seen.tab == "lesson"
 
     def _say_not_found(self, why: str) -> None:
         if "chooser" in self._page.controls:

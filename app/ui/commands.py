@@ -83,18 +83,6 @@ class Row:
         return "held" if self.held else ""
 
 
-def _follow(session: Session, _: Page) -> None:
-    session.post(commands.Follow(not session.follow))
-
-
-def _energy(session: Session, _: Page) -> None:
-    session.post(commands.FollowEnergy(not session.follows_energy))
-
-
-def _foretell(session: Session, _: Page) -> None:
-    session.post(commands.Foretell(session.foresight is None))
-
-
 def _anew(session: Session, _: Page) -> None:
     session.post(commands.Open(session.opened, session.lesson_begun))
 
@@ -144,10 +132,6 @@ CORE: dict[str, Row] = {
     "share": Row(
         "Share this scene by a link", "page", needs="files", share=("Share by a link", viser.Icon.LINK)
     ),
-    "follow": Row(
-        "Follow the pointer, or stop", _follow, ("F",),
-        "the ringed mass follows the pointer, or stops following",
-    ),
     "fit": Row("Show the whole scene", "page", ("0",), "show the whole scene"),
     "chase": Row(
         "Camera goes with the body", "page", hint="with both, in a race; pan and zoom as ever", needs="view"
@@ -163,8 +147,6 @@ CORE: dict[str, Row] = {
     ),
     "video": Row("Measure in a video", "page", needs="files"),
     "picture": Row("Picture of the page (PNG)", "page", ("I",), "a picture of the page, as a file"),
-    "energy": Row("Energy: follow it, or stop", _energy, needs="solver"),
-    "foretell": Row("Predictability: measure it, or stop", _foretell, needs="solver"),
     # ------------------------------------------------------------------------- the body by keys, and the help
     "body": Row(
         "The body by keys", "own", ("Tab",),
@@ -175,8 +157,6 @@ CORE: dict[str, Row] = {
     ),
     "angles": Row("Every rest angle up, down", _help, ("→ ←",), "held: every rest angle up, down", held=True),
     "palette": Row("All commands", "own", ("Ctrl K",), "all commands"),
-    "ownBody": Row("The body's own values", commands.OwnValues("body")),
-    "ownSolver": Row("The solver's own values", commands.OwnValues("solver")),
     "help": Row("Help", _help, needs="help"),
 }  # fmt: skip
 """Commands of no feature by their names, in the order of the palette and of the help."""

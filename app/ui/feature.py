@@ -87,3 +87,11 @@ class Feature:
 
     def frame(self, drawn: Drawn) -> None:
         """Tell the page what it does not know yet; after each picture."""
+
+    def refresh(self) -> None:
+        """Show in the controls what has changed: ten times a second, and at once where that is a setting."""
+
+    @property
+    def unsettled(self) -> bool:
+        """Whether there will be more to show although nothing moves."""
+        return False

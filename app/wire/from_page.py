@@ -24,7 +24,6 @@ from .messages import (
     PhaseName,
     Point,
     SceneName,
-    StepNumber,
     TextKind,
 )
 
@@ -90,18 +89,6 @@ class Seen(OwnBody, frozen=True):
     """In which tab somebody sees plots now; they are not sent otherwise."""
 
     tab: Literal["measure", "lesson", ""]
-
-
-class BeginStep(FromPage, frozen=True):
-    """The page goes to a step of the scene's lesson.
-
-    Attributes:
-        how: "run" or "wait": it begins; the body waits if there is a question. "on": the page goes on in the
-            middle of it, as after a reload.
-    """
-
-    step: StepNumber
-    how: Literal["run", "wait", "on"] = "wait"
 
 
 # ------------------------------------------------------------------------- long texts

@@ -6,8 +6,6 @@ from typing import Literal
 
 from msgspec import Struct
 
-from sim.scene.lesson import Question
-
 from .messages import CommandName, Event, Numbers, PhaseName, State
 
 
@@ -31,7 +29,7 @@ class PageState(State, frozen=True, kw_only=True, omit_defaults=True):
         future: whether what came before the user went back is shown.
         follow: whether the driven mass follows the pointer.
         broken: how many springs are broken.
-        controls: which there are, of those that the script has or that commands need.
+        controls: which there are.
         gizmos, meter: switches of the View menu.
         measuring: id of the Measure tab, if there is one.
         lesson: whether a step of the scene's lesson has begun; None without a lesson.
@@ -65,21 +63,6 @@ class Hud(State, frozen=True, kw_only=True):
     """The head-up display over the canvas, HTML."""
 
     html: str
-
-
-class LessonStep(Struct, frozen=True):
-    """What the script shows of a step, see `sim.scene.lesson.Step`."""
-
-    title: str
-    do: str
-    watch: str
-    question: Question | None
-
-
-class Lesson(State, frozen=True, kw_only=True):
-    """The scene's lesson, which may be anyone's: the script shows it as text only."""
-
-    steps: tuple[LessonStep, ...]
 
 
 class Keepsake(State, frozen=True, kw_only=True):

@@ -1,9 +1,9 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "follow" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "video" | "picture" | "energy" | "foretell" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help" | "plot" | "stopwatch" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "video" | "picture" | "body" | "lengths" | "angles" | "palette" | "help" | "follow" | "ownBody" | "plot" | "stopwatch" | "energy" | "foretell" | "ownSolver" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen";
 /** Texts that are too long for one message. */
 export type TextKind = "resume" | "link" | "file" | "rival" | "paste";
 /** Commands that the page's script does, by the features that they belong to. */
-export type PageCommands = { core: "gallery" | "share" | "fit" | "chase" | "larger" | "video" | "picture"; measure: never; instruments: never; fit: never; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit" };
+export type PageCommands = { core: "gallery" | "share" | "fit" | "chase" | "larger" | "video" | "picture"; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit" };
 /** The scene is to have another name and another description. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
 /** The beat of all muscles is to have another frequency, Hz. */
@@ -30,6 +30,8 @@ export type MoveMuscles = { do: "moveMuscles"; later?: number; stretch?: number;
 export type ShapeMuscles = { do: "shapeMuscles"; wave?: "pulse" | "sine" | null; per_beat?: number | null; spread?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "keep" | "mirror" | "pin" | "remove" | "rest" | "stiffen" | "triangulate"; mass?: number | null; under?: number | null };
+/** The page goes to a step of the scene's lesson. */
+export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "wait" };
 /** The form of the lesson is to be open, or not. */
 export type MakeLesson = { do: "makeLesson"; on: boolean };
 /** A new step, which is to have that number, counted from 0. */
@@ -104,8 +106,6 @@ export type OpenScene = { do: "openScene"; name: string };
 export type UseInClass = { do: "useInClass"; name: string };
 /** Do something with one of the page's own scenes; `name` is that of a deleted one for "restore". */
 export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
-/** The page goes to a step of the scene's lesson. */
-export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "wait" };
 /** A part of what is too long for one message. */
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
 /** One of the choices of a question. */
@@ -142,19 +142,19 @@ export type ToWall = { do: "toWall"; answer: string };
 export type Bring = { do: "bring"; text: string };
 /** Something is to be done with one seat. */
 export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
-export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | BeginStep | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
-/** One step of a lesson. */
-export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
+export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
+/** What the script shows of a step, see `sim.scene.lesson.Step`. */
+export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */
 export type Question = { text: string; choices: string[]; answer: number; because: string };
+/** One step of a lesson. */
+export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
 /** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
 export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
 /** Something that is read off a run. */
 export type Reading = { quantity: string; of: "period" | "value" };
 /** A slider or a list that a step can have. */
 export type LessonControl = { key: string; label: string };
-/** What the script shows of a step, see `sim.scene.lesson.Step`. */
-export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** What a class looks at. */
 export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
 /** Something that the pupil at a page has given. */
@@ -191,6 +191,8 @@ export type Fan = { tell: "fan"; numbers: Float32Array; draws: number; masses: n
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
 /** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
+/** The scene's lesson, which may be anyone's: the script shows it as text only. */
+export type Lesson = { tell: "lesson"; steps: LessonStep[] };
 /** The lesson that is being made, which the page shows as a form. */
 export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[] };
 /** What a step of the lesson can have, as things are now. */
@@ -215,8 +217,6 @@ export type RaceAnswer = { tell: "raceAnswer"; problem: string };
 export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };
 /** The head-up display over the canvas, HTML. */
 export type Hud = { tell: "hud"; html: string };
-/** The scene's lesson, which may be anyone's: the script shows it as text only. */
-export type Lesson = { tell: "lesson"; steps: LessonStep[] };
 /** What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
 /** What a pupil's page has to know of the class. */
@@ -261,6 +261,6 @@ export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 /** What has yielded and broken, see `drawing.plan.encode_damage`. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
-export type ToPage = Selected | Versions | Copied | TextsTaken | Measured | Fan | Tools | Arrows | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Lesson | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | SecondPlan | Frame | Damage;
+export type ToPage = Selected | Versions | Copied | TextsTaken | Measured | Fan | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | SecondPlan | Frame | Damage;
 /** What the page is told, by its tag. */
-export type Told = { selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; measured: Measured; fan: Fan; tools: Tools; arrows: Arrows; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; lesson: Lesson; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };
+export type Told = { selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; measured: Measured; fan: Fan; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };

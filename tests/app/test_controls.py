@@ -71,9 +71,9 @@ def test_what_a_list_says() -> None:
     assert [setting.key for setting in named] == ["gravity", "rest_angle"]
     assert ALL.foremost(applicable) is None
     assert all(part in ALL for part in CONTROLS)
-    assert not Controls(("play",)).in_panel
+    assert not Controls(("play",)).in_play_tab
     assert Controls(("body",)).in_play_tab
-    assert not Controls(("view", "help")).in_panel
+    assert not Controls(("view", "help")).in_play_tab
 
 
 @pytest.mark.parametrize("names", [[1], "play", [""], ["x" * 81], ["play"] * 101])

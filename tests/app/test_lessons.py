@@ -10,15 +10,15 @@ import pytest
 
 import sim
 from app.cli import Check
-from app.page.scenes.lesson_panel import LessonPanel
+from app.features.lesson.messages import BeginStep, LessonStep
+from app.features.lesson.messages import Lesson as LessonState
+from app.features.lesson.panel import LessonPanel
 from app.session import commands
 from app.session.log import decode_log
 from app.session.notices import Notice
 from app.session.plots import Wish
-from app.wire.from_page import BeginStep, Perform
+from app.wire.from_page import Perform
 from app.wire.messages import read
-from app.wire.to_page import Lesson as LessonState
-from app.wire.to_page import LessonStep
 from sim.edit.build import add_mass
 from sim.edit.lesson import add_step
 from sim.scene.lesson import Lesson, Question, Step

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import sim
-from app.features.solver.solver_panel import REFERENCE_LABEL
+from app.features.solver.panel import REFERENCE_LABEL
 from app.session import commands
 from app.session.ghost import REFERENCE
 from app.wire.from_page import Perform

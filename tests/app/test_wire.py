@@ -13,7 +13,6 @@ from msgspec import inspect
 from app.features.instruments.messages import Tools
 from app.page import controls
 from app.page.features import COMMANDS, CONTROLS
-from app.page.tab import TOLD_CONTROLS
 from app.session import commands
 from app.ui.commands import key_lines
 from app.wire import from_page, to_page
@@ -168,8 +167,7 @@ def test_a_command_is_done_by_whom_the_table_says_and_needs_its_control() -> Non
             tab.perform(name)
             offered = (not row.needs or row.needs in names) and row.does not in ("edit", "own")
             assert len(tab.done) == offered, name
-    assert {row.needs for row in COMMANDS.values()} <= {"", *TOLD_CONTROLS}
-    assert set(TOLD_CONTROLS) <= set(CONTROLS)
+    assert {row.needs for row in COMMANDS.values()} <= {"", *CONTROLS}
 
 
 def test_a_command_that_is_none_is_not_done() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.features.solver.solver_panel import REFERENCE_LABEL
+from app.features.solver.panel import REFERENCE_LABEL
 from tests.browser.conftest import OpenPage
 
 

@@ -19,8 +19,8 @@ class FitFeature(Feature):
     def attach(self, panel: Panel) -> None:
         """See `Feature`."""
         self._panel = None
-        if panel.measure_tab is not None and "measure" in self.page.controls:
-            self._panel = FitPanel(self.page, panel.measure_tab)
+        if "measure" in self.page.controls:
+            self._panel = FitPanel(self.page, panel.tab("Measure"))
             self.page.take_tables = self._panel.take
 
     def detach(self) -> None:

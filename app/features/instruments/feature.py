@@ -53,8 +53,8 @@ class InstrumentsFeature(Feature):
 
     def attach(self, panel: Panel) -> None:
         self.panel = None
-        if panel.measure_tab is not None and "tools" in self.page.controls:
-            with panel.measure_tab:
+        if "tools" in self.page.controls:
+            with panel.tab("Measure"):
                 self.panel = ToolsPanel(self.page)
             self.panel.show_arrows(self._remembered)
 

@@ -7,7 +7,7 @@ import { onTold, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { kept, store } from "../../page/files/storage.js";
 import { make, makeButton } from "../../page/looks/dialog.js";
-import { beginNextAt } from "../../page/scenes/lesson.js";
+import { beginNextAt } from "../lesson/lesson.js";
 import { viser } from "../../page/viser/viser.js";
 import { frameOf } from "../../page/viser/widgets.js";
 import { StepForm } from "./step_form.js";

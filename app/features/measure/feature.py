@@ -79,8 +79,8 @@ class MeasureFeature(Feature):
 
     def attach(self, panel: Panel) -> None:
         self.panel = None
-        if panel.measure_tab is not None and "measure" in self.page.controls:
-            self.panel = MeasurePanel(self.page, panel.measure_tab)
+        if "measure" in self.page.controls:
+            self.panel = MeasurePanel(self.page, panel.tab("Measure"))
             self.panel.plots.remember(self._remembered)
             if self._is_looked_at is not None:
                 self.panel.plots.looked_at = self._is_looked_at

@@ -9,7 +9,7 @@
  * @typedef {import("./live.js").About} About
  * @typedef {import("./quantities.js").Goal} Goal
  * @typedef {import("./quantities.js").Recording} Recording
- * @typedef {import("../../../page/scenes/lesson_card.js").Step & LiveStep} Step
+ * @typedef {import("../../../features/lesson/card.js").Step & LiveStep} Step
  * @typedef {object} LiveStep
  * @property {string[]} controls keys of the settings whose sliders stand below the text
  * @property {Plot[]} plots
@@ -30,7 +30,7 @@
  * @property {() => Point[]} places where the masses are
  */
 import { make, makeButton } from "../../../page/looks/dialog.js";
-import { lessonCard } from "../../../page/scenes/lesson_card.js";
+import { lessonCard } from "../../../features/lesson/card.js";
 import { element } from "../../static/parts.js";
 import { packed } from "./answers.js";
 import { qrCode } from "./qr.js";

@@ -5,10 +5,10 @@
  * How far the lesson is outlives a reload.
  */
 import { onTold, send, told } from "../../wire/channel.js";
-import { make } from "../looks/dialog.js";
+import { make } from "../../page/looks/dialog.js";
 import { perform } from "../../wire/perform.js";
-import { kept, store } from "../files/storage.js";
-import { lessonCard } from "./lesson_card.js";
+import { kept, store } from "../../page/files/storage.js";
+import { lessonCard } from "./card.js";
 
 /**
  * @typedef {import("../../wire/wire.js").LessonStep} Step
@@ -146,7 +146,7 @@ function startOver() {
 }
 
 /** Makes the card of lessons, and keeps it in its place in the panel, which viser makes anew now and then. */
-export function addLesson() {
+function begin() {
   card = make("section", "softrod-lesson");
   card.ariaLabel = "Lesson";
   onTold("lesson", take);
@@ -158,3 +158,6 @@ export function addLesson() {
   }, LOOK_EVERY);
   show();
 }
+
+/** @type {import("../../ui/feature.js").Feature<"lesson">} */
+export default { commands: {}, begin };

@@ -12,14 +12,13 @@ from sim.errors import SettingError
 from sim.scene.lesson import Lesson, Step
 from sim.settings import scene_of_step
 
-from ...features.measure.plot_list import PlotList
+from ...page.page import Page
 from ...session import commands
 from ...session.notices import Notice
 from ...session.plots import wish_of
-from ...wire.from_page import BeginStep
-from ...wire.to_page import Lesson as LessonState
-from ...wire.to_page import LessonStep
-from ..page import Page
+from ..measure.plot_list import PlotList
+from .messages import BeginStep, LessonStep
+from .messages import Lesson as LessonState
 
 PLACE = '<div id="softrod-lesson"></div>'
 """Where the script puts the lesson."""

@@ -1,0 +1,1 @@
+"""The scene's lesson: its steps, with what each of them shows."""

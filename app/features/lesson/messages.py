@@ -1,0 +1,38 @@
+"""What a page says of its scene's lesson, and is told of it."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from msgspec import Struct
+
+from sim.scene.lesson import Question
+
+from ...wire.messages import FromPage, State, StepNumber
+
+
+class BeginStep(FromPage, frozen=True):
+    """The page goes to a step of the scene's lesson.
+
+    Attributes:
+        how: "run" or "wait": it begins; the body waits if there is a question. "on": the page goes on in the
+            middle of it, as after a reload.
+    """
+
+    step: StepNumber
+    how: Literal["run", "wait", "on"] = "wait"
+
+
+class LessonStep(Struct, frozen=True):
+    """What the script shows of a step, see `sim.scene.lesson.Step`."""
+
+    title: str
+    do: str
+    watch: str
+    question: Question | None
+
+
+class Lesson(State, frozen=True, kw_only=True):
+    """The scene's lesson, which may be anyone's: the script shows it as text only."""
+
+    steps: tuple[LessonStep, ...]

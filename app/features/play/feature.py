@@ -1,0 +1,123 @@
+"""The Play tab: the scene, the sliders that make most of it, and all other numbers of the body."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, ClassVar
+
+import viser
+
+from sim.settings import CHOICES, Setting
+
+from ...page.page import Page
+from ...session import commands
+from ...session.session import Session
+from ...ui.board import Board, dials_of, foremost
+from ...ui.commands import Row
+from ...ui.feature import Feature
+from .panel import LAST, PlayPanel
+
+if TYPE_CHECKING:
+    from ...page.panel import Panel
+
+ELSEWHERE = ("dt", "tolerance")
+"""Settings whose sliders stand in the Solver tab."""
+
+TOUCH_CHOICES = ("restitution", "grip")
+"""Choices whose lists stand below the sliders of the body."""
+
+
+def _follow(session: Session, _: Feature) -> None:
+    session.post(commands.Follow(not session.follow))
+
+
+class PlayFeature(Feature):
+    """The Play tab of a page, if it has any of its controls."""
+
+    commands: ClassVar = {
+        "follow": Row(
+            "Follow the pointer, or stop", _follow, ("F",),
+            "the ringed mass follows the pointer, or stops following",
+        ),
+        "ownBody": Row("The body's own values", commands.OwnValues("body")),
+    }  # fmt: skip
+    controls: ClassVar = {
+        "about": "what the scene shows, in words",
+        "follow": "the switch that has the ringed mass follow the pointer",
+        "angle": "the table of the joint's angle",
+        "keys": "the arrow pad",
+        "body": "the sliders of all other numbers of the body",
+    }
+
+    def __init__(self, page: Page) -> None:
+        super().__init__(page)
+        self._tab: viser.GuiTabHandle | None = None
+        self._panel: PlayPanel | None = None
+        self._board = Board(page)
+
+    def attach(self, panel: Panel) -> None:
+        """See `Feature`."""
+        self._tab, self._panel, self._board = None, None, Board(self.page)
+        if self.page.controls.in_play_tab:
+            self._tab = panel.tab("Play")
+            with self._tab:
+                self._panel = PlayPanel(self.page)
+
+    def build(self) -> None:
+        """See `Feature`."""
+        if self._tab is None or self._panel is None:
+            return
+        scene = self.session.scene
+        self._panel.build(scene)
+        dials = dials_of(scene)
+        touching = [key for key in TOUCH_CHOICES if CHOICES[key].applies(scene)]
+        if not self._board.is_new((dials, touching)):
+            return
+        named = self.page.controls.foremost(dials)
+        first = foremost(dials) if named is None else named
+        self._board.add_sliders(self._tab, first)
+        if "body" in self.page.controls:
+            others = [dial for dial in dials if dial not in first and dial.key not in ELSEWHERE]
+            self._add_numbers(self._tab, others, touching, moves=bool(dials))
+
+    def _add_numbers(
+        self, tab: viser.GuiTabHandle, others: list[Setting], touching: list[str], moves: bool
+    ) -> None:
+        """The other sliders of the body, and lists, in a folder.
+
+        Args:
+            tab: where that stands.
+            others: what the sliders set.
+            touching: keys of the choices that there are, of what the body touches.
+            moves: whether the body has any slider.
+        """
+        gui = self.page.client.gui
+        with tab:
+            if not moves:
+                nothing = "Every mass of this scene is held."
+                if "edit" in self.page.controls:
+                    nothing += " Press Edit (E) to build more, or select a mass and let it go."
+                self._board.keep(gui.add_html(f'<div class="softrod-text">{nothing}</div>', order=LAST + 3))
+                return
+            folder = gui.add_folder("All numbers", order=LAST + 3)
+        self._board.add_sliders(folder, others)
+        self._board.add_choices(folder, touching, LAST - 2)
+        with folder:
+            own_values = self.page.button(
+                "Scene's own values",
+                viser.Icon.RESTORE,
+                lambda: self.session.post(commands.OwnValues("body")),
+                order=LAST,
+            )
+        self._board.keep(own_values, folder)
+
+    @property
+    def unsettled(self) -> bool:
+        """See `Feature`."""
+        return not self._board.settled
+
+    def refresh(self) -> None:
+        """See `Feature`."""
+        if self._panel is not None:
+            self._panel.refresh_controls()
+            self._board.show(self.session.scene)
+            self._panel.refresh_readouts()
