@@ -11,17 +11,12 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any
 
-from sim.scene.types import Scene
-
 from ..session.notices import Notice
 from ..ui.feature import Feature
 from ..wire import from_page
 from ..wire.to_page import Resumed
-from .files import keeping
-from .files.files_panel import open_file
-from .files.sharing import Sharing
+from .kept import keeping
 from .page import Page
-from .scenes.gallery import Gallery
 from .waiting import TOO_MUCH, Waiting
 
 _log = logging.getLogger(__name__)
@@ -42,11 +37,6 @@ class Answers:
         page: whose script asks.
         features: the page's, which may read long texts.
         resume: goes on with what the page had kept.
-        show: opens the scene of a link, after what the page had kept.
-        for_others: the address by which others reach the page, from that by which it was reached itself.
-
-    Attributes:
-        sharing, gallery: what it asks about.
     """
 
     def __init__(
@@ -54,12 +44,8 @@ class Answers:
         page: Page,
         features: Iterable[Feature],
         resume: Callable[[keeping.Kept], None],
-        show: Callable[[Scene], None],
-        for_others: Callable[[str], str],
     ) -> None:
         self._page, self._resume = page, resume
-        self.sharing = Sharing(page, show, for_others)
-        self.gallery = Gallery(page)
         self._readers = {kind: feature for feature in features for kind in feature.texts}
         self._parts: defaultdict[str, keeping.Parts] = defaultdict(keeping.Parts)
         self._line = InOrder(page.notify)
@@ -67,6 +53,10 @@ class Answers:
     def ask(self, ask: from_page.Ask) -> None:
         """Have a question answered after those before it."""
         self._line.submit(self._answer, ask)
+
+    def later(self, work: Callable[..., None], *arguments: Any) -> None:
+        """Have something done in a thread, after what was asked for before it."""
+        self._line.submit(work, *arguments)
 
     @property
     def unfinished(self) -> Collection[keeping.Parts]:
@@ -83,13 +73,9 @@ class Answers:
                 self._parts.clear()
                 self._page.notify(TOO_MUCH)
             return
-        if part.kind == "link":
-            self._line.submit(self.sharing.open, letters)
-        elif part.kind == "file":
-            if "files" in self._page.controls:
-                self._line.submit(open_file, self._page, letters)
-        elif (reader := self._readers.get(part.kind)) is not None:
-            if reader.texts[part.kind].needs in self._page.controls:
+        if (reader := self._readers.get(part.kind)) is not None:
+            needs = reader.texts[part.kind].needs
+            if not needs or needs in self._page.controls:
                 self._line.submit(reader.read, part.kind, letters)
         elif part.kind == "resume":
             if kept := keeping.decode(letters):
@@ -104,26 +90,16 @@ class Answers:
 
     def _answer(self, ask: from_page.Ask) -> None:
         match ask:
-            case from_page.Share():
-                self.sharing.share(ask)
             case from_page.Who():
                 self._page.shelf.introduce(ask)
             case from_page.Unread(text):
                 self._page.notify(unread(text))
             case from_page.Unsent(what):
                 self._page.notify(Notice("error", f"That cannot be {self._verb(what)}", UNSENT))
-            case from_page.ListScenes():
-                self.gallery.list(ask)
-            case from_page.OpenScene():
-                self.gallery.open(ask)
-            case from_page.UseInClass():
-                self.gallery.use_in_class(ask)
-            case from_page.ChangeScene():
-                self.gallery.change(ask)
 
 
 UNSENT = "It is too large for a page to send: at most 4.7 MB, which is some 11,000 masses."
-VERBS = {"resume": "resumed", "link": "opened", "file": "opened"}
+VERBS = {"resume": "resumed"}
 """What is done with long texts."""
 
 

@@ -21,10 +21,8 @@ _SCRIPTS = (_APP / "drawing" / "static", _APP / "wire", _APP / "ui", _APP / "fea
 """Scripts have the same places relative to each other as on the disk."""
 _TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/webp"}
 _FOREVER = "public, max-age=31536000, immutable"
-_FIRST = ("page.css", "viser/viser.css", "body/overlay.css", "time/dock.css")
+_FIRST = ("page.css", "viser/viser.css", "looks/dialogs.css", "body/overlay.css", "time/dock.css")
 _LAST = (
-    "looks/dialogs.css",
-    "scenes/gallery.css",
     "classroom/classroom.css",
     "looks/menu.css",
     "looks/looks.css",

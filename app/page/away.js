@@ -4,7 +4,7 @@
  * pressed is done, neither now nor late.
  */
 import { hangUp } from "../wire/channel.js";
-import { lost } from "./files/keep.js";
+import { lost } from "./kept/keep.js";
 
 const TEXT = "Not connected: your body waits. Reconnecting…";
 /** On a wall, which has no body of its own. */

@@ -19,9 +19,7 @@ from ..gate.address import page_query
 
 CORE = {
     "play": "the bar of time under the body",
-    "chooser": "the button with the scene's title, which opens the gallery, and Open anew",
     "help": "Help, in the View menu",
-    "files": "the Share tab",
     "view": "the other entries of the View menu",
 }
 """Names of controls of no feature, and what they stand for; besides them and those of features, the key of

@@ -4,10 +4,12 @@ import lesson from "../features/lesson/lesson.js";
 import measure from "../features/measure/measure.js";
 import instruments from "../features/instruments/instruments.js";
 import fit from "../features/fit/fit.js";
+import files from "../features/files/files.js";
+import gallery from "../features/gallery/gallery.js";
 import muscles from "../features/muscles/muscles.js";
 import modes from "../features/modes/modes.js";
 import race from "../features/race/race.js";
 import making from "../features/making/making.js";
 import edit from "../features/edit/edit.js";
 
-export const FEATURES = [lesson, measure, instruments, fit, muscles, modes, race, making, edit];
+export const FEATURES = [lesson, measure, instruments, fit, files, gallery, muscles, modes, race, making, edit];

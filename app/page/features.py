@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ..features.edit.feature import EditFeature
+from ..features.files.feature import FilesFeature
 from ..features.fit.feature import FitFeature
+from ..features.gallery.feature import GalleryFeature
 from ..features.instruments.feature import InstrumentsFeature
 from ..features.lesson.feature import LessonFeature
 from ..features.making.feature import MakingFeature
@@ -26,6 +28,8 @@ FEATURES: tuple[type[Feature], ...] = (
     InstrumentsFeature,
     FitFeature,
     SolverFeature,
+    FilesFeature,
+    GalleryFeature,
     MusclesFeature,
     ModesFeature,
     RaceFeature,

@@ -10,12 +10,10 @@ import { drawBody, shown } from "./body/canvas.js";
 import { askedScene, watchConnection } from "./viser/connection.js";
 import { mindDialogs } from "./viser/dialogs.js";
 import { addEmpty } from "./body/empty.js";
-import { addGallery, gallery } from "./scenes/gallery.js";
 import { showHud } from "./looks/hud.js";
-import { hasKept, keepOnlyOf, resume } from "./files/keep.js";
+import { hasKept, keepOnlyOf, resume } from "./kept/keep.js";
 import { listenToKeys } from "./hands/keys.js";
-import { keepAddress, listenToLinks, openLink, takeLink } from "./files/links.js";
-import { listenToOpenFile } from "./files/open_file.js";
+import { keepAddress, listenToLinks, openLink, takeLink } from "./kept/links.js";
 import { addLoads } from "./body/load_marks.js";
 import { beginViser, canDraw, complain, endLoading, mindGraphics } from "./viser/loading.js";
 import { restoreLooks, toggleProjector } from "./looks/looks.js";
@@ -23,30 +21,23 @@ import { addMenu } from "./looks/menu.js";
 import { mindWidgets } from "./viser/widgets.js";
 import { mindNumbers } from "./viser/numbers.js";
 import { addOverlay } from "./body/overlay.js";
-import { sayWhose } from "./scenes/owner.js";
+import { sayWhose } from "./owner.js";
 import { listenToCommands, provide } from "../wire/perform.js";
 import { listenToPointer } from "./hands/pointer.js";
 import { addPaper } from "./body/paper.js";
 import { listenToPresses } from "./hands/presses.js";
-import { addShareDialog, openShareDialog } from "./files/share.js";
 import { addUnderlay } from "./body/underlay.js";
-import { addTexts } from "./scenes/texts.js";
 import { addTransport } from "./time/transport.js";
 import * as seen from "./viser/seen.js";
 import { isKnown, whenViser } from "./viser/viser.js";
 import { send } from "../wire/channel.js";
 import { FEATURES } from "./features.js";
-import { takePicture } from "./files/picture.js";
 
 /** What the page does itself, of no feature. @type {Record<import("../wire/wire.js").PageCommands["core"], () => void>} */
 const OWN = {
-  gallery: () => gallery.open(),
-  share: () => openShareDialog(),
   fit: () => void fit(true),
   chase: () => toggleChase(),
   larger: () => toggleProjector(),
-  picture: () => void takePicture(),
-  video: () => void window.open("video", "_blank", "noopener"),
 };
 
 /** Seconds after which viser's page has made its hook, or never will. */
@@ -91,17 +82,13 @@ whenViser((viser) => {
     begin();
   }
   listenToKeys();
-  addGallery();
   mindNumbers();
   listenToPointer();
   resume(openLink);
   listenToLinks();
-  listenToOpenFile();
   restoreLooks();
-  addShareDialog();
   addPaper();
   addClassroom();
-  addTexts();
   addMenu();
   addEmpty();
   addBodyKeys();

@@ -18,8 +18,8 @@ from ..session.session import Session
 from ..ui.commands import CORE, Row
 from ..wire.carrier import Mail
 from .controls import ALL, Controls
-from .files.keeping import PLAIN, Looks
-from .scenes.shelf import Shelf
+from .kept.keeping import PLAIN, Looks
+from .shelf import Shelf
 from .viser.comma_switch import CommaSwitch
 from .viser.handlers import on_press
 from .waiting import Waiting
@@ -65,6 +65,7 @@ class Page:
         is_closed: whether a lesson is not to be seen here, since a class goes through it.
         begin_class: begins a class with a scene, and returns the address of the teacher's page, from this
             page's; None where others cannot reach the server. The ticker's; raises `Refused`.
+        for_others: the address by which others reach the page, from that by which it was reached itself.
         take_tables: offers to fit the scene to a table of what was measured; None where there is no place for
             that. The ticker's.
     """
@@ -85,6 +86,7 @@ class Page:
     is_in_class: bool = False
     is_closed: Callable[[Lesson], bool] = lambda _: False
     begin_class: Callable[[Scene], str] | None = None
+    for_others: Callable[[str], str] = str
     take_tables: Callable[[tuple[Measurement, ...]], None] | None = None
     _asked: Waiting[Callable[[], object]] = field(init=False)
 

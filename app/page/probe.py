@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ..drawing.sketch import Floats, Mapping
 from ..session.plots import Wish
 from ..wire.to_page import PageState
-from .files.keeping import Looks
+from .kept.keeping import Looks
 
 
 class KeptState(NamedTuple):

@@ -29,6 +29,7 @@ from sim.scene.types import shown_name
 from ..drawing.colors import palette
 from ..drawing.plan import Picture, broken_of, own_rest_angles
 from ..drawing.sketch import Mapping, world_size
+from ..features.gallery.feature import GalleryFeature
 from ..features.measure.feature import MeasureFeature
 from ..session import commands
 from ..session.notices import About
@@ -40,7 +41,7 @@ from ..ui.feature import Drawn, Feature
 from ..viser_inside import element_id
 from ..wire import from_page
 from ..wire.carrier import Mail, listen
-from ..wire.messages import messages
+from ..wire.messages import Ask, FromPage, messages
 from ..wire.to_page import Hud, Keepsake, PageState, Resumed, Run
 from . import controls
 from .answers import Answers
@@ -49,15 +50,13 @@ from .classroom.front import FrontView
 from .classroom.role import Role
 from .controls import Controls
 from .features import COMMANDS, CONTROLS, FEATURES
-from .files import keeping, pasts
-from .files.export_panel import ExportPanel
-from .files.files_panel import FilesPanel
+from .kept import keeping, pasts
 from .looks import readouts
 from .opening import asked_scene
 from .page import Page
 from .panel import Panel, set_theme
 from .probe import KeptState, Probe
-from .scenes.shelf import Shelf
+from .shelf import Shelf
 from .viser.comma_switch import CommaSwitch
 from .viser.handlers import on_press
 from .waiting import Waiting
@@ -71,9 +70,6 @@ between two, at most, whatever they take."""
 
 MOST_REQUESTS = 20
 """What one page may ask the ticker for in a frame; what comes faster waits, or is dropped."""
-
-SHELF_EVERY = 0.3
-"""Seconds between two looks whether scenes were saved or deleted, in whatever page."""
 
 CALM_FRAME = 1.0
 """Seconds between two frames of a page on which nothing happens."""
@@ -148,8 +144,6 @@ class Tab:
         self._planned = -1
         self._kept: KeptState | None = None
         self._shelf = Shelf(owned)
-        self._shelf_stamp = self._shelf.stamp()
-        self._shelf_due = 0.0
         self._passing: dict[About, viser.NotificationHandle] = {}  # notices that go when it is over
         self._keep_due = 0.0
         self._kept_scene: tuple[int, str] = (-1, "")
@@ -178,7 +172,6 @@ class Tab:
         self._named_controls: tuple[str, ...] | None = None
         self._features: tuple[Feature, ...] = ()
         self._hearers: dict[type, list[tuple[Feature, str]]] = {}
-        self._files: FilesPanel | None = None
         self._session: Session | None = None
         self._calm, self._stirred = False, time.monotonic()
         self._under_way: Future[Any] | None = None
@@ -217,7 +210,7 @@ class Tab:
         )
 
     # --------------------------------------------------------------------- handlers, any thread
-    def hear(self, said: from_page.FromPage) -> None:
+    def hear(self, said: FromPage) -> None:
         """Do what the page says, or have the ticker do it; nothing in it is trusted."""
         session, role = self._session, self._role
         if session is None or (role is not None and not role.allows(said)):
@@ -242,7 +235,7 @@ class Tab:
                 self.perform(command)
             case from_page.Part():
                 self._answers.take(said)
-            case from_page.Ask():
+            case from_page.Who() | from_page.Unread() | from_page.Unsent():
                 self._answers.ask(said)
                 if role is not None and isinstance(said, from_page.Who):
                     self._requests.add(lambda now: role.introduce(said, now))
@@ -254,7 +247,11 @@ class Tab:
             case _:
                 pass
         for feature, needs in self._hearers.get(type(said), ()):
-            if not needs or needs in self._page.controls:
+            if needs and needs not in self._page.controls:
+                continue
+            if isinstance(said, Ask):
+                self._answers.later(feature.hear, said)
+            else:
                 feature.hear(said)
 
     def perform(self, command: str) -> None:
@@ -336,7 +333,6 @@ class Tab:
             made = Session(self._first, wait=False)
         else:
             made = session
-            self._look_at_shelf(session.now())
             self._serve_requests(session)
             if self._role is not None:
                 self._role.frame(session)
@@ -400,23 +396,21 @@ class Tab:
         """What is made after the first picture has been sent."""
 
         def resume(kept: keeping.Kept) -> None:
-            self._requests.add(lambda now: self._resume(now, kept))
-
-        def show(scene: sim.Scene) -> None:  # by the same queue: a link comes after what the page had kept
-            self._requests.add(lambda now: now.post(commands.Open(scene)))
+            self._page.later(lambda: self._resume(session, kept))
 
         commas = CommaSwitch(lambda on: self._requests.add(lambda now: self._switch(now, "commas", on)))
         self._page = Page(
             self.client, session, self._mail, self.notify, self.perform, self._shelf, commas,
             commands=COMMANDS, controls=self._wanted_controls(session.scene), begin_class=self._begin_class,
             is_closed=self._is_closed, is_in_class=self._role is not None,
+            for_others=self._for_others,
         )  # fmt: skip
         self._page.features = self._features = tuple(feature(self._page) for feature in FEATURES)
         for feature in self._features:
             for kind, needs in feature.messages.items():
                 for message in messages(kind):
                     self._hearers.setdefault(message, []).append((feature, needs))
-        self._answers = Answers(self._page, self._features, resume, show, self._for_others)
+        self._answers = Answers(self._page, self._features, resume)
         self._make_panel(session)
         self._session = session
         return session
@@ -465,11 +459,6 @@ class Tab:
         if self._role is not None and play is not None:
             with play:
                 self.client.gui.add_html(self._role.place, order=0)
-        self._files = None
-        if "files" in page.controls:
-            with self._panel.tab("Share"):
-                self._files = FilesPanel(page)
-                ExportPanel(page)
         self._panel.finish()
 
     def _prepare(self, session: Session) -> None:
@@ -503,8 +492,6 @@ class Tab:
             self._make_panel(session)
             if was_empty and not self._panel.is_empty:
                 self.client.gui.main_panel.expand()
-        if self._files is not None:
-            self._files.build()
         for feature in self._features:
             feature.build()
         self._moved_at = session.now()
@@ -629,15 +616,6 @@ class Tab:
             if getattr(kept.looks, what):
                 self._switch(session, what, True)
 
-    def _look_at_shelf(self, now: float) -> None:
-        if now < self._shelf_due:
-            return
-        self._shelf_due = now + SHELF_EVERY
-        stamp = self._shelf.stamp()
-        if stamp != self._shelf_stamp:
-            self._shelf_stamp = stamp
-            self._answers.gallery.changed()
-
     def _serve_requests(self, session: Session) -> None:
         self._page.serve()
         # No more in a frame than a person can ask for: others wait for the same thread.
@@ -677,8 +655,9 @@ class Tab:
             session.post(commands.SelectJoint(joint))
 
     def _say_not_found(self, why: str) -> None:
-        if "chooser" in self._page.controls:
-            self._answers.gallery.offer(why)
+        gallery = self._page.find(GalleryFeature)
+        if gallery is not None and "chooser" in self._page.controls:
+            gallery.offer(why)
         else:
             self.notify(Notice("error", "That address has no scene", why))
 

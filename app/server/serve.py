@@ -26,6 +26,7 @@ from ..drawing.colors import LIGHT_GAIN
 from ..gate.address import address_for_others, class_exposure, interfaces, is_virtual, public_address
 from ..gate.gate import GatedServer, exposure, open_server, page_addresses
 from ..linking import print_qr_code
+from ..page import owner
 from ..page.assets import page_files
 from ..page.check.page import check_address
 from ..page.check.role import CheckRole, is_check
@@ -39,7 +40,6 @@ from ..page.classroom.roles import (
     wall_address,
 )
 from ..page.panel import set_theme
-from ..page.scenes import owner
 from ..page.tab import Tab
 from ..wire.carrier import Mail
 from .ticker import Ticker

@@ -15,7 +15,7 @@ from sim.scene.types import shown_name
 from sim.store.files import SceneInfo, list_scenes, load_scene
 from sim.store.link import link_data
 
-from ..page.scenes import shelf
+from ..page import shelf
 
 OWN = "Own scenes"
 """Heading of what is no preset."""

@@ -16,7 +16,7 @@ from ..drawing.looks import style_rules
 from ..export.bundle import bundle
 from ..export.html_file import Bar, document
 from ..export.live.live import DARK, early_script, live_html
-from ..page.scenes import thumbnails
+from ..features.gallery import thumbnails
 from .entries import Shown
 from .folder import INDEX
 

@@ -83,10 +83,6 @@ class Row:
         return "held" if self.held else ""
 
 
-def _anew(session: Session, _: Page) -> None:
-    session.post(commands.Open(session.opened, session.lesson_begun))
-
-
 def _help(_: Session, page: Page) -> None:
     page.show_help()
 
@@ -127,11 +123,6 @@ CORE: dict[str, Row] = {
     "run": Row("Play", commands.Play(True), palette=False),
     "forget": Row("Take the line away", commands.ForgetFuture(), palette=False),
     # ------------------------------------------------------------------------- what is shown
-    "gallery": Row("Choose another scene", "page", ("O",), "choose another scene", needs="chooser"),
-    "anew": Row("Open this scene anew", _anew, needs="chooser"),
-    "share": Row(
-        "Share this scene by a link", "page", needs="files", share=("Share by a link", viser.Icon.LINK)
-    ),
     "fit": Row("Show the whole scene", "page", ("0",), "show the whole scene"),
     "chase": Row(
         "Camera goes with the body", "page", hint="with both, in a race; pan and zoom as ever", needs="view"
@@ -145,8 +136,6 @@ CORE: dict[str, Row] = {
     "gizmos": Row(
         "Arrows at held masses", _toggle("gizmos"), hint="to drag them along one axis", needs="view"
     ),
-    "video": Row("Measure in a video", "page", needs="files"),
-    "picture": Row("Picture of the page (PNG)", "page", ("I",), "a picture of the page, as a file"),
     # ------------------------------------------------------------------------- the body by keys, and the help
     "body": Row(
         "The body by keys", "own", ("Tab",),

@@ -71,7 +71,8 @@ class Feature:
         return self.page.session
 
     def hear(self, said: FromPage) -> None:
-        """Do what the page says with one of `messages`; on viser's event loop, where nothing may block."""
+        """Do what the page says with one of `messages`: on viser's event loop, where nothing may block, or
+        for an `Ask` in a thread, after those before it."""
 
     def read(self, kind: str, letters: str) -> None:
         """Do what is to be done with one of `texts`; in a thread that may take its time."""

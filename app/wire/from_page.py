@@ -23,7 +23,6 @@ from .messages import (
     OwnBody,
     PhaseName,
     Point,
-    SceneName,
     TextKind,
 )
 
@@ -108,24 +107,6 @@ class Part(FromPage, frozen=True):
 
 
 # ------------------------------------------------------------------------- questions
-class Share(Ask, frozen=True):
-    """A link to the scene, with the present pose or without.
-
-    Attributes:
-        page: the page's own address, without what stands after its folder.
-        short: as an address that the server keeps, instead of a link that holds the scene.
-        controls: which there are for whoever opens it: as they are anyway, the bar of time alone, or that and
-            the sliders that make most of the scene.
-    """
-
-    pose: bool
-    page: Annotated[
-        str, Meta(pattern=r"^https?://[A-Za-z0-9._\[\]:-]{1,250}/([A-Za-z0-9._~-]{1,80}/){0,20}$")
-    ]
-    short: bool = False
-    controls: Literal["all", "play", "sliders"] = "all"
-
-
 class Unread(Ask, frozen=True):
     """A text was typed into a number box that is no number; its user is to be told."""
 
@@ -148,35 +129,6 @@ class Who(Ask, frozen=True):
     visitor: Annotated[str, Meta(pattern=r"^[0-9a-f]{32}$")]
     owner: Annotated[str, Meta(max_length=100)] = ""
     teacher: Annotated[str, Meta(max_length=100)] = ""
-
-
-class ListScenes(Ask, frozen=True):
-    """All scenes, and pictures of the user's own."""
-
-    dark: bool
-
-
-class OpenScene(Ask, frozen=True):
-    """Open a scene by its name."""
-
-    name: SceneName
-
-
-class UseInClass(Ask, frozen=True):
-    """Begin a class with a scene, by its name."""
-
-    name: SceneName
-
-
-class ChangeScene(Ask, frozen=True):
-    """Do something with one of the page's own scenes; `name` is that of a deleted one for "restore".
-
-    Others may be duplicated, too.
-    """
-
-    how: Literal["rename", "duplicate", "delete", "restore"]
-    name: SceneName
-    to: Annotated[str, Meta(max_length=200)] = ""
 
 
 # ------------------------------------------------------------------------- in a class, a pupil

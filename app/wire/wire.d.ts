@@ -1,9 +1,9 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "video" | "picture" | "body" | "lengths" | "angles" | "palette" | "help" | "follow" | "ownBody" | "plot" | "stopwatch" | "energy" | "foretell" | "ownSolver" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "body" | "lengths" | "angles" | "palette" | "help" | "follow" | "ownBody" | "plot" | "stopwatch" | "energy" | "foretell" | "ownSolver" | "share" | "video" | "picture" | "gallery" | "anew" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen";
 /** Texts that are too long for one message. */
 export type TextKind = "resume" | "link" | "file" | "rival" | "paste";
 /** Commands that the page's script does, by the features that they belong to. */
-export type PageCommands = { core: "gallery" | "share" | "fit" | "chase" | "larger" | "video" | "picture"; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit" };
+export type PageCommands = { core: "fit" | "chase" | "larger"; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit" };
 /** The scene is to have another name and another description. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
 /** The beat of all muscles is to have another frequency, Hz. */
@@ -30,6 +30,16 @@ export type MoveMuscles = { do: "moveMuscles"; later?: number; stretch?: number;
 export type ShapeMuscles = { do: "shapeMuscles"; wave?: "pulse" | "sine" | null; per_beat?: number | null; spread?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "keep" | "mirror" | "pin" | "remove" | "rest" | "stiffen" | "triangulate"; mass?: number | null; under?: number | null };
+/** A link to the scene, with the present pose or without. */
+export type Share = { do: "share"; pose: boolean; page: string; short?: boolean; controls?: "all" | "play" | "sliders" };
+/** All scenes, and pictures of the user's own. */
+export type ListScenes = { do: "listScenes"; dark: boolean };
+/** Open a scene by its name. */
+export type OpenScene = { do: "openScene"; name: string };
+/** Begin a class with a scene, by its name. */
+export type UseInClass = { do: "useInClass"; name: string };
+/** Do something with one of the page's own scenes; `name` is that of a deleted one for "restore". */
+export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
 /** The page goes to a step of the scene's lesson. */
 export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "wait" };
 /** The form of the lesson is to be open, or not. */
@@ -90,22 +100,12 @@ export type Speed = { do: "speed"; speed: number };
 export type Visit = { do: "visit" };
 /** In which tab somebody sees plots now; they are not sent otherwise. */
 export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
-/** A link to the scene, with the present pose or without. */
-export type Share = { do: "share"; pose: boolean; page: string; short?: boolean; controls?: "all" | "play" | "sliders" };
 /** A text was typed into a number box that is no number; its user is to be told. */
 export type Unread = { do: "unread"; text: string };
 /** Something was too long to be sent; its user is to be told. */
 export type Unsent = { do: "unsent"; what: TextKind };
 /** Whose the page is: a secret of its browser, and the owner's key if it was opened with that. */
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
-/** All scenes, and pictures of the user's own. */
-export type ListScenes = { do: "listScenes"; dark: boolean };
-/** Open a scene by its name. */
-export type OpenScene = { do: "openScene"; name: string };
-/** Begin a class with a scene, by its name. */
-export type UseInClass = { do: "useInClass"; name: string };
-/** Do something with one of the page's own scenes; `name` is that of a deleted one for "restore". */
-export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
 /** A part of what is too long for one message. */
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
 /** One of the choices of a question. */
@@ -142,7 +142,9 @@ export type ToWall = { do: "toWall"; answer: string };
 export type Bring = { do: "bring"; text: string };
 /** Something is to be done with one seat. */
 export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
-export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
+export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Unread | Unsent | Who | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
+/** A scene as the gallery shows it. */
+export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */
@@ -173,8 +175,6 @@ export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" |
 export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
 /** An answer, as the teacher sees it. */
 export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
-/** A scene as the gallery shows it. */
-export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
 /** What is selected. */
 export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
 /** What undo takes back, and what redo does again; empty for nothing. */
@@ -183,10 +183,24 @@ export type Versions = { tell: "versions"; undo: string; redo: string; count: nu
 export type Copied = { tell: "copied"; text: string };
 /** Whether the scene has its new texts: a sentence that says why not, or nothing. */
 export type TextsTaken = { tell: "textsTaken"; refused: string };
+/** A link to the scene. */
+export type Link = { tell: "link"; link: string; qr: string; problem: string };
 /** Where a table says that masses were: time, x and y of each place; none where no table is open. */
 export type Measured = { tell: "measured"; numbers: Float32Array };
 /** Bodies that go with what was measured about as well as the fitted one: (frames, draws, masses, 2) places, px, from time 0 on; none where no fit is shown. */
 export type Fan = { tell: "fan"; numbers: Float32Array; draws: number; masses: number; rate: number };
+/** Show the gallery, and why. */
+export type OfferGallery = { tell: "offerGallery"; why: string };
+/** There are other scenes than before. */
+export type ShelfChanged = { tell: "shelfChanged" };
+/** All scenes, and the name of the present one. */
+export type Scenes = { tell: "scenes"; scenes: Entry[]; present: string; teaches: boolean };
+/** Pictures of scenes by their names, as addresses that an image can have. */
+export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, string> };
+/** What was done with a scene of the page's own. */
+export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
+/** How a scene is used in a class. */
+export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
 /** What is measured on the canvas. */
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
 /** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
@@ -239,20 +253,6 @@ export type ClassEnded = { tell: "classEnded" };
 export type Run = { tell: "run"; command: CommandName };
 /** The server has what the page gave back. */
 export type Resumed = { tell: "resumed" };
-/** Show the gallery, and why. */
-export type OfferGallery = { tell: "offerGallery"; why: string };
-/** There are other scenes than before. */
-export type ShelfChanged = { tell: "shelfChanged" };
-/** All scenes, and the name of the present one. */
-export type Scenes = { tell: "scenes"; scenes: Entry[]; present: string; teaches: boolean };
-/** Pictures of scenes by their names, as addresses that an image can have. */
-export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, string> };
-/** What was done with a scene of the page's own. */
-export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
-/** How a scene is used in a class. */
-export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
-/** A link to the scene. */
-export type Link = { tell: "link"; link: string; qr: string; problem: string };
 /** What a body is made of, see `drawing.plan.encode_plan`. */
 export type Plan = { tell: "plan"; numbers: Float32Array };
 /** What a second body beside the page's is made of, as a plan; where its masses are is in the frames. */
@@ -261,6 +261,6 @@ export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 /** What has yielded and broken, see `drawing.plan.encode_damage`. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
-export type ToPage = Selected | Versions | Copied | TextsTaken | Measured | Fan | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | SecondPlan | Frame | Damage;
+export type ToPage = Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | Plan | SecondPlan | Frame | Damage;
 /** What the page is told, by its tag. */
-export type Told = { selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; measured: Measured; fan: Fan; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };
+export type Told = { selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };

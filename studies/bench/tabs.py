@@ -16,6 +16,7 @@ from rich.table import Table
 from websockets.asyncio.client import connect
 
 import sim
+from app.features.gallery.messages import OpenScene
 from app.wire import from_page
 from sim import Scene
 from sim.store.files import encode_scene
@@ -82,7 +83,7 @@ async def _visit(
         async def steer() -> None:
             await drawn.wait()
             if scene:
-                await say(from_page.OpenScene(scene))
+                await say(OpenScene(scene))
                 await asyncio.sleep(1.0)
             await say(from_page.Perform("follow"))
             pressed = False

@@ -15,7 +15,7 @@ import msgspec
 import viser
 
 from app.page.page import Page
-from app.page.scenes.shelf import Shelf
+from app.page.shelf import Shelf
 from app.page.viser.comma_switch import CommaSwitch
 from app.session.notices import Notice
 from app.session.session import Session

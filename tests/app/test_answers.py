@@ -11,12 +11,13 @@ from pathlib import Path
 import pytest
 
 import sim
+from app.features.files.panel import open_file
+from app.features.gallery.messages import ListScenes
 from app.page import answers, controls
 from app.page.answers import InOrder
-from app.page.files.files_panel import open_file
 from app.page.waiting import MOST, TOO_MUCH, Waiting
 from app.session.notices import Notice
-from app.wire.from_page import ListScenes, Part, Unread, Unsent
+from app.wire.from_page import Part, Unread, Unsent
 from app.wire.messages import Ask
 from app.wire.to_page import Resumed
 from sim.store import files
@@ -102,7 +103,7 @@ def test_a_full_queue_says_so_once_until_it_is_empty() -> None:
 
 def test_texts_that_are_never_finished_are_bounded() -> None:
     page = Page()
-    answering = answers.Answers(page.page, (), print, print, str)
+    answering = answers.Answers(page.page, (), print)
     letters = "A" * 48_000
     for kind in ("resume", "link", "file", "paste", "rival"):
         for number in range(1, 99):
@@ -139,7 +140,7 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
         notices.append(notice)
         told.set()
 
-    answering = answers.Answers(page_of(page.session, None, page.letters, notify), (), print, print, str)
+    answering = answers.Answers(page_of(page.session, None, page.letters, notify), (), print)
     answering.ask(message)
     assert told.wait(LIMIT)
     assert notices[0].title == title
@@ -148,7 +149,7 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
 
 def test_a_page_that_gives_back_nonsense_keeps_what_comes_after_it() -> None:
     page = Page()
-    answering = answers.Answers(page_of(page.session, None, page.letters), (), print, print, str)
+    answering = answers.Answers(page_of(page.session, None, page.letters), (), print)
     answering.take(Part("resume", 1, 1, "bm9uc2Vuc2U="))
     assert page.letters.sent == [Resumed()]
 
@@ -167,7 +168,7 @@ def test_a_file_is_opened_where_there_is_a_share_tab_and_a_broken_one_is_told() 
         told.set()
 
     all_of_it = page_of(page.session, None, page.letters, notify)
-    answering = answers.Answers(all_of_it, (), print, print, str)
+    answering = answers.Answers(all_of_it, (), print)
 
     def say(name: str, data: bytes) -> Part:
         return Part("file", 1, 1, packed(name, data))

@@ -16,14 +16,24 @@ import sim
 from app.classroom import live
 from app.classroom.live import Classes
 from app.drawing.plan import Picture
+from app.features.gallery import gallery, thumbnails
+from app.features.gallery.gallery import Gallery
+from app.features.gallery.messages import (
+    ChangeScene,
+    ListScenes,
+    OpenScene,
+    SceneChanged,
+    ScenePictures,
+    Scenes,
+    UsedInClass,
+    UseInClass,
+)
+from app.page import owner, shelf
 from app.page.assets import page_files
 from app.page.classroom.roles import desk_address
-from app.page.scenes import gallery, owner, shelf, thumbnails
-from app.page.scenes.gallery import Gallery
-from app.page.scenes.shelf import Shelf
+from app.page.shelf import Shelf
 from app.session.notices import Notice
-from app.wire.from_page import ChangeScene, ListScenes, OpenScene, UseInClass, Who
-from app.wire.to_page import SceneChanged, ScenePictures, Scenes, UsedInClass
+from app.wire.from_page import Who
 from sim.store import files
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
@@ -45,7 +55,7 @@ class Page(SessionPage):
 # ------------------------------------------------------------------------- pictures
 def test_the_pictures_are_of_the_presets_as_they_are() -> None:
     known = msgspec.json.decode(thumbnails.DIGESTS.read_bytes())
-    assert known == thumbnails.digests(), "run: python -m app.page.scenes.thumbnails"
+    assert known == thumbnails.digests(), "run: python -m app.features.gallery.thumbnails"
 
 
 def test_every_preset_has_two_small_pictures() -> None:

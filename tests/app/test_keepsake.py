@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import sim
-from app.page.files import pasts
+from app.page.kept import pasts
 from app.session import commands, keepsakes, log
 from tests.app.pages import SessionPage
 from tests.app.recording import agrees, busy_page

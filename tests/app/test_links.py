@@ -11,19 +11,19 @@ import msgspec
 import pytest
 
 import sim
+from app.features.files.messages import Link, Share
+from app.features.files.sharing import Sharing
 from app.gate import address
 from app.gate.address import address_for_others, public_address
 from app.page import controls
 from app.page.controls import Controls
 from app.page.features import CONTROLS
-from app.page.files.keeping import Parts
-from app.page.files.sharing import Sharing
+from app.page.kept.keeping import Parts
 from app.page.opening import asked_scene
 from app.session import commands
 from app.session.notices import Notice
-from app.wire.from_page import Part, Share
+from app.wire.from_page import Part
 from app.wire.messages import Ask, read
-from app.wire.to_page import Link
 from sim.errors import SceneError
 from sim.store.files import decode_link, save_user_scene
 from sim.store.link import pack_scene

@@ -12,7 +12,7 @@ import sim
 from app.features.race.feature import BeginRace, LeaveRace, RaceFeature
 from app.features.race.messages import RaceAnswer
 from app.features.race.rival import Rival
-from app.page.scenes.shelf import Shelf
+from app.page.shelf import Shelf
 from app.session import commands
 from sim.edit.terrain import on_terrain
 from sim.store.link import pack_scene

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from app.page.files.keeping import MOST_BYTES
+from app.page.kept.keeping import MOST_BYTES
 from app.session import commands, log, record
 from app.session.hand import GIZMO
 from app.session.log import Check, Log, decode_log

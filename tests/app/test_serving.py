@@ -18,10 +18,11 @@ import viser
 from rich.console import Console
 
 import sim
+from app.features.gallery.messages import OpenScene
 from app.gate.gate import open_server
+from app.page import owner
 from app.page import tab as tab_module
-from app.page.files import keeping
-from app.page.scenes import owner
+from app.page.kept import keeping
 from app.page.tab import Tab
 from app.server import serve as serve_module
 from app.server.serve import serving, start_compiling, tell_addresses
@@ -30,7 +31,7 @@ from app.session import commands
 from app.session.commands import DragStart, Open
 from app.session.plots import Wish
 from app.session.session import Session
-from app.wire.from_page import OpenScene, Part, Perform
+from app.wire.from_page import Part, Perform
 from app.wire.messages import FromPage
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 from sim.store.link import pack_scene

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import sim
-from app.page.scenes import shelf
+from app.page import shelf
 from sim.store import files
 from sim.store.own_scenes import trash_user_scene
 

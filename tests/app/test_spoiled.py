@@ -15,7 +15,7 @@ import pytest
 
 import sim
 from app.page import features  # noqa: F401  with all their messages
-from app.page.files import keeping
+from app.page.kept import keeping
 from app.session import keepsakes, log
 from app.wire.messages import read
 from sim.edit import copying

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import app.page
 
-SHEETS = sorted(Path(app.page.__file__).parent.glob("**/*.css"))
+APP = Path(app.page.__file__).parents[1]
+SHEETS = sorted(path for folder in ("page", "features") for path in (APP / folder).glob("**/*.css"))
 
 
 def rules_of(text: str) -> list[tuple[str, str]]:

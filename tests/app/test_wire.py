@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from msgspec import inspect
 
+from app.features.gallery.messages import OfferGallery, ShelfChanged
 from app.features.instruments.messages import Tools
 from app.page import controls
 from app.page.features import COMMANDS, CONTROLS
@@ -17,7 +18,6 @@ from app.session import commands
 from app.ui.commands import key_lines
 from app.wire import from_page, to_page
 from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages, read
-from app.wire.to_page import OfferGallery, ShelfChanged
 from tests.app.inside import Bare
 from tests.app.letters import Letters
 from tests.page import generate

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 import sim
+from app.features.gallery.messages import OfferGallery, ShelfChanged
 from app.gate.gate import Gate
-from app.page.scenes import owner
+from app.page import owner
 from app.wire.carrier import Mail
-from app.wire.to_page import OfferGallery, ShelfChanged
 from sim.store import files, own_scenes
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { arrived, isFound } from "../../app/page/scenes/finding.js";
-import { caution, isOwnMachine } from "../../app/page/files/share.js";
+import { arrived, isFound } from "../../app/features/gallery/finding.js";
+import { caution, isOwnMachine } from "../../app/features/files/share.js";
 
 // Two rows of three, and a last one of one.
 const PLACES = [0, 1, 2, 3, 4, 5, 6].map((i) => ({ x: 100 * (i % 3), y: 80 * Math.floor(i / 3) }));

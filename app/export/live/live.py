@@ -132,7 +132,8 @@ def early_script() -> str:
 @cache
 def _looks() -> tuple[str, str]:
     """The styles and the script."""
-    files = (_PAGE / "looks" / "dialogs.css", _PAGE / "scenes" / "lesson.css", _FOLDER / "live.css")
+    lesson = _PAGE.parent / "features" / "lesson" / "lesson.css"
+    files = (_PAGE / "looks" / "dialogs.css", lesson, _FOLDER / "live.css")
     rules = (style_rules(DARK), *(path.read_text(encoding="utf-8") for path in files))
     return "\n".join(rules), bundle(_FOLDER / "live.js")
 

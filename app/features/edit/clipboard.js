@@ -5,7 +5,7 @@
  */
 import { onTold, send } from "../../wire/channel.js";
 import { editing } from "./editing.js";
-import { sendParts } from "../../page/files/links.js";
+import { sendParts } from "../../page/kept/links.js";
 import { sight } from "../../page/body/overlay.js";
 import { worldAt } from "../../page/body/screen.js";
 

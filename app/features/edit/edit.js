@@ -6,6 +6,7 @@ import { listenToEdits } from "./gestures.js";
 import { listenToEditKeys } from "./keys.js";
 import { addEditMarks } from "./marks.js";
 import { addEditStrip } from "./strip.js";
+import { addTexts } from "./texts.js";
 import { addTracing } from "./tracing.js";
 
 function begin() {
@@ -15,6 +16,7 @@ function begin() {
   listenToClipboard();
   addEditMarks();
   addEditStrip(tracing);
+  addTexts();
 }
 
 /** @type {import("../../ui/feature.js").Feature<"edit">} */

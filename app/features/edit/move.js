@@ -4,7 +4,7 @@ import { onTold, send, told } from "../../wire/channel.js";
 import { wireNumber } from "../../page/body/screen.js";
 import { make, makeButton, makeDialog } from "../../page/looks/dialog.js";
 import { change } from "./editing.js";
-import { kept, store } from "../../page/files/storage.js";
+import { kept, store } from "../../page/kept/storage.js";
 
 const STORED = "softrod-moved-rest";
 

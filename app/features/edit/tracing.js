@@ -12,7 +12,7 @@ import { ARROWS } from "../../page/hands/key_table.js";
 import { isFree, swallow } from "../../page/hands/keys.js";
 import { makeSvg, set } from "../../page/body/overlay.js";
 import { screen } from "../../page/body/screen.js";
-import { kept, store } from "../../page/files/storage.js";
+import { kept, store } from "../../page/kept/storage.js";
 import { onUnderlay } from "../../page/body/underlay.js";
 import { viser } from "../../page/viser/viser.js";
 

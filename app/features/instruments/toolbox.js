@@ -17,7 +17,7 @@ import { printed } from "../../page/hands/key_table.js";
 import { isFree } from "../../page/hands/keys.js";
 import { hasWords, keepInView } from "../../page/looks/looks.js";
 import { onSight, redrawMarks, sight, SVG } from "../../page/body/overlay.js";
-import { kept, store } from "../../page/files/storage.js";
+import { kept, store } from "../../page/kept/storage.js";
 import { timeNow } from "../../page/time/transport.js";
 import { viser } from "../../page/viser/viser.js";
 

@@ -7,7 +7,7 @@
 import { onTold, send, told } from "../../wire/channel.js";
 import { make } from "../../page/looks/dialog.js";
 import { perform } from "../../wire/perform.js";
-import { kept, store } from "../../page/files/storage.js";
+import { kept, store } from "../../page/kept/storage.js";
 import { lessonCard } from "./card.js";
 
 /**

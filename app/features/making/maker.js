@@ -5,7 +5,7 @@
  */
 import { onTold, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { kept, store } from "../../page/files/storage.js";
+import { kept, store } from "../../page/kept/storage.js";
 import { make, makeButton } from "../../page/looks/dialog.js";
 import { beginNextAt } from "../lesson/lesson.js";
 import { viser } from "../../page/viser/viser.js";

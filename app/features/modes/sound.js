@@ -7,7 +7,7 @@ import { tonesOf } from "./tones.js";
 import { onTold, told } from "../../wire/channel.js";
 import { make, makeButton } from "../../page/looks/dialog.js";
 import { withKey } from "../../page/hands/key_table.js";
-import { kept, store } from "../../page/files/storage.js";
+import { kept, store } from "../../page/kept/storage.js";
 
 /**
  * @typedef {import("./tones.js").Tone} Tone

@@ -5,11 +5,11 @@
  */
 import { viser } from "../../page/viser/viser.js";
 import { onTold, told } from "../../wire/channel.js";
-import { sendParts } from "../../page/files/links.js";
+import { sendParts } from "../../page/kept/links.js";
 import { withKey } from "../../page/hands/key_table.js";
 import { make, makeButton } from "../../page/looks/dialog.js";
 import { roundUp } from "../../page/body/overlay.js";
-import { gallery } from "../../page/scenes/gallery.js";
+import { gallery } from "../gallery/gallery.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
 

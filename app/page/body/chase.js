@@ -6,7 +6,7 @@
 import { onFit, shift } from "./camera.js";
 import { onPicture, shown } from "./canvas.js";
 import { toWorld } from "../../drawing/static/draw.js";
-import { kept, store } from "../files/storage.js";
+import { kept, store } from "../kept/storage.js";
 import { screen, worldAt } from "./screen.js";
 import { viser } from "../viser/viser.js";
 

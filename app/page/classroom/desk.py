@@ -14,6 +14,7 @@ from app.classroom.live import Class, Doing, Front, is_key
 from app.classroom.room import FREE, PHASE_OF, Phase, Refused, Vote, Work
 from sim.errors import InputError, SettingError
 
+from ...features.files.sharing import qr_code
 from ...session import commands
 from ...session.log import decode_log
 from ...session.session import Notice, Session
@@ -22,7 +23,6 @@ from ...wire.carrier import Mail
 from ...wire.to_page import Brought, Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
 from ..check.page import check_address
 from ..controls import Controls
-from ..files.sharing import qr_code
 from .role import (
     MOST_PLACES,
     NOTHING,

@@ -10,9 +10,9 @@ import sim
 from app.classroom.live import Class, Classes
 from sim.errors import SettingError
 
+from ...features.files.sharing import qr_code
 from ...gate.address import page_query
 from ...wire.carrier import Mail
-from ..files.sharing import qr_code
 from .desk import DeskRole
 from .role import Entrance, Role
 from .seat import SeatRole

@@ -1,6 +1,6 @@
 // @ts-check
 /** How the page looks: projector mode, and where buttons have room for words and for their lists. */
-import { kept, store } from "../files/storage.js";
+import { kept, store } from "../kept/storage.js";
 import { viser } from "../viser/viser.js";
 import { frameOf, panelAt } from "../viser/widgets.js";
 

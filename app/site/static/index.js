@@ -6,7 +6,7 @@
  * @typedef {{name: string, file: string, title: string, text: string, group: string}} Scene
  */
 import { element } from "../../export/static/parts.js";
-import { arrived, isFound } from "../../page/scenes/finding.js";
+import { arrived, isFound } from "../../features/gallery/finding.js";
 
 /** Under this the last search is kept, for the way back. */
 const KEY = "softrod-search";

@@ -7,8 +7,8 @@
  */
 import { onTold, send } from "../../wire/channel.js";
 import { copied } from "../files/share.js";
-import { make, makeButton, makeDialog } from "../looks/dialog.js";
-import { isDark } from "../viser/widgets.js";
+import { make, makeButton, makeDialog } from "../../page/looks/dialog.js";
+import { isDark } from "../../page/viser/widgets.js";
 import { arrived, isFound } from "./finding.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
@@ -37,7 +37,7 @@ export const gallery = {
 };
 
 /** Puts up the dialog, which opens when the server says so. */
-export function addGallery() {
+function begin() {
   const { dialog, head, body } = makeDialog("Scenes", "softrod-gallery");
   const search = make("input", "softrod-search");
   search.type = "search";
@@ -295,3 +295,6 @@ export function addGallery() {
     list();
   });
 }
+
+/** @type {import("../../ui/feature.js").Feature<"gallery">} */
+export default { commands: { gallery: () => gallery.open() }, begin };

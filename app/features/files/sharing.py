@@ -14,11 +14,10 @@ from sim.store import files
 from sim.store.link import PATH, pack_scene
 
 from ...linking import short_address
+from ...page.page import Page
 from ...session.notices import Notice
 from ...ui.board import foremost
-from ...wire.from_page import Share
-from ...wire.to_page import Link
-from ..page import Page
+from .messages import Link, Share
 
 MOST_IN_QR = 1200
 """Characters of the longest link that gets a QR code; the squares of a longer one are too small for a camera

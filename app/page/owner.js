@@ -3,7 +3,7 @@
  * Whose the page is. The terminal prints an address with the owner's key after a #, which no request has; the browser
  * remembers it. Other browsers make up a secret, by which their own scenes are found again.
  */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onTold, send, told } from "../wire/channel.js";
 
 const BEGIN = "#owner=";
 const OWNER = "softrod-owner";

@@ -1,4 +1,4 @@
-"""The small pictures of the gallery. `python -m app.page.scenes.thumbnails` makes those of the presets.
+"""The small pictures of the gallery. `python -m app.features.gallery.thumbnails` makes those of the presets.
 
 They are kept with the page's files, with the digest of the scene file that each was made from.
 """

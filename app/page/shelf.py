@@ -19,8 +19,8 @@ from sim.errors import SceneError
 from sim.store import files, own_scenes
 from sim.store.files import SceneInfo
 
-from ...wire.from_page import Who
-from ...wire.to_page import Entry
+from ..features.gallery.messages import Entry
+from ..wire.from_page import Who
 from . import owner
 
 _FRESH = 1.0

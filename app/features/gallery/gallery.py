@@ -16,12 +16,23 @@ from sim.errors import SceneError
 from sim.store import own_scenes
 from sim.store.files import read_scene
 
+from ...page import shelf
+from ...page.page import Page
 from ...session import commands
 from ...session.notices import Notice
-from ...wire.from_page import ChangeScene, ListScenes, OpenScene, UseInClass
-from ...wire.to_page import OfferGallery, SceneChanged, ScenePictures, Scenes, ShelfChanged, UsedInClass
-from ..page import Page
-from . import shelf, thumbnails
+from . import thumbnails
+from .messages import (
+    ChangeScene,
+    ListScenes,
+    OfferGallery,
+    OpenScene,
+    SceneChanged,
+    ScenePictures,
+    Scenes,
+    ShelfChanged,
+    UsedInClass,
+    UseInClass,
+)
 
 MOST_PAINTED = 200
 """Saved scenes that get a picture; the others have their names."""

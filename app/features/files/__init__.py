@@ -1,0 +1,1 @@
+"""The Share tab: files, links, and what is taken home."""

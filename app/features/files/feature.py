@@ -1,0 +1,71 @@
+"""Files and links: what goes out of the page, and comes in."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, ClassVar
+
+import viser
+
+from ...page.page import Page
+from ...session import commands
+from ...ui.commands import Row
+from ...ui.feature import Feature, LongText
+from ...wire.messages import FromPage
+from .export_panel import ExportPanel
+from .messages import Share
+from .panel import FilesPanel, open_file
+from .sharing import Sharing
+
+if TYPE_CHECKING:
+    from ...page.panel import Panel
+
+
+class FilesFeature(Feature):
+    """The Share tab of a page, if it has one, and the links that are opened in it."""
+
+    messages: ClassVar = {Share: ""}
+    texts: ClassVar = {
+        "link": LongText(needs="", verb="opened"),
+        "file": LongText(needs="files", verb="opened"),
+    }
+    commands: ClassVar = {
+        "share": Row(
+            "Share this scene by a link", "page", needs="files", share=("Share by a link", viser.Icon.LINK)
+        ),
+        "video": Row("Measure in a video", "page", needs="files"),
+        "picture": Row("Picture of the page (PNG)", "page", ("I",), "a picture of the page, as a file"),
+    }
+    controls: ClassVar = {"files": "the Share tab"}
+
+    def __init__(self, page: Page) -> None:
+        super().__init__(page)
+        # In the queue of what the page had kept: a link comes after that.
+        self._sharing = Sharing(
+            page, lambda scene: page.later(lambda: page.session.post(commands.Open(scene))), page.for_others
+        )
+        self._panel: FilesPanel | None = None
+
+    def hear(self, said: FromPage) -> None:
+        """See `Feature`."""
+        if isinstance(said, Share):
+            self._sharing.share(said)
+
+    def read(self, kind: str, letters: str) -> None:
+        """See `Feature`."""
+        if kind == "link":
+            self._sharing.open(letters)
+        else:
+            open_file(self.page, letters)
+
+    def attach(self, panel: Panel) -> None:
+        """See `Feature`."""
+        self._panel = None
+        if "files" in self.page.controls:
+            with panel.tab("Share"):
+                self._panel = FilesPanel(self.page)
+                ExportPanel(self.page)
+
+    def build(self) -> None:
+        """See `Feature`."""
+        if self._panel is not None:
+            self._panel.build()

@@ -1,0 +1,20 @@
+// @ts-check
+/** Files that are opened, pictures that are saved, and links. */
+import { listenToOpenFile } from "./open_file.js";
+import { takePicture } from "./picture.js";
+import { addShareDialog, openShareDialog } from "./share.js";
+
+function begin() {
+  listenToOpenFile();
+  addShareDialog();
+}
+
+/** @type {import("../../ui/feature.js").Feature<"files">} */
+export default {
+  commands: {
+    share: () => openShareDialog(),
+    video: () => void window.open("video", "_blank", "noopener"),
+    picture: () => void takePicture(),
+  },
+  begin,
+};

@@ -1,0 +1,1 @@
+"""The gallery: all scenes on cards."""

@@ -1,0 +1,65 @@
+"""The gallery: all scenes on cards, to open one, to use one in a class, and to keep one's own in order."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from ...page.page import Page
+from ...session import commands
+from ...session.session import Session
+from ...ui.commands import Row
+from ...ui.feature import Drawn, Feature
+from ...wire.messages import FromPage
+from .gallery import Gallery
+from .messages import ChangeScene, ListScenes, OpenScene, UseInClass
+
+LOOK_EVERY = 0.3
+"""Seconds between two looks whether scenes were saved or deleted, in whatever page."""
+
+
+def _anew(session: Session, _: Feature) -> None:
+    session.post(commands.Open(session.opened, session.lesson_begun))
+
+
+class GalleryFeature(Feature):
+    """The gallery of a page."""
+
+    messages: ClassVar = {ListScenes: "", OpenScene: "", UseInClass: "", ChangeScene: ""}
+    commands: ClassVar = {
+        "gallery": Row("Choose another scene", "page", ("O",), "choose another scene", needs="chooser"),
+        "anew": Row("Open this scene anew", _anew, needs="chooser"),
+    }
+    controls: ClassVar = {
+        "chooser": "the button with the scene's title, which opens the gallery, and Open anew"
+    }
+
+    def __init__(self, page: Page) -> None:
+        super().__init__(page)
+        self._gallery = Gallery(page)
+        self._stamp, self._due = page.shelf.stamp(), 0.0
+
+    def offer(self, why: str = "") -> None:
+        """Have the page show it, with a sentence that says why, if there is one."""
+        self._gallery.offer(why)
+
+    def hear(self, said: FromPage) -> None:
+        """See `Feature`."""
+        match said:
+            case ListScenes():
+                self._gallery.list(said)
+            case OpenScene():
+                self._gallery.open(said)
+            case UseInClass():
+                self._gallery.use_in_class(said)
+            case ChangeScene():
+                self._gallery.change(said)
+
+    def frame(self, drawn: Drawn) -> None:
+        """See `Feature`."""
+        if drawn.now < self._due:
+            return
+        self._due = drawn.now + LOOK_EVERY
+        stamp = self.page.shelf.stamp()
+        if stamp != self._stamp:
+            self._stamp = stamp
+            self._gallery.changed()

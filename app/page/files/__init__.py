@@ -1,1 +1,0 @@
-"""What goes out of the page and comes back: files, links, pictures, and what the browser keeps."""

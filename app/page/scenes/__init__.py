@@ -1,1 +1,0 @@
-"""Which scene is shown: the gallery, the shelf, lessons, and whose the scenes are."""
