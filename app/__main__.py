@@ -1,5 +1,5 @@
 """`python -m app` is `softrod`."""
 
-from .cli import main
+from .cli.main import main
 
 main()

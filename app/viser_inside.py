@@ -1,7 +1,7 @@
 """All that uses viser's inside, for want of a public way: an upgrade of viser is a review of this module.
 
 It was written for the version below, which is pinned; `tests/app/test_viser_inside.py` fails where viser has
-become another one. What the page's script uses of viser's page is in `app/page/viser`, and the messages that
+become another one. What the page's script uses of viser's page is in `app/ui/viser`, and the messages that
 viser's page may send are in `app/gate/messages.py`.
 """
 

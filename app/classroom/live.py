@@ -22,9 +22,9 @@ import sim
 from sim.scene.lesson import Lesson, Step
 from sim.settings import scene_of_step
 
-from ..drawing.plan import Picture
-from ..drawing.sketch import Floats
 from ..session.log import decode_log
+from ..stage.plan import Picture
+from ..stage.sketch import Floats
 from . import kept, names
 from .judge import Verdict, judge
 from .room import MOST_STOPS, Answer, Refused, Room, Work, digest

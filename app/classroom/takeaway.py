@@ -15,9 +15,9 @@ from sim.errors import InputError, SettingError
 from sim.settings import scene_of_step
 from sim.store.files import encode_scene
 
-from ..drawing.plan import Picture
 from ..export.clip import Shot
 from ..export.picture import png
+from ..stage.plan import Picture
 from .kept import LOGS, log_path
 from .room import Answer, Ghost, Line, Room, Vote, Work
 

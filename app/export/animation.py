@@ -17,10 +17,10 @@ import sim
 from sim.errors import InputError
 from sim.scene.types import shown_name
 
-from ..drawing.colors import linear
-from ..drawing.plan import broken_of
-from ..drawing.shapes import meshes
-from ..drawing.sketch import Floats, Sketch
+from ..stage.colors import linear
+from ..stage.plan import broken_of
+from ..stage.shapes import meshes
+from ..stage.sketch import Floats, Sketch
 from . import instances
 from .clip import Clip, Shot
 from .glb_file import GlbFile

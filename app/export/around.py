@@ -1,4 +1,4 @@
-"""What surrounds a body in a picture, as lines and polygons in pixels; as `app/drawing/static/environment.js`
+"""What surrounds a body in a picture, as lines and polygons in pixels; as `app/stage/environment.js`
 has it in a page.
 
 Points are (k, 2) arrays, y downwards. Distances that are pixels in the page go by `Window.unit`.
@@ -16,7 +16,7 @@ from sim.forces.fillings import FillingRow
 from sim.forces.limits import leaking
 from sim.scene.surroundings import STILL_AIR
 
-from ..drawing.looks import (
+from ..stage.looks import (
     CREST,
     DENSE,
     GRAIN,
@@ -32,7 +32,7 @@ from ..drawing.looks import (
     STREAKS,
     STROKE,
 )
-from ..drawing.sketch import Floats, Sketch
+from ..stage.sketch import Floats, Sketch
 from .window import Window
 
 

@@ -12,8 +12,8 @@ import sim
 from sim.errors import InputError
 from sim.motion.moment import Moment
 
-from ..drawing.plan import Picture
-from ..drawing.sketch import Floats
+from ..stage.plan import Picture
+from ..stage.sketch import Floats
 
 SHORTEST = 0.2
 """Seconds of a clip at least: less is a picture."""

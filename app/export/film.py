@@ -12,7 +12,7 @@ from scipy.spatial import KDTree
 
 import sim
 
-from ..drawing.sketch import Sketch
+from ..stage.sketch import Sketch
 from .clip import Clip
 from .painter import Painter
 from .window import Window, bounds

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drawing.sketch import Floats
+from ..stage.sketch import Floats
 
 FLOAT, UINT = 5126, 5125
 """Types of components, as glTF numbers them."""

@@ -23,9 +23,9 @@ from numpy.typing import NDArray
 import sim
 from sim.scene.types import shown_name
 
-from ..drawing.plan import encode_plan
-from ..drawing.shapes import meshes
-from ..drawing.sketch import Floats, Sketch
+from ..stage.plan import encode_plan
+from ..stage.shapes import meshes
+from ..stage.sketch import Floats, Sketch
 from .window import bounds
 
 _MESHES = ("disc", "ring", "pin", "bar", "slice")
@@ -141,7 +141,7 @@ def document(
 @cache
 def _icon() -> str:
     """The page's icon in an address of its own: a browser would ask a file's server for one otherwise."""
-    svg = (Path(__file__).parents[1] / "page" / "icon.svg").read_text(encoding="utf-8")
+    svg = (Path(__file__).parents[1] / "pages" / "sandbox" / "icon.svg").read_text(encoding="utf-8")
     return f"data:image/svg+xml,{quote(' '.join(svg.split()), safe=' /:=')}"
 
 

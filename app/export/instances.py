@@ -1,4 +1,4 @@
-"""Where the parts of a body lie in a picture: as `app/drawing/static/draw.js` has it in the page.
+"""Where the parts of a body lie in a picture: as `app/stage/draw.js` has it in the page.
 
 A test holds the two against each other.
 """
@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drawing.looks import (
+from ..stage.looks import (
     BELLY,
     BREATH,
     CREASE,
@@ -29,8 +29,8 @@ from ..drawing.looks import (
     WIDEST,
     YIELDED,
 )
-from ..drawing.plan import Picture, broken_of, muscle_colors, strain_colors, turn_colors
-from ..drawing.sketch import Floats, Sketch
+from ..stage.plan import Picture, broken_of, muscle_colors, strain_colors, turn_colors
+from ..stage.sketch import Floats, Sketch
 
 
 class Instances(NamedTuple):

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 import sim
 from sim.scene.types import shown_name
 
-from ..drawing.colors import linear, plain
-from ..drawing.plan import Picture
-from ..drawing.shapes import COILS, Mesh, convex, meshes
-from ..drawing.sketch import Floats, Sketch
+from ..stage.colors import linear, plain
+from ..stage.plan import Picture
+from ..stage.shapes import COILS, Mesh, convex, meshes
+from ..stage.sketch import Floats, Sketch
 from . import around, instances
 from .instances import Instances
 from .window import Window
@@ -162,7 +162,7 @@ def _rod() -> Solid:
 
 
 def _coil(shape: str) -> Solid:
-    """A helix from (0, 0) to (1, 0), of radius 1, with straight ends; see `app.drawing.shapes`."""
+    """A helix from (0, 0) to (1, 0), of radius 1, with straight ends; see `app.stage.shapes`."""
     slimness = COILS.get(shape, 7.0)
     turns = round(3 + 0.75 * slimness)
     lead = 0.5 / slimness

@@ -16,11 +16,11 @@ from PIL import Image
 
 from sim import Scene
 
-from ..drawing.colors import palette
-from ..drawing.looks import ARROW, LAYERS
-from ..drawing.plan import Picture, broken_of
-from ..drawing.shapes import meshes
-from ..drawing.sketch import Floats, Sketch
+from ..stage.colors import palette
+from ..stage.looks import ARROW, LAYERS
+from ..stage.plan import Picture, broken_of
+from ..stage.shapes import meshes
+from ..stage.sketch import Floats, Sketch
 from . import around, instances
 from .instances import Instances
 from .window import Window
@@ -226,7 +226,7 @@ class _Pen:
         without seams.
 
         Args:
-            mesh: its name, see `app.drawing.shapes`.
+            mesh: its name, see `app.stage.shapes`.
             parts: the copies.
         """
         from matplotlib.path import Path

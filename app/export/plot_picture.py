@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ..drawing.colors import palette
 from ..session.plots import Drawn, Plot
+from ..stage.colors import palette
 
 SIZE = 7.0, 4.2
 """Width and height, inches."""

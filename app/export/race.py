@@ -13,7 +13,7 @@ import sim
 from sim.edit.terrain import center
 from sim.scene.types import Damage, shown_name
 
-from ..drawing.plan import Picture
+from ..stage.plan import Picture
 from .clip import Shot
 
 

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from sim.scene.types import shown_name
 
-from ..drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
-from ..drawing.plan import encode_damage, encode_frame, joined
-from ..drawing.sketch import Floats
+from ..stage.looks import FRACTIONS, ICONS, SPEEDS, style_rules
+from ..stage.plan import encode_damage, encode_frame, joined
+from ..stage.sketch import Floats
 from .bundle import bundle
 from .clip import Clip, Shot
 from .html_file import html_file, packed, plans, stage

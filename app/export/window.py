@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..drawing.looks import MARGIN, NEAR, STRIP
-from ..drawing.sketch import WORLD_SIZE, Floats, Sketch
+from ..stage.looks import MARGIN, NEAR, STRIP
+from ..stage.sketch import WORLD_SIZE, Floats, Sketch
 
 ROOM = 0.5
 """How far beyond the frame a body is followed on each side, in sizes of the frame."""

@@ -1,1 +1,1 @@
-"""What a page can do, a folder each; `app.page.features` names them."""
+"""What a page can do, a folder each; `app.pages.sandbox.features` names them."""

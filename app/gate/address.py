@@ -18,8 +18,9 @@ _FIELDS = {
     "room": re.compile(r"[A-Za-z]{0,4}", re.ASCII),
     "as": re.compile(r"(desk|wall|seat|check)?", re.ASCII),
 }
-"""What the query of a page's address may say: which controls there are (`app.page.controls`), which scene
-(`app.page.opening`), and which class, and as what it takes part in that (`app.page.classroom`)."""
+"""What the query of a page's address may say: which controls there are (`app.ui.controls`), which scene
+(`app.ui.opening`), and which class, and as what the page takes part in that
+(`app.features.classroom`)."""
 
 _PAGE = re.compile(r".*/at/([0-9a-f]{32})", re.ASCII)
 

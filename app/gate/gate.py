@@ -54,7 +54,7 @@ from app.gate.messages import (
 )
 
 # viser reads messages of the kinds that there are when the first one comes: it is imported before.
-from .. import viser_inside
+from .. import viser_inside as viser_inside
 from . import messages as gate_messages
 from .replies import StaticFile, not_this_host, not_this_origin, respond, safety_headers
 

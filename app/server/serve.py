@@ -22,16 +22,9 @@ import sim
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 
 from ..classroom.live import Classes
-from ..drawing.colors import LIGHT_GAIN
-from ..gate.address import address_for_others, class_exposure, interfaces, is_virtual, public_address
-from ..gate.gate import GatedServer, exposure, open_server, page_addresses
-from ..linking import print_qr_code
-from ..page import owner
-from ..page.assets import page_files
-from ..page.check.page import check_address
-from ..page.check.role import CheckRole, is_check
-from ..page.classroom.role import Role
-from ..page.classroom.roles import (
+from ..features.classroom.check_role import CheckRole, is_check
+from ..features.classroom.role import Role
+from ..features.classroom.roles import (
     class_of_query,
     desk_address,
     first_scene,
@@ -39,8 +32,15 @@ from ..page.classroom.roles import (
     seat_address,
     wall_address,
 )
-from ..page.panel import set_theme
-from ..page.tab import Tab
+from ..gate.address import address_for_others, class_exposure, interfaces, is_virtual, public_address
+from ..gate.gate import GatedServer, exposure, open_server, page_addresses
+from ..linking import print_qr_code
+from ..pages.check.page import check_address
+from ..pages.sandbox.assets import page_files
+from ..pages.sandbox.tab import Tab
+from ..stage.colors import LIGHT_GAIN
+from ..ui import owner
+from ..ui.panel import set_theme
 from ..wire.carrier import Mail
 from .ticker import Ticker
 

@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import viser
 
-from ..page.tab import CALM_FRAME, Tab
+from ..pages.sandbox.tab import CALM_FRAME, Tab
 from ..session.session import FRAME
 
 BUDGET = 0.7

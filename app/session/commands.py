@@ -19,7 +19,7 @@ from sim.motion.simulation import KEYS
 from sim.scene.types import shown_name
 from sim.settings import CHOICES, settings_of
 
-from ..drawing.looks import SPEEDS
+from ..stage.looks import SPEEDS
 from . import log
 from .ghost import Ghost
 from .hand import DRAG_EVENT, FRAME

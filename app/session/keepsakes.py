@@ -16,7 +16,7 @@ from sim.settings import CHOICES
 from sim.store.files import MAX_FILE_BYTES, decode_scene
 from sim.store.places import sentence_of_json
 
-from ..drawing.looks import SPEEDS
+from ..stage.looks import SPEEDS
 from . import log
 from .ghost import FINER, REFERENCE
 

@@ -15,8 +15,6 @@ from sim.scene.types import shown_name
 from sim.store.files import SceneInfo, list_scenes, load_scene
 from sim.store.link import link_data
 
-from ..page import shelf
-
 OWN = "Own scenes"
 """Heading of what is no preset."""
 
@@ -82,7 +80,7 @@ def shown(names: Sequence[str], own: bool) -> list[Shown]:
     titles = Counter(shown_name(scene) for scene in scenes.values())
     files: set[str] = set()
     result = []
-    for entry in shelf.entries(info for info, _ in found):
+    for entry in in_groups(info for info, _ in found):
         scene = scenes[entry.name]
         title = shown_name(scene)
         files.add(file := _file(entry.name, files))

@@ -12,11 +12,11 @@ from pathlib import Path
 import sim
 from sim.errors import InputError
 
-from ..drawing.looks import style_rules
 from ..export.bundle import bundle
 from ..export.html_file import Bar, document
 from ..export.live.live import DARK, early_script, live_html
 from ..features.gallery import thumbnails
+from ..stage.looks import style_rules
 from .entries import Shown
 from .folder import INDEX
 

@@ -11,11 +11,11 @@ from sim.methods.registry import METHODS
 from sim.scene.types import Scene
 from sim.settings import TEMPLATES, Setting, settings_of
 
-from ..page.page import Page
-from ..page.viser.choice_box import ChoiceBox
-from ..page.viser.handlers import on_change
-from ..page.viser.slider_box import SliderBox, mixed_words
 from ..session import commands
+from .page import Page
+from .viser.choice_box import ChoiceBox
+from .viser.handlers import on_change
+from .viser.slider_box import SliderBox, mixed_words
 
 FOREMOST = (
     "tempo", "wind_speed", "gas_pressure", "pressure", "liquid_stiffness", "bulk_modulus", "load", "strength",

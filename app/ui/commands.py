@@ -2,7 +2,7 @@
 
 A row is all that a command needs: the page's copy of the table (`app/wire/commands.js`), the list of keys in
 docs/page.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. Rows of
-a feature stand with the feature; `app.page.features` has the whole table.
+a feature stand with the feature; `app.pages.sandbox.features` has the whole table.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from typing import Any, Literal, Protocol
 
 import viser
 
-from ..drawing.looks import ICONS
 from ..session import commands
 from ..session.session import Session
+from ..stage.looks import ICONS
 
 Look = Literal["dark", "gizmos", "meter"]
 """Looks of the page that are switches, see `keeping.Looks`."""

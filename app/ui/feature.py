@@ -11,8 +11,8 @@ from ..wire.messages import FromPage
 from .commands import Row
 
 if TYPE_CHECKING:
-    from ..page.page import Page
-    from ..page.panel import Panel
+    from .page import Page
+    from .panel import Panel
 
 
 @dataclass(frozen=True)
@@ -44,11 +44,12 @@ class LongText:
 
 
 class Feature:
-    """What one page has of a feature. A subclass stands in a folder of its own, and in `app.page.features`.
+    """What one page has of a feature.
 
-    The class says as data what others have to know. A script and a style sheet with the folder's name belong
-    to the page; the script's default export has its commands and begins it, see `Feature` in `feature.js`.
-    All methods are the ticker's but for `hear` and `read`.
+    A subclass stands in a folder of its own, and in `app.pages.sandbox.features`. It says as data what others
+    have to know. A script and a style sheet with the folder's name belong to the page; the script's default
+    export has its commands and begins it, see `Feature` in `feature.js`. All methods are the ticker's but for
+    `hear` and `read`.
 
     Attributes:
         messages: kinds of those that it hears, and the control without which each is ignored; "" for none.

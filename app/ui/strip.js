@@ -1,6 +1,6 @@
 // @ts-check
 /** The strips over the bar of time: a head with words and buttons, and below it what a feature has. */
-import { make } from "../page/looks/dialog.js";
+import { make } from "./dialog.js";
 
 /**
  * A strip, which is hidden at first.

@@ -9,7 +9,7 @@ from typing import TypeVar
 import msgspec
 import viser
 
-from .. import viser_inside
+from .. import viser_inside as viser_inside
 from ..viser_inside import SoftrodMessage
 from .messages import FromPage, Numbers, State, ToPage, read
 

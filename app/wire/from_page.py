@@ -3,7 +3,7 @@
 Any client can forge these: `read` takes nothing but exactly what is written here, and no number that is not
 finite. Whether a mass exists, or a control, is checked where a message is done.
 
-Places are in the page's world, see `drawing.sketch.Mapping`.
+Places are in the page's world, see `stage.sketch.Mapping`.
 """
 
 from __future__ import annotations

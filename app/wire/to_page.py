@@ -73,7 +73,7 @@ class Keepsake(State, frozen=True, kw_only=True):
 
 # ------------------------------------------------------------------------- numbers
 class Plan(Numbers, frozen=True, kw_only=True):
-    """What a body is made of, see `drawing.plan.encode_plan`."""
+    """What a body is made of, see `stage.plan.encode_plan`."""
 
 
 class SecondPlan(Numbers, frozen=True, kw_only=True):
@@ -81,7 +81,7 @@ class SecondPlan(Numbers, frozen=True, kw_only=True):
 
 
 class Frame(Numbers, frozen=True, kw_only=True):
-    """Where the masses are, see `drawing.plan.encode_frame`.
+    """Where the masses are, see `stage.plan.encode_frame`.
 
     Attributes:
         wall: when it was made, s of a clock that runs evenly.
@@ -91,7 +91,7 @@ class Frame(Numbers, frozen=True, kw_only=True):
 
 
 class Damage(Numbers, frozen=True, kw_only=True):
-    """What has yielded and broken, see `drawing.plan.encode_damage`."""
+    """What has yielded and broken, see `stage.plan.encode_damage`."""
 
 
 # ------------------------------------------------------------------------- in a class

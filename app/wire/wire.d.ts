@@ -253,13 +253,13 @@ export type ClassEnded = { tell: "classEnded" };
 export type Run = { tell: "run"; command: CommandName };
 /** The server has what the page gave back. */
 export type Resumed = { tell: "resumed" };
-/** What a body is made of, see `drawing.plan.encode_plan`. */
+/** What a body is made of, see `stage.plan.encode_plan`. */
 export type Plan = { tell: "plan"; numbers: Float32Array };
 /** What a second body beside the page's is made of, as a plan; where its masses are is in the frames. */
 export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
-/** Where the masses are, see `drawing.plan.encode_frame`. */
+/** Where the masses are, see `stage.plan.encode_frame`. */
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
-/** What has yielded and broken, see `drawing.plan.encode_damage`. */
+/** What has yielded and broken, see `stage.plan.encode_damage`. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
 export type ToPage = Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | Plan | SecondPlan | Frame | Damage;
 /** What the page is told, by its tag. */

@@ -45,7 +45,7 @@ MASSES = 12
 
 AGAIN_EVERY, AFTER_WHO = 2.0, 0.2
 """Seconds between two sayings of what is not acknowledged, and from saying who one is to the first: as in
-app/page/classroom/outbox.js."""
+app/features/classroom/outbox.js."""
 
 
 def a_lesson(masses: int = MASSES) -> sim.Scene:

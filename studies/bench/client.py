@@ -22,7 +22,7 @@ from websockets.typing import Origin, Subprotocol
 from app.wire.messages import FromPage
 
 FRAME_TIME, FRAME_PLACES = 2, 7
-"""Where the time and the places are among the numbers of a frame, see `drawing.plan.encode_frame`."""
+"""Where the time and the places are among the numbers of a frame, see `stage.plan.encode_frame`."""
 
 CAMERA: dict[str, Any] = {
     "type": "ViewerCameraMessage",

@@ -18,7 +18,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
 import sim
-from app.page.tab import Tab
+from app.pages.sandbox.tab import Tab
 from app.server.serve import serving
 from app.server.ticker import BUDGET
 from app.session import commands

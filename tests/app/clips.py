@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 import sim
-from app.drawing.plan import Picture
 from app.export.clip import Shot
+from app.stage.plan import Picture
 
 
 def swing(scene: sim.Scene, seconds: float = 1.0, rate: float = 60.0, start: float = 2.0) -> list[Shot]:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from app.cli import main
+from app.cli.main import main
 
 Result = subprocess.CompletedProcess[str]
 Softrod = Callable[..., Result]

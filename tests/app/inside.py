@@ -12,12 +12,12 @@ from viser import _messages as viser_messages
 from viser.infra import _infra as viser_infra
 from viser.infra._messages import wire_field_names
 
-from app.drawing.sketch import Mapping
 from app.gate.gate import Gate
-from app.page import controls
-from app.page.tab import Tab
-from app.page.waiting import Waiting
+from app.pages.sandbox.tab import Tab
 from app.session.session import Session
+from app.stage.sketch import Mapping
+from app.ui import controls
+from app.ui.waiting import Waiting
 from tests.app.letters import Letters
 from tests.app.panels import page_of
 

@@ -9,7 +9,7 @@ from unittest.mock import MagicMock
 
 import msgspec
 
-from app.page import features  # noqa: F401  with all their messages
+from app.pages.sandbox import features  # noqa: F401  with all their messages
 from app.viser_inside import SoftrodMessage
 from app.wire.carrier import Mail
 from app.wire.messages import Event, State, ToPage, messages

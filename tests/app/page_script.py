@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from app.drawing.colors import palette
-from app.drawing.plan import Picture, encode_damage, encode_frame, encode_plan
-from app.drawing.sketch import Sketch
+from app.stage.colors import palette
+from app.stage.plan import Picture, encode_damage, encode_frame, encode_plan
+from app.stage.sketch import Sketch
 from sim import Scene, Simulation
 from tests.page.check import FOLDER, NODE
 

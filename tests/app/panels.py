@@ -14,11 +14,11 @@ from unittest.mock import MagicMock
 import msgspec
 import viser
 
-from app.page.page import Page
-from app.page.shelf import Shelf
-from app.page.viser.comma_switch import CommaSwitch
 from app.session.notices import Notice
 from app.session.session import Session
+from app.ui.page import Page
+from app.ui.shelf import Shelf
+from app.ui.viser.comma_switch import CommaSwitch
 from app.viser_inside import SoftrodMessage
 from app.wire.messages import FromPage
 from tests.app.letters import Letters

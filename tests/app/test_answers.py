@@ -13,10 +13,11 @@ import pytest
 import sim
 from app.features.files.panel import open_file
 from app.features.gallery.messages import ListScenes
-from app.page import answers, controls
-from app.page.answers import InOrder
-from app.page.waiting import MOST, TOO_MUCH, Waiting
+from app.pages.sandbox import answers
+from app.pages.sandbox.answers import InOrder
 from app.session.notices import Notice
+from app.ui import controls
+from app.ui.waiting import MOST, TOO_MUCH, Waiting
 from app.wire.from_page import Part, Unread, Unsent
 from app.wire.messages import Ask
 from app.wire.to_page import Resumed

@@ -7,12 +7,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from app.drawing.plan import encode_damage, encode_frame
 from app.features.edit import messages as asks
 from app.features.edit.edits import edited
 from app.features.modes.feature import DriveMode, PutIntoMode, ShowModes
-from app.page.body.view import picture_of
 from app.session import commands
+from app.stage.plan import encode_damage, encode_frame
+from app.ui.view import picture_of
 from sim.edit.edit import Selection
 from tests.amount import examples
 from tests.app.pages import SessionPage

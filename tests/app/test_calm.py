@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import sim
-from app.page import tab as tab_module
+from app.pages.sandbox import tab as tab_module
 from app.server.ticker import Ticker
 from app.session import commands
 from app.session import session as session_module

@@ -35,10 +35,10 @@ from app.classroom.room import (
     digest,
     plain,
 )
+from app.features.classroom.desk import DeskRole
+from app.features.classroom.seat import SeatRole
+from app.features.classroom.wall import WallRole
 from app.features.edit.messages import SetTexts
-from app.page.classroom.desk import DeskRole
-from app.page.classroom.seat import SeatRole
-from app.page.classroom.wall import WallRole
 from app.server.serve import serving
 from app.session.session import Session
 from app.wire import from_page

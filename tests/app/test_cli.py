@@ -18,7 +18,7 @@ import platformdirs
 import pytest
 
 import sim
-from app.page.tab import told_of_compiling
+from app.pages.sandbox.tab import told_of_compiling
 from app.session.log import Keys, read_log
 from sim.errors import InputError
 from tests.app.command import Result, Softrod, refused, rows_of

@@ -83,7 +83,7 @@ def image() -> Iterator[Image]:
     quick = TEXT
     if not NIGHT:
         # The bytecode of all packages takes a minute, of what is imported some seconds.
-        imported = "RUN python -c 'import app.cli, app.server.serve'\nWORKDIR /data"
+        imported = "RUN python -c 'import app.cli.main, app.server.serve'\nWORKDIR /data"
         quick = TEXT.replace("UV_COMPILE_BYTECODE=1 ", "").replace("WORKDIR /data", imported)
     try:
         yield Builder(quick, folder, {Path(cache): _CACHE}, env).build(before)

@@ -9,9 +9,9 @@ import msgspec
 import pytest
 
 import sim
-from app.page import controls
-from app.page.controls import ALL, Controls, of_query, of_scene
-from app.page.features import CONTROLS
+from app.pages.sandbox.features import CONTROLS
+from app.ui import controls
+from app.ui.controls import ALL, Controls, of_query, of_scene
 from sim.errors import InputError, SceneError
 from sim.settings import setting_keys, settings_of
 from sim.store.files import decode_scene, encode_scene
@@ -42,7 +42,7 @@ def test_a_scene_names_controls() -> None:
 
 @pytest.mark.parametrize("name", ["foo", "Play", "bodies[1].foo", "method", "play "])
 def test_what_is_no_control_is_one_sentence(name: str) -> None:
-    with pytest.raises(InputError, match=r"there is no control called .*; there are play, chooser") as caught:
+    with pytest.raises(InputError, match=r"there is no control called .*; there are play, ") as caught:
         of_scene(with_controls("play", name), CONTROLS)
     assert "\n" not in str(caught.value)
     assert str(caught.value).startswith("view.controls: ")

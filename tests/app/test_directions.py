@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import sim
-from app.drawing.plan import Picture
 from app.export import instances
 from app.export.body.body import Body
 from app.export.body.program import python_program
+from app.stage.plan import Picture
 from tests.app.page_script import drawn, sketch_of
 from tests.sim.bodies import body, some_flipped
 

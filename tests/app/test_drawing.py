@@ -12,11 +12,11 @@ import pytest
 import trimesh
 
 import sim
-from app.drawing import looks
-from app.drawing.colors import LIGHT_GAIN, rgb, sent
-from app.drawing.plan import Picture
-from app.drawing.shapes import COILS, meshes
-from app.drawing.sketch import FULL_STRAIN, MANY, Mapping
+from app.stage import looks
+from app.stage.colors import LIGHT_GAIN, rgb, sent
+from app.stage.plan import Picture
+from app.stage.shapes import COILS, meshes
+from app.stage.sketch import FULL_STRAIN, MANY, Mapping
 from tests.app.page_script import after, all_drawn, drawn, sketch_of
 
 PRESETS = [info.name for info in sim.list_scenes() if info.built_in]
@@ -209,9 +209,8 @@ def test_the_tone_map_is_inverted() -> None:
 
 # ------------------------------------------------------------------------- looks
 def test_the_scripts_have_the_looks_of_python() -> None:
-    folder = Path(looks.__file__).with_name("static")
-    written = (folder / "looks.js").read_text(encoding="utf-8")
-    assert written == looks.script(), "run: python -m app.drawing.looks"
+    written = Path(looks.__file__).with_name("looks.js").read_text(encoding="utf-8")
+    assert written == looks.script(), "run: python -m app.stage.looks"
 
 
 def test_looks_stand_in_one_file_only() -> None:

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import sim
-from app.drawing.sketch import Mapping
 from app.features.edit.edits import OFFER, Edits
 from app.features.edit.messages import (
     Act,
@@ -30,9 +29,10 @@ from app.features.edit.messages import (
     Turn,
     Versions,
 )
-from app.page.body.view import picture_of
 from app.session import commands
 from app.session.notices import Notice
+from app.stage.sketch import Mapping
+from app.ui.view import picture_of
 from app.wire.messages import read
 from sim.edit import build
 from sim.edit.edit import Selection

@@ -19,13 +19,13 @@ from msgspec.structs import replace as changed
 from PIL import Image
 
 import sim
-from app.drawing.plan import Picture
 from app.export import film, model, replay
 from app.export.bundle import BundleError, bundle
 from app.export.clip import Clip, Shot
 from app.export.workshop import Workshop
 from app.session import commands
 from app.session.session import Session
+from app.stage.plan import Picture
 from sim.errors import InputError
 from sim.scene.types import Damage
 from tests.app.clips import swing

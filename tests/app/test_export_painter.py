@@ -11,13 +11,13 @@ from msgspec.structs import replace as changed
 from PIL import Image
 
 import sim
-from app.drawing.colors import palette, plain, rgb
-from app.drawing.plan import Picture, encode_plan
-from app.drawing.shapes import COILS, meshes
-from app.drawing.sketch import Floats, Sketch
 from app.export import around, instances
 from app.export.painter import Painter, paint
 from app.export.window import Window
+from app.stage.colors import palette, plain, rgb
+from app.stage.plan import Picture, encode_plan
+from app.stage.shapes import COILS, meshes
+from app.stage.sketch import Floats, Sketch
 from sim.scene.types import Damage
 from tests.app.page_script import after, drawn
 

@@ -16,7 +16,7 @@ import app.features
 
 app.features.__path__.append(sys.argv[1])
 from app.features.speed.feature import SpeedFeature
-from app.page import features
+from app.pages.sandbox import features
 
 features.FEATURES = (*features.FEATURES, SpeedFeature)
 features.COMMANDS = {**features.COMMANDS, **SpeedFeature.commands}
@@ -25,7 +25,7 @@ from app.wire.from_page import Perform
 from tests.app.whole import WholePage
 from tests.page import generate
 
-assert 'import speed from "../features/speed/speed.js";' in generate.features()
+assert 'import speed from "../../features/speed/speed.js";' in generate.features()
 assert "export type Fastest = " in generate.types()
 page = WholePage("rope")
 page.frames(5, Perform("speed"))

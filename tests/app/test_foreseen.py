@@ -7,10 +7,10 @@ import time
 import numpy as np
 
 import sim
-from app.page.body.view import picture_of
 from app.session import commands
 from app.session.foreseen import SHOWN_FOR
 from app.session.session import Session
+from app.ui.view import picture_of
 from sim.compiling.compiler import FOR_FALLBACK, fetch
 
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import sim
-from app.page.looks import readouts
 from app.session import commands, shadow
 from app.session.pacing import Costs
 from app.session.shadow import Foresight
+from app.ui import readouts
 from tests.app.pages import SessionPage
 
 

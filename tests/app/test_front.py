@@ -10,10 +10,10 @@ import pytest
 
 import sim
 from app.classroom.live import Front
-from app.drawing.plan import Picture
-from app.page.body.view import STILL, Canvas
-from app.page.classroom import front as module
-from app.page.classroom.front import SURE_EVERY, FrontView, looks_alike, send
+from app.features.classroom import front as module
+from app.features.classroom.front import SURE_EVERY, FrontView, looks_alike, send
+from app.stage.plan import Picture
+from app.ui.view import STILL, Canvas
 from app.viser_inside import SoftrodMessage
 from sim.scene.types import Damage
 from tests.app.letters import Letters

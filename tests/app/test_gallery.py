@@ -15,7 +15,7 @@ from PIL import Image
 import sim
 from app.classroom import live
 from app.classroom.live import Classes
-from app.drawing.plan import Picture
+from app.features.classroom.roles import desk_address
 from app.features.gallery import gallery, thumbnails
 from app.features.gallery.gallery import Gallery
 from app.features.gallery.messages import (
@@ -28,11 +28,11 @@ from app.features.gallery.messages import (
     UsedInClass,
     UseInClass,
 )
-from app.page import owner, shelf
-from app.page.assets import page_files
-from app.page.classroom.roles import desk_address
-from app.page.shelf import Shelf
+from app.pages.sandbox.assets import page_files
 from app.session.notices import Notice
+from app.stage.plan import Picture
+from app.ui import owner, shelf
+from app.ui.shelf import Shelf
 from app.wire.from_page import Who
 from sim.store import files
 from tests.app.letters import Letters

@@ -18,7 +18,7 @@ from websockets.exceptions import InvalidStatus
 from app.gate import address, gate
 from app.gate.address import authorities, own_authorities, public_address
 from app.gate.gate import Gate, GatedServer, GateError, PortBusy, exposure, open_server, page_addresses
-from app.page.assets import page_files
+from app.pages.sandbox.assets import page_files
 from tests.app.hostile import HANDSHAKE, Sandbox, answer, eventually, status
 from tests.app.inside import only_page, viser_infra
 

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import viser
 
-from app import viser_inside
+from app import viser_inside as viser_inside
 from app.gate.messages import (
     BEAT,
     MAX_FRAME_BYTES,

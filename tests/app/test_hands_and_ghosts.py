@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import sim
-from app.drawing.colors import palette
-from app.page.looks import readouts
 from app.session import commands
 from app.session.ghost import FINER
 from app.session.pacing import HEAVY_UNIT, Costs
+from app.stage.colors import palette
+from app.ui import readouts
 from studies.bench import frames
 from tests.app.pages import BUDGET, FRAME, SessionPage, in_one_piece
 

@@ -7,7 +7,7 @@ import threading
 import pytest
 
 import sim
-from app.page.tab import Tab
+from app.pages.sandbox.tab import Tab
 from app.server.ticker import LONGEST_FRAME, next_frame
 from app.session import commands
 from app.session.pacing import HEAVY_UNIT, Costs, is_large

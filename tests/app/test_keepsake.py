@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import sim
-from app.page.kept import pasts
 from app.session import commands, keepsakes, log
+from app.ui.kept import pasts
 from tests.app.pages import SessionPage
 from tests.app.recording import agrees, busy_page
 

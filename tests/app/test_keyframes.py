@@ -15,13 +15,13 @@ from msgspec.structs import replace as changed
 from rich.console import Console
 
 import sim
-from app.drawing.plan import Picture
 from app.export import keyframes
 from app.export.animation import animated_glb
 from app.export.clip import Clip, Shot
 from app.export.keyframes import motion_csv
 from app.export.making import simulated
 from app.export.model import glb
+from app.stage.plan import Picture
 from sim.errors import InputError
 from sim.scene.types import Damage
 from tests.app.command import Softrod

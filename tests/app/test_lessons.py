@@ -9,7 +9,7 @@ import msgspec
 import pytest
 
 import sim
-from app.cli import Check
+from app.cli.main import Check
 from app.features.lesson.messages import BeginStep, LessonStep
 from app.features.lesson.messages import Lesson as LessonState
 from app.features.lesson.panel import LessonPanel

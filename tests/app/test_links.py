@@ -15,13 +15,13 @@ from app.features.files.messages import Link, Share
 from app.features.files.sharing import Sharing
 from app.gate import address
 from app.gate.address import address_for_others, public_address
-from app.page import controls
-from app.page.controls import Controls
-from app.page.features import CONTROLS
-from app.page.kept.keeping import Parts
-from app.page.opening import asked_scene
+from app.pages.sandbox.features import CONTROLS
 from app.session import commands
 from app.session.notices import Notice
+from app.ui import controls
+from app.ui.controls import Controls
+from app.ui.kept.keeping import Parts
+from app.ui.opening import asked_scene
 from app.wire.from_page import Part
 from app.wire.messages import Ask, read
 from sim.errors import SceneError

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 import sim
-from app.drawing.colors import palette
-from app.drawing.plan import Picture, encode_plan, own_rest_angles
-from app.drawing.sketch import Sketch
 from app.export import instances
 from app.features.edit.messages import MoveMuscles, Select, ShapeMuscles, Tempo
-from app.page.features import COMMANDS
+from app.pages.sandbox.features import COMMANDS
 from app.session import commands, log
 from app.session.replay import Player
+from app.stage.colors import palette
+from app.stage.plan import Picture, encode_plan, own_rest_angles
+from app.stage.sketch import Sketch
 from app.wire.messages import read
 from sim.edit.edit import Selection
 from sim.edit.muscles import crest, give_muscles

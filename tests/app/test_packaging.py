@@ -128,7 +128,12 @@ def test_the_wheel_is_the_packages_and_the_presets(built: tuple[Path, Path]) -> 
     expected = {name for name in tracked() if name.startswith(tuple(f"{one}/" for one in PACKAGES))}
     expected |= {f"sim/{name}" for name in tracked() if name.startswith("presets/")}
     assert names == expected
-    assert {"sim/py.typed", "app/page/main.js", "app/page/page.css", "sim/presets/rope.json"} <= names
+    assert {
+        "sim/py.typed",
+        "app/pages/sandbox/main.js",
+        "app/ui/page.css",
+        "sim/presets/rope.json",
+    } <= names
 
 
 def test_a_wheel_made_from_the_sdist_is_that_made_from_the_checkout(
@@ -184,7 +189,7 @@ def test_its_commands_work(installed: Installed) -> None:
     (folder,) = installed.environment.glob("lib/*/site-packages/sim/presets")
     files = [*map(str, sorted(folder.rglob("*.json")))]
     code = f"""
-from app.cli import main
+from app.cli.main import main
 for words in (["scenes"], ["schema"], ["check", *{files}]):
     try:
         main(words)

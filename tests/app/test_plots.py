@@ -15,7 +15,6 @@ import viser
 from PIL import Image
 
 import sim
-from app.drawing.colors import palette
 from app.export.plot_picture import plot_png
 from app.features.measure import plots
 from app.features.measure.panel import MeasurePanel
@@ -25,6 +24,7 @@ from app.session import commands
 from app.session.history import SPAN
 from app.session.notices import Notice
 from app.session.plots import MOST_PLOTS, Plot, Wish, curve
+from app.stage.colors import palette
 from app.wire.from_page import Pick
 from sim.errors import InputError
 from tests.app.inside import press

@@ -12,8 +12,8 @@ import sim
 from app.features.race.feature import BeginRace, LeaveRace, RaceFeature
 from app.features.race.messages import RaceAnswer
 from app.features.race.rival import Rival
-from app.page.shelf import Shelf
 from app.session import commands
+from app.ui.shelf import Shelf
 from sim.edit.terrain import on_terrain
 from sim.store.link import pack_scene
 from tests.app.letters import Letters

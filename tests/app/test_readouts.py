@@ -8,9 +8,9 @@ import msgspec
 import pytest
 
 import sim
-from app.drawing.colors import palette
-from app.page.looks import readouts
 from app.session.session import Session
+from app.stage.colors import palette
+from app.ui import readouts
 from sim.methods.registry import METHODS
 
 

@@ -12,10 +12,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from app.page.kept.keeping import MOST_BYTES
 from app.session import commands, log, record
 from app.session.hand import GIZMO
 from app.session.log import Check, Log, decode_log
+from app.ui.kept.keeping import MOST_BYTES
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.store.files import encode_fields

@@ -9,7 +9,7 @@ import pytest
 from rich.console import Console
 
 import sim
-from app import headless
+from app.cli import headless
 from app.session import commands, log
 from app.session.log import decode_log
 from app.session.replay import Player

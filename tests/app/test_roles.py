@@ -12,11 +12,11 @@ import sim
 from app.classroom import kept
 from app.classroom.live import MOST_TRIED, Class, Classes
 from app.classroom.room import Line, Phase, Vote, Work
-from app.page.check.role import CheckRole
-from app.page.classroom.desk import DeskRole
-from app.page.classroom.role import ClassRole, asking
-from app.page.classroom.seat import SeatRole
-from app.page.classroom.wall import WallRole
+from app.features.classroom.check_role import CheckRole
+from app.features.classroom.desk import DeskRole
+from app.features.classroom.role import ClassRole, asking
+from app.features.classroom.seat import SeatRole
+from app.features.classroom.wall import WallRole
 from app.session import commands
 from app.session.session import Session
 from app.wire import from_page

@@ -20,10 +20,8 @@ from rich.console import Console
 import sim
 from app.features.gallery.messages import OpenScene
 from app.gate.gate import open_server
-from app.page import owner
-from app.page import tab as tab_module
-from app.page.kept import keeping
-from app.page.tab import Tab
+from app.pages.sandbox import tab as tab_module
+from app.pages.sandbox.tab import Tab
 from app.server import serve as serve_module
 from app.server.serve import serving, start_compiling, tell_addresses
 from app.server.ticker import Ticker
@@ -31,6 +29,8 @@ from app.session import commands
 from app.session.commands import DragStart, Open
 from app.session.plots import Wish
 from app.session.session import Session
+from app.ui import owner
+from app.ui.kept import keeping
 from app.wire.from_page import Part, Perform
 from app.wire.messages import FromPage
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint

@@ -15,8 +15,8 @@ import sim
 from app.classroom.live import Class
 from app.classroom.room import MOST_SEATS, Ghost, Line, Phase, Refused, Room, Vote
 from app.classroom.sheets import take
+from app.features.classroom.desk import DeskRole
 from app.lessons import lesson_code
-from app.page.classroom.desk import DeskRole
 from app.session.session import Session
 from app.wire import from_page
 from app.wire.to_page import Brought

@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 
 import sim
-from app.page import shelf
+from app.features.gallery.entries import FIRST, GROUPS, OTHERS
+from app.features.gallery.entries import entries as entries_of
+from app.ui import shelf
 from sim.store import files
 from sim.store.own_scenes import trash_user_scene
 
@@ -37,12 +39,12 @@ def test_the_folder_is_read_once_for_all_pages(home: Path, monkeypatch: pytest.M
 
 def test_presets_go_by_their_titles_and_saved_scenes_by_their_names(home: Path) -> None:
     files.save_user_scene(sim.load_scene("ring"), "my ring")
-    entries = {entry.name: entry for entry in shelf.entries(shelf.scenes())}
+    entries = {entry.name: entry for entry in entries_of(shelf.scenes())}
     assert entries["tutorial-3.3"].title == "Rope (3.3)"
     assert entries["my ring"].title == "my ring"
     assert entries["study-w1"].title == "study-w1"
     # Every scene that is offered can be opened.
-    assert [entry.name for entry in shelf.entries(shelf.scenes())] == list(entries)
+    assert [entry.name for entry in entries_of(shelf.scenes())] == list(entries)
     for name in entries:
         sim.load_scene(name)
     assert sim.load_scene("my ring").title == ""
@@ -51,10 +53,10 @@ def test_presets_go_by_their_titles_and_saved_scenes_by_their_names(home: Path) 
 def test_scenes_are_grouped_by_what_they_are(home: Path) -> None:
     files.save_user_scene(sim.load_scene("pile"), "mine")
     groups: dict[str, list[str]] = {}
-    for entry in shelf.entries(shelf.scenes()):
+    for entry in entries_of(shelf.scenes()):
         groups.setdefault(entry.group, []).append(entry.name)
-    assert list(groups) == [group for group in shelf.GROUPS if group != shelf.OTHERS]
-    assert groups["Start here"] == list(shelf.FIRST)
+    assert list(groups) == [group for group in GROUPS if group != OTHERS]
+    assert groups["Start here"] == list(FIRST)
     assert groups["Tutorial"] == ["tutorial-3.1", "tutorial-3.2", "tutorial-3.3"]
     assert {"ring", "cloth", "bridge", "flag-pole"} <= set(groups["Bodies"])
     assert groups["Your own"] == ["mine"]
@@ -62,7 +64,7 @@ def test_scenes_are_grouped_by_what_they_are(home: Path) -> None:
 
 
 def test_a_card_has_one_line() -> None:
-    entries = {entry.name: entry for entry in shelf.entries(shelf.scenes())}
+    entries = {entry.name: entry for entry in entries_of(shelf.scenes())}
     assert entries["cloth"].line == "A cloth with slack, hung up by two corners."
     assert entries["box"].line.startswith("A box without diagonals")
     assert all(entry.line and "\n" not in entry.line for entry in entries.values() if not entry.own)

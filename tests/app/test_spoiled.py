@@ -14,9 +14,9 @@ import msgspec
 import pytest
 
 import sim
-from app.page import features  # noqa: F401  with all their messages
-from app.page.kept import keeping
+from app.pages.sandbox import features  # noqa: F401  with all their messages
 from app.session import keepsakes, log
+from app.ui.kept import keeping
 from app.wire.messages import read
 from sim.edit import copying
 from sim.errors import InputError, SceneError

@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import app.page
+import app.pages
 
-APP = Path(app.page.__file__).parents[1]
-SHEETS = sorted(path for folder in ("page", "features") for path in (APP / folder).glob("**/*.css"))
+APP = Path(app.pages.__file__).parents[1]
+PARTS = ("stage", "ui", "features", "pages")
+SHEETS = sorted(path for part in PARTS for path in (APP / part).glob("**/*.css"))
 
 
 def rules_of(text: str) -> list[tuple[str, str]]:
@@ -42,9 +43,11 @@ def test_rules_within_conditions_are_seen() -> None:
 
 
 def test_only_one_folder_knows_what_viser_calls_its_widgets() -> None:
-    folder = Path(app.page.__file__).parent
-    for path in (path for kind in ("css", "js", "py") for path in folder.glob(f"**/*.{kind}")):
-        if "viser" not in path.relative_to(folder).parts:
+    paths = (
+        path for kind in ("css", "js", "py") for part in PARTS for path in (APP / part).glob(f"**/*.{kind}")
+    )
+    for path in paths:
+        if "viser" not in path.relative_to(APP).parts:
             found = re.search(
                 r"mantine-[A-Z]\w+|tabler-icon|data-dock|__viser", path.read_text(encoding="utf-8")
             )

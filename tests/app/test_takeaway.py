@@ -15,9 +15,9 @@ import sim
 from app.classroom import kept
 from app.classroom.room import Ghost, Line, Phase, Vote, Work
 from app.classroom.takeaway import PICTURE_SIZE, log_path, pack
-from app.drawing.colors import palette
-from app.drawing.sketch import Sketch
 from app.export.window import Window
+from app.stage.colors import palette
+from app.stage.sketch import Sketch
 from tests.app.test_room import a_room, an_answer
 
 

@@ -14,9 +14,9 @@ from msgspec.structs import replace
 import sim
 from app.features.solver import tuning_panel
 from app.features.solver.tuning_panel import MOST_MASSES, Tuner, TuningPanel
-from app.page.looks import readouts
 from app.session import commands
 from app.session.notices import Notice
+from app.ui import readouts
 from sim.compiling.compiler import FOR_FALLBACK, fetch
 from sim.edit.edit import Selection
 from sim.edit.tune import as_far_as_stable, damp_springs, with_numbers_of

@@ -8,8 +8,8 @@ from unittest.mock import MagicMock
 import pytest
 
 import sim
-from app.drawing.plan import Picture
-from app.page.body.view import STILL, Canvas
+from app.stage.plan import Picture
+from app.ui.view import STILL, Canvas
 from tests.app.letters import Letters
 
 

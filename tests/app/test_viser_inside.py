@@ -16,7 +16,7 @@ import viser._messages
 import zstandard
 from viser.infra._async_message_buffer import AsyncMessageBuffer
 
-from app import viser_inside
+from app import viser_inside as viser_inside
 from app.gate.gate import GatedServer, open_server
 from app.viser_inside import SoftrodMessage
 from studies.bench.client import Page

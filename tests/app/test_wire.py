@@ -12,9 +12,9 @@ from msgspec import inspect
 
 from app.features.gallery.messages import OfferGallery, ShelfChanged
 from app.features.instruments.messages import Tools
-from app.page import controls
-from app.page.features import COMMANDS, CONTROLS
+from app.pages.sandbox.features import COMMANDS, CONTROLS
 from app.session import commands
+from app.ui import controls
 from app.ui.commands import key_lines
 from app.wire import from_page, to_page
 from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages, read

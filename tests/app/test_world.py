@@ -13,16 +13,16 @@ import numpy as np
 import pytest
 
 import sim
-from app.drawing.colors import sent
-from app.drawing.looks import YIELDED
-from app.drawing.plan import Picture, encode_plan, yielded_of
 from app.export import around
 from app.export.window import Window
-from app.page.body.view import Canvas
-from app.page.looks import readouts
 from app.session import commands
 from app.session.history import History
 from app.session.notices import runaway
+from app.stage.colors import sent
+from app.stage.looks import YIELDED
+from app.stage.plan import Picture, encode_plan, yielded_of
+from app.ui import readouts
+from app.ui.view import Canvas
 from sim.body.system import build_system
 from sim.forces.air import wind_at
 from sim.motion.energy import ENERGY_FIELDS

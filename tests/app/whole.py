@@ -8,11 +8,11 @@ from typing import Any
 from unittest import mock
 
 import sim
-from app.page import tab
-from app.page.tab import Tab
-from app.page.viser import slider_box
+from app.pages.sandbox import tab
+from app.pages.sandbox.tab import Tab
 from app.session import commands
 from app.session.session import Session
+from app.ui.viser import slider_box
 from app.wire.messages import FromPage
 from app.wire.to_page import Hud
 from sim.compiling.compiler import Compiler

@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from playwright.sync_api import Browser, Playwright, sync_playwright
 
 import sim
-from app.page.tab import Submit, Tab
+from app.pages.sandbox.tab import Submit, Tab
 from app.server import serve as server_of_pages
 from app.server.serve import serving
 from tests.browser.between_frames import FRAME_LOCK

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Locator, Page
 
 import sim
-from app.page.tab import Tab
+from app.pages.sandbox.tab import Tab
 from app.server.ticker import Ticker
 from app.session.commands import Command
 from app.session.session import Session

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import sim
-from app.drawing.colors import palette
+from app.stage.colors import palette
 from tests.browser.driver import Desk
 
 PRESETS = tuple(info.name for info in sim.list_scenes() if info.built_in and not info.group)

@@ -20,7 +20,7 @@ from PIL import Image
 from playwright.sync_api import Browser, sync_playwright
 
 import sim
-from app.page import tab
+from app.pages.sandbox import tab
 from app.server.serve import serving
 from app.session.pacing import LONGEST_FRAME
 from app.session.session import FRAME, Session

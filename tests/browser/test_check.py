@@ -14,8 +14,8 @@ from playwright.sync_api import Browser, Page, expect
 import sim
 from app.classroom import kept
 from app.classroom.live import Class, Classes
-from app.page.check.page import check_address
-from app.page.classroom.roles import desk_address, seat_address
+from app.features.classroom.roles import desk_address, seat_address
+from app.pages.check.page import check_address
 from app.server.serve import serving
 from tests.browser.driver import LIMIT, until
 from tests.browser.wires import Wire, wire

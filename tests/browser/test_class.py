@@ -21,7 +21,7 @@ from app.classroom import kept
 from app.classroom.live import Class, Classes
 from app.classroom.room import Ghost, Line, Phase, Vote, Work
 from app.export.live.live import live_html
-from app.page.classroom.roles import desk_address, seat_address, wall_address
+from app.features.classroom.roles import desk_address, seat_address, wall_address
 from app.server.serve import serving
 from app.session.session import Session
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step

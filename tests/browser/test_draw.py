@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import sim
-from app.drawing.colors import palette
-from app.drawing.plan import Picture
-from app.drawing.sketch import Sketch
-from app.page.body.view import kinds_of
 from app.session import commands
+from app.stage.colors import palette
+from app.stage.plan import Picture
+from app.stage.sketch import Sketch
+from app.ui.view import kinds_of
 from tests.amount import NIGHT, part_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk

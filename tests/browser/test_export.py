@@ -13,10 +13,10 @@ from playwright.sync_api import Browser
 from playwright.sync_api import Page as BrowserPage
 
 import sim
-from app.drawing.colors import palette
 from app.export.clip import Clip
 from app.export.replay import replay_html
 from app.session import commands
+from app.stage.colors import palette
 from tests.app.clips import swing
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, until

@@ -9,7 +9,7 @@ import pytest
 import sim
 from app.features.gallery.messages import OfferGallery, ShelfChanged
 from app.gate.gate import Gate
-from app.page import owner
+from app.ui import owner
 from app.wire.carrier import Mail
 from sim.store import files, own_scenes
 from tests.browser.conftest import OpenPage

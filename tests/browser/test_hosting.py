@@ -13,8 +13,8 @@ from playwright.sync_api import Browser, Page, Route
 import sim
 from app.classroom import kept
 from app.classroom.live import Classes
-from app.page.check.page import check_address
-from app.page.classroom.roles import desk_address, seat_address, wall_address
+from app.features.classroom.roles import desk_address, seat_address, wall_address
+from app.pages.check.page import check_address
 from app.server.serve import serving
 from sim.store.link import pack_scene
 from tests.browser.conftest import DESKTOP

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.page.features import COMMANDS
+from app.pages.sandbox.features import COMMANDS
 from app.session import commands
 from app.ui.commands import key_lines
 from tests.browser.conftest import OpenPage

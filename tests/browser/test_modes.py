@@ -13,9 +13,9 @@ from tests.browser.driver import Desk, until
 
 # Renders what the page would play after one stroke, with the very voices that it has.
 RENDERED = """async ([frequencies, dampings]) => {
-  const script = document.querySelector('script[src$="page/main.js"]').src;
-  const from = (name) => import(new URL(name, script).href);
-  const [{ Voices }, { tonesOf }] = await Promise.all([from("modes/sound.js"), from("modes/tones.js")]);
+  const script = document.querySelector('script[src$="pages/sandbox/main.js"]').src;
+  const from = (name) => import(new URL(`../../features/modes/${name}`, script).href);
+  const [{ Voices }, { tonesOf }] = await Promise.all([from("sound.js"), from("tones.js")]);
   const found = [];
   for (let i = 0; i < frequencies.length; i++) {
     const context = new OfflineAudioContext(1, 3 * 24000, 24000);

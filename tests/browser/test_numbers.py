@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from app.page.viser import slider_box
 from app.session import commands
+from app.ui.viser import slider_box
 from sim.settings import setting_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk

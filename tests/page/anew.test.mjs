@@ -1,7 +1,7 @@
 // A card is made anew after a press on it, however late the click of that press comes.
 import assert from "node:assert/strict";
 import { mock, test } from "node:test";
-import { betweenPresses } from "../../app/page/classroom/anew.js";
+import { betweenPresses } from "../../app/features/classroom/anew.js";
 
 /** A card, its window, and what has become of the card so far. */
 function opened(t) {

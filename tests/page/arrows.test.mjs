@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { unitOf } from "../../app/features/instruments/arrow_marks.js";
-import { arrow, loadArrows } from "../../app/drawing/static/arrow_shapes.js";
+import { arrow, loadArrows } from "../../app/stage/arrow_shapes.js";
 import { largest, massesOf, readArrows, Scale, Series, torqueArrows, turnArrow, vectorArrows } from "../../app/features/instruments/arrows.js";
 
 const view = { left: 0, right: 800, top: 0, bottom: 600 };

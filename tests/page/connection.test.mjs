@@ -2,12 +2,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { become, canvas, key, pass, point, put, show, Target } from "./page.mjs";
-import { awaySince, mindAbsence } from "../../app/page/away.js";
-import { Attempts, askedScene, Pulse, serverPath, watchConnection } from "../../app/page/viser/connection.js";
+import { awaySince, mindAbsence } from "../../app/pages/sandbox/away.js";
+import { Attempts, askedScene, Pulse, serverPath, watchConnection } from "../../app/ui/viser/connection.js";
 import { callAll } from "../../app/wire/channel.js";
-import { listenToKeys } from "../../app/page/hands/keys.js";
-import { listenToPointer } from "../../app/page/hands/pointer.js";
-import { listenToPresses } from "../../app/page/hands/presses.js";
+import { listenToKeys } from "../../app/ui/hands/keys.js";
+import { listenToPointer } from "../../app/ui/hands/pointer.js";
+import { listenToPresses } from "../../app/ui/hands/presses.js";
 
 test("an attempt to connect has its time, and another begins when it has failed", () => {
   const attempts = new Attempts();

@@ -6,7 +6,7 @@ import { listenToEdits } from "../../app/features/edit/gestures.js";
 import { listenToEditKeys } from "../../app/features/edit/keys.js";
 import { addEditMarks } from "../../app/features/edit/marks.js";
 import { editing, setEditing, setTool } from "../../app/features/edit/editing.js";
-import { listenToPresses } from "../../app/page/hands/presses.js";
+import { listenToPresses } from "../../app/ui/hands/presses.js";
 
 listenToPresses();
 listenToEditKeys();

@@ -1,8 +1,8 @@
 // Outlines of what surrounds a body, on the screen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { airAt, gridLines, hatching, loops, resisting, streaks, uncovered, wallInView } from "../../app/drawing/static/environment.js";
-import { showWalls } from "../../app/page/body/camera.js";
+import { airAt, gridLines, hatching, loops, resisting, streaks, uncovered, wallInView } from "../../app/stage/environment.js";
+import { showWalls } from "../../app/stage/camera.js";
 
 const view = { left: 0, right: 800, top: 0, bottom: 600 };
 const on = { x: 400, y: 300, step: 100 };

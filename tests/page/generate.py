@@ -14,15 +14,15 @@ from typing import Any
 
 from msgspec import inspect as types_of
 
-from app.page.answers import VERBS
-from app.page.features import COMMANDS, FEATURES
+from app.pages.sandbox.answers import VERBS
+from app.pages.sandbox.features import COMMANDS, FEATURES
 from app.ui.commands import CORE, key_lines
 from app.ui.feature import Feature
 from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages
 
 COMMAND = "uv run python -m tests.page.generate"
 ROOT = Path(__file__).parents[2]
-WIRE, PAGE = ROOT / "app" / "wire", ROOT / "app" / "page"
+WIRE, PAGE = ROOT / "app" / "wire", ROOT / "app" / "pages" / "sandbox"
 LETTERS = {"Space": " ", "Esc": "Escape"}
 """Keys that a browser calls otherwise than the help."""
 
@@ -170,8 +170,8 @@ def features() -> str:
     return "\n".join(
         (
             "// @ts-check",
-            f"/** The features of the page. Made by `{COMMAND}` from app/page/features.py. */",
-            *(f'import {name} from "../features/{name}/{name}.js";' for name in names),
+            f"/** The features of the page. Made by `{COMMAND}` from app/pages/sandbox/features.py. */",
+            *(f'import {name} from "../../features/{name}/{name}.js";' for name in names),
             "",
             f"export const FEATURES = [{', '.join(names)}];",
             "",

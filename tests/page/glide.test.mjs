@@ -1,7 +1,7 @@
 // What is shown between two frames of the server.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Glide } from "../../app/page/body/glide.js";
+import { Glide } from "../../app/stage/glide.js";
 
 const SCREEN = 1 / 144;
 /** A body that moves at 1 px/s, seen at a moment of the server's clock. */

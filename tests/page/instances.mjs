@@ -1,9 +1,9 @@
 // Reads lines {plan, frame, damage} from standard input and writes, for each, what the page would draw.
 import { createInterface } from "node:readline";
-import * as draw from "../../app/drawing/static/draw.js";
-import { airAt, loops, outline, resisting, skin, wallInView } from "../../app/drawing/static/environment.js";
-import { swings } from "../../app/drawing/static/swing.js";
-import { readDamage, readFrame, readPlan } from "../../app/drawing/static/plan.js";
+import * as draw from "../../app/stage/draw.js";
+import { airAt, loops, outline, resisting, skin, wallInView } from "../../app/stage/environment.js";
+import { swings } from "../../app/stage/swing.js";
+import { readDamage, readFrame, readPlan } from "../../app/stage/plan.js";
 
 const plain = (instances) =>
   Object.fromEntries(Object.entries(instances).map(([name, array]) => [name.replace("batched_", ""), [...array]]));

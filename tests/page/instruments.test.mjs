@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { heard, key, pass, point, show } from "./page.mjs";
-import { addOverlay } from "../../app/page/body/overlay.js";
+import { addOverlay } from "../../app/stage/overlay.js";
 import * as shapes from "../../app/features/instruments/shapes.js";
 import { addInstruments } from "../../app/features/instruments/toolbox.js";
 

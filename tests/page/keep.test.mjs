@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { become, heard, tell } from "./page.mjs";
 
 sessionStorage.setItem("softrod", "before");
-const { hasKept, keepOnlyOf, lost, resume } = await import("../../app/page/kept/keep.js");
+const { hasKept, keepOnlyOf, lost, resume } = await import("../../app/ui/kept/keep.js");
 const kept = () => sessionStorage.getItem("softrod");
 let begun = 0;
 resume(() => (begun += 1));

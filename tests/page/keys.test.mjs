@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 import { become, heard, key, pass, point, put } from "./page.mjs";
 import { COMMANDS } from "../../app/wire/commands.js";
-import { commandOf, printed, withKey } from "../../app/page/hands/key_table.js";
-import { listenToKeys } from "../../app/page/hands/keys.js";
+import { commandOf, printed, withKey } from "../../app/ui/hands/key_table.js";
+import { listenToKeys } from "../../app/ui/hands/keys.js";
 
 listenToKeys();
 beforeEach(() => {

@@ -1,7 +1,7 @@
 // Where a word stands beside a body.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { freePlace } from "../../app/page/body/label.js";
+import { freePlace } from "../../app/stage/label.js";
 
 const [ABOVE, BELOW, RIGHT] = [{ x: 100, y: 50 }, { x: 100, y: 150 }, { x: 200, y: 100 }];
 /** A spring along the line y, from x = 0 to 150. */

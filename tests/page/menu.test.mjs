@@ -2,9 +2,9 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 import { become, canvas, heard, key, point, show } from "./page.mjs";
-import { listenToKeys } from "../../app/page/hands/keys.js";
-import { listenToPointer } from "../../app/page/hands/pointer.js";
-import { addMenu } from "../../app/page/looks/menu.js";
+import { listenToKeys } from "../../app/ui/hands/keys.js";
+import { listenToPointer } from "../../app/ui/hands/pointer.js";
+import { addMenu } from "../../app/ui/menu.js";
 import { addInstruments } from "../../app/features/instruments/toolbox.js";
 
 listenToKeys();

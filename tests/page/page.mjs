@@ -1,7 +1,7 @@
 // A page without a browser: elements through which events go as in one, a clock that is set on by hand, a canvas with a
 // body on it, and the server's end of the wire. Import it before the scripts of the page.
 import { mock } from "node:test";
-import { drawBody } from "../../app/page/body/canvas.js";
+import { drawBody } from "../../app/stage/canvas.js";
 import { hear } from "../../app/wire/channel.js";
 
 // ------------------------------------------------------------------------- time

@@ -2,8 +2,8 @@
 /** What is read of the numbers that say where the masses are, and in which part of their beat muscles are. */
 import assert from "node:assert/strict";
 import test from "node:test";
-import { readFrame } from "../../app/drawing/static/plan.js";
-import { beatsAt } from "../../app/drawing/static/swing.js";
+import { readFrame } from "../../app/stage/plan.js";
+import { beatsAt } from "../../app/stage/swing.js";
 
 /** Sections, each after its length. */
 const joined = (/** @type {number[][]} */ ...sections) =>

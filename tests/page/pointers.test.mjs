@@ -4,8 +4,8 @@ import { beforeEach, test } from "node:test";
 import { become, canvas, heard, pass, point, put, show } from "./page.mjs";
 import { change } from "../../app/features/edit/editing.js";
 import { listenToEdits } from "../../app/features/edit/gestures.js";
-import { listenToPointer } from "../../app/page/hands/pointer.js";
-import { listenToPresses } from "../../app/page/hands/presses.js";
+import { listenToPointer } from "../../app/ui/hands/pointer.js";
+import { listenToPresses } from "../../app/ui/hands/presses.js";
 
 listenToPresses();
 listenToEdits();

@@ -2,9 +2,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { become, show } from "./page.mjs";
-import { edgeArrow } from "../../app/page/body/edge.js";
-import { addOverlay, degrees, jointAngles, lengthText, roundDown, roundUp } from "../../app/page/body/overlay.js";
-import { nearest, onScreen, worldAt } from "../../app/page/body/screen.js";
+import { edgeArrow } from "../../app/stage/edge.js";
+import { addOverlay, degrees, jointAngles, lengthText, roundDown, roundUp } from "../../app/stage/overlay.js";
+import { nearest, onScreen, worldAt } from "../../app/stage/screen.js";
 
 const plan = (flip) => ({
   scale: 0.01, x: 300, y: 200, flip,

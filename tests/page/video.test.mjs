@@ -1,8 +1,8 @@
 // Places in a video: following a piece of the picture over drawn frames, and the table.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { cutOut, find, greyOf } from "../../app/page/video/follow.js";
-import { measured, tableOf } from "../../app/page/video/table.js";
+import { cutOut, find, greyOf } from "../../app/pages/video/follow.js";
+import { measured, tableOf } from "../../app/pages/video/table.js";
 
 const WIDTH = 320, HEIGHT = 200;
 

@@ -191,7 +191,7 @@ def test_tests_look_at_private_state_only_where_such_looks_are_gathered() -> Non
 
 
 def test_browser_tests_know_of_viser_by_the_page_s_own_script_only() -> None:
-    """`app/page/viser/seen.js` says what is seen; one test puts another viser in the place of the page's."""
+    """`app/ui/viser/seen.js` says what is seen; one test puts another viser in the place of the page's."""
     for path in (ROOT / "tests" / "browser").glob("*.py"):
         text = path.read_text(encoding="utf-8")
         assert "__viser" not in text.replace("Object.defineProperty(window, '__viserMutable'", ""), path

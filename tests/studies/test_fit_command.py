@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 import sim
-from app.cli import main
+from app.cli.main import main
 from tests.sim.measured import measure, spring_pendulum
 
 

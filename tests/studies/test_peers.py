@@ -14,7 +14,7 @@ import pytest
 from rich.console import Console
 
 import sim
-from app import cli
+from app.cli import main as cli
 from studies.bench.heap import heap
 from studies.peers import heaps, references, report
 from studies.peers.engines import c_loop, many, own

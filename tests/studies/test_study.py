@@ -15,7 +15,7 @@ import pytest
 from rich.console import Console
 
 import sim
-from app import cli
+from app.cli import main as cli
 from sim.body.system import build_system
 from sim.errors import InputError
 from sim.methods.registry import METHODS
@@ -324,7 +324,7 @@ def test_cvode_that_is_not_installed_is_said_in_one_line(monkeypatch: pytest.Mon
 
 def test_nothing_that_runs_a_page_loads_the_studies_and_what_only_they_need() -> None:
     seen = "print({name for name in sys.modules if name.startswith(('studies', 'matplotlib', 'scipy.int'))})"
-    script = f"import sys, app.cli, app.server.serve; {seen}"
+    script = f"import sys, app.cli.main, app.server.serve; {seen}"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "set()"
     root = Path(__file__).parents[2]

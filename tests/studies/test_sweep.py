@@ -105,7 +105,7 @@ def test_something_has_to_be_measured() -> None:
 
 
 def test_the_help_has_every_measure(capsys: pytest.CaptureFixture[str]) -> None:
-    from app.cli import main
+    from app.cli.main import main
 
     with pytest.raises(SystemExit):
         main(["sweep", "--help"])

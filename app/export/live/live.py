@@ -17,7 +17,7 @@ from sim.scene.types import shown_name
 from sim.settings import CHOICES, SETTINGS, TEMPLATES, set_value, settings_of
 from sim.settings.recipes import Setting
 
-from ...drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
+from ...stage.looks import FRACTIONS, ICONS, SPEEDS, style_rules
 from ..bundle import bundle
 from ..html_file import Bar, html_file, packed, plans, stage
 from .data import body_data
@@ -53,7 +53,7 @@ DARK = "[data-dark]*"
 """Where the paper is dark, see `static/dark.js`."""
 
 _FOLDER = Path(__file__).parent / "static"
-_PAGE = Path(__file__).parents[2] / "page"
+_APP = Path(__file__).parents[2]
 """Whose dialogs and lessons look the same in a file."""
 
 
@@ -132,8 +132,8 @@ def early_script() -> str:
 @cache
 def _looks() -> tuple[str, str]:
     """The styles and the script."""
-    lesson = _PAGE.parent / "features" / "lesson" / "lesson.css"
-    files = (_PAGE / "looks" / "dialogs.css", lesson, _FOLDER / "live.css")
+    shared = ("ui/dialogs.css", "features/lesson/lesson.css")
+    files = (*(_APP / name for name in shared), _FOLDER / "live.css")
     rules = (style_rules(DARK), *(path.read_text(encoding="utf-8") for path in files))
     return "\n".join(rules), bundle(_FOLDER / "live.js")
 

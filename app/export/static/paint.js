@@ -2,11 +2,11 @@
 /**
  * Draws a body into a canvas, with what the page draws by: for files that live without a server.
  *
- * @typedef {import("../../drawing/static/plan.js").Plan} Plan
- * @typedef {import("../../drawing/static/plan.js").Frame} Frame
- * @typedef {import("../../drawing/static/plan.js").Damage} Damage
- * @typedef {import("../../drawing/static/draw.js").Instances} Instances
- * @typedef {import("../../drawing/static/environment.js").Screen} Screen
+ * @typedef {import("../../stage/plan.js").Plan} Plan
+ * @typedef {import("../../stage/plan.js").Frame} Frame
+ * @typedef {import("../../stage/plan.js").Damage} Damage
+ * @typedef {import("../../stage/draw.js").Instances} Instances
+ * @typedef {import("../../stage/environment.js").Screen} Screen
  * @typedef {object} Stage what a file says of how its body is shown
  * @property {number} size of the scene's frame, px: the larger of its sides
  * @property {number[]} box left, right, low and high of what is shown, in the page's world
@@ -14,10 +14,10 @@
  * @property {Record<string, number[][]>} meshes outlines: x and y of each corner
  * @typedef {{plan: Plan, frame: Frame, damage: Damage}} Shown
  */
-import { loadArrows } from "../../drawing/static/arrow_shapes.js";
-import * as draw from "../../drawing/static/draw.js";
-import { moving, standing, streaks } from "../../drawing/static/environment.js";
-import { ARROW, LAYERS, MARGIN } from "../../drawing/static/looks.js";
+import { loadArrows } from "../../stage/arrow_shapes.js";
+import * as draw from "../../stage/draw.js";
+import { moving, standing, streaks } from "../../stage/environment.js";
+import { ARROW, LAYERS, MARGIN } from "../../stage/looks.js";
 
 /** What is smaller than that, in the world, is not to be seen. */
 const UNSEEN = 2e-6;

@@ -10,7 +10,7 @@
  * @property {number[]} damages from which frame on there is each
  * @typedef {import("./paint.js").Stage & Moving} About what the file says
  */
-import { between, readDamage, readFrame, readPlan, sections, UNHARMED } from "../../drawing/static/plan.js";
+import { between, readDamage, readFrame, readPlan, sections, UNHARMED } from "../../stage/plan.js";
 import { paint } from "./paint.js";
 import { element, unpacked } from "./parts.js";
 

@@ -5,9 +5,9 @@
  */
 import { onTold, send } from "../../wire/channel.js";
 import { editing } from "./editing.js";
-import { sendParts } from "../../page/kept/links.js";
-import { sight } from "../../page/body/overlay.js";
-import { worldAt } from "../../page/body/screen.js";
+import { sendParts } from "../../ui/kept/links.js";
+import { sight } from "../../stage/overlay.js";
+import { worldAt } from "../../stage/screen.js";
 
 const STORED = "softrod-clipboard";
 const BEGINS = '{"type":"softrod-fragment"';

@@ -20,9 +20,9 @@ from sim.edit.values import number, set_number, take_as_rest
 from sim.errors import SceneError, SettingError
 from sim.scene.numbers import Vector
 
-from ...drawing.sketch import Mapping
 from ...session import commands
 from ...session.session import Notice, Session
+from ...stage.sketch import Mapping
 from ...wire.carrier import Mail
 from . import messages as asks
 from .messages import Copied, Selected, TextsTaken, Versions

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
-from ...page.page import Page
 from ...session import commands
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature, LongText
+from ...ui.page import Page
 from ...wire.messages import FromPage
 from .edits import Edits
 from .messages import Edit
 from .selection_panel import SelectionPanel
 
 if TYPE_CHECKING:
-    from ...page.panel import Panel
+    from ...ui.panel import Panel
 
 _HAND = (
     "M8 12V5.5a1.5 1.5 0 0 1 3 0V11m0-1V4.5a1.5 1.5 0 0 1 3 0V11m0-5a1.5 1.5 0 0 1 3 0v7c0 4-2 7-6 7-3 0-4-1"

@@ -3,21 +3,21 @@
  * Building and changing the body by the pointer. The page finds what is under the pointer and draws what is under way,
  * so that nothing lags; the server makes the edit.
  */
-import { onPicture, shown } from "../../page/body/canvas.js";
+import { onPicture, shown } from "../../stage/canvas.js";
 import { onTold, send, told } from "../../wire/channel.js";
 import {
   CORNER, directionTo, distanceTo, isNothing, isSelected, partAt, REACH, snapped, turnable, within, world,
 } from "./places.js";
 import { change, countSelected, editing, giveUp } from "./editing.js";
 import { directionAt, restAt, restDirection } from "./joint_rest.js";
-import { swallow } from "../../page/hands/keys.js";
+import { swallow } from "../../ui/hands/keys.js";
 import { moveSelected } from "./move.js";
-import { sight } from "../../page/body/overlay.js";
+import { sight } from "../../stage/overlay.js";
 import * as pick from "./pick.js";
-import { massAt } from "../../page/hands/pointer.js";
-import { nearest } from "../../page/body/screen.js";
+import { massAt } from "../../ui/hands/pointer.js";
+import { nearest } from "../../stage/screen.js";
 import { perform } from "../../wire/perform.js";
-import { viser } from "../../page/viser/viser.js";
+import { viser } from "../../ui/viser/viser.js";
 
 /**
  * @typedef {import("./pick.js").Place} Place

@@ -3,17 +3,17 @@
  * Editing by keys: the tools' letters, undo and redo everywhere, and on the body itself, which the Tab key reaches, all
  * that the pointer can do.
  */
-import { shown } from "../../page/body/canvas.js";
+import { shown } from "../../stage/canvas.js";
 import { send } from "../../wire/channel.js";
 import { pasteHere, toClipboard } from "./clipboard.js";
 import { line, stepBack } from "./gestures.js";
 import { step } from "./places.js";
 import { change, countSelected, editing, giveUp, isEditable, isTool, setTool } from "./editing.js";
-import { ARROWS, commandOf } from "../../page/hands/key_table.js";
-import { isFree, swallow } from "../../page/hands/keys.js";
+import { ARROWS, commandOf } from "../../ui/hands/key_table.js";
+import { isFree, swallow } from "../../ui/hands/keys.js";
 import { moveSelected } from "./move.js";
-import { chosenMass, sight } from "../../page/body/overlay.js";
-import { massAt } from "../../page/hands/pointer.js";
+import { chosenMass, sight } from "../../stage/overlay.js";
+import { massAt } from "../../ui/hands/pointer.js";
 
 /** By how much less an arrow moves with Shift. */
 const FINE = 0.1;

@@ -1,16 +1,16 @@
 // @ts-check
 /** What is drawn of an edit: what is selected, and what the pointer is doing. */
-import { shown } from "../../page/body/canvas.js";
+import { shown } from "../../stage/canvas.js";
 import { CORNER, partAt, snapped, turnable } from "./places.js";
 import { editing, onEditing } from "./editing.js";
-import { wrapped } from "../../drawing/static/draw.js";
+import { wrapped } from "../../stage/draw.js";
 import { restAt, restDirection } from "./joint_rest.js";
-import { degrees, makeSvg, onSight, putUp, set, sight } from "../../page/body/overlay.js";
+import { degrees, makeSvg, onSight, putUp, set, sight } from "../../stage/overlay.js";
 import { armsOf, cornersOf, crossed, turnTo } from "./pick.js";
-import { massAt } from "../../page/hands/pointer.js";
+import { massAt } from "../../ui/hands/pointer.js";
 
 /**
- * @typedef {import("../../page/body/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/overlay.js").Sight} Sight
  * @typedef {import("./pick.js").Place} Place
  */
 
@@ -103,7 +103,7 @@ function selectedIn({ plan }) {
 }
 
 /** What marks the selection, and of which picture: it stays while only the pointer moves. */
-const marked = { of: "", selected: editing.selected, frame: /** @type {import("../../drawing/static/plan.js").Frame | null} */ (null), marks: {} };
+const marked = { of: "", selected: editing.selected, frame: /** @type {import("../../stage/plan.js").Frame | null} */ (null), marks: {} };
 
 /** @param {Sight} seen @returns {Partial<Record<Kind, string>>} */
 function selection(seen) {

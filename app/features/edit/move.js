@@ -1,10 +1,10 @@
 // @ts-check
 /** Moving what is selected: whether its springs rest as they are then is asked once, and the tab remembers. */
 import { onTold, send, told } from "../../wire/channel.js";
-import { wireNumber } from "../../page/body/screen.js";
-import { make, makeButton, makeDialog } from "../../page/looks/dialog.js";
+import { wireNumber } from "../../stage/screen.js";
+import { make, makeButton, makeDialog } from "../../ui/dialog.js";
 import { change } from "./editing.js";
-import { kept, store } from "../../page/kept/storage.js";
+import { kept, store } from "../../ui/kept/storage.js";
 
 const STORED = "softrod-moved-rest";
 

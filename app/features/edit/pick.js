@@ -2,11 +2,11 @@
 /**
  * What is under the pointer: a mass, a joint, a spring, or a corner that has no joint yet. Arithmetic only.
  *
- * @typedef {import("../../drawing/static/plan.js").Plan} Plan
+ * @typedef {import("../../stage/plan.js").Plan} Plan
  * @typedef {{x: number, y: number}} Place pixels
  * @typedef {{masses: number[], springs: number[], joints: number[]}} Parts
  */
-import { wrapped } from "../../drawing/static/draw.js";
+import { wrapped } from "../../stage/draw.js";
 
 /** A wedge reaches so many times as far as its mass. */
 const WEDGE = 2.6;

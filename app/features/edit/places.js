@@ -1,13 +1,13 @@
 // @ts-check
 /** Where things are for an edit: what is under the pointer, the nearest crossing of the grid, directions and distances. */
-import { gridStep } from "../../drawing/static/environment.js";
-import { shown } from "../../page/body/canvas.js";
+import { gridStep } from "../../stage/environment.js";
+import { shown } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
 import { editing } from "./editing.js";
-import { sight } from "../../page/body/overlay.js";
+import { sight } from "../../stage/overlay.js";
 import { jointAt, rounded, springAt } from "./pick.js";
-import { massAt } from "../../page/hands/pointer.js";
-import { wireNumber, worldAt } from "../../page/body/screen.js";
+import { massAt } from "../../ui/hands/pointer.js";
+import { wireNumber, worldAt } from "../../stage/screen.js";
 
 /**
  * @typedef {import("./pick.js").Place} Place

@@ -28,11 +28,11 @@ from sim.edit.values import (
     values_of,
 )
 
-from ...page.page import Page
-from ...page.viser.handlers import on_change
-from ...page.viser.slider_box import DECIMALS, TOUCHED, Limits, alike, rounded
 from ...session import commands
 from ...session.notices import Notice
+from ...ui.page import Page
+from ...ui.viser.handlers import on_change
+from ...ui.viser.slider_box import DECIMALS, TOUCHED, Limits, alike, rounded
 
 EVERY = 0.1
 """Seconds between two looks at the numbers; held arrow keys change some of them all the time."""

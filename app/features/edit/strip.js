@@ -3,15 +3,15 @@
 import { onTold, send } from "../../wire/channel.js";
 import { toClipboard, pasteHere } from "./clipboard.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { make, makeButton } from "../../page/looks/dialog.js";
+import { make, makeButton } from "../../ui/dialog.js";
 import { stepBack } from "./gestures.js";
 import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
-import { withKey } from "../../page/hands/key_table.js";
-import { hasWords, larger } from "../../page/looks/looks.js";
+import { withKey } from "../../ui/hands/key_table.js";
+import { hasWords, larger } from "../../ui/looks.js";
 import { setTakesNew, takesNew } from "./move.js";
-import { floorOf, onSight } from "../../page/body/overlay.js";
+import { floorOf, onSight } from "../../stage/overlay.js";
 import { perform } from "../../wire/perform.js";
-import { viser } from "../../page/viser/viser.js";
+import { viser } from "../../ui/viser/viser.js";
 
 /** @type {import("./editing.js").Tool[]} */
 const TOOLS = ["hand", "build", "joint", "select", "cut"];

@@ -4,7 +4,7 @@
  * here, never HTML. It stays until the server has taken it.
  */
 import { onTold, send, told } from "../../wire/channel.js";
-import { make, makeButton } from "../../page/looks/dialog.js";
+import { make, makeButton } from "../../ui/dialog.js";
 
 /** What a scene's file may have, see `Scene`. */
 const LONGEST_NAME = 60;

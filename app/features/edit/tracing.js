@@ -6,15 +6,15 @@
  * @typedef {{data: string, x: number, y: number, width: number, ratio: number, opacity: number}} Picture
  *   its address, the middle and the width in the world, height over width, and how opaque it is
  */
-import { make, makeButton } from "../../page/looks/dialog.js";
+import { make, makeButton } from "../../ui/dialog.js";
 import { editing, onEditing } from "./editing.js";
-import { ARROWS } from "../../page/hands/key_table.js";
-import { isFree, swallow } from "../../page/hands/keys.js";
-import { makeSvg, set } from "../../page/body/overlay.js";
-import { screen } from "../../page/body/screen.js";
-import { kept, store } from "../../page/kept/storage.js";
-import { onUnderlay } from "../../page/body/underlay.js";
-import { viser } from "../../page/viser/viser.js";
+import { ARROWS } from "../../ui/hands/key_table.js";
+import { isFree, swallow } from "../../ui/hands/keys.js";
+import { makeSvg, set } from "../../stage/overlay.js";
+import { screen } from "../../stage/screen.js";
+import { kept, store } from "../../ui/kept/storage.js";
+import { onUnderlay } from "../../stage/underlay.js";
+import { viser } from "../../ui/viser/viser.js";
 
 const STORED = "softrod-picture";
 /** Pixels of the longer side that are kept: the storage has room for some megabytes. */

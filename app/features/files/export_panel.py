@@ -20,9 +20,9 @@ from sim.errors import InputError
 
 from ...export.clip import Clip, Shot
 from ...export.workshop import Breath, workshop
-from ...page.page import Page
-from ...page.viser.handlers import add_command, on_press
 from ...session.notices import Notice
+from ...ui.page import Page
+from ...ui.viser.handlers import add_command, on_press
 
 SECONDS = (1, 20)
 """Of motion that a page can have in a file."""

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, ClassVar
 
 import viser
 
-from ...page.page import Page
 from ...session import commands
 from ...ui.commands import Row
 from ...ui.feature import Feature, LongText
+from ...ui.page import Page
 from ...wire.messages import FromPage
 from .export_panel import ExportPanel
 from .messages import Share
@@ -17,7 +17,7 @@ from .panel import FilesPanel, open_file
 from .sharing import Sharing
 
 if TYPE_CHECKING:
-    from ...page.panel import Panel
+    from ...ui.panel import Panel
 
 
 class FilesFeature(Feature):

@@ -4,10 +4,10 @@
  * page: it is sent to the server, which reads it.
  */
 import { send } from "../../wire/channel.js";
-import { make } from "../../page/looks/dialog.js";
-import { OPEN } from "../../page/viser/widgets.js";
-import { packed } from "../../page/kept/keep.js";
-import { sendParts } from "../../page/kept/links.js";
+import { make } from "../../ui/dialog.js";
+import { OPEN } from "../../ui/viser/widgets.js";
+import { packed } from "../../ui/kept/keep.js";
+import { sendParts } from "../../ui/kept/links.js";
 
 /** Bytes of a file at most: more than any scene or log may have. */
 const MOST = 8_000_000;

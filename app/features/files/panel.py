@@ -20,11 +20,11 @@ from sim.errors import InputError, SceneError
 from sim.store import files
 from sim.store.places import as_utf8
 
-from ...page.kept import keeping
-from ...page.page import Page
-from ...page.viser.handlers import on_press
 from ...session import commands, log
 from ...session.session import Notice
+from ...ui.kept import keeping
+from ...ui.page import Page
+from ...ui.viser.handlers import on_press
 
 ABOUT_LOGS = (
     '<div class="softrod-text">A log is all that was done since the start or the last reset; opened as a '

@@ -6,14 +6,14 @@
  * Every SVG and canvas element belongs to it whose class begins with `softrod-`, unless it is a part of a button or of
  * the panel.
  *
- * @typedef {import("../../page/viser/viser.js").Renderer} Renderer
+ * @typedef {import("../../ui/viser/viser.js").Renderer} Renderer
  */
-import { hold } from "../../page/body/canvas.js";
+import { hold } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
-import { SVG } from "../../page/body/overlay.js";
-import { timeNow } from "../../page/time/transport.js";
-import { viser } from "../../page/viser/viser.js";
-import { PANEL } from "../../page/viser/widgets.js";
+import { SVG } from "../../stage/overlay.js";
+import { timeNow } from "../../ui/transport.js";
+import { viser } from "../../ui/viser/viser.js";
+import { PANEL } from "../../ui/viser/widgets.js";
 
 /** Pixels of a picture for a pixel of the page, at least. */
 const FINE = 2;
@@ -33,7 +33,7 @@ const STYLES = [
   "transform-origin", "transform-box", "mix-blend-mode",
 ];
 
-/** Once viser has drawn. @returns {Promise<[Renderer, import("../../page/viser/viser.js").Scene, unknown]>} */
+/** Once viser has drawn. @returns {Promise<[Renderer, import("../../ui/viser/viser.js").Scene, unknown]>} */
 function drawn() {
   const { scene, requestRender } = viser() ?? {};
   if (!scene) return Promise.reject(new Error("there is no scene"));

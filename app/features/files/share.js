@@ -1,7 +1,7 @@
 // @ts-check
 /** The dialog with an address of the scene, and its QR code. */
 import { onTold, send } from "../../wire/channel.js";
-import { make, makeButton, makeDialog } from "../../page/looks/dialog.js";
+import { make, makeButton, makeDialog } from "../../ui/dialog.js";
 
 /** Characters from which on a link may be cut: by some e-mail programs, and by messengers. */
 const LONG = 2000;

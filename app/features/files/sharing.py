@@ -14,9 +14,9 @@ from sim.store import files
 from sim.store.link import PATH, pack_scene
 
 from ...linking import short_address
-from ...page.page import Page
 from ...session.notices import Notice
 from ...ui.board import foremost
+from ...ui.page import Page
 from .messages import Link, Share
 
 MOST_IN_QR = 1200

@@ -8,7 +8,7 @@ from ...ui.feature import Feature
 from .panel import FitPanel
 
 if TYPE_CHECKING:
-    from ...page.panel import Panel
+    from ...ui.panel import Panel
 
 
 class FitFeature(Feature):

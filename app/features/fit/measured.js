@@ -4,7 +4,7 @@
  * bodies besides, which go with the table about as well.
  */
 import { onTold } from "../../wire/channel.js";
-import { onSight, redrawMarks, SVG } from "../../page/body/overlay.js";
+import { onSight, redrawMarks, SVG } from "../../stage/overlay.js";
 
 /** Numbers of a place: time, x, y. */
 const EACH = 3;
@@ -58,7 +58,7 @@ export function addMeasured() {
   let numbers = new Float32Array();
   /** @type {Fan} */
   let fan = { numbers, draws: 0, masses: 0, rate: 0 };
-  /** @param {import("../../page/body/overlay.js").Sight} seen */
+  /** @param {import("../../stage/overlay.js").Sight} seen */
   const draw = ({ plan, frame, on }) => {
     if (!svg.parentNode) return;
     const scale = plan.scale * on.step;

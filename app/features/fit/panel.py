@@ -23,10 +23,10 @@ from sim.errors import InputError, SceneError, SettingError
 from sim.settings import settings_of
 
 from ...export.workshop import Breath, Workshop
-from ...page.looks import readouts
-from ...page.page import Page
-from ...page.viser.handlers import on_change, on_press
 from ...session import commands
+from ...ui import readouts
+from ...ui.page import Page
+from ...ui.viser.handlers import on_change, on_press
 from ..measure.messages import ShowMeasures
 from .messages import Fan, Measured
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from ...page.page import Page
 from ...session import commands
 from ...session.session import Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
+from ...ui.page import Page
 from ...wire.messages import FromPage
 from .gallery import Gallery
 from .messages import ChangeScene, ListScenes, OpenScene, UseInClass

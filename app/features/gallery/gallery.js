@@ -7,8 +7,8 @@
  */
 import { onTold, send } from "../../wire/channel.js";
 import { copied } from "../files/share.js";
-import { make, makeButton, makeDialog } from "../../page/looks/dialog.js";
-import { isDark } from "../../page/viser/widgets.js";
+import { make, makeButton, makeDialog } from "../../ui/dialog.js";
+import { isDark } from "../../ui/viser/widgets.js";
 import { arrived, isFound } from "./finding.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);

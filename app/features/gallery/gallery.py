@@ -16,11 +16,11 @@ from sim.errors import SceneError
 from sim.store import own_scenes
 from sim.store.files import read_scene
 
-from ...page import shelf
-from ...page.page import Page
 from ...session import commands
 from ...session.notices import Notice
+from ...ui.page import Page
 from . import thumbnails
+from .entries import entries
 from .messages import (
     ChangeScene,
     ListScenes,
@@ -78,7 +78,7 @@ class Gallery:
         scenes = self._shelf.scenes()
         self._mail.tell(
             Scenes(
-                scenes=tuple(shelf.entries(scenes)),
+                scenes=tuple(entries(scenes)),
                 present=self._session.scene.name,
                 teaches=self._shelf.owned,
             )

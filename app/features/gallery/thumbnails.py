@@ -15,9 +15,9 @@ import numpy as np
 import sim
 from sim.store.files import built_in_files, read_scene, write_atomically
 
-from ...drawing.plan import Picture
-from ...drawing.sketch import Floats
 from ...export.painter import Painter
+from ...stage.plan import Picture
+from ...stage.sketch import Floats
 
 FOLDER = Path(__file__).parent / "thumbnails"
 SIZE = (264, 176)

@@ -1,9 +1,9 @@
 // @ts-check
 /** Draws the arrows of forces, velocities and torques over the body, with what their lengths stand for. */
-import { arrow } from "../../drawing/static/arrow_shapes.js";
+import { arrow } from "../../stage/arrow_shapes.js";
 import * as arrows from "./arrows.js";
 import { onTold, told } from "../../wire/channel.js";
-import { onSight, putUp, redrawMarks, SVG } from "../../page/body/overlay.js";
+import { onSight, putUp, redrawMarks, SVG } from "../../stage/overlay.js";
 
 /** Pixels of the longest arrow: a part of the canvas, within bounds. */
 const [PART, LEAST, MOST] = [0.17, 52, 110];
@@ -14,7 +14,7 @@ const AGAIN = 400;
 
 /**
  * @typedef {"forces" | "velocities" | "torques"} Kind
- * @typedef {import("../../page/body/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/overlay.js").Sight} Sight
  */
 /** @type {Kind[]} */
 const KINDS = ["forces", "velocities", "torques"];

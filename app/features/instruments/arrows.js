@@ -3,12 +3,12 @@
  * Arrows of forces, velocities and torques: reading their numbers (written by arrows.py), choosing a scale, and their
  * outlines on the screen. Arithmetic only, without a page.
  *
- * @typedef {import("../../drawing/static/plan.js").Plan} Plan
- * @typedef {import("../../page/body/edge.js").Box} Box
+ * @typedef {import("../../stage/plan.js").Plan} Plan
+ * @typedef {import("../../stage/edge.js").Box} Box
  */
-import { arrow, head, headOf } from "../../drawing/static/arrow_shapes.js";
-import { roundUp } from "../../page/body/overlay.js";
-import { sections } from "../../drawing/static/plan.js";
+import { arrow, head, headOf } from "../../stage/arrow_shapes.js";
+import { roundUp } from "../../stage/overlay.js";
+import { sections } from "../../stage/plan.js";
 
 /** Sets of numbers that are kept to glide between. */
 const KEPT = 8;

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 
-from ...drawing.plan import joined
-from ...drawing.sketch import Floats
 from ...session.session import Session
+from ...stage.plan import joined
+from ...stage.sketch import Floats
 from ...wire.carrier import Mail
 from . import messages as to_page
 

@@ -1,18 +1,18 @@
 // @ts-check
 /** Where a mass is and how fast, in a small label beside it: of the one under the pointer, or chosen. */
-import { onPicture } from "../../page/body/canvas.js";
+import { onPicture } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
-import { chosenMass, onSight, putUp, redrawMarks, SVG } from "../../page/body/overlay.js";
-import { massAt } from "../../page/hands/pointer.js";
+import { chosenMass, onSight, putUp, redrawMarks, SVG } from "../../stage/overlay.js";
+import { massAt } from "../../ui/hands/pointer.js";
 import { onTools, tools } from "./tools.js";
-import { viser } from "../../page/viser/viser.js";
+import { viser } from "../../ui/viser/viser.js";
 
 /** Simulated seconds between two pictures beyond which they do not tell a speed. */
 const NEAR = 0.1;
 /** Pixels between a mass and its label. */
 const ASIDE = 10;
 
-/** @typedef {import("../../drawing/static/plan.js").Frame} Frame */
+/** @typedef {import("../../stage/plan.js").Frame} Frame */
 
 /**
  * The speed of a mass between two pictures, or NaN where they are not of the same motion.

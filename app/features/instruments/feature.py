@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Set
 from typing import TYPE_CHECKING, ClassVar
 
-from ...page.page import Page
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
+from ...ui.page import Page
 from ...wire.from_page import Pick
 from ...wire.messages import FromPage
 from .panel import ToolsPanel
 
 if TYPE_CHECKING:
-    from ...page.panel import Panel
+    from ...ui.panel import Panel
 
 
 class InstrumentsFeature(Feature):

@@ -7,8 +7,8 @@ from functools import partial
 
 import viser
 
-from ...page.page import Page
-from ...page.viser.handlers import on_change
+from ...ui.page import Page
+from ...ui.viser.handlers import on_change
 from .arrows import KINDS, Arrows
 from .messages import Tools
 

@@ -8,10 +8,10 @@
  *
  * @typedef {{x: number, y: number}} Place pixels of the window
  * @typedef {{x: number, y: number, mass: number}} Point in the world, and the mass that it is on, or -1
- * @typedef {import("../../page/body/screen.js").Screen} Screen
+ * @typedef {import("../../stage/screen.js").Screen} Screen
  */
-import { roundUp } from "../../page/body/overlay.js";
-import { nearest, worldAt } from "../../page/body/screen.js";
+import { roundUp } from "../../stage/overlay.js";
+import { nearest, worldAt } from "../../stage/screen.js";
 
 /** @typedef {"ruler" | "protractor" | "stopwatch"} Kind */
 /** Points of each kind. @type {Record<Kind, number>} */

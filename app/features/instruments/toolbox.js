@@ -6,20 +6,20 @@
  * @typedef {import("./shapes.js").Kind} Kind
  * @typedef {import("./shapes.js").Kept} Kept
  * @typedef {import("./shapes.js").Place} Place
- * @typedef {import("../../page/body/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/overlay.js").Sight} Sight
  * @typedef {Kept & {face: import("./faces.js").Face}} Instrument
  */
 import { NAMES, newFace } from "./faces.js";
 import * as shapes from "./shapes.js";
 import { has, onTold } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { printed } from "../../page/hands/key_table.js";
-import { isFree } from "../../page/hands/keys.js";
-import { hasWords, keepInView } from "../../page/looks/looks.js";
-import { onSight, redrawMarks, sight, SVG } from "../../page/body/overlay.js";
-import { kept, store } from "../../page/kept/storage.js";
-import { timeNow } from "../../page/time/transport.js";
-import { viser } from "../../page/viser/viser.js";
+import { printed } from "../../ui/hands/key_table.js";
+import { isFree } from "../../ui/hands/keys.js";
+import { hasWords, keepInView } from "../../ui/looks.js";
+import { onSight, redrawMarks, sight, SVG } from "../../stage/overlay.js";
+import { kept, store } from "../../ui/kept/storage.js";
+import { timeNow } from "../../ui/transport.js";
+import { viser } from "../../ui/viser/viser.js";
 
 const STORED = "softrod-instruments";
 /** Pixels after which a press on an instrument in the box drags it out. */

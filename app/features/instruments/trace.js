@@ -1,10 +1,10 @@
 // @ts-check
 /** The paths of some masses during the last seconds, made of the positions that the page shows anyway. */
 import { onTold, told } from "../../wire/channel.js";
-import { onFrame, shown } from "../../page/body/canvas.js";
-import { onSight, redrawMarks, SVG } from "../../page/body/overlay.js";
+import { onFrame, shown } from "../../stage/canvas.js";
+import { onSight, redrawMarks, SVG } from "../../stage/overlay.js";
 import { onTools, tools } from "./tools.js";
-import { timeNow } from "../../page/time/transport.js";
+import { timeNow } from "../../ui/transport.js";
 
 /** Points of a path, at most, about. */
 const MOST = 1200;
@@ -101,7 +101,7 @@ export function addTraces() {
     traces.get(mass)?.paths[0].parentElement?.remove();
     traces.delete(mass);
   };
-  /** @param {import("../../drawing/static/plan.js").Frame | null} frame */
+  /** @param {import("../../stage/plan.js").Frame | null} frame */
   const take = (frame) => {
     if (!frame) return;
     for (const [mass, { trail }] of traces) {
@@ -119,7 +119,7 @@ export function addTraces() {
     take(shown().frame);
     redrawMarks();
   };
-  /** @param {import("../../page/body/overlay.js").Sight} seen */
+  /** @param {import("../../stage/overlay.js").Sight} seen */
   const draw = ({ plan, frame, on }) => {
     const { seconds } = tools();
     const scale = plan.scale * on.step;

@@ -3,7 +3,7 @@
  * The card of a lesson: one step, its question and what to do. It is drawn alike in the panel and in a file that lives
  * without a server.
  */
-import { make, makeButton } from "../../page/looks/dialog.js";
+import { make, makeButton } from "../../ui/dialog.js";
 
 /**
  * @typedef {import("../../wire/wire.js").Question} Question

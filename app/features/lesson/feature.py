@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, ClassVar
 from sim.scene.lesson import Lesson
 from sim.settings import CHOICES
 
-from ...page.page import Page
 from ...session import commands
 from ...session.notices import Notice
 from ...session.plots import Wish
 from ...ui.board import Board, dials_of
 from ...ui.feature import Drawn, Feature
+from ...ui.page import Page
 from ...wire.from_page import Seen
 from ...wire.messages import FromPage
 from ..instruments.feature import InstrumentsFeature
@@ -22,7 +22,7 @@ from .messages import BeginStep
 from .panel import LessonPanel
 
 if TYPE_CHECKING:
-    from ...page.panel import Panel
+    from ...ui.panel import Panel
 
 
 @dataclass(frozen=True)

@@ -5,9 +5,9 @@
  * How far the lesson is outlives a reload.
  */
 import { onTold, send, told } from "../../wire/channel.js";
-import { make } from "../../page/looks/dialog.js";
+import { make } from "../../ui/dialog.js";
 import { perform } from "../../wire/perform.js";
-import { kept, store } from "../../page/kept/storage.js";
+import { kept, store } from "../../ui/kept/storage.js";
 import { lessonCard } from "./card.js";
 
 /**

@@ -12,10 +12,10 @@ from sim.errors import SettingError
 from sim.scene.lesson import Lesson, Step
 from sim.settings import scene_of_step
 
-from ...page.page import Page
 from ...session import commands
 from ...session.notices import Notice
 from ...session.plots import wish_of
+from ...ui.page import Page
 from ..measure.plot_list import PlotList
 from .messages import BeginStep, LessonStep
 from .messages import Lesson as LessonState

@@ -1,6 +1,6 @@
 // @ts-check
 /** A quantity is chosen as in the Measure tab: a part of the body, and what of it. */
-import { make } from "../../page/looks/dialog.js";
+import { make } from "../../ui/dialog.js";
 import { makeSelect, refusal, setOptions } from "./fields.js";
 
 /** @typedef {import("../../wire/wire.js").LessonOffers} LessonOffers */

@@ -6,11 +6,11 @@ from typing import ClassVar
 
 import viser
 
-from ...page.page import Page
 from ...session.notices import Notice
 from ...session.session import Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
+from ...ui.page import Page
 from ...wire.messages import FromPage
 from ..instruments.feature import InstrumentsFeature
 from ..measure.feature import MeasureFeature

@@ -1,6 +1,6 @@
 // @ts-check
 /** What the form of a lesson is made of: fields with a sentence below each that says why it was refused. */
-import { make } from "../../page/looks/dialog.js";
+import { make } from "../../ui/dialog.js";
 
 /** @param {string} name of the field, as in "question.choices[1]" */
 export function refusal(name) {

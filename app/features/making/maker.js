@@ -5,11 +5,11 @@
  */
 import { onTold, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { kept, store } from "../../page/kept/storage.js";
-import { make, makeButton } from "../../page/looks/dialog.js";
+import { kept, store } from "../../ui/kept/storage.js";
+import { make, makeButton } from "../../ui/dialog.js";
 import { beginNextAt } from "../lesson/lesson.js";
-import { viser } from "../../page/viser/viser.js";
-import { frameOf } from "../../page/viser/widgets.js";
+import { viser } from "../../ui/viser/viser.js";
+import { frameOf } from "../../ui/viser/widgets.js";
 import { StepForm } from "./step_form.js";
 
 /** @typedef {import("../../wire/wire.js").LessonForm} LessonForm */

@@ -17,11 +17,11 @@ from sim.motion.quantities import KINDS, PARTS, unit_in
 from sim.scene.lesson import Goal, Question, Reading, Step
 from sim.settings import CHOICES, scene_of_step, settings_of
 
-from ...page.page import Page
 from ...session import commands
 from ...session.ghost import REFERENCE
 from ...session.notices import Notice
 from ...session.versions import Versions
+from ...ui.page import Page
 from . import messages as asks
 from .messages import LessonControl, LessonForm, LessonOffers, LessonTaken
 

@@ -3,7 +3,7 @@
  * The question of a step. It is sent as a whole, and is in the lesson once all of it is there; until then the server
  * says what is missing.
  */
-import { make, makeButton } from "../../page/looks/dialog.js";
+import { make, makeButton } from "../../ui/dialog.js";
 import { labelled, makeCheck, refusal } from "./fields.js";
 
 /** @typedef {{text: string, choices: string[], answer: number, because: string}} Question */

@@ -4,8 +4,8 @@
  * left; what the server refuses stays in its field, with a sentence below it.
  */
 import { send } from "../../wire/channel.js";
-import { make, makeButton } from "../../page/looks/dialog.js";
-import { readNumber } from "../../page/viser/numbers.js";
+import { make, makeButton } from "../../ui/dialog.js";
+import { readNumber } from "../../ui/viser/numbers.js";
 import { Chooser } from "./chooser.js";
 import { labelled, makeCheck, makeSelect, refusal, setOptions } from "./fields.js";
 import { QuestionForm } from "./question_form.js";

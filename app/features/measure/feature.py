@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
-from ...page.page import Page
 from ...session.plots import Wish, text_of
 from ...session.session import Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
+from ...ui.page import Page
 from ...wire.from_page import Pick, Seen
 from ...wire.messages import FromPage
 from .panel import MeasurePanel
 
 if TYPE_CHECKING:
-    from ...page.panel import Panel
+    from ...ui.panel import Panel
 
 
 def _plot_angle(_: Session, feature: MeasureFeature) -> None:

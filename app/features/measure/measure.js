@@ -5,7 +5,7 @@
  */
 import { onTold, send, told } from "../../wire/channel.js";
 import { readPhases } from "./phase.js";
-import { tabOf } from "../../page/viser/widgets.js";
+import { tabOf } from "../../ui/viser/widgets.js";
 
 /** Milliseconds between two looks whether plots can be seen. */
 const LOOK_EVERY = 250;

@@ -9,11 +9,11 @@ from sim.motion.quantities import COUNTED
 from sim.scene.columns import ends
 from sim.scene.types import Scene
 
-from ...page.looks import readouts
-from ...page.page import Page
-from ...page.viser.handlers import on_change, on_press
 from ...session.notices import Notice
 from ...session.plots import OFFERED, Wish
+from ...ui import readouts
+from ...ui.page import Page
+from ...ui.viser.handlers import on_change, on_press
 from .messages import ShowMeasures
 from .plot_list import SPANS, PlotList
 

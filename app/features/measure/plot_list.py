@@ -16,11 +16,11 @@ import viser
 from sim.errors import InputError
 from sim.scene.types import shown_name
 
-from ...drawing.colors import palette
 from ...export.workshop import workshop
-from ...page.page import Page
 from ...session.notices import Notice
 from ...session.plots import MOST_PLOTS, Plot, Wish, curve
+from ...stage.colors import palette
+from ...ui.page import Page
 from . import plots
 from .messages import Melody
 

@@ -13,9 +13,9 @@ from viser import uplot
 import sim
 from sim.analysis.swings import swings
 
-from ...drawing.colors import Palette
-from ...page.looks import readouts
 from ...session.plots import Drawn, Plot
+from ...stage.colors import Palette
+from ...ui import readouts
 from .phase import phase_svg
 
 _COLORS = ("brand", "pulled", "torque_plus", "torque_minus", "held")

@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from sim.analysis.modes import Modes
 
-from ...drawing.plan import joined
-from ...page.page import Page
 from ...session.modes import ModesWatch
 from ...session.session import Changed, Command, Session
+from ...stage.plan import joined
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
+from ...ui.page import Page
 from ...wire.messages import FromPage
 from . import messages
 

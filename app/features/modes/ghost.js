@@ -1,8 +1,8 @@
 // @ts-check
 /** The shape of a mode over the body: it swings, its nodes stand still, and its antinodes show how far they go. */
 import { posed } from "./shapes.js";
-import { makeSvg, putUp, set, sight } from "../../page/body/overlay.js";
-import { onScreen } from "../../page/body/screen.js";
+import { makeSvg, putUp, set, sight } from "../../stage/overlay.js";
+import { onScreen } from "../../stage/screen.js";
 
 /** @typedef {import("./shapes.js").Shapes} Shapes */
 

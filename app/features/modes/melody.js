@@ -4,7 +4,7 @@ import { loudspeaker } from "./sound.js";
 import { few } from "./shapes.js";
 import { melodyOf } from "./tones.js";
 import { onTold } from "../../wire/channel.js";
-import { make } from "../../page/looks/dialog.js";
+import { make } from "../../ui/dialog.js";
 
 /** Seconds of a plot, and of the way from one tone to the next and to silence. */
 const [LASTS, WAY] = [3, 0.01];

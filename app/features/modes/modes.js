@@ -8,8 +8,8 @@ import { listenToMelodies } from "./melody.js";
 import { few, percent, readLevels, readShapes } from "./shapes.js";
 import { addSound, toggleSound } from "./sound.js";
 import { onTold, send, told } from "../../wire/channel.js";
-import { withKey } from "../../page/hands/key_table.js";
-import { make, makeButton } from "../../page/looks/dialog.js";
+import { withKey } from "../../ui/hands/key_table.js";
+import { make, makeButton } from "../../ui/dialog.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
 

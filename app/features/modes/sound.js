@@ -5,9 +5,9 @@
  */
 import { tonesOf } from "./tones.js";
 import { onTold, told } from "../../wire/channel.js";
-import { make, makeButton } from "../../page/looks/dialog.js";
-import { withKey } from "../../page/hands/key_table.js";
-import { kept, store } from "../../page/kept/storage.js";
+import { make, makeButton } from "../../ui/dialog.js";
+import { withKey } from "../../ui/hands/key_table.js";
+import { kept, store } from "../../ui/kept/storage.js";
 
 /**
  * @typedef {import("./tones.js").Tone} Tone

@@ -1,6 +1,6 @@
 // @ts-check
 /** Marks on the body the springs and joints of the muscles that are pointed at in the strip. */
-import { makeSvg, onSight, putUp, set, sight } from "../../page/body/overlay.js";
+import { makeSvg, onSight, putUp, set, sight } from "../../stage/overlay.js";
 
 /** @typedef {import("./marks.js").Mark} Mark */
 
@@ -12,7 +12,7 @@ export function addMuscleMarks() {
   const path = makeSvg("path", "", svg);
   /** @type {Mark[]} */
   let marked = [];
-  /** @param {import("../../page/body/overlay.js").Sight} seen */
+  /** @param {import("../../stage/overlay.js").Sight} seen */
   const draw = ({ plan, places, on }) => {
     if (!marked.length && !svg.parentNode) return;
     let d = "";

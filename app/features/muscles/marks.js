@@ -4,13 +4,13 @@
  *
  * A mark is the crest of its muscle's wave: across is where in the beat the wave is largest, up is how far it goes then.
  *
- * @typedef {import("../../drawing/static/plan.js").Plan} Plan
- * @typedef {import("../../drawing/static/swing.js").Muscle} Muscle
+ * @typedef {import("../../stage/plan.js").Plan} Plan
+ * @typedef {import("../../stage/swing.js").Muscle} Muscle
  * @typedef {Muscle & {key: string, crest: number}} Mark crest: 0 to 1, a part of the beat
  * @typedef {{width: number, height: number}} Box pixels
  * @typedef {{later: number, stretch: number, turn: number}} Way beats, a fraction, degrees
  */
-import { countMuscles, muscleAt, waveAt } from "../../drawing/static/swing.js";
+import { countMuscles, muscleAt, waveAt } from "../../stage/swing.js";
 
 /** Amplitudes that reach to the edge: of a spring, a fraction, and of a joint, degrees. */
 const [FULL_STRETCH, FULL_TURN] = [0.4, 60];

@@ -4,17 +4,17 @@
  * sideways for when and up or down for how far it moves. The present moment runs across it. It is made when a body has
  * muscles for the first time.
  */
-import { onPicture, shown } from "../../page/body/canvas.js";
+import { onPicture, shown } from "../../stage/canvas.js";
 import { has, onTold, send, told } from "../../wire/channel.js";
 import { change, editing, onEditing } from "../edit/editing.js";
-import { beatsAt, countMuscles } from "../../drawing/static/swing.js";
-import { make, makeButton } from "../../page/looks/dialog.js";
-import { floorOf, makeSvg, set } from "../../page/body/overlay.js";
+import { beatsAt, countMuscles } from "../../stage/swing.js";
+import { make, makeButton } from "../../ui/dialog.js";
+import { floorOf, makeSvg, set } from "../../stage/overlay.js";
 import { across, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf, stepOf, wayOf, waveOf } from "./marks.js";
 import { addMuscleMarks } from "./body_marks.js";
-import { timeNow } from "../../page/time/transport.js";
+import { timeNow } from "../../ui/transport.js";
 import { tuning } from "./tuning.js";
-import { viser } from "../../page/viser/viser.js";
+import { viser } from "../../ui/viser/viser.js";
 
 /**
  * @typedef {import("./marks.js").Mark} Mark
@@ -305,7 +305,7 @@ function makeStrip() {
   const canvas = viser()?.canvas?.getBoundingClientRect();
   setOpen(!canvas || floorOf(canvas) - canvas.top + strip.offsetHeight >= LOW);
   return {
-    /** Shows the muscles of another plan, or nothing. @param {import("../../drawing/static/plan.js").Plan} plan */
+    /** Shows the muscles of another plan, or nothing. @param {import("../../stage/plan.js").Plan} plan */
     take: (plan) => {
       marks = marksOf(plan);
       strip.hidden = !marks.length || !has("edit");
@@ -328,7 +328,7 @@ function makeStrip() {
 export function addMuscles() {
   /** @type {ReturnType<typeof makeStrip> | null} */
   let strip = null;
-  /** @type {import("../../drawing/static/plan.js").Plan | null} */
+  /** @type {import("../../stage/plan.js").Plan | null} */
   let taken = null;
   const look = () => {
     const { pictured: plan } = shown();

@@ -1,7 +1,7 @@
 // @ts-check
 /** The tempo of the beat, and what the selected muscles have: their wave, and how often it comes in a beat. */
 import { send } from "../../wire/channel.js";
-import { make, makeButton } from "../../page/looks/dialog.js";
+import { make, makeButton } from "../../ui/dialog.js";
 
 /** @typedef {import("./marks.js").Mark} Mark */
 

@@ -8,16 +8,16 @@ import viser
 
 from sim.settings import CHOICES, Setting
 
-from ...page.page import Page
 from ...session import commands
 from ...session.session import Session
 from ...ui.board import Board, dials_of, foremost
 from ...ui.commands import Row
 from ...ui.feature import Feature
+from ...ui.page import Page
 from .panel import LAST, PlayPanel
 
 if TYPE_CHECKING:
-    from ...page.panel import Panel
+    from ...ui.panel import Panel
 
 ELSEWHERE = ("dt", "tolerance")
 """Settings whose sliders stand in the Solver tab."""

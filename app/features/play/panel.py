@@ -8,10 +8,10 @@ import viser
 
 from sim.scene.types import Scene, shown_name
 
-from ...page.looks import readouts
-from ...page.page import Page
-from ...page.viser.handlers import on_change
 from ...session import commands
+from ...ui import readouts
+from ...ui.page import Page
+from ...ui.viser.handlers import on_change
 
 LAST = 1e6
 """Order of what stands below the sliders, which come and go."""

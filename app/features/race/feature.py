@@ -16,12 +16,12 @@ from sim.scene.types import shown_name
 from sim.store import files
 from sim.store.files import read_scene
 
-from ...page.opening import asked_scene
-from ...page.page import Page
 from ...session.pacing import is_large
 from ...session.session import Changed, Command, Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature, LongText
+from ...ui.opening import asked_scene
+from ...ui.page import Page
 from .messages import Race, RaceAnswer
 from .rival import Rival
 

@@ -3,12 +3,12 @@
  * The strip of a race over the bar of time: how far each body has come, who is ahead, and the start after a count-down.
  * It is made when there is a race for the first time.
  */
-import { viser } from "../../page/viser/viser.js";
+import { viser } from "../../ui/viser/viser.js";
 import { onTold, told } from "../../wire/channel.js";
-import { sendParts } from "../../page/kept/links.js";
-import { withKey } from "../../page/hands/key_table.js";
-import { make, makeButton } from "../../page/looks/dialog.js";
-import { roundUp } from "../../page/body/overlay.js";
+import { sendParts } from "../../ui/kept/links.js";
+import { withKey } from "../../ui/hands/key_table.js";
+import { make, makeButton } from "../../ui/dialog.js";
+import { roundUp } from "../../stage/overlay.js";
 import { gallery } from "../gallery/gallery.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";

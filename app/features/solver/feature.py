@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
-from ...page.page import Page
 from ...session import commands
 from ...session.session import Session
 from ...ui.board import Board, dials_of
 from ...ui.commands import Row
 from ...ui.feature import Feature
+from ...ui.page import Page
 from .panel import SolverPanel
 
 if TYPE_CHECKING:
-    from ...page.panel import Panel
+    from ...ui.panel import Panel
 
 DIALS = ("dt", "tolerance")
 """Settings whose sliders stand here."""

@@ -17,9 +17,9 @@ from sim.analysis.advice import ERRORS, Advice, compare_methods
 from sim.errors import InputError, SceneError
 
 from ...export.workshop import Workshop
-from ...page.page import Page
-from ...page.viser.handlers import add_command
 from ...session.notices import Notice
+from ...ui.page import Page
+from ...ui.viser.handlers import add_command
 
 MOST_MASSES = 200
 """Masses of a body for which a page does that; `softrod study` does it for more."""

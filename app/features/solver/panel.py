@@ -7,12 +7,12 @@ import viser
 from sim.methods.registry import METHODS
 from sim.settings import CHOICES
 
-from ...page.looks import readouts
-from ...page.page import Page
-from ...page.viser.choice_box import ChoiceBox
-from ...page.viser.handlers import on_change
 from ...session import commands
 from ...session.ghost import FINER, REFERENCE
+from ...ui import readouts
+from ...ui.page import Page
+from ...ui.viser.choice_box import ChoiceBox
+from ...ui.viser.handlers import on_change
 from .method_panel import MethodPanel
 from .tuning_panel import TuningPanel
 

@@ -25,13 +25,13 @@ from sim.errors import InputError, SceneError
 from sim.settings import Setting
 
 from ...export.workshop import Workshop
-from ...page.looks import readouts
-from ...page.page import Page
-from ...page.viser.handlers import add_command, on_change
-from ...page.viser.slider_box import DECIMALS, Limits, SliderBox, alike, rounded
 from ...session import commands
 from ...session.notices import Notice
 from ...session.session import Session
+from ...ui import readouts
+from ...ui.page import Page
+from ...ui.viser.handlers import add_command, on_change
+from ...ui.viser.slider_box import DECIMALS, Limits, SliderBox, alike, rounded
 
 MOST_MASSES = 200
 """Masses of a body of which a page is told; pages would notice the work for larger ones."""

@@ -10,7 +10,7 @@
  * @property {string} overUnit
  * @property {boolean} turned whether y grows downwards
  */
-import { make } from "../../../page/looks/dialog.js";
+import { make } from "../../../ui/dialog.js";
 import { said } from "./readings.js";
 
 /** Simulated seconds that a plot over time shows. */

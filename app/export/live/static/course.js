@@ -29,7 +29,7 @@
  * @property {() => void} run
  * @property {() => Point[]} places where the masses are
  */
-import { make, makeButton } from "../../../page/looks/dialog.js";
+import { make, makeButton } from "../../../ui/dialog.js";
 import { lessonCard } from "../../../features/lesson/card.js";
 import { element } from "../../static/parts.js";
 import { packed } from "./answers.js";

@@ -4,8 +4,8 @@
  * There the arrows choose a mass, Space takes hold of it and lets go, and the arrows then move it.
  *
  * @typedef {import("./body.js").Body} Body
- * @typedef {import("../../../drawing/static/plan.js").Plan} Plan
- * @typedef {import("../../../drawing/static/environment.js").Screen} Screen
+ * @typedef {import("../../../stage/plan.js").Plan} Plan
+ * @typedef {import("../../../stage/environment.js").Screen} Screen
  */
 import { element } from "../../static/parts.js";
 

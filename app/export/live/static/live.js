@@ -21,7 +21,7 @@
  * @property {string[]} plans arrays as pages get them: the plan on white and on dark paper
  * @typedef {import("../../static/paint.js").Stage & Told} About
  */
-import { readPlan, UNHARMED } from "../../../drawing/static/plan.js";
+import { readPlan, UNHARMED } from "../../../stage/plan.js";
 import { paint, screenOf } from "../../static/paint.js";
 import { element, unpacked } from "../../static/parts.js";
 import { Body } from "./body.js";
@@ -52,7 +52,7 @@ function damageOf(body) {
   return { ...UNHARMED, broken, setLength: Float32Array.from(body.setLength), setAngle: Float32Array.from(body.setAngle) };
 }
 
-/** @param {About} about @param {import("../../../drawing/static/plan.js").Plan[][]} plans of the body, and of each step of its lesson */
+/** @param {About} about @param {import("../../../stage/plan.js").Plan[][]} plans of the body, and of each step of its lesson */
 function run(about, plans) {
   const canvas = element("canvas", HTMLCanvasElement);
   /** What is shown: the file's body, or that of a step. */

@@ -16,7 +16,7 @@
  * @property {(speed: number) => void} speed
  * @property {(setting: Setting, value: number | string) => void} changed
  */
-import { make } from "../../../page/looks/dialog.js";
+import { make } from "../../../ui/dialog.js";
 import { element } from "../../static/parts.js";
 import { head, numbers, said } from "./readings.js";
 import { addView } from "./view.js";

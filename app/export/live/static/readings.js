@@ -6,8 +6,8 @@
  * @typedef {import("./clock.js").Clock} Clock
  * @typedef {import("./live.js").About} About
  */
-import { make } from "../../../page/looks/dialog.js";
-import { YIELDED } from "../../../drawing/static/looks.js";
+import { make } from "../../../ui/dialog.js";
+import { YIELDED } from "../../../stage/looks.js";
 import { energies } from "./energy.js";
 
 /** Part of real time below which it is said that the browser does not keep up. */

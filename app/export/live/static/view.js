@@ -1,6 +1,6 @@
 // @ts-check
 /** How a live file looks: on white or dark paper, larger for a projector; and the dialog with these and with the keys. */
-import { make, makeButton, makeDialog } from "../../../page/looks/dialog.js";
+import { make, makeButton, makeDialog } from "../../../ui/dialog.js";
 import { element } from "../../static/parts.js";
 
 /** How many times larger all is for a projector. */

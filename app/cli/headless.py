@@ -1,0 +1,186 @@
+"""`softrod run`: simulates a scene without a page and writes a table."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Protocol
+
+import msgspec
+import numpy as np
+from rich.console import Console
+from rich.progress import Progress
+
+import sim
+from sim.csv_text import csv_text
+from sim.errors import InputError
+from sim.motion.energy import ENERGY_FIELDS
+from sim.store.files import write_file
+
+from ..session.log import Log, Step
+from ..session.replay import Player
+
+LONG_RUN = 200_000
+"""Steps from which on a run shows its progress."""
+
+
+class Table(Protocol):
+    """Rows of a run, one after each K-th step."""
+
+    def __len__(self) -> int: ...
+
+    def add(self, simulation: sim.Simulation) -> None:
+        """Note the present state."""
+        ...
+
+    def write(self, path: Path, decimal_comma: bool = False) -> None:
+        """Write as CSV, which may have decimal commas, or NPZ.
+
+        Raises:
+            InputError: the ending is neither, or the file cannot be written.
+        """
+        ...
+
+
+class QuantityTable(sim.Recording):
+    """A table of quantities, for `--record`."""
+
+    def write(self, path: Path, decimal_comma: bool = False) -> None:
+        """As `Table` says; in NPZ, there is an array `time`, and one for each quantity by its name."""
+        if path.suffix == ".npz":
+            write_file(path, _npz(time=self.time, **{name: self[name] for name in self.units}))
+        else:
+            self.to_csv(path, decimal_comma)
+
+
+class PositionTable:
+    """A table of the places of all masses, and of the energies if they are asked for."""
+
+    def __init__(self, masses: int, energy: bool) -> None:
+        self._masses, self._energies = masses, ENERGY_FIELDS if energy else ()
+        self._rows: list[tuple[float, ...]] = []
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def add(self, simulation: sim.Simulation) -> None:
+        """As `Table` says."""
+        balance = simulation.energy() if self._energies else None
+        energies = (getattr(balance, name) for name in self._energies)
+        places = simulation.positions.ravel().tolist()
+        self._rows.append((simulation.step_count, simulation.time, *energies, *places))
+
+    def write(self, path: Path, decimal_comma: bool = False) -> None:
+        """Write as CSV (17 significant digits) or NPZ (`step`, `time`, `positions` of shape (rows, n, 2)).
+
+        With energies, there is a column, or an array, for each field of `sim.Energies`.
+
+        Raises:
+            InputError: the ending is neither, or the file cannot be written.
+        """
+        names = ("step", "time", *self._energies)
+        if path.suffix == ".npz":
+            columns = {name: np.array([row[i] for row in self._rows]) for i, name in enumerate(names)}
+            places = np.array([row[len(names) :] for row in self._rows])
+            write_file(path, _npz(**columns, positions=places.reshape(len(self._rows), self._masses, 2)))
+        else:
+            axes = (f"{axis}{i}" for i in range(self._masses) for axis in "xy")
+            table = [(*names, *axes), *self._rows]
+            write_file(path, csv_text(table, decimal_comma, "{:.17g}".format).encode())
+
+
+def new_table(scene: sim.Scene, energy: bool, names: Sequence[str]) -> Table:
+    """A table of the named quantities of a scene; without any, of the places of its masses.
+
+    Raises:
+        InputError: there is no such quantity, or the scene has no such part.
+    """
+    if names:
+        return QuantityTable(scene, names)
+    return PositionTable(len(scene.masses), energy)
+
+
+def _are_energies(names: Sequence[str]) -> bool:
+    """Whether any of the quantities is an entry of the energy balance, which is then kept from the start."""
+    return any(name.startswith("energy.") for name in names)
+
+
+def _npz(**arrays: np.ndarray) -> bytes:
+    data = io.BytesIO()
+    np.savez(data, allow_pickle=False, **arrays)
+    return data.getvalue()
+
+
+def check_output(path: Path) -> None:
+    """Refuse an output that could not be written, before any time goes into a run.
+
+    Raises:
+        InputError: the ending is neither .csv nor .npz, or the folder does not exist.
+    """
+    if path.suffix not in (".csv", ".npz"):
+        raise InputError(f"--out {path}: the file must end in .csv or .npz")
+    if not path.parent.is_dir():
+        raise InputError(f"--out {path}: the folder {path.parent} does not exist")
+
+
+def run(
+    record: Log,
+    steps: int | None,
+    every: int,
+    console: Console,
+    energy: bool = False,
+    names: Sequence[str] = (),
+) -> tuple[Table, Player]:
+    """Do what a log says, go on from there, and return the rows, and how it compares with what was recorded.
+
+    Args:
+        record: the log; one without entries is its scene, left to itself.
+        steps: steps after which it ends, within the log or beyond; None for all of the log.
+        every: a row is taken after each multiple of this many steps, or after the call of the log in which
+            it was passed.
+        console: for the progress bar of a long run.
+        energy: whether the rows have the energies.
+        names: quantities that the rows have instead of places.
+
+    Returns:
+        The rows until the steps are done, or until the body runs away for good: where no check of a log says
+        that it is to. And what has done the log.
+
+    Raises:
+        InputError: there would be no row, or there is no such quantity, or the log asks for what cannot be
+            done; the sentence names its line.
+    """
+    if steps is not None and every > steps:
+        raise InputError(f"--every: {every} is more than the run's {steps} steps, so no row would be written")
+    recording = new_table(record.scene, energy, names)
+    followed = recording if isinstance(recording, sim.Recording) else None
+    simulation = sim.Simulation(record.scene)
+    player = Player(record, simulation, energy or _are_energies(names))
+    in_log = sum(entry.n * entry.times for entry in record.entries if isinstance(entry, Step))
+    total, due = in_log if steps is None else steps, every
+    with Progress(console=console, transient=True, disable=total < LONG_RUN) as progress:
+        task = progress.add_task("simulating", total=total)
+        while steps is None or player.steps < steps:
+            if not player.ended:
+                player.do()
+            elif steps is not None:
+                between = followed.steps_between(simulation.dt, every) if followed else every
+                player.steps += simulation.step(min(due, steps, player.steps + between) - player.steps)
+                if followed:
+                    followed.look(simulation)
+            else:
+                break
+            if simulation.divergence is not None and (player.ended or not record.checks):
+                break
+            if player.steps >= due:
+                recording.add(simulation)
+                due = player.steps - player.steps % every + every
+                progress.update(task, completed=player.steps)
+    return recording, player
+
+
+def same_body(one: sim.Scene, other: sim.Scene) -> bool:
+    """Whether two scenes differ in no more than their names, titles, descriptions and views."""
+    plain = {"name": "scene", "title": "", "description": "", "view": sim.View()}
+    return msgspec.structs.replace(one, **plain) == msgspec.structs.replace(other, **plain)

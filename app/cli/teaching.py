@@ -1,0 +1,61 @@
+"""`softrod class`: a class, with its teacher's page, its wall and its pupils' seats."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from tyro.conf import Positional, UseAppendAction, arg
+
+import sim
+
+from ..command import fail
+
+
+@dataclass
+class TeachClass:
+    """Hold a class: pupils predict, see it run, compare and hand in, each in their own browser."""
+
+    scenes: Annotated[Positional[tuple[str, ...]], arg(metavar="SCENE")] = ()
+    """What the class goes through, in order: presets by their names, files or links; lessons go step by
+    step."""
+    host: str = "0.0.0.0"
+    """Address to listen on; 127.0.0.1 to try it alone."""
+    port: int = 8080
+    """Port to listen on; 0 for any free one."""
+    open: bool = True
+    """Open the teacher's page in a browser."""
+    new: bool = False
+    """Forget a class that was not ended, with all that was handed in, instead of going on with it."""
+    classes: Annotated[int, arg(metavar="N")] = 1
+    """Classes at once, each with a teacher's page and a code of its own."""
+    allow_host: Annotated[UseAppendAction[tuple[str, ...]], arg(metavar="NAME")] = ()
+    """A further name by which browsers may reach the page; may be repeated."""
+    public_url: Annotated[str | None, arg(metavar="URL")] = None
+    """The address by which others reach the page through a proxy, as in https://school.example/lab/."""
+
+    def run(self) -> int:
+        """Serve until told to stop."""
+        # Here, not above: the other commands have no use for viser, which takes a second to import.
+        from ..classroom.live import MOST_CLASSES, Classes
+        from ..classroom.room import Refused
+        from ..gate.gate import GateError, PortBusy
+        from ..server.serve import serve
+
+        if not 1 <= self.classes <= MOST_CLASSES:
+            return fail(f"--classes: a server holds 1 to {MOST_CLASSES} classes")
+        scenes = [sim.load_scene(name) for name in self.scenes]
+        classes = Classes()
+        try:
+            classes.take_up(scenes or None, self.classes, self.new)
+        except Refused as error:
+            return fail(error)
+        except OSError as error:
+            return fail(f"the class cannot be forgotten: {error}")
+        first = next(iter(classes)).room.scenes[0]
+        names, public = self.allow_host, self.public_url
+        try:
+            serve(first, self.host, self.port, self.open, (), names, public, classes=classes)
+        except (GateError, PortBusy) as error:
+            return fail(error)
+        return 0

@@ -1,0 +1,30 @@
+// @ts-check
+/** A class's part of the page, by what the page's address says that it is. */
+import { onTold } from "../../wire/channel.js";
+import { viser } from "../../ui/viser/viser.js";
+import { frameOf } from "../../ui/viser/widgets.js";
+import { addDesk } from "./desk.js";
+import { addSeat } from "./seat.js";
+import { addWall } from "./wall.js";
+
+/** Phases in which each pupil has a body of their own. */
+const OWN = new Set(["try", "collect"]);
+/** Milliseconds between two looks whether viser has made its canvas anew. */
+const LOOK_EVERY = 200;
+
+/** Makes it, for any page: a server without classes tells it nothing. */
+export function addClassroom() {
+  const as = new URLSearchParams(location.search).get("as");
+  if (as === "desk") addDesk();
+  else if (as === "wall") addWall();
+  else addSeat();
+  const { dataset } = document.documentElement;
+  // What only looks on has no use for the panel.
+  onTold("seat", ({ asking, follows }) => (dataset.softrodClass = OWN.has(asking?.phase ?? "") && !follows ? "seat" : "seat looks"));
+  onTold("wall", ({ asking }) => (dataset.softrodClass = asking.phase === "lobby" ? "wall lobby" : "wall"));
+  onTold("desk", () => (dataset.softrodClass = "desk"));
+  setInterval(() => {
+    const { canvas } = viser() ?? {};
+    if (dataset.softrodClass && canvas) frameOf(canvas)?.setAttribute("data-softrod", "canvas");
+  }, LOOK_EVERY);
+}

@@ -1,0 +1,33 @@
+"""The page on which a device tries whether it can take part: small, and without anything of viser's."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import viser
+
+from ...gate.gate import CHECK
+
+SCRIPT = "pages/check/check.js"
+"""Place of its script, which no other page has."""
+
+
+def check_address(base: str, code: str) -> str:
+    """The address of the page, for a class.
+
+    Args:
+        base: of the server's page, with a slash at its end.
+        code: the class's.
+    """
+    return f"{base}{CHECK[1:]}?room={code}"
+
+
+def check_page(folder: str) -> str:
+    """The page's text.
+
+    Args:
+        folder: where the page's scripts are, with a slash at its end.
+    """
+    text = (Path(__file__).parent / "check.html").read_text(encoding="utf-8")
+    # The connection is the one of viser's page, which names its version.
+    return text.replace("{folder}", folder).replace("{protocol}", f"viser-v{viser.__version__}")

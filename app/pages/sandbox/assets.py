@@ -1,0 +1,96 @@
+"""The files that a browser gets: viser's page with softrod's own script and styles, and these."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import inspect
+from functools import cache
+from pathlib import Path
+
+from ...gate.gate import CHECK, PAGE_PATHS, VIDEO, GateError, StaticFile
+from ...stage.looks import style_rules
+from ...viser_inside import PLACE, page_script
+from ..check.page import SCRIPT, check_page
+from ..video.page import SCRIPTS, video_page
+from .features import FEATURES
+
+_APP = Path(__file__).parents[2]
+_SCRIPTS = tuple(_APP / name for name in ("stage", "wire", "ui", "features", "pages"))
+"""Scripts have the same places relative to each other as on the disk."""
+_TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/webp"}
+_FOREVER = "public, max-age=31536000, immutable"
+_FIRST = ("ui/page.css", "ui/viser/viser.css", "ui/dialogs.css", "stage/stage.css", "ui/dock.css")
+_LAST = ("features/classroom/classroom.css", "ui/menu.css", "ui/looks.css")
+"""Style sheets of no feature, before and after those of features; later ones win."""
+
+
+@cache
+def page_files() -> dict[str, StaticFile]:
+    """Every file of the page by its path.
+
+    The script's address has a digest of its text, so that a browser keeps it, and never mixes two versions.
+
+    Raises:
+        GateError: viser's page is not as it is known here.
+    """
+    paths = (path for folder in _SCRIPTS for path in sorted(folder.rglob("*")) if path.suffix in _TYPES)
+    sources = {path.relative_to(_APP).as_posix(): path.read_bytes() for path in paths}
+    digest = hashlib.sha256(b"".join(sources.values())).hexdigest()[:12]
+    # Without a slash before it, since the page may be in a folder of another site.
+    folder = f"softrod/{digest}/"
+    files = {
+        f"/{folder}{name}": StaticFile(gzip.compress(text, mtime=0), _TYPES[Path(name).suffix], _FOREVER)
+        for name, text in sources.items()
+    }
+    scripts = [folder + name for name in sources if name.endswith(".js") and name not in (SCRIPT, *SCRIPTS)]
+    index = _html(_index(folder, scripts))
+    others = {CHECK: _html(check_page(folder)), VIDEO: _html(video_page(folder))}
+    return {**files, **dict.fromkeys(PAGE_PATHS, index), **others}
+
+
+def _sheets() -> list[Path]:
+    """The style sheets; later ones win."""
+    of_features = [Path(inspect.getfile(feature)).parent for feature in FEATURES]
+    sheets = [folder / f"{folder.name}.css" for folder in of_features]
+    return [
+        *(_APP / name for name in _FIRST),
+        *(sheet for sheet in sheets if sheet.exists()),
+        *(_APP / name for name in _LAST),
+    ]
+
+
+def _html(page: str) -> StaticFile:
+    return StaticFile(gzip.compress(page.encode(), mtime=0), "text/html", "no-cache")
+
+
+def _index(folder: str, scripts: list[str]) -> str:
+    """The page: at once a picture that says that it is loading, then viser's, which is one long script.
+
+    softrod's script has to be there before viser's begins, or it would miss the first messages. So viser's is
+    not run as it stands; softrod's begins it.
+    """
+    try:
+        script = page_script()
+    except (OSError, ValueError) as error:
+        raise GateError(f"viser's page cannot be used: {error}") from None
+    styles = "\n".join(
+        (
+            style_rules('html[data-mantine-color-scheme="dark"]*'),
+            *(path.read_text(encoding="utf-8") for path in _sheets()),
+        )
+    )
+    return "\n".join(
+        (
+            '<!doctype html><html lang="en"><head><meta charset="utf-8" />',
+            '<meta name="viewport" content="width=device-width, initial-scale=1" />',
+            "<title>softrod</title>",
+            f'<link rel="icon" href="{folder}pages/sandbox/icon.svg" />',
+            *(f'<link rel="modulepreload" href="{name}" />' for name in scripts),
+            f"<style>{styles}</style></head><body>",
+            (_APP / "ui" / "viser" / "loading.html").read_text(encoding="utf-8"),
+            PLACE,
+            f'<script type="module" src="{folder}pages/sandbox/main.js"></script>',
+            f'<script type="text/plain"{script.removeprefix("<script")}</body></html>',
+        )
+    )

@@ -1,0 +1,15 @@
+// @ts-check
+/** The features of the page. Made by `uv run python -m tests.page.generate` from app/pages/sandbox/features.py. */
+import lesson from "../../features/lesson/lesson.js";
+import measure from "../../features/measure/measure.js";
+import instruments from "../../features/instruments/instruments.js";
+import fit from "../../features/fit/fit.js";
+import files from "../../features/files/files.js";
+import gallery from "../../features/gallery/gallery.js";
+import muscles from "../../features/muscles/muscles.js";
+import modes from "../../features/modes/modes.js";
+import race from "../../features/race/race.js";
+import making from "../../features/making/making.js";
+import edit from "../../features/edit/edit.js";
+
+export const FEATURES = [lesson, measure, instruments, fit, files, gallery, muscles, modes, race, making, edit];

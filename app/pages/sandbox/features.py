@@ -1,0 +1,48 @@
+"""The features of a page, in the order in which they begin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ...features.edit.feature import EditFeature
+from ...features.files.feature import FilesFeature
+from ...features.fit.feature import FitFeature
+from ...features.gallery.feature import GalleryFeature
+from ...features.instruments.feature import InstrumentsFeature
+from ...features.lesson.feature import LessonFeature
+from ...features.making.feature import MakingFeature
+from ...features.measure.feature import MeasureFeature
+from ...features.modes.feature import ModesFeature
+from ...features.muscles.feature import MusclesFeature
+from ...features.play.feature import PlayFeature
+from ...features.race.feature import RaceFeature
+from ...features.solver.feature import SolverFeature
+from ...ui import controls
+from ...ui.commands import CORE, Row
+from ...ui.feature import Feature
+
+FEATURES: tuple[type[Feature], ...] = (
+    LessonFeature,
+    PlayFeature,
+    MeasureFeature,
+    InstrumentsFeature,
+    FitFeature,
+    SolverFeature,
+    FilesFeature,
+    GalleryFeature,
+    MusclesFeature,
+    ModesFeature,
+    RaceFeature,
+    MakingFeature,
+    EditFeature,
+)
+
+COMMANDS: Mapping[str, Row] = CORE | {
+    name: row for feature in FEATURES for name, row in feature.commands.items()
+}
+"""All commands by their names, in the order of the palette and of the help."""
+
+CONTROLS: Mapping[str, str] = controls.CORE | {
+    name: text for feature in FEATURES for name, text in feature.controls.items()
+}
+"""Names of all controls, and what they stand for."""

@@ -1,0 +1,18 @@
+"""The page on which a video becomes a table: the video stays in the browser, and nothing is sent."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+SCRIPTS = tuple(f"pages/video/{name}.js" for name in ("video", "follow", "rate", "table"))
+"""Places of its scripts, which no other page has."""
+
+
+def video_page(folder: str) -> str:
+    """The page's text.
+
+    Args:
+        folder: where the page's scripts are, with a slash at its end.
+    """
+    text = (Path(__file__).parent / "video.html").read_text(encoding="utf-8")
+    return text.replace("{folder}", folder)

@@ -1,0 +1,88 @@
+// @ts-check
+/** An arrow at the edge of the view, towards a body that has left it; pressed, it shows the whole scene. */
+import { fit } from "./camera.js";
+
+/** Pixels between the arrow's middle and the edge. */
+const INSET = 34;
+
+/** @typedef {import("./environment.js").Box} Box */
+
+/**
+ * Where the arrow stands and where it points, clockwise from the right in degrees; null while a mass is in view.
+ *
+ * @param {ArrayLike<number>} places of the masses in pixels of the window, x and y of each
+ * @param {Box} view
+ */
+export function edgeArrow(places, view) {
+  let least = Infinity;
+  let nearest = { x: 0, y: 0, turn: 0 };
+  for (let i = 0; i < places.length; i += 2) {
+    const [x, y] = [places[i], places[i + 1]];
+    const at = { x: between(x, view.left, view.right), y: between(y, view.top, view.bottom) };
+    const distance = Math.hypot(x - at.x, y - at.y);
+    if (distance === 0) return null;
+    if (distance < least) {
+      least = distance;
+      nearest = { ...at, turn: (Math.atan2(y - at.y, x - at.x) * 180) / Math.PI };
+    }
+  }
+  if (least === Infinity) return null;
+  return {
+    x: between(nearest.x, view.left + INSET, view.right - INSET),
+    y: between(nearest.y, view.top + INSET, view.bottom - INSET),
+    turn: nearest.turn,
+  };
+}
+
+/** @param {number} value @param {number} low @param {number} high */
+const between = (value, low, high) => Math.max(low, Math.min(high, value));
+
+/** What else stands over the canvas, and where beside it there is room. */
+const BESIDE = /** @type {const} */ ([
+  [".softrod-edit.softrod-edit-row:not(.softrod-edit-closed)", "below"],
+  [".softrod-box[data-open]", "right"],
+  [".softrod-edit:not(.softrod-edit-row)", "right"],
+  [".softrod-box-lid", "above"],
+  [".softrod-edit-closed", "above"],
+  [".softrod-menu-lid", "above"],
+  [".softrod-edit-bar", "above"],
+]);
+
+/** A place for the arrow where nothing covers it. @param {{x: number, y: number}} place */
+function uncovered({ x, y }) {
+  for (const [name, side] of BESIDE) {
+    const { left, right, top, bottom } = document.querySelector(name)?.getBoundingClientRect() ?? new DOMRect();
+    if (left === right) continue; // it is not there
+    if (x + INSET < left || x - INSET > right || y + INSET < top || y - INSET > bottom) continue;
+    if (side === "above") y = top - INSET;
+    else if (side === "below") y = bottom + INSET;
+    else x = right + INSET;
+  }
+  return { x, y };
+}
+
+/** Puts up the arrow, hidden; what is returned places it. */
+export function addEdgeArrow() {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "softrod-edge";
+  button.hidden = true;
+  button.ariaLabel = "The body is out of view. Show the whole scene";
+  button.title = "Show the whole scene (0)";
+  button.innerHTML = '<svg viewBox="0 0 24 24" aria-hidden="true"><path d="M5 10v4h8v5l7-7-7-7v5z"/></svg>';
+  button.addEventListener("click", () => {
+    fit(true);
+    button.blur();
+  });
+  document.body.append(button);
+  /** @param {ArrayLike<number>} places @param {Box} view */
+  return (places, view) => {
+    const arrow = edgeArrow(places, view);
+    button.hidden = arrow === null;
+    if (!arrow) return;
+    const { x, y } = uncovered(arrow);
+    button.style.left = `${x}px`;
+    button.style.top = `${y}px`;
+    button.style.setProperty("--softrod-turn", `${arrow.turn}deg`);
+  };
+}

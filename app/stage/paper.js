@@ -1,0 +1,57 @@
+// @ts-check
+/**
+ * On paper: the scene's title and the time over the body, and below it the step of the lesson and the plots that are open.
+ * looks.css leaves out everything else.
+ */
+import { told } from "../wire/channel.js";
+import { make } from "../ui/dialog.js";
+import { frameMarks } from "./overlay.js";
+import { timeNow } from "../ui/transport.js";
+import { CHARTS } from "../ui/viser/widgets.js";
+
+/** The words of the lesson's present step, but none of its buttons. */
+function lessonWords() {
+  const words = make("div", "softrod-paper-lesson");
+  const card = document.querySelector(".softrod-lesson:not([hidden])");
+  for (const part of card?.querySelectorAll("h2, p, legend, .softrod-choice") ?? []) {
+    words.append(make(part.matches("h2") ? "h2" : "p", "", part.textContent ?? ""));
+  }
+  return words;
+}
+
+/** Pictures of the plots that are open, each with its title and what is read off it. */
+function plots() {
+  const all = make("div", "softrod-paper-plots");
+  const parts = document.querySelectorAll(`.softrod-plot-title, ${CHARTS}, svg.softrod-phase, .softrod-reading`);
+  for (const part of parts) {
+    if (part.matches(".softrod-plot-title")) all.append(make("figure", ""));
+    const copy = part instanceof HTMLCanvasElement ? make("img", "") : part.cloneNode(true);
+    if (part instanceof HTMLCanvasElement) /** @type {HTMLImageElement} */ (copy).src = part.toDataURL();
+    all.lastElementChild?.append(copy);
+  }
+  return all;
+}
+
+/** Puts up the heading, and fills it in before the page is printed. */
+export function addPaper() {
+  const heading = make("div", "softrod-paper");
+  const title = make("h1", "");
+  const time = make("p", "");
+  heading.append(title, time);
+  const below = make("div", "softrod-paper-below");
+  document.body.append(heading, below);
+  const fill = () => {
+    const [words, curves] = [lessonWords(), plots()];
+    below.replaceChildren(...[words, curves].filter((part) => part.childElementCount));
+    // The part of the page that it takes.
+    const plotted = [0, 0.3, 0.34][Math.min(curves.childElementCount, 2)];
+    const part = Math.min((words.childElementCount ? 0.26 : 0) + plotted, 0.46);
+    document.documentElement.style.setProperty("--softrod-below", `${100 * part}%`);
+    title.textContent = told().title ?? "";
+    time.textContent = `t = ${timeNow().toFixed(2)} s`;
+    frameMarks(true);
+  };
+  matchMedia("print").addEventListener("change", ({ matches }) => (matches ? fill() : frameMarks(false)));
+  window.addEventListener("beforeprint", fill);
+  window.addEventListener("afterprint", () => frameMarks(false));
+}

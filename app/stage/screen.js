@@ -1,0 +1,69 @@
+// @ts-check
+/** Between the scene, the page's world and the screen: the camera looks straight at the plane z = 0. */
+import { viser } from "../ui/viser/viser.js";
+
+/** @typedef {import("./environment.js").Screen} Screen */
+
+/** How the world lies on the screen now. @returns {Screen | null} */
+export function screen() {
+  const { canvas, camera, nodeRefFromName } = viser() ?? {};
+  const root = nodeRefFromName?.[""];
+  if (!canvas || !camera || !root) return null;
+  camera.updateMatrixWorld();
+  const box = canvas.getBoundingClientRect();
+  /** @param {number} x */
+  const project = (x) => {
+    const point = camera.position.clone().set(x, 0, 0).applyMatrix4(root.matrixWorld).project(camera);
+    return { x: box.left + ((point.x + 1) / 2) * box.width, y: box.top + ((1 - point.y) / 2) * box.height };
+  };
+  const [origin, one] = [project(0), project(1)];
+  const step = one.x - origin.x;
+  // At the very beginning the camera is not in its place.
+  return step > 0 && Number.isFinite(step + origin.x + origin.y) ? { ...origin, step } : null;
+}
+
+/**
+ * Where masses are on the screen: x and y of each.
+ *
+ * @param {import("./plan.js").Plan} plan
+ * @param {Float32Array} positions px of the scene
+ * @param {Screen} on
+ */
+export function onScreen(plan, positions, on) {
+  const places = new Float64Array(positions.length);
+  const scale = plan.scale * on.step;
+  for (let i = 0; i < positions.length; i += 2) {
+    places[i] = on.x + (positions[i] - plan.x) * scale;
+    places[i + 1] = on.y - (positions[i + 1] - plan.y) * scale * plan.flip;
+  }
+  return places;
+}
+
+/**
+ * The point of the world under a place on the screen.
+ *
+ * @param {{x: number, y: number}} place
+ * @param {Screen} on
+ */
+export const worldAt = (place, on) => ({ x: (place.x - on.x) / on.step, y: (on.y - place.y) / on.step });
+
+/** A number of the world as a message has it. @param {number} value */
+export const wireNumber = (value) => Number(value.toFixed(6));
+
+/**
+ * The mass to take hold of at a place on the screen: the nearest one within reach, or -1.
+ *
+ * @param {Float64Array} places of the masses, x and y of each
+ * @param {ArrayLike<number>} radii px on the screen
+ * @param {{x: number, y: number}} at
+ * @param {number} reach px beyond which only the disc itself counts
+ */
+export function nearest(places, radii, at, reach) {
+  let found = -1;
+  let least = Infinity;
+  for (let i = 0; i < radii.length; i++) {
+    const distance = Math.hypot(places[2 * i] - at.x, places[2 * i + 1] - at.y);
+    if (distance < least && distance <= Math.max(reach, radii[i])) [found, least] = [i, distance];
+  }
+  return found;
+}

@@ -1,0 +1,116 @@
+// @ts-check
+/**
+ * Behind the body: the grid, a medium, the ground, walls, how far contact reaches, what fills its loops, and the wind.
+ */
+import { moving, standing, streaks } from "./environment.js";
+import { LAYERS } from "./looks.js";
+import { onPicture, secondIn, shown } from "./canvas.js";
+import { onTold, told } from "../wire/channel.js";
+import { makeSvg, set, sight } from "./overlay.js";
+import { onScreen } from "./screen.js";
+import { timeNow } from "../ui/transport.js";
+import { viser } from "../ui/viser/viser.js";
+
+/** Milliseconds between two pictures of the wind around a body at rest, of which no frames come. */
+const DRIFT_EVERY = 40;
+/** Pixels by which streaks may have drifted before they are made anew. */
+const MARGIN = 150;
+const KINDS = /** @type {(keyof typeof LAYERS)[]} */ (Object.keys(LAYERS));
+
+/** What a picture of the same body, seen from the same place, has in common with others. @param {import("./overlay.js").Sight} seen */
+const viewOf = ({ plan, on, box }) => [plan.generation, on.x, on.y, on.step, box.width, box.height].join(" ");
+
+/** @typedef {typeof KINDS[number]} Kind */
+
+/**
+ * The streaks of the wind: gusts only drift, so the same streaks are moved along for a while. What is returned draws
+ * them at a time, s.
+ *
+ * @param {Element} path
+ */
+function windMark(path) {
+  let [made, since] = ["", 0];
+  /** @param {import("./overlay.js").Sight} seen @param {number} time */
+  return (seen, time) => {
+    const { plan, on, box } = seen;
+    const view = viewOf(seen);
+    const [u, v] = plan.wind;
+    const drift = plan.scale * on.step * (time - since);
+    if (view !== made || !(Math.hypot(u, v) * Math.abs(drift) < MARGIN)) {
+      const { left, right, top, bottom } = box;
+      const more = { left: left - MARGIN, right: right + MARGIN, top: top - MARGIN, bottom: bottom + MARGIN };
+      set(path, { d: streaks(plan, time, on, more) });
+      path.removeAttribute("transform");
+      [made, since] = [view, time];
+    } else {
+      set(path, { transform: `translate(${(u * drift).toFixed(2)} ${(-v * plan.flip * drift).toFixed(2)})` });
+    }
+  };
+}
+
+/** @type {((seen: import("./overlay.js").Sight, svg: SVGSVGElement) => void)[]} */
+const others = [];
+/** Has something else drawn whenever this is, at the same place. @param {(typeof others)[0]} draw */
+export const onUnderlay = (draw) => others.push(draw);
+
+/** Begins to draw. */
+export function addUnderlay() {
+  const svg = makeSvg("svg", "softrod-underlay");
+  const paths = /** @type {Record<Kind, SVGPathElement>} */ (
+    Object.fromEntries(KINDS.map((kind) => [kind, makeSvg("path", `softrod-${kind}`, svg)]))
+  );
+  /** @param {Partial<Record<Kind, string>>} outlines */
+  const show = (outlines) => {
+    for (const kind of KINDS) if (kind in outlines) set(paths[kind], { d: outlines[kind] ?? "" });
+  };
+  const { wind } = paths;
+  const blow = windMark(wind);
+  const still = matchMedia("(prefers-reduced-motion: reduce)");
+  let stood = "";
+  /** The picture that there was when viser drew last. @type {import("./plan.js").Frame | null} */
+  let before = null;
+  const draw = () => {
+    const { plan, frame } = shown();
+    const canvas = viser()?.canvas;
+    // The first picture of a new body, and what is told of it, may still be on their way.
+    if (!canvas || !told().width || plan?.generation !== frame?.generation) return;
+    const seen = sight(before?.generation === plan?.generation ? before : frame);
+    if (!seen) return;
+    if (canvas.previousSibling !== svg) canvas.before(svg);
+    const { left, top, width, height } = seen.box;
+    set(svg, { viewBox: `${left} ${top} ${width} ${height}` });
+    const view = [viewOf(seen), told().width, told().height].join(" ");
+    if (view !== stood) show(standing(seen, Math.max(told().width ?? 0, told().height ?? 0) / seen.plan.scale));
+    stood = view;
+    for (const other of others) other(seen, svg);
+    const { damage } = shown();
+    const outlines = moving(seen, damage.broken);
+    const second = secondIn(seen.frame);
+    if (second) {
+      const places = onScreen(second.plan, second.frame.positions, seen.on);
+      const theirs = moving({ plan: second.plan, places }, damage.second?.broken ?? new Set());
+      outlines.gas += theirs.gas;
+      outlines.liquid += theirs.liquid;
+    }
+    show(outlines);
+    set(paths.skin, { "stroke-width": (seen.plan.contact * seen.plan.scale * seen.on.step).toFixed(2) });
+    if (seen.plan.wind.length) blow(seen, still.matches ? 0 : timeNow());
+    else set(wind, { d: "" });
+  };
+  // As viser draws, so that all is seen from the same place. Its nodes are then as the picture before had them: they
+  // take over what is new right after that, to be drawn the next time.
+  const drawn = () => {
+    draw();
+    before = shown().frame;
+  };
+  const listen = () => {
+    const scene = viser()?.scene;
+    if (scene) scene.onBeforeRender = drawn;
+    else draw();
+  };
+  onPicture(listen);
+  onTold("pageState", listen);
+  setInterval(() => {
+    if (told().rest && shown().plan?.wind.length && !still.matches) draw();
+  }, DRIFT_EVERY);
+}

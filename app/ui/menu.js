@@ -1,0 +1,104 @@
+// @ts-check
+/** The View menu over the bar of time: how the page looks, and the help. */
+import { isChasing } from "../stage/chase.js";
+import { has, onTold, told } from "../wire/channel.js";
+import { COMMANDS } from "../wire/commands.js";
+import { make, makeButton } from "./dialog.js";
+import { hasWords, isProjector, keepInView } from "./looks.js";
+import { onSight } from "../stage/overlay.js";
+import { perform } from "../wire/perform.js";
+import { isDark } from "./viser/widgets.js";
+
+const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z";
+
+/**
+ * @typedef {object} Entry
+ * @property {import("../wire/wire.js").CommandName} name of the command
+ * @property {"view" | "modes" | "help"} part of the controls of a page without which it is left out
+ * @property {() => boolean} [on] of a switch
+ */
+
+/** @type {Entry[]} */
+const ENTRIES = [
+  { name: "dark", part: "view", on: isDark },
+  { name: "larger", part: "view", on: isProjector },
+  { name: "meter", part: "view", on: () => told().meter ?? false },
+  { name: "gizmos", part: "view", on: () => told().gizmos ?? false },
+  { name: "modes", part: "modes", on: () => document.documentElement.hasAttribute("data-softrod-modes") },
+  { name: "chase", part: "view", on: isChasing },
+  { name: "fit", part: "view" },
+  { name: "help", part: "help" },
+];
+
+/** Puts up the button and its menu. */
+export function addMenu() {
+  const element = make("div", "softrod-menu");
+  const list = make("div", "softrod-menu-list");
+  list.id = "softrod-menu-list";
+  list.setAttribute("role", "menu");
+  list.ariaLabel = "View";
+  list.hidden = true;
+  const lid = makeButton("", () => open(list.hidden === true), "softrod-menu-lid");
+  lid.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICON}"/></svg><span>View</span>`;
+  lid.ariaLabel = "View";
+  lid.title = "View: dark, projector, help and more";
+  lid.ariaHasPopup = "menu";
+  lid.ariaExpanded = "false";
+  lid.setAttribute("aria-controls", list.id);
+  const items = ENTRIES.map((entry) => {
+    const item = makeButton("", () => {
+      const byKeys = item.matches(":focus-visible");
+      open(false);
+      perform(entry.name);
+      // The keys are the body's again, unless somebody goes by keys.
+      if (byKeys) lid.focus();
+    }, "");
+    const { label, hint = "", shown: key = "" } = COMMANDS[entry.name];
+    item.append(make("span", "softrod-menu-mark"), make("span", "", label), make("kbd", "", key));
+    item.setAttribute("role", entry.on ? "menuitemcheckbox" : "menuitem");
+    item.tabIndex = -1;
+    item.title = hint;
+    list.append(item);
+    return { entry, item };
+  });
+  element.append(list, lid);
+  document.body.append(element);
+
+  /** @param {boolean} on */
+  function open(on) {
+    for (const { entry, item } of items) {
+      item.hidden = !has(entry.part);
+      if (entry.on) item.ariaChecked = String(entry.on());
+    }
+    list.hidden = !on;
+    element.toggleAttribute("data-open", on);
+    lid.ariaExpanded = String(on);
+    if (!on) return;
+    keepInView(list);
+    items.find(({ item }) => !item.hidden)?.item.focus();
+  }
+  element.addEventListener("keydown", (event) => {
+    if (list.hidden) return;
+    event.stopPropagation(); // viser would move the camera
+    const shown = items.filter(({ item }) => !item.hidden).map(({ item }) => item);
+    const at = shown.findIndex((item) => item === document.activeElement);
+    const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
+    if (event.key === "Escape" || event.key === "Tab") {
+      open(false);
+      lid.focus();
+    } else if (to !== undefined) shown.at(to % shown.length)?.focus();
+    if (to !== undefined || event.key === "Escape") event.preventDefault();
+  });
+  // A press in the menu leaves the focus where it is, in every browser; any other press takes it away.
+  element.addEventListener("mousedown", (event) => event.preventDefault());
+  element.addEventListener("focusout", ({ relatedTarget }) => {
+    if (!(relatedTarget instanceof Node && element.contains(relatedTarget))) open(false);
+  });
+  onTold("pageState", () => (element.hidden = !has("view") && !has("modes") && !has("help")));
+  onSight(({ box, floor }) => {
+    element.classList.toggle("softrod-words", hasWords(box));
+    element.style.right = `${window.innerWidth - box.right + 14}px`;
+    element.style.bottom = `${window.innerHeight - floor + 10}px`;
+    if (!list.hidden) keepInView(list);
+  });
+}

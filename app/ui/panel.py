@@ -1,0 +1,73 @@
+"""One page's control panel: viser's handles, which belong to that page alone.
+
+Handlers only hand commands on. A value that a page sends is checked and clamped where it is applied, since
+the limits of a slider live in the browser only. A value that the server sets fires the same handlers; those
+events have no client, and are ignored, so that nothing loops.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+import viser
+
+from ..stage.colors import palette
+from .page import Page
+from .viser.handlers import add_command
+
+PANEL_WIDTH = 348
+
+
+def set_theme(gui: viser.GuiApi, dark: bool) -> None:
+    """viser's own colours, without its logo and without the button that would share the page."""
+    red, green, blue = (int(part) for part in palette("softrod", dark).brand)
+    gui.configure_theme(
+        dark_mode=dark, show_logo=False, show_share_button=False, brand_color=(red, green, blue)
+    )
+
+
+class Panel:
+    """The panel of one page, into which features put their controls.
+
+    Args:
+        page: whose panel it is.
+    """
+
+    def __init__(self, page: Page) -> None:
+        self._page, self._gui = page, page.client.gui
+        self._group: viser.GuiTabGroupHandle | None = None
+        self._tabs: dict[str, viser.GuiTabHandle] = {}
+        self._gui.set_panel_label("softrod")
+        self._gui.main_panel.dock_right()
+        self._gui.main_panel.set_width(PANEL_WIDTH)
+
+    def tab(self, name: str) -> viser.GuiTabHandle:
+        """The tab of a name; those that are asked for first come first."""
+        if name not in self._tabs:
+            self._group = self._group or self._gui.add_tab_group()
+            self._tabs[name] = self._group.add_tab(name)
+        return self._tabs[name]
+
+    def find(self, name: str) -> viser.GuiTabHandle | None:
+        """The tab of a name, if there is one."""
+        return self._tabs.get(name)
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether it has no tabs."""
+        return not self._tabs
+
+    def finish(self) -> None:
+        """All controls are there: fold it where there are none, and fill the command palette.
+
+        The page's script acts on the keys of commands itself.
+        """
+        if self.is_empty:
+            self._gui.main_panel.minimize()
+        for name, row in self._page.commands.items():
+            if not row.listed or (row.needs and row.needs not in self._page.controls):
+                continue
+            keys = " or ".join(row.keys)
+            held = ", held" if row.held else ""
+            about = f"key {keys}{held}" if keys else None
+            add_command(self._gui, row.label, partial(self._page.perform, name), about)

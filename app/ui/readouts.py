@@ -1,0 +1,442 @@
+"""The texts that the page shows of a running simulation: pure functions from a session to HTML."""
+
+from __future__ import annotations
+
+import html
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+import sim
+from sim.analysis.predictability import factor_of
+from sim.analysis.tuning import Tuning, Vibration
+from sim.forces.all import WITH_ENERGY
+from sim.methods.registry import METHODS
+from sim.motion.quantities import ENERGY_UNIT, unit_in
+from sim.scene.types import is_loaded
+
+from ..session.session import Session
+from ..stage.colors import Palette
+from ..stage.plan import broken_of, yielded_of
+
+_NAMES = {
+    "sine": "sine",
+    "cosine": "cosine",
+    "radians": "angle",
+    "degrees": "angle",
+    "rest_angle": "rest angle",
+}
+
+_BEHIND = 5.0
+"""px from which on it is said how far a rate-limited hand is behind the pointer."""
+
+
+def short(value: float) -> str:
+    """A round number in as few letters as can be, for the ends of a slider."""
+    for size, letter in ((1e6, "M"), (1e3, "k")):
+        if abs(value) >= size:
+            return f"{value / size:g}{letter}"
+    return f"{value:g}"
+
+
+def grouped(value: float) -> str:
+    """A number with its thousands in groups, as far as that is short."""
+    return (
+        f"{value:,.0f}" if 1e4 <= abs(value) < 1e9 else f"{value:.4g}".replace("e+0", "e").replace("e+", "e")
+    )
+
+
+NEAR_THE_LIMIT = 0.8
+"""Part of the stability limit from which on the meter is shown in any scene."""
+
+
+def hud(session: Session, colors: Palette, at_rest: bool, meter: bool = False) -> str:
+    """The head-up display over the canvas.
+
+    It says whether the body moves and the clock keeps up, and has the key of the colours; and the stability
+    meter where the time step is near the limit, where the scene asks for it, or with `meter`.
+    """
+    state = _state(session, at_rest)
+    lines = [f"<b>{state}</b>"] if state else []
+    lines += _harm(session, colors)
+    rates = session.pacer.rates(session.now())
+    if rates.losing > 0.05:
+        lines.append(
+            f'<span class="softrod-quiet">slowed down: {rates.real_time_factor:.2g} × real time</span>'
+        )
+    behind = max(session.simulation.behind.values(), default=0.0)
+    if behind > _BEHIND:
+        lines.append(
+            f'<span class="softrod-lag">the body cannot follow so fast: the hand is {behind:.0f} '
+            f"{html.escape(session.scene.view.unit)} behind</span>"
+        )
+    if session.preparing:
+        lines.append(f'<span class="softrod-quiet">{html.escape(session.preparing)}</span>')
+    dt, limit = session.simulation.dt, session.stability.limit  # methods that bear any step have none
+    wanted = meter or "stability" in session.scene.view.readouts or dt > NEAR_THE_LIMIT * limit
+    if wanted and math.isfinite(limit):
+        lines.append(_meter(dt, limit, state == "at rest"))
+    if len(session.simulation.anchors) < len(session.simulation.scene.masses):
+        gradient = ",".join(colors.css(name) for name in ("pushed", "rest", "pulled"))
+        lines.append(
+            f'squeezed<i class="softrod-key" style="background:linear-gradient(90deg,{gradient})"></i>'
+            "stretched"
+        )
+    return "<br>".join(lines)
+
+
+def _harm(session: Session, colors: Palette) -> list[str]:
+    """How many springs are broken, and how many have yielded, with the key of their mark."""
+    damage, lines = session.simulation.damage, []
+    if broken := len(broken_of(damage)):
+        lines.append(f"{_springs(broken)} broken")
+    if damage is not None and damage.set_lengths:
+        rest = np.array([spring.rest_length for spring in session.simulation.scene.linear_springs])
+        if yielded := yielded_of(damage, rest):
+            side, middle = colors.css("rest"), colors.css("ink")
+            mark = f"linear-gradient({side} 33%,{middle} 33% 67%,{side} 67%)"
+            lines.append(f'{_springs(yielded)} yielded<i class="softrod-key" style="background:{mark}"></i>')
+    return lines
+
+
+def _springs(count: int) -> str:
+    return f"{count} {'spring' if count == 1 else 'springs'}"
+
+
+def _state(session: Session, at_rest: bool) -> str:
+    if session.simulation.divergence is not None:
+        return "stopped"
+    if not session.playing:
+        return "looking back" if session.history.scrubbed else "paused"
+    return "at rest" if at_rest else ""
+
+
+def _meter(dt: float, limit: float, at_rest: bool) -> str:
+    """A bar of the time step over the largest stable one.
+
+    Below the limit nothing is promised: the limit is that of the body as it is shaped now.
+    """
+    ratio = dt / limit
+    color = "#2f9e44" if ratio < 0.7 else "#e8a000" if ratio < 1.0 else "#e03131"
+    width = min(100.0, 100.0 * ratio)
+    words = f"time step {1e3 * dt:.3g} ms, {100.0 * ratio:.0f} % of the limit"
+    if ratio >= 1.0:
+        words += ": unstable, explodes when touched" if at_rest else ": unstable"
+    return f'<span class="softrod-meter"><i style="width:{width:.0f}%;background:{color}"></i></span>{words}'
+
+
+def joint_table(session: Session) -> str:
+    """The angle of the joint that is read out, in the ways that the scene asks for."""
+    simulation = session.simulation
+    angles = simulation.angles
+    if not len(angles):
+        return ""
+    angle = float(angles[session.joint])
+    radians = math.radians(angle)
+    values = {
+        "sine": f"{math.sin(radians):+.4f}",
+        "cosine": f"{math.cos(radians):+.4f}",
+        "radians": f"{radians:+.4f} rad",
+        "degrees": f"{angle:+.2f}°",
+        "rest_angle": f"{float(simulation.rest_angles[session.joint]):+.2f}°",
+    }
+    # As it is called in plots: numbers count from 0 everywhere.
+    rows = [f"<tr><td>joint{session.joint}</td><td>of {len(angles)}</td></tr>"]
+    rows += [
+        f"<tr><td>{_NAMES[key]}</td><td>{values[key]}</td></tr>"
+        for key in simulation.scene.view.readouts
+        if key in values
+    ]
+    return f'<table class="softrod-table">{"".join(rows)}</table>'
+
+
+def table(rows: dict[str, str]) -> str:
+    cells = "".join(f"<tr><td>{name}</td><td>{value}</td></tr>" for name, value in rows.items())
+    return f'<table class="softrod-table">{cells}</table>'
+
+
+def rates_table(session: Session) -> str:
+    """How fast it runs."""
+    rates = session.pacer.rates(session.now())
+    rows = {
+        "real-time factor": f"{rates.real_time_factor:.2f}",
+        "steps per second": f"{rates.steps_per_second:.0f}",
+        "solver, per frame": f"{rates.solver_ms:.3f} ms",
+        "clock behind by": f"{rates.behind:.2f} s",
+    }
+    if METHODS[session.simulation.method].adaptive:
+        rows["rejected per second"] = f"{rates.rejected_per_second:.0f}"
+    if session.fallbacks:
+        rows["fallback steps"] = f"{session.fallbacks}"
+    return table(rows)
+
+
+def predictability_table(session: Session) -> str:
+    """How fast small errors grow, and what that means."""
+    foresight = session.foresight
+    if foresight is None:
+        return ""
+    if foresight.waits:
+        return table({"predictability": "comes when it is compiled"})
+    if foresight.shadow.held:
+        return table({"predictability": "no mass is free"})
+    growth = foresight.growth
+    if growth is None:
+        return table({"errors grow": "being measured, for a second"})
+    rows = {
+        "errors grow, last second": f"× {factor_of(growth):.2g}",
+        "rate": f"{growth:+.2g} / s",
+        "e-folding time": f"{1.0 / growth:.2g} s" if growth > 0.0 else "none",
+        "its solver, per frame": f"{1e3 * foresight.cost:.3f} ms",
+    }
+    kind = "softrod-lag" if foresight.many else "softrod-about"
+    words = html.escape(foresight.verdict)
+    return f'{table(rows)}<div class="softrod-text {kind}">{words[:1].upper()}{words[1:]}.</div>'
+
+
+_MORE = {
+    "linear_stiffness": "stiffness of the springs",
+    "angular_stiffness": "stiffness of the joints",
+    "gravity": "gravity",
+}
+_NO_MATTER = 1e-5
+"""Relative change by 1 % of a number from which on the number matters."""
+
+
+def tuning_table(
+    scene: sim.Scene,
+    told: Tuning,
+    spring: int | None,
+    does: Sequence[sim.Sensitivity] = (),
+) -> str:
+    """What the numbers of a scene mean for its motion.
+
+    Args:
+        scene: the scene.
+        told: what was found of it.
+        spring: a spring to tell of by itself; None for the fastest one.
+        does: what its numbers do.
+    """
+    rows: dict[str, str] = {}
+    slowest, elastic = told.slowest, told.elastic
+    if slowest is not None:
+        rows["slowest vibration"] = _vibration(slowest)
+    # Of a body that swings under gravity, that is not what its springs do.
+    if elastic is not None and slowest is not None and elastic.frequency > 1.001 * slowest.frequency:
+        rows["slowest elastic one"] = _vibration(elastic)
+    if elastic is not None:
+        calm = elastic.calm_after
+        rows["calm after"] = f"{_duration(calm)}, to a tenth" if math.isfinite(calm) else "never: undamped"
+    if told.fastest is not None:
+        rows["fastest vibration"] = _vibration(told.fastest)
+    if told.sag is not None:
+        pull = "gravity" if any(scene.gravity) else "its loads"
+        rows[f"sag under {pull}"] = f"{told.sag:.3g} {html.escape(scene.view.unit)}, mass {told.sag_mass}"
+    for method, step in told.stable_steps.items():
+        limit = f"stable to {1e3 * step:.3g} ms" if math.isfinite(step) else "stable at any step"
+        rows[METHODS[method].label] = limit
+    alone = told.springs
+    if len(alone.frequency):
+        name = f"spring {spring} alone"
+        if spring is None:
+            spring, name = int(np.argmax(alone.frequency)), "fastest spring alone"
+        rows[name] = _rate(float(alone.frequency[spring]), float(alone.damping_ratio[spring]))
+    for one in does:
+        if effects := _effects(one, told.sag, html.escape(scene.view.unit)):
+            rows[f"1 % more {_MORE[one.key]}"] = effects
+    notes = "".join(
+        f'<div class="softrod-text softrod-about">{html.escape(note[:1].upper() + note[1:])}.</div>'
+        for note in told.notes
+    )
+    return table(rows) + notes
+
+
+def _effects(one: sim.Sensitivity, sag: float | None, unit: str) -> str:
+    """What 1 % more of a number does, or nothing where it does not matter."""
+    effects = []
+    if one.sag is not None and sag is not None and abs(0.01 * one.sag) > _NO_MATTER * abs(sag):
+        effects.append(f"{abs(0.01 * one.sag):.2g} {unit} {'more' if one.sag > 0.0 else 'less'} sag")
+    if one.frequency is not None and abs(0.01 * one.frequency) > _NO_MATTER:
+        effects.append(f"{abs(one.frequency):.2g}\u00a0% {'faster' if one.frequency > 0.0 else 'slower'}")
+    return ", ".join(effects)
+
+
+def _vibration(vibration: Vibration) -> str:
+    return _rate(vibration.frequency, vibration.damping_ratio)
+
+
+def _rate(frequency: float, ratio: float) -> str:
+    """A frequency, its period, and a damping ratio."""
+    if not frequency > 0.0:
+        return "none"
+    damped = "undamped" if ratio < 1e-4 else f"damping ratio {ratio:.2g}"
+    return f"{frequency:.3g} Hz, {_duration(1.0 / frequency)}, {damped}"
+
+
+def _duration(seconds: float) -> str:
+    return f"{seconds:.3g} s" if seconds >= 0.1 else f"{1e3 * seconds:.3g} ms"
+
+
+def ghost_table(session: Session) -> str:
+    """How far the second body is from the first, and what it costs."""
+    ghost = session.ghost
+    if ghost is None:
+        return ""
+    if ghost.waits:
+        return table({"ghost": f"{html.escape(ghost.label)}: comes when it is compiled"})
+    unit = html.escape(session.scene.view.unit)
+    rows = {
+        "ghost": html.escape(ghost.label),
+        "distance now": f"{ghost.distance:.3g} {unit}",
+        "largest distance": f"{ghost.worst:.3g} {unit}",
+        "ghost's solver, per frame": f"{1e3 * ghost.cost:.3f} ms",
+    }
+    if session.foresight is not None and session.foresight.growth is not None:
+        rows["any error grows"] = f"× {factor_of(session.foresight.growth):.2g} in a second"
+    if ghost.simulation.divergence is not None:
+        rows["ghost stopped"] = "it exploded"
+    return table(rows)
+
+
+ENERGY_NAMES = {
+    "kinetic": "kinetic",
+    "linear": "linear springs",
+    "angular": "angular springs",
+    "gravity": "height",
+    **{term.name: term.label for term in WITH_ENERGY},
+    "anchors": "work of your hand",
+    "damping": "lost to damping",
+    "air": "lost to air and medium",
+    "friction": "lost to walls, ground, contact",
+    "plastic": "lost in yielding",
+    "broken": "lost in breaking",
+    "law": "made by the tutorial's law",
+    "keys": "work of the keys",
+    "muscles": "work of the muscles",
+    "changes": "changes of settings",
+    "fallbacks": "lost in fallback steps",
+    "residual": "residual: the method's error",
+}
+"""What the table calls each entry of the energy balance."""
+
+
+_LOSSES = ("damping", "air", "friction", "plastic", "broken", "fallbacks")
+"""What the table shows with the other sign: as a loss."""
+
+
+def energy(value: float, largest: float) -> str:
+    """An energy as text: 0 where it is nothing beside the largest, or beside anything that can be seen."""
+    if abs(value) <= max(1e-12 * largest, 1e-9):
+        return "0"
+    return grouped(value)
+
+
+def energy_table(session: Session) -> str:
+    """The energies and what has changed them; what has never been anything is left out."""
+    if not session.follows_energy:
+        return ""
+    if not session.simulation.track_energy(True):
+        return table({"energy": "is followed when it is compiled"})
+    balance = session.simulation.energy()
+    rows = {"unit": html.escape(unit_in(ENERGY_UNIT, session.scene.view.unit))}
+    largest = max(abs(getattr(balance, key)) for key in ENERGY_NAMES)
+    for key, name in ENERGY_NAMES.items():
+        value = getattr(balance, key)
+        if key in _LOSSES:
+            value = -value
+        if value or key in ("kinetic", "residual"):
+            loaded = key == "gravity" and is_loaded(session.scene)
+            rows[f"{name} and loads" if loaded else name] = energy(value, largest)
+    return table(rows)
+
+
+def description(scene: sim.Scene, editable: bool) -> str:
+    """A scene's description, which may come from anyone's file.
+
+    Args:
+        scene: whose.
+        editable: with the button that opens the form of texts.js, which stands in the same place.
+    """
+    text = f"<p>{html.escape(scene.description)}</p>" if scene.description else ""
+    if editable:
+        words = "Edit name and text" if text else "Name this scene, and say what it shows"
+        text += f'<button type="button" class="softrod-edit-texts">{words}</button>'
+    return f'<div id="softrod-about" class="softrod-text softrod-about">{text}</div>' if text else ""
+
+
+def joint_of_mass(scene: sim.Scene, mass: int) -> int | None:
+    """The joint to read out when a mass is clicked: the first one whose springs share it."""
+    for j, joint in enumerate(scene.angular_springs):
+        a, b = scene.linear_springs[joint.a], scene.linear_springs[joint.b]
+        if mass in {a.a, a.b} & {b.a, b.b}:
+            return j
+    return None
+
+
+def mass_of_joint(scene: sim.Scene, joint: int) -> int:
+    """The mass at which the two springs of a joint meet; the first end of its first spring if they do not."""
+    of = scene.angular_springs[joint]
+    a, b = scene.linear_springs[of.a], scene.linear_springs[of.b]
+    return min({a.a, a.b} & {b.a, b.b}, default=a.a)
+
+
+PAD = (
+    '<div class="softrod-pad">'
+    + "".join(
+        f'<button type="button" data-softrod-key="{key}" aria-label="{name}" '
+        f'style="grid-area:{place}">{sign}</button>'
+        for key, name, place, sign in (
+            ("up", "longer", "1 / 2", "▲"),
+            ("left", "rest angle down", "2 / 1", "◀"),
+            ("down", "shorter", "2 / 2", "▼"),
+            ("right", "rest angle up", "2 / 3", "▶"),
+        )
+    )
+    + "</div>"
+)
+"""The arrow keys as buttons, for touch screens; the page's script holds them."""
+
+HELP_PICTURES = (
+    (
+        "Drag",
+        '<path class="softrod-help-line" d="M30 12 38 34 52 54 72 68 96 74"/>'
+        '<g class="softrod-help-mass"><circle cx="30" cy="12" r="6"/><circle cx="52" cy="54" r="6"/>'
+        '<circle cx="96" cy="74" r="8"/></g>'
+        '<path class="softrod-help-hand" d="M96 74l4 20 5-6 8 0z"/>'
+        '<path class="softrod-help-way" d="M108 66q14-12 20-32m-8 6 8-6 3 9"/>',
+        "any mass. Held ones stay where you leave them, free ones fall. Drag the paper to move it, scroll or "
+        "pinch to zoom.",
+    ),
+    (
+        "Change",
+        '<path class="softrod-help-rail" d="M16 28h118M16 66h118"/>'
+        '<path class="softrod-help-way" d="M16 28h72M16 66h34"/>'
+        '<g class="softrod-help-mass"><circle cx="88" cy="28" r="8"/><circle cx="50" cy="66" r="8"/></g>'
+        '<path class="softrod-help-way" d="M96 44h26m-8-6 8 6-8 6"/>',
+        "stiffness, damping, lengths and angles in the Play tab, or draw a body of your own with Edit.",
+    ),
+    (
+        "Measure",
+        '<path class="softrod-help-rail" d="M18 8v78h122"/>'
+        '<path class="softrod-help-way" d="M18 60C30 0 40 0 52 50S72 92 84 54 104 20 114 50 126 66 138 52"/>',
+        "with plots that read off period and damping, with arrows, a ruler, a protractor and a stopwatch.",
+    ),
+)
+"""What can be done: a word, a picture of 150 by 96, and the rest of the sentence."""
+
+
+def help_html(keys: list[tuple[str, str]]) -> str:
+    """The help panel, with the keys and what each does."""
+    figures = "".join(
+        f'<figure><svg viewBox="0 0 150 96" aria-hidden="true">{picture}</svg>'
+        f"<figcaption><b>{title}</b> {text}</figcaption></figure>"
+        for title, picture, text in HELP_PICTURES
+    )
+    rows = "".join(f"<tr><td><kbd translate='no'>{key}</kbd></td><td>{what}</td></tr>" for key, what in keys)
+    return (
+        f'<div class="softrod-text"><div class="softrod-help">{figures}</div>'
+        "<p>The bar below the body goes back in time, about a minute. Play goes on from the moment that it "
+        "shows; what happened before you went back stays as a thin line. Click a mass to read the angle of "
+        f"its joint.</p><table>{rows}</table></div>"
+    )

@@ -1,0 +1,206 @@
+// @ts-check
+/** The bar under the body: play and pause, steps, going back in time, speed and the clock. */
+import { FRACTIONS, SPEEDS } from "../stage/looks.js";
+import { awaySince } from "../pages/sandbox/away.js";
+import { onPicture, shown } from "../stage/canvas.js";
+import { has, onTold, send, told } from "../wire/channel.js";
+import { COMMANDS } from "../wire/commands.js";
+import { withKey } from "./hands/key_table.js";
+import { perform } from "../wire/perform.js";
+
+/** Milliseconds between two readings of the clock while the body is at rest. */
+const CLOCK_EVERY = 100;
+
+/**
+ * @typedef {object} Face what a button shows
+ * @property {string} icon
+ * @property {string} word beside the icon, where there is room
+ * @property {string} name for screen readers and the tooltip; it contains the word
+ * @property {CommandName} does
+ *
+ * @typedef {import("../wire/wire.js").CommandName} CommandName
+ */
+
+/** @param {CommandName} does @returns {Face} */
+const faceOf = (does) => ({ icon: COMMANDS[does].icon ?? "", word: COMMANDS[does].word ?? "", name: COMMANDS[does].label, does });
+
+const FACES = {
+  play: { ...faceOf("play"), word: "Play", name: "Play" },
+  goOn: { ...faceOf("play"), word: "Go on", name: "Go on from here" },
+  pause: { ...faceOf("pause"), does: /** @type {const} */ ("play") },
+  reset: faceOf("reset"),
+  second: faceOf("second"),
+  back: faceOf("back"),
+  step: faceOf("step"),
+  forward: faceOf("forward"),
+};
+
+/** What each button shows; its words may be translated. @type {WeakMap<HTMLButtonElement, Face>} */
+const dressed = new WeakMap();
+
+/** @param {HTMLButtonElement} element @param {Face} face */
+function dress(element, face) {
+  if (dressed.get(element) === face) return;
+  dressed.set(element, face);
+  const { icon, word, name, does } = face;
+  element.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icon}"/></svg><span>${word}</span>`;
+  element.ariaLabel = name;
+  element.title = withKey(name, does);
+}
+
+/** @param {Face} face @param {() => void} press */
+function iconButton(face, press) {
+  const element = document.createElement("button");
+  element.type = "button";
+  element.addEventListener("click", press);
+  dress(element, face);
+  return element;
+}
+
+/** @param {CommandName} command */
+function offerButton(command) {
+  const element = document.createElement("button");
+  element.type = "button";
+  element.className = "softrod-offer";
+  element.textContent = COMMANDS[command].word ?? COMMANDS[command].label;
+  element.addEventListener("click", () => perform(command));
+  return element;
+}
+
+/** What the step button does: in the past, go on to the next frame; else make a step. */
+export const nextStep = () => (told().scrubbed ? "forward" : "step");
+
+/** The simulated time. A body at rest sends no pictures, but its clock goes on, while there is a connection. */
+export function timeNow() {
+  const { frame, since } = shown();
+  const passed = told().rest ? (Math.max(0, Math.min(performance.now(), awaySince()) - since) / 1e3) * (told().speed ?? 1) : 0;
+  return (frame?.time ?? 0) + passed;
+}
+
+/** @param {number} speed */
+const speedText = (speed) => `${/** @type {Record<string, string>} */ (FRACTIONS)[speed] ?? speed}×`;
+
+/** How fast time goes. */
+function speedBox() {
+  const select = document.createElement("select");
+  select.ariaLabel = "Speed";
+  select.title = "Simulated seconds per second";
+  for (const value of SPEEDS) select.add(new Option(speedText(value), String(value)));
+  select.addEventListener("change", () => {
+    send({ do: "speed", speed: Number(select.value) });
+    // The keys are the body's again, unless somebody goes by keys.
+    if (!select.matches(":focus-visible")) select.blur();
+  });
+  const show = () => {
+    const { speed = 1 } = told();
+    if (document.activeElement !== select) select.value = String(speed);
+  };
+  return { element: select, show };
+}
+
+/** The slider of time. While a finger is on it, it is the finger's. */
+function timeSlider() {
+  const slider = document.createElement("input");
+  slider.type = "range";
+  slider.step = "any";
+  slider.ariaLabel = "Time shown";
+  let held = false;
+  let asked = false;
+  let wanted = 0;
+  const go = () => {
+    asked = false;
+    send({ do: "goTo", time: Number(wanted.toFixed(6)) });
+  };
+  slider.addEventListener("input", () => {
+    held = true;
+    wanted = Number(slider.value);
+    if (!asked) requestAnimationFrame(go);
+    asked = true;
+  });
+  slider.addEventListener("change", () => (held = false));
+  /** @param {number} now */
+  const show = (now) => {
+    const { start = 0, end = 0, scrubbed } = told();
+    const last = scrubbed ? end : Math.max(end, now);
+    slider.min = String(start);
+    slider.max = String(Math.max(last, start + 1e-3));
+    if (!held) slider.value = String(now);
+    slider.ariaValueText = `${now.toFixed(2)} seconds`;
+  };
+  return { element: slider, show };
+}
+
+/** What is offered over the bar after a run that went wrong, or after going back. */
+function offers() {
+  const line = document.createElement("div");
+  line.className = "softrod-line";
+  const before = offerButton("before");
+  const past = document.createElement("span");
+  past.className = "softrod-past";
+  const forget = offerButton("forget");
+  line.append(before, past, forget);
+  const show = () => {
+    const { offer, future } = told();
+    before.hidden = !offer;
+    forget.hidden = !future;
+    past.textContent = future ? "The thin line is what happened before you went back." : "";
+  };
+  return { element: line, show };
+}
+
+/** Puts up the bar. */
+export function addTransport() {
+  const bar = document.createElement("div");
+  bar.className = "softrod-transport";
+  bar.setAttribute("role", "toolbar");
+  bar.ariaLabel = "Time";
+  const reset = iconButton(FACES.reset, () => perform("reset"));
+  const second = iconButton(FACES.second, () => perform("second"));
+  second.classList.add("softrod-second");
+  const back = iconButton(FACES.back, () => perform("back"));
+  const play = iconButton(FACES.pause, () => perform("play"));
+  play.classList.add("softrod-play");
+  const forward = iconButton(FACES.step, () => perform(nextStep()));
+  const clock = document.createElement("output");
+  clock.className = "softrod-clock";
+  clock.translate = false;
+  const [time, speed, line] = [timeSlider(), speedBox(), offers()];
+  bar.append(reset, second, back, play, forward, time.element, clock, speed.element);
+  const dock = document.createElement("div");
+  dock.className = "softrod-dock";
+  dock.append(line.element, bar);
+  document.body.append(dock);
+
+  const show = () => {
+    const now = timeNow();
+    const past = told().scrubbed;
+    clock.textContent = `${now.toFixed(2)} s`;
+    time.show(now);
+    dress(play, told().playing ? FACES.pause : past ? FACES.goOn : FACES.play);
+    dress(forward, past ? FACES.forward : FACES.step);
+    speed.show();
+    line.show();
+  };
+  onPicture(show);
+  setInterval(() => told().rest && show(), CLOCK_EVERY);
+  onTold("pageState", () => {
+    document.documentElement.toggleAttribute("data-softrod-no-time", !has("play"));
+    show();
+  });
+}
+
+/**
+ * Keeps the bar under the canvas, above what covers it.
+ *
+ * @param {DOMRect} box of the canvas
+ * @param {number} hidden px at its bottom that are covered
+ * @returns {number} its height, px
+ */
+export function placeTransport(box, hidden) {
+  const dock = /** @type {HTMLElement | null} */ (document.querySelector(".softrod-dock"));
+  if (!dock) return 0;
+  dock.style.left = `${box.left}px`;
+  dock.style.width = `${box.width}px`;
+  dock.style.bottom = `${window.innerHeight - box.bottom + hidden}px`;
+  return dock.offsetHeight;
+}
