@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 
 import sim
+from app.features.edit.feature import EditFeature
+from app.features.files.feature import FilesFeature
 from app.features.files.panel import open_file
 from app.features.gallery.messages import ListScenes
 from app.pages.sandbox import answers
@@ -104,9 +106,10 @@ def test_a_full_queue_says_so_once_until_it_is_empty() -> None:
 
 def test_texts_that_are_never_finished_are_bounded() -> None:
     page = Page()
-    answering = answers.Answers(page.page, (), print)
+    readers = (FilesFeature(page.page), EditFeature(page.page))
+    answering = answers.Answers(page.page, readers, print)
     letters = "A" * 48_000
-    for kind in ("resume", "link", "file", "paste", "rival"):
+    for kind in ("resume", "link", "file", "paste"):
         for number in range(1, 99):
             answering.take(Part(kind, number, 99, letters))  # type: ignore[arg-type]
             held = sum(parts.size for parts in answering.unfinished)
@@ -141,7 +144,9 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
         notices.append(notice)
         told.set()
 
-    answering = answers.Answers(page_of(page.session, None, page.letters, notify), (), print)
+    answering = answers.Answers(
+        reading := page_of(page.session, None, page.letters, notify), (FilesFeature(reading),), print
+    )
     answering.ask(message)
     assert told.wait(LIMIT)
     assert notices[0].title == title
@@ -169,7 +174,7 @@ def test_a_file_is_opened_where_there_is_a_share_tab_and_a_broken_one_is_told() 
         told.set()
 
     all_of_it = page_of(page.session, None, page.letters, notify)
-    answering = answers.Answers(all_of_it, (), print)
+    answering = answers.Answers(all_of_it, (FilesFeature(all_of_it),), print)
 
     def say(name: str, data: bytes) -> Part:
         return Part("file", 1, 1, packed(name, data))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -71,3 +72,11 @@ def test_for_a_projector_no_text_has_another_colour() -> None:
         assert not kinds & {"color", "background", "background-color", "filter"}, selector
         if "opacity" in kinds:
             assert re.search(r"softrod-(under|over)lay", selector), selector
+
+
+def test_the_types_of_every_script_are_checked() -> None:
+    """A folder that is moved out of the list would be checked by nobody, without a word."""
+    root = APP.parent
+    include = json.loads((root / "tests" / "page" / "tsconfig.json").read_text(encoding="utf-8"))["include"]
+    checked = {path for one in include for path in root.glob(one.removeprefix("../../"))}
+    assert {path for path in APP.rglob("*.js") if "templates" not in path.parts} == checked

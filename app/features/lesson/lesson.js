@@ -48,7 +48,7 @@ function take(lesson) {
   progress = progressOf(JSON.stringify(steps), steps.length);
   keepProgress();
   begunIn = "";
-  begin();
+  beginPresent();
   show();
 }
 
@@ -79,7 +79,7 @@ function tell() {
  * Whenever the lesson's scene was opened: begins the present step if none has begun, or says which one the page is in
  * the middle of.
  */
-function begin() {
+function beginPresent() {
   const { page, scene, lesson } = told();
   const opening = `${page}.${scene}`;
   // Its tab is not there while it is being made.
@@ -150,7 +150,7 @@ function begin() {
   card = make("section", "softrod-lesson");
   card.ariaLabel = "Lesson";
   onTold("lesson", take);
-  onTold("pageState", begin);
+  onTold("pageState", beginPresent);
   setInterval(() => {
     const place = document.getElementById("softrod-lesson");
     if (card && place && card.parentElement !== place) place.replaceChildren(card);
