@@ -15,6 +15,8 @@ from sim.scene.types import shown_name
 from sim.store.files import SceneInfo, list_scenes, load_scene
 from sim.store.link import link_data
 
+from ..features.gallery.entries import entries as in_groups
+
 OWN = "Own scenes"
 """Heading of what is no preset."""
 

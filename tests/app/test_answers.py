@@ -144,9 +144,8 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
         notices.append(notice)
         told.set()
 
-    answering = answers.Answers(
-        reading := page_of(page.session, None, page.letters, notify), (FilesFeature(reading),), print
-    )
+    all_of_it = page_of(page.session, None, page.letters, notify)
+    answering = answers.Answers(all_of_it, (FilesFeature(all_of_it),), print)
     answering.ask(message)
     assert told.wait(LIMIT)
     assert notices[0].title == title
