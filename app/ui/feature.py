@@ -48,8 +48,8 @@ class Feature:
 
     A subclass stands in a folder of its own, and in `app.pages.sandbox.features`. It says as data what others
     have to know. A script and a style sheet with the folder's name belong to the page; the script's default
-    export has its commands and begins it, see `Feature` in `feature.js`. All methods are the ticker's but for
-    `hear` and `read`.
+    export has its commands and begins it, see `Feature` in `feature.d.ts`. All methods are the ticker's but
+    for `hear` and `read`.
 
     Attributes:
         messages: kinds of those that it hears, and the control without which each is ignored; "" for none.

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import re
 from pathlib import Path
 
 import app.pages
+from app.pages.sandbox.assets import page_files
 
 APP = Path(app.pages.__file__).parents[1]
 PARTS = ("stage", "ui", "features", "pages")
@@ -80,3 +82,20 @@ def test_the_types_of_every_script_are_checked() -> None:
     include = json.loads((root / "tests" / "page" / "tsconfig.json").read_text(encoding="utf-8"))["include"]
     checked = {path for one in include for path in root.glob(one.removeprefix("../../"))}
     assert {path for path in APP.rglob("*.js") if "templates" not in path.parts} == checked
+
+
+def test_scripts_are_sent_without_their_comments_and_with_all_their_lines() -> None:
+    sent = {path.partition("/softrod/")[2].partition("/")[2]: file for path, file in page_files().items()}
+    for path in APP.rglob("*.js"):
+        name = path.relative_to(APP).as_posix()
+        if name not in sent:
+            continue
+        text, lean = path.read_text(encoding="utf-8"), gzip.decompress(sent[name].content).decode()
+        assert text.count("\n") == lean.count("\n"), name
+        kept = iter(lean.split("\n"))
+        for number, (line, left) in enumerate(zip(text.split("\n"), kept, strict=True)):
+            assert left in ("", line), (name, number)
+            if left != line:
+                assert re.match(r"\s*(//|/\*\*|\*)", line), (name, number, line)
+                # Nor was it in a text of several lines, which is between two of these.
+                assert "\n".join(lean.split("\n")[:number]).count("`") % 2 == 0, (name, number)

@@ -2,7 +2,7 @@
 /** Which measured places are those of the time that is shown, and where the bodies of a fan are. */
 import assert from "node:assert/strict";
 import test from "node:test";
-import { fanAt, placesAt } from "../../app/features/fit/measured.js";
+import { fanAt, placesAt } from "../../app/features/fit/fit.js";
 
 const numbers = [0, 1, 2, 0.1, 3, 4, 0.2, 5, 6, 0.1, 7, 8];
 

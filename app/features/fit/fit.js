@@ -1,6 +1,104 @@
 // @ts-check
-/** The points of a table over the body. */
-import { addMeasured } from "./measured.js";
+/**
+ * The places that a table says masses were at: all of them pale, and those of the time that is shown. After a fit, pale
+ * bodies besides, which go with the table about as well.
+ */
+import { onTold } from "../../wire/channel.js";
+import { onSight, redrawMarks, SVG } from "../../stage/overlay.js";
+
+/** Numbers of a place: time, x, y. */
+const EACH = 3;
+/** Radii of the places, px, and of those of now. */
+const [SMALL, LARGE] = [2, 4];
+
+/**
+ * The places nearest to a time, not farther from it than places are from each other: several masses may have one each.
+ *
+ * @param {ArrayLike<number>} numbers
+ * @param {number} time
+ * @returns {number[]} where their numbers begin
+ */
+export function placesAt(numbers, time) {
+  const times = Array.from({ length: numbers.length / EACH }, (_, i) => numbers[EACH * i]);
+  const sorted = [...new Set(times)].sort((a, b) => a - b);
+  const nearest = sorted.reduce((best, t) => (Math.abs(t - time) < Math.abs(best - time) ? t : best), Infinity);
+  const apart = sorted.length > 1 ? (sorted[sorted.length - 1] - sorted[0]) / (sorted.length - 1) : Infinity;
+  if (!(Math.abs(nearest - time) <= apart)) return [];
+  return times.flatMap((t, i) => (t === nearest ? [EACH * i] : []));
+}
+
+/** @typedef {{ numbers: ArrayLike<number>, draws: number, masses: number, rate: number }} Fan */
+
+/**
+ * Where the masses of a fan are at a time, between its frames.
+ *
+ * @param {Fan} fan
+ * @param {number} time
+ * @returns {number[]} x and y of each mass of each body; none after its end
+ */
+export function fanAt({ numbers, draws, masses, rate }, time) {
+  const each = 2 * draws * masses, frame = Math.floor(time * rate), part = time * rate - frame;
+  const [from, to] = [each * frame, each * (part ? frame + 1 : frame)];
+  if (!each || from < 0 || to + each > numbers.length) return [];
+  return Array.from({ length: each }, (_, i) => numbers[from + i] + part * (numbers[to + i] - numbers[from + i]));
+}
+
+/** Begins to draw them. */
+function begin() {
+  const svg = document.createElementNS(SVG, "svg");
+  svg.classList.add("softrod-marks", "softrod-measured");
+  svg.setAttribute("aria-hidden", "true");
+  const [lines, all, now] = ["softrod-measured-fan", "softrod-measured-all", "softrod-measured-now"].map((name) => {
+    const path = document.createElementNS(SVG, "path");
+    path.classList.add(name);
+    svg.append(path);
+    return path;
+  });
+  /** @type {Float32Array} */
+  let numbers = new Float32Array();
+  /** @type {Fan} */
+  let fan = { numbers, draws: 0, masses: 0, rate: 0 };
+  /** @param {import("../../stage/overlay.js").Sight} seen */
+  const draw = ({ plan, frame, on }) => {
+    if (!svg.parentNode) return;
+    const scale = plan.scale * on.step;
+    /** @param {number} x @param {number} y */
+    const at = (x, y) => [on.x + (x - plan.x) * scale, on.y - (y - plan.y) * scale * plan.flip];
+    /** @param {number} i @param {number} radius */
+    const dot = (i, radius) => {
+      const [x, y] = at(numbers[i + 1], numbers[i + 2]);
+      return `M${(x - radius).toFixed(1)} ${y.toFixed(1)}a${radius} ${radius} 0 1 0 ${2 * radius} 0a${radius} ${radius} 0 1 0 ${-2 * radius} 0`;
+    };
+    let path = "";
+    for (let i = 0; i < numbers.length; i += EACH) path += dot(i, SMALL);
+    all.setAttribute("d", path);
+    now.setAttribute("d", placesAt(numbers, frame.time).map((i) => dot(i, LARGE)).join(""));
+    const places = fanAt(fan, frame.time);
+    let bodies = "";
+    for (let first = 0; first < places.length; first += 2 * fan.masses) {
+      plan.springs.forEach((mass, end) => {
+        const [x, y] = at(places[first + 2 * mass], places[first + 2 * mass + 1]);
+        bodies += `${end % 2 ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`;
+      });
+    }
+    lines.setAttribute("d", bodies);
+  };
+  const show = () => {
+    const any = numbers.length || fan.numbers.length;
+    if (any && !svg.parentNode) document.querySelector(".softrod-overlay")?.before(svg);
+    if (!any) svg.remove();
+    redrawMarks();
+  };
+  onTold("measured", (told) => {
+    numbers = told.numbers;
+    show();
+  });
+  onTold("fan", (told) => {
+    fan = told;
+    show();
+  });
+  onSight(draw);
+}
 
 /** @type {import("../../ui/feature.js").Feature<"fit">} */
-export default { commands: {}, begin: addMeasured };
+export default { commands: {}, begin };

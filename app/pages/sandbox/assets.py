@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 import hashlib
 import inspect
+import re
 from functools import cache
 from pathlib import Path
 
@@ -19,6 +20,8 @@ _APP = Path(__file__).parents[2]
 _SCRIPTS = tuple(_APP / name for name in ("stage", "wire", "ui", "features", "pages"))
 """Scripts have the same places relative to each other as on the disk."""
 _TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/webp"}
+_COMMENT = re.compile(rb"^[ \t]*(?:/\*\*(?:(?!\*/).)*\*/|//[^\n]*)[ \t]*\n", re.MULTILINE | re.DOTALL)
+"""A comment of scripts on lines of its own; none stands in a text of several lines, a test says so."""
 _FOREVER = "public, max-age=31536000, immutable"
 _FIRST = ("ui/page.css", "ui/viser/viser.css", "ui/dialogs.css", "stage/stage.css", "ui/dock.css")
 _LAST = ("features/classroom/classroom.css", "ui/menu.css", "ui/looks.css")
@@ -35,7 +38,7 @@ def page_files() -> dict[str, StaticFile]:
         GateError: viser's page is not as it is known here.
     """
     paths = (path for folder in _SCRIPTS for path in sorted(folder.rglob("*")) if path.suffix in _TYPES)
-    sources = {path.relative_to(_APP).as_posix(): path.read_bytes() for path in paths}
+    sources = {path.relative_to(_APP).as_posix(): _as_sent(path) for path in paths}
     digest = hashlib.sha256(b"".join(sources.values())).hexdigest()[:12]
     # Without a slash before it, since the page may be in a folder of another site.
     folder = f"softrod/{digest}/"
@@ -47,6 +50,15 @@ def page_files() -> dict[str, StaticFile]:
     index = _html(_index(folder, scripts))
     others = {CHECK: _html(check_page(folder)), VIDEO: _html(video_page(folder))}
     return {**files, **dict.fromkeys(PAGE_PATHS, index), **others}
+
+
+def _as_sent(path: Path) -> bytes:
+    """A file as browsers get it: scripts without the comments that have lines of their own.
+
+    The lines stay, empty, so that errors name the right ones.
+    """
+    data = path.read_bytes()
+    return _COMMENT.sub(lambda found: b"\n" * found[0].count(b"\n"), data) if path.suffix == ".js" else data
 
 
 def _sheets() -> list[Path]:
