@@ -1,7 +1,7 @@
 // @ts-check
 /** The bar under the body: play and pause, steps, going back in time, speed and the clock. */
 import { FRACTIONS, SPEEDS } from "../stage/looks.js";
-import { awaySince } from "../pages/sandbox/away.js";
+import { awaySince } from "./away.js";
 import { onPicture, shown } from "../stage/canvas.js";
 import { has, onTold, send, told } from "../wire/channel.js";
 import { COMMANDS } from "../wire/commands.js";

@@ -97,7 +97,7 @@ def test_each_room_is_on_its_server_and_stays_there(school: School) -> None:
         query = f"room={room.room.code}"
         status, page = school.get(f"{folder}?{query}")
         assert status == 200
-        script = re.search(r'src="(softrod/\w+/page/main.js)"', page)
+        script = re.search(r'src="(softrod/\w+/pages/sandbox/main.js)"', page)
         assert script is not None
         assert school.get(folder + script[1])[0] == 200
         for i in range(PUPILS):
@@ -134,7 +134,7 @@ def test_a_page_works_with_the_option_and_says_which_one_it_lacks(kind: Kind, tm
         origin = {"X-Softrod-Origin": site}
 
         status, page = school.get(f"{known}s")  # as of a link to a scene
-        script = re.search(r'src="(softrod/\w+/page/main.js)"', page)
+        script = re.search(r'src="(softrod/\w+/pages/sandbox/main.js)"', page)
         assert status == 200
         assert script is not None
         assert school.get(known + script[1])[0] == 200

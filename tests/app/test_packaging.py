@@ -244,7 +244,7 @@ def test_its_page_comes_and_moves(served: str) -> None:
 
     page = read(f"{served}/")
     scripts = re.findall(r'(?:src|href)="(softrod/[^"]+)"', page)
-    assert any(script.endswith("/page/main.js") for script in scripts)
+    assert any(script.endswith("/pages/sandbox/main.js") for script in scripts)
     for script in scripts:
         assert len(read(f"{served}/{script}")) > 100
     with Page(int(served.rpartition(":")[2])) as moving:

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { become, canvas, key, pass, point, put, show, Target } from "./page.mjs";
-import { awaySince, mindAbsence } from "../../app/pages/sandbox/away.js";
+import { awaySince, mindAbsence } from "../../app/ui/away.js";
 import { Attempts, askedScene, Pulse, serverPath, watchConnection } from "../../app/ui/viser/connection.js";
 import { callAll } from "../../app/wire/channel.js";
 import { listenToKeys } from "../../app/ui/hands/keys.js";

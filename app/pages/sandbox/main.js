@@ -1,6 +1,6 @@
 // @ts-check
 /** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
-import { mindAbsence } from "./away.js";
+import { mindAbsence } from "../../ui/away.js";
 import { tellApart } from "../../ui/viser/axis_numbers.js";
 import { addClassroom } from "../../features/classroom/classroom.js";
 import { addBodyKeys } from "../../ui/hands/body_keys.js";

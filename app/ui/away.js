@@ -3,8 +3,8 @@
  * While there is no connection: the page says so, its clock stands, what was under way ends, and nothing that is
  * pressed is done, neither now nor late.
  */
-import { hangUp } from "../../wire/channel.js";
-import { lost } from "../../ui/kept/keep.js";
+import { hangUp } from "../wire/channel.js";
+import { lost } from "./kept/keep.js";
 
 const TEXT = "Not connected: your body waits. Reconnecting…";
 /** On a wall, which has no body of its own. */
@@ -52,7 +52,7 @@ const endAll = () => window.dispatchEvent(new Event("blur"));
 /**
  * Begins to mind it, before anything else listens to the window.
  *
- * @returns {(line: import("../../ui/viser/connection.js").Line) => void} to be told how the connection is
+ * @returns {(line: import("./viser/connection.js").Line) => void} to be told how the connection is
  */
 export function mindAbsence() {
   for (const kind of BEGINNINGS) window.addEventListener(kind, swallow, { capture: true, passive: false });
