@@ -60,6 +60,7 @@ class Page:
         looks: how it looks.
         plots: its lists of plots.
         features: what it can do; see `find`.
+        soon: has the ticker do something before the next frame; any thread may ask.
         is_in_class: whether it is a page of a class.
         makes_lesson: whether the scene's lesson is being made; it is not shown meanwhile.
         is_closed: whether a lesson is not to be seen here, since a class goes through it.
@@ -82,6 +83,7 @@ class Page:
     looks: Looks = PLAIN
     plots: list[Plots] = field(default_factory=list)
     features: tuple[object, ...] = ()
+    soon: Callable[[Callable[[], object]], object] = lambda act: act()
     makes_lesson: bool = False
     is_in_class: bool = False
     is_closed: Callable[[Lesson], bool] = lambda _: False
@@ -104,7 +106,10 @@ class Page:
         return next((feature for feature in self.features if isinstance(feature, kind)), None)
 
     def later(self, act: Callable[[], object]) -> None:
-        """Have the ticker do something, before the next frame; any thread may ask."""
+        """Have the ticker do something that a control asks for, before the next frame; any thread may ask.
+
+        It is forgotten with the control, see `clear`; `soon` is for what is not a control's.
+        """
         self._asked.add(act)
 
     @property

@@ -14,13 +14,13 @@ from sim.settings import set_value
 from tests.page.check import FOLDER, NODE
 from tests.sim.measured import measure
 
-RATE = FOLDER.parents[1] / "app" / "page" / "video" / "rate.js"
+RATE = FOLDER.parents[1] / "app" / "pages" / "video" / "rate.js"
 RATES = """
 import { readFileSync } from "node:fs";
 import { rateOf } from "%s";
 process.stdout.write(JSON.stringify(JSON.parse(readFileSync(0, "utf8")).map(rateOf)));
 """
-TABLE = FOLDER.parents[1] / "app" / "page" / "video" / "table.js"
+TABLE = FOLDER.parents[1] / "app" / "pages" / "video" / "table.js"
 WRITE = """
 import { readFileSync } from "node:fs";
 import { tableOf } from "%s";

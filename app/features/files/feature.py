@@ -41,7 +41,7 @@ class FilesFeature(Feature):
         super().__init__(page)
         # In the queue of what the page had kept: a link comes after that.
         self._sharing = Sharing(
-            page, lambda scene: page.later(lambda: page.session.post(commands.Open(scene))), page.for_others
+            page, lambda scene: page.soon(lambda: page.session.post(commands.Open(scene))), page.for_others
         )
         self._panel: FilesPanel | None = None
 

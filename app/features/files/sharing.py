@@ -34,7 +34,7 @@ class Sharing:
     """
 
     def __init__(
-        self, page: Page, show: Callable[[Scene], None], for_others: Callable[[str], str] = str
+        self, page: Page, show: Callable[[Scene], object], for_others: Callable[[str], str] = str
     ) -> None:
         self._session, self._mail, self._notify = page.session, page.mail, page.notify
         self._show, self._for_others = show, for_others

@@ -49,7 +49,7 @@ class InstrumentsFeature(Feature):
     # --------------------------------------------------------------------- as of `Feature`
     def hear(self, said: FromPage) -> None:
         if isinstance(said, Pick):
-            self.page.later(lambda: self.panel is not None and self.panel.choose(said.mass))
+            self.page.soon(lambda: self.panel is not None and self.panel.choose(said.mass))
 
     def attach(self, panel: Panel) -> None:
         self.panel = None

@@ -51,9 +51,9 @@ class LessonFeature(Feature):
         """See `Feature`."""
         match said:
             case BeginStep():
-                self.page.later(lambda: self._panel is not None and self._panel.begin(said))
+                self.page.soon(lambda: self._panel is not None and self._panel.begin(said))
             case Seen(tab):
-                self.page.later(lambda: self._see(tab == "lesson"))
+                self.page.soon(lambda: self._see(tab == "lesson"))
 
     def attach(self, panel: Panel) -> None:
         """See `Feature`."""

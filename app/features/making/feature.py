@@ -51,7 +51,7 @@ class MakingFeature(Feature):
     def hear(self, said: FromPage) -> None:
         """See `Feature`."""
         if isinstance(said, Prepare) and not self.page.is_in_class:
-            self.page.later(lambda: self._maker.do(said))
+            self.page.soon(lambda: self._maker.do(said))
 
     def frame(self, drawn: Drawn) -> None:
         """See `Feature`."""

@@ -73,9 +73,9 @@ class MeasureFeature(Feature):
     def hear(self, said: FromPage) -> None:
         match said:
             case Pick(mass):
-                self.page.later(lambda: self._choose(mass))
+                self.page.soon(lambda: self._choose(mass))
             case Seen(tab):
-                self.page.later(lambda: self._see(tab == "measure"))
+                self.page.soon(lambda: self._see(tab == "measure"))
 
     def attach(self, panel: Panel) -> None:
         self.panel = None

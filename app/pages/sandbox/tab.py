@@ -137,7 +137,7 @@ class Tab:
         self.client = client
         self._compiler = compiler
         self._notices: deque[Notice] = deque(maxlen=100)
-        self._requests: Waiting[Callable[[Session], None]] = Waiting(self.notify)
+        self._requests: Waiting[Callable[[Session], object]] = Waiting(self.notify)
         self._generation = -1
         self._number = secrets.token_hex(4)
         self._planned = -1
@@ -395,14 +395,14 @@ class Tab:
         """What is made after the first picture has been sent."""
 
         def resume(kept: keeping.Kept) -> None:
-            self._page.later(lambda: self._resume(session, kept))
+            self._page.soon(lambda: self._resume(session, kept))
 
         commas = CommaSwitch(lambda on: self._requests.add(lambda now: self._switch(now, "commas", on)))
         self._page = Page(
             self.client, session, self._mail, self.notify, self.perform, self._shelf, commas,
             commands=COMMANDS, controls=self._wanted_controls(session.scene), begin_class=self._begin_class,
             is_closed=self._is_closed, is_in_class=self._role is not None,
-            for_others=self._for_others,
+            for_others=self._for_others, soon=lambda act: self._requests.add(lambda _: act()),
         )  # fmt: skip
         self._page.features = self._features = tuple(feature(self._page) for feature in FEATURES)
         for feature in self._features:
