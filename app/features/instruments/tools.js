@@ -1,5 +1,5 @@
 // @ts-check
-/** What is measured on the canvas, as the switches of the Measure tab (tools_panel.py) have it. */
+/** What is measured on the canvas, as the switches of the Measure tab (panel.py) have it. */
 import { onTold } from "../../wire/channel.js";
 
 /** @typedef {import("../../wire/wire.js").Tools} Tools */
