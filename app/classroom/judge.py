@@ -27,7 +27,7 @@ from ..session.replay import Player
 SPAN = 60.0
 """Simulated seconds of which a period is read off, at most."""
 
-MOST_SECONDS = 3600.0
+MAX_SECONDS = 3600.0
 """Simulated time of a log that is judged, at most."""
 
 _SAMPLES_EVERY = 1.0 / 240.0
@@ -179,8 +179,8 @@ def _judge(record: Log, scene: sim.Scene, step: Step, seen: Collection[str]) -> 
                 watch.look(simulation)
             if meter is not None:
                 found = meter.take(simulation)
-        if simulation.time > MOST_SECONDS:
-            raise _Forged(f"the log has more than {MOST_SECONDS:g} s")
+        if simulation.time > MAX_SECONDS:
+            raise _Forged(f"the log has more than {MAX_SECONDS:g} s")
     if not player.agrees:
         raise _Forged(player.verdict.rstrip("."))
     return Verdict("", None if watch is None else watch.reached, found, player.steps)

@@ -27,7 +27,7 @@ from ..stage.plan import Picture
 from ..stage.sketch import Floats
 from . import kept, names
 from .judge import Verdict, judge
-from .room import MOST_STOPS, Answer, Refused, Room, Work, digest
+from .room import MAX_STOPS, Answer, Refused, Room, Work, digest
 from .takeaway import pack
 
 if TYPE_CHECKING:
@@ -42,10 +42,10 @@ AGAIN_AFTER = 2.0
 BODIES_EVERY = 5.0
 """Seconds between two writings of where the pupils' bodies are."""
 
-MOST_TOLD = 5
+MAX_TOLD = 5
 """Sentences for the teacher that wait until a teacher's page is there."""
 
-MOST_TRIED = 5
+MAX_TRIED = 5
 """Devices that tried whether they can take part, of which the teacher is told."""
 
 _log = logging.getLogger(__name__)
@@ -161,7 +161,7 @@ class Class:
         self.pupils: dict[int, Pupil] = {}
         self.given: dict[str, set[int]] = {}
         self.doing: dict[int, Doing] = {}
-        self.tried: deque[Tried] = deque(maxlen=MOST_TRIED)
+        self.tried: deque[Tried] = deque(maxlen=MAX_TRIED)
         self.lent: Front | None = None
         self.run = b""
         self._judged: list[tuple[str, Future[Verdict | None]]] = []
@@ -180,7 +180,7 @@ class Class:
         self._due = 0.0
         self.written = -1
         self.trouble = ""
-        self.told: deque[tuple[str, str]] = deque(maxlen=MOST_TOLD)
+        self.told: deque[tuple[str, str]] = deque(maxlen=MAX_TOLD)
 
     def scene(self, stop: int) -> sim.Scene:
         """The scene of a stop, as its step begins.
@@ -401,7 +401,7 @@ def _live_file(scene: sim.Scene) -> bytes:
 FIRST = "lesson-hooke"
 """What a class goes through for which no scene is named."""
 
-MOST_CLASSES = 20
+MAX_CLASSES = 20
 """Classes that go on at once on a server."""
 
 
@@ -427,11 +427,11 @@ class Classes:
             Refused: they have too many steps, or there are too many classes.
         """
         taken = {one.room.code for one in self}
-        if len(taken) >= MOST_CLASSES:
-            raise Refused(f"A server holds {MOST_CLASSES} classes at most.")
+        if len(taken) >= MAX_CLASSES:
+            raise Refused(f"A server holds {MAX_CLASSES} classes at most.")
         room = Room(code="", key=secrets.token_urlsafe(16), scenes=tuple(scenes))
-        if len(room.stops) > MOST_STOPS:
-            raise Refused(f"A class has {MOST_STOPS} steps at most; these scenes have {len(room.stops)}.")
+        if len(room.stops) > MAX_STOPS:
+            raise Refused(f"A class has {MAX_STOPS} steps at most; these scenes have {len(room.stops)}.")
         while True:
             room.code = names.new_code(taken)
             with contextlib.suppress(kept.Held):

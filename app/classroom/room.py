@@ -27,25 +27,25 @@ from sim.scene.types import Damage
 
 from . import names
 
-MOST_SEATS = 60
+MAX_SEATS = 60
 """Seats of a class."""
 
-MOST_OF_ONE = 40
+MAX_OF_ONE = 40
 """Seats given to one visitor of the server, which may be a school that is one address."""
 
-MOST_LETTERS = 140
+MAX_LETTERS = 140
 """Letters of a line that a pupil writes."""
 
-MOST_NAME = 20
+MAX_NAME = 20
 """Letters of a name that a pupil has chosen, where the teacher allows that."""
 
-MOST_MARKS = 3
+MAX_MARKS = 3
 """Marks above and below one letter; no language has more, and heaps of them cover other lines."""
 
-MOST_ANSWERS = 200
+MAX_ANSWERS = 200
 """Answers of one seat, which no lesson comes near."""
 
-MOST_STOPS = 60
+MAX_STOPS = 60
 """Stops of a class."""
 
 Id = Annotated[str, Meta(pattern=r"^[0-9a-f]{16}$")]
@@ -100,7 +100,7 @@ class Ghost(Content, frozen=True):
 class Line(Content, frozen=True):
     """An explanation, as text."""
 
-    text: Annotated[str, Meta(min_length=1, max_length=MOST_LETTERS)]
+    text: Annotated[str, Meta(min_length=1, max_length=MAX_LETTERS)]
 
 
 class Work(Content, frozen=True):
@@ -211,7 +211,7 @@ def plain(text: str, most: int) -> str:
     for c in unicodedata.normalize("NFC", text):
         kind = unicodedata.category(c)[0]
         marks = marks + 1 if kind == "M" else 0
-        if marks <= MOST_MARKS:
+        if marks <= MAX_MARKS:
             seen += " " if kind in "CZ" else c
     return " ".join(seen.split())[:most].strip()
 
@@ -371,8 +371,8 @@ class Room(Struct, kw_only=True):
         Raises:
             Refused: the class has too many stops.
         """
-        if len(self.stops) >= MOST_STOPS:
-            raise Refused(f"A class has {MOST_STOPS} stops at most.")
+        if len(self.stops) >= MAX_STOPS:
+            raise Refused(f"A class has {MAX_STOPS} stops at most.")
         whole = msgspec.structs.replace(scene, lesson=None)
         self.scenes, self.pushed = (*self.scenes, whole), self.pushed + 1
         self.go(len(self.stops) - 1, Phase.SHOW)
@@ -473,9 +473,9 @@ class Room(Struct, kw_only=True):
                 return seat
         if not self.is_open:
             raise Refused("The class has begun; ask your teacher to open the door.")
-        if sum(number in self.seats and not self.seats[number].removed for number in given) >= MOST_OF_ONE:
+        if sum(number in self.seats and not self.seats[number].removed for number in given) >= MAX_OF_ONE:
             raise Refused(
-                f"Your network has {MOST_OF_ONE} seats, as many as one gets; your teacher can remove some."
+                f"Your network has {MAX_OF_ONE} seats, as many as one gets; your teacher can remove some."
             )
         return self._new_seat(token, here)
 
@@ -485,13 +485,13 @@ class Room(Struct, kw_only=True):
         Raises:
             Refused: the class is full.
         """
-        if sum(not seat.removed for seat in self.seats.values()) >= MOST_SEATS:
+        if sum(not seat.removed for seat in self.seats.values()) >= MAX_SEATS:
             needed = {answer.seat for answer in self.answers.values()} | set(
                 self.seats if here is None else here
             )
             idle = next((n for n, seat in self.seats.items() if n not in needed and not seat.removed), None)
             if idle is None:
-                raise Refused(f"The class is full: it has {MOST_SEATS} seats.")
+                raise Refused(f"The class is full: it has {MAX_SEATS} seats.")
             del self.seats[idle]
         number = max(self.seats, default=0) + 1
         name = names.new_name([seat.given for seat in self.seats.values()])
@@ -512,7 +512,7 @@ class Room(Struct, kw_only=True):
             seat.given = seat.name = names.new_name([*taken, seat.given])
             seat.color = names.color_of(seat.given)
         else:
-            name = plain(wanted, MOST_NAME)
+            name = plain(wanted, MAX_NAME)
             if not self.own_names:
                 raise Refused("In this class names are given.")
             if not name:
@@ -587,8 +587,8 @@ class Room(Struct, kw_only=True):
             return False
         if before is not None and asked.shown:
             raise Refused("The answers have been shown; yours stays as it was.")
-        if before is None and sum(a.seat == number for a in self.answers.values()) >= MOST_ANSWERS:
-            raise Refused(f"A seat can give {MOST_ANSWERS} answers.")
+        if before is None and sum(a.seat == number for a in self.answers.values()) >= MAX_ANSWERS:
+            raise Refused(f"A seat can give {MAX_ANSWERS} answers.")
         if before is not None:
             del self.answers[before.id]
         taken = msgspec.structs.replace(answer, content=content, late=asked.shown, starred=False)
@@ -620,7 +620,7 @@ class Room(Struct, kw_only=True):
             raise Refused("The teacher has closed this seat.")
         if seat is None:
             seat = self._new_seat(token, None)
-            seat.name = self._free_name(plain(name, MOST_NAME)) or seat.name
+            seat.name = self._free_name(plain(name, MAX_NAME)) or seat.name
         new = 0
         for answer in answers:
             answer = msgspec.structs.replace(answer, seat=seat.number, late=True)
@@ -639,7 +639,7 @@ class Room(Struct, kw_only=True):
         taken = {seat.name.casefold() for seat in self.seats.values()}
         if not wanted or wanted.casefold() not in taken:
             return wanted
-        numbered = (f"{wanted[: MOST_NAME - 4]} {i}" for i in range(2, MOST_SEATS + 3))
+        numbered = (f"{wanted[: MAX_NAME - 4]} {i}" for i in range(2, MAX_SEATS + 3))
         return next(name for name in numbered if name.casefold() not in taken)
 
     def before(self, answer: Answer) -> Answer | None:
@@ -703,7 +703,7 @@ class Room(Struct, kw_only=True):
                 if not all(-FARTHEST <= c <= FARTHEST for point in points for c in point):
                     raise Refused("That is no place for this body.")
             case Line(text):
-                if not (text := plain(text, MOST_LETTERS)):
+                if not (text := plain(text, MAX_LETTERS)):
                     raise Refused("A line needs a letter.")
                 return Line(text)
             case Work(found=found, setting=setting, points=points):

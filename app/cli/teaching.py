@@ -37,13 +37,13 @@ class TeachClass:
     def run(self) -> int:
         """Serve until told to stop."""
         # Here, not above: the other commands have no use for viser, which takes a second to import.
-        from ..classroom.live import MOST_CLASSES, Classes
+        from ..classroom.live import MAX_CLASSES, Classes
         from ..classroom.room import Refused
         from ..gate.gate import GateError, PortBusy
         from ..server.serve import serve
 
-        if not 1 <= self.classes <= MOST_CLASSES:
-            return fail(f"--classes: a server holds 1 to {MOST_CLASSES} classes")
+        if not 1 <= self.classes <= MAX_CLASSES:
+            return fail(f"--classes: a server holds 1 to {MAX_CLASSES} classes")
         scenes = [sim.load_scene(name) for name in self.scenes]
         classes = Classes()
         try:

@@ -25,7 +25,7 @@ from . import instances
 from .clip import Clip, Shot
 from .glb_file import GlbFile
 from .keyframes import check_size
-from .model import MOST_PARTS, MUSCLES, PLATE, PX_PER_METRE, Solid, ball, plate, spring_solid, walls
+from .model import MAX_PARTS, MUSCLES, PLATE, PX_PER_METRE, Solid, ball, plate, spring_solid, walls
 
 _OF_MASS, _OF_SPRING, _OF_MUSCLE = 3, 7, 3
 """Numbers of each frame: a place; a turn and a size, for a spring is where its first mass is; a size."""
@@ -44,8 +44,8 @@ def animated_glb(clip: Clip, rate: int, scale: float = PX_PER_METRE) -> bytes:
     """
     scene = clip.scene
     count, springs = len(scene.masses), len(scene.linear_springs)
-    if count + springs > MOST_PARTS:
-        raise InputError(f"a model has {MOST_PARTS} masses and springs at most")
+    if count + springs > MAX_PARTS:
+        raise InputError(f"a model has {MAX_PARTS} masses and springs at most")
     muscles = len(Sketch.plain(scene).muscles)
     check_size(clip, rate, _OF_MASS * count + _OF_SPRING * springs + _OF_MUSCLE * muscles)
     return _Animation(scene, list(clip.frames(rate)), rate, scale).file.bytes()

@@ -26,7 +26,7 @@ TICK = 0.01
 TICKS = 4
 """Between two frames: 25 frames a second, and fewer of a long or large film."""
 
-MOST_PIXELS = 160_000_000
+MAX_PIXELS = 160_000_000
 """Of all frames together, which are in memory at once."""
 
 _SAMPLES = 6
@@ -70,7 +70,7 @@ def gif(
     """
     size = size or size_of(clip.scene, clip)
     ticks = TICKS
-    while clip.count(ticks * TICK) * size[0] * size[1] > MOST_PIXELS:
+    while clip.count(ticks * TICK) * size[0] * size[1] > MAX_PIXELS:
         ticks += 1
     tell = progress or (lambda _: None)
     count = clip.count(ticks * TICK)

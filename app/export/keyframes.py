@@ -13,7 +13,7 @@ FPS = 60
 SLOWEST, FASTEST = 1, 240
 """Frames a second."""
 
-MOST_NUMBERS = 10_000_000
+MAX_NUMBERS = 10_000_000
 """In a file."""
 
 
@@ -29,9 +29,9 @@ def check_size(clip: Clip, rate: int, numbers: int) -> None:
         InputError: it would.
     """
     frames = clip.count(1.0 / rate)
-    if frames * numbers > MOST_NUMBERS:
+    if frames * numbers > MAX_NUMBERS:
         raise InputError(
-            f"{frames} frames of {numbers} numbers are too many, there may be {MOST_NUMBERS} in all; "
+            f"{frames} frames of {numbers} numbers are too many, there may be {MAX_NUMBERS} in all; "
             "take fewer seconds or fewer frames a second"
         )
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 PX_PER_METRE = 1000.0
 """Scale of a model, unless another one is asked for."""
 
-MOST_PARTS = 20_000
+MAX_PARTS = 20_000
 """Masses and springs together, beyond which a file would be too large for most viewers."""
 
 _WIRE, _SIDES, _SAMPLES = 0.15, 6, 12
@@ -54,8 +54,8 @@ def glb(scene: sim.Scene, picture: Picture, scale: float = PX_PER_METRE) -> byte
     from trimesh import Scene as Group
     from trimesh.exchange.gltf import export_glb
 
-    if len(scene.masses) + len(scene.linear_springs) > MOST_PARTS:
-        raise sim.InputError(f"a model has {MOST_PARTS} masses and springs at most")
+    if len(scene.masses) + len(scene.linear_springs) > MAX_PARTS:
+        raise sim.InputError(f"a model has {MAX_PARTS} masses and springs at most")
     if not np.isfinite(picture.positions).all():
         raise sim.InputError("a position is not a finite number")
     sketch = Sketch.plain(scene)

@@ -22,7 +22,7 @@ from .html_file import html_file, packed, plans, stage
 RATE = 60.0
 """Frames a second; fewer of a large body."""
 
-MOST_NUMBERS = 1_200_000
+MAX_NUMBERS = 1_200_000
 """Coordinates in a file."""
 
 STEPS = 65536
@@ -69,7 +69,7 @@ def _described(clip: Clip) -> tuple[dict[str, object], str]:
     scene = clip.scene
     bodies = 2 if any(shot.picture.ghost is not None for shot in clip.shots) else 1
     interval = 1.0 / RATE
-    while clip.count(interval) * 2 * bodies * len(scene.masses) > MOST_NUMBERS and clip.count(interval) > 2:
+    while clip.count(interval) * 2 * bodies * len(scene.masses) > MAX_NUMBERS and clip.count(interval) > 2:
         interval *= 1.25
     shots = list(clip.at(interval))
     every: dict[int, list[NDArray[np.float32]]] = {}

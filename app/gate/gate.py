@@ -76,7 +76,7 @@ VISITOR_CONNECTION_BURST = 100.0
 
 # Of one address that are open and have become no page: a class behind one address fetches the page's files
 # by six at a time each. A system has a thousand for a program, or more.
-MOST_KNOCKING = 500
+MAX_KNOCKING = 500
 
 # A page sends at most some 300 messages a second: the pointer once per frame of a fast screen (240 Hz), the
 # camera and each slider at 20 Hz.
@@ -96,7 +96,7 @@ MAX_QUEUED_FRAMES = 4
 _HERE = ("127.0.0.1", "::1")
 """This machine: its owner, or whomever a proxy speaks for without saying so."""
 
-MOST_ADVICE = 5
+MAX_ADVICE = 5
 
 PAGE_PATHS = ("/", "/index.html", "/s")
 
@@ -248,11 +248,7 @@ class Gate:
         if refusal is not None:
             reason, status, sentence = refusal
             self.refused[reason] += 1
-            if (
-                reason in ("host", "origin")
-                and sentence not in self.advice
-                and len(self.advice) < MOST_ADVICE
-            ):
+            if reason in ("host", "origin") and sentence not in self.advice and len(self.advice) < MAX_ADVICE:
                 self.advice.append(sentence)
             response = connection.respond(status, sentence + "\n")
             if status is HTTPStatus.TEMPORARY_REDIRECT:
@@ -398,7 +394,7 @@ class Gate:
         if not connection.remote_address:
             return False
         peer = connection.remote_address[0]
-        if sum(other.remote_address[0] == peer for other in self._knocking) >= MOST_KNOCKING:
+        if sum(other.remote_address[0] == peer for other in self._knocking) >= MAX_KNOCKING:
             self.refused["knocking"] += 1
             return False
         self._knocking.add(connection)

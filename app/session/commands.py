@@ -29,7 +29,7 @@ from .session import Changed, Command, Session
 from .shadow import Foresight
 from .versions import Versions
 
-_MOST_STEPS = 1000
+_MAX_STEPS = 1000
 """Single steps that are done at once, at most."""
 _NOT_OF_REST = ("tempo", "dt", "tolerance")
 """Settings that have nothing to do with where a body rests."""
@@ -389,7 +389,7 @@ class DoSteps(Command):
     acts = True
 
     def apply(self, session: Session, at: float) -> None:
-        session.do_steps(max(0, min(self.steps, _MOST_STEPS)))
+        session.do_steps(max(0, min(self.steps, _MAX_STEPS)))
 
     def playing_after(self, playing: bool) -> bool:
         return False

@@ -13,7 +13,7 @@ import sim
 from sim.analysis.equilibrium import loaded_equilibrium
 from sim.compiling.compiler import FOR_FALLBACK, is_ready
 
-MOST_MASSES = 200
+MAX_MASSES = 200
 """Masses of a body whose pose at rest is looked for."""
 SHOWN_FOR = 0.6
 """Seconds after the last change of a number for which its pose at rest is shown."""
@@ -39,7 +39,7 @@ class Foreseen:
     def look(self, simulation: sim.Simulation, now: float) -> None:
         """A number of the body has changed, at some time, s."""
         masses = len(simulation.scene.masses)
-        if masses > MOST_MASSES or masses == self._slow or not is_ready(FOR_FALLBACK):
+        if masses > MAX_MASSES or masses == self._slow or not is_ready(FOR_FALLBACK):
             return
         places = tuple((float(x), float(y)) for x, y in simulation.positions)
         pose = sim.Pose(positions=places, velocities=((0.0, 0.0),) * masses, damage=simulation.damage)

@@ -18,10 +18,10 @@ FRAME = 1.0 / 60.0
 DRAG_EVENT = 0.05
 """Seconds between two of viser's own reports of a drag; a mass is led smoothly from one to the next."""
 
-MOST_HANDS = 10
+MAX_HANDS = 10
 """Hands that the pointers of a page have at most, numbered from 0: as many as fingers on a board."""
 
-GIZMO = MOST_HANDS
+GIZMO = MAX_HANDS
 """Number of the hand that leads a mass by its gizmo, which may keep to an axis."""
 
 

@@ -16,7 +16,7 @@ from sim.scene.types import Damage
 SPAN = 3600
 """Frames that are kept: a minute at 60 Hz."""
 
-MOST_BYTES = 64_000_000
+MAX_BYTES = 64_000_000
 """What all moments of a page take at most."""
 
 _OVERHEAD = 400
@@ -148,7 +148,7 @@ class History:
         frames.append(frame)
         if len(frames) > SPAN or frames[0].number <= self._number - SPAN:
             self._drop_first()
-        if self._bytes > MOST_BYTES:
+        if self._bytes > MAX_BYTES:
             self._thin()
         self.shown = self.last
 

@@ -22,7 +22,7 @@ from .ghost import FINER, REFERENCE
 
 FORMAT, VERSION = "softrod-keepsake", 1
 
-MOST_BYTES = 1_000_000
+MAX_BYTES = 1_000_000
 """A keepsake that would be larger leaves out the scene as it was opened, and then the motion, too: the scene
 begins anew."""
 
@@ -93,7 +93,7 @@ def encode(moment: sim.Moment, wishes: Wishes, opened: sim.Scene) -> bytes:
         keepsake = msgspec.structs.replace(keepsake, opened=log.raw_scene(opened))
     data = msgspec.json.encode(keepsake)
     for left_out in ({"opened": _NOTHING}, {"moment": None}):
-        if len(data) > MOST_BYTES:
+        if len(data) > MAX_BYTES:
             keepsake = msgspec.structs.replace(keepsake, **left_out)
             data = msgspec.json.encode(keepsake)
     return data
@@ -105,7 +105,7 @@ def decode(data: bytes) -> Kept:
     Raises:
         SceneError: one sentence that says what is wrong.
     """
-    if len(data) > MOST_BYTES + MAX_FILE_BYTES:
+    if len(data) > MAX_BYTES + MAX_FILE_BYTES:
         raise SceneError(f"{len(data)} bytes are more than a keepsake may have")
     try:
         keepsake = msgspec.json.decode(data, type=_Keepsake)

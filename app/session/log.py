@@ -36,7 +36,7 @@ MAX_LOG_BYTES = 4_000_000
 """What a log may take beside its scene and the moment that it begins with; beyond that it starts anew. A page
 can open what it has saved, as long as these take less than a megabyte."""
 
-_MOST_BYTES = MAX_LOG_BYTES + 4 * MAX_FILE_BYTES
+_MAX_BYTES = MAX_LOG_BYTES + 4 * MAX_FILE_BYTES
 """Largest log that is read: its scene, and the scene and pose that it begins with, may each be as large as a
 scene file, and so may what comes last."""
 
@@ -381,8 +381,8 @@ def decode_log(data: bytes, source: str, scene: sim.Scene | None = None) -> Log:
     Raises:
         InputError: one sentence that names the line.
     """
-    if len(data) > _MOST_BYTES:
-        raise InputError(f"{source}: {len(data)} bytes are more than the {_MOST_BYTES} that a log may have")
+    if len(data) > _MAX_BYTES:
+        raise InputError(f"{source}: {len(data)} bytes are more than the {_MAX_BYTES} that a log may have")
     try:
         data = as_utf8(data)
     except UnicodeError as error:

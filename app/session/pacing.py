@@ -27,7 +27,7 @@ LARGE = 2000
 _FIRST_ATTEMPTS = 1000
 """Steps that it may try before anything is known of what they cost."""
 
-_MOST_ATTEMPTS = 1_000_000
+_MAX_ATTEMPTS = 1_000_000
 """Steps that it may try at most: what a log may say."""
 
 _PIECE = 0.7
@@ -77,7 +77,7 @@ class Costs:
         """How many steps a method that chooses them itself may try in a budget of seconds."""
         if not self._attempt:
             return _FIRST_ATTEMPTS
-        return int(min(max(budget / self._attempt, 1.0), _MOST_ATTEMPTS))
+        return int(min(max(budget / self._attempt, 1.0), _MAX_ATTEMPTS))
 
     def affordable(self, budget: float) -> int:
         """Steps of the clock that a budget of seconds is enough for, by their cost so far; 20000 at first."""

@@ -26,10 +26,10 @@ from .session import Session
 
 Floats = NDArray[np.float64]
 
-MOST_PLOTS, MOST_SERIES = 4, 5
+MAX_PLOTS, MAX_SERIES = 4, 5
 """Plots of a page, and quantities of a plot, at most."""
 
-MOST_UNITS = 2
+MAX_UNITS = 2
 """Units of the quantities of a plot, at most: it has an axis on either side."""
 
 AHEAD = 0.5
@@ -42,11 +42,11 @@ STEPS = 2.0**14
 """Heights on a plot that can be told apart: many times the pixels that there are, and good for four digits.
 Numbers that are rounded to so many take fewer bytes on their way."""
 
-LEAST_PART = 1e-6
+MIN_PART = 1e-6
 """Range of an axis, at least, as a part of the largest value on it: what a body at rest still does is less. A
 plot of that alone would have more marks than a page can draw, and no digits to tell them apart."""
 
-LEAST_LENGTH = 1.0 / 60_000.0
+MIN_LENGTH = 1.0 / 60_000.0
 """The same for lengths, as a part of the scene's frame: a hundredth of a pixel where that is 600 px high."""
 
 Name = Annotated[str, Meta(max_length=60)]
@@ -60,7 +60,7 @@ class Wish(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         over: the quantity that they are plotted over; empty for the time.
     """
 
-    names: Annotated[tuple[Name, ...], Meta(min_length=1, max_length=MOST_SERIES)]
+    names: Annotated[tuple[Name, ...], Meta(min_length=1, max_length=MAX_SERIES)]
     over: Name = ""
 
 
@@ -117,15 +117,15 @@ class Plot:
 
     def __init__(self, wish: Wish, scene: sim.Scene) -> None:
         names = tuple(dict.fromkeys(wish.names))
-        if len(names) > MOST_SERIES:
-            raise InputError(f"a plot has room for {MOST_SERIES} quantities")
+        if len(names) > MAX_SERIES:
+            raise InputError(f"a plot has room for {MAX_SERIES} quantities")
         self.quantities = tuple(find(name, scene) for name in (*names, *((wish.over,) if wish.over else ())))
         self.wish = Wish(tuple(q.name for q in self.quantities[: len(names)]), wish.over)
-        if len(self.units) > MOST_UNITS:
+        if len(self.units) > MAX_UNITS:
             raise InputError(f"a plot has room for two units, but not for {', '.join(self.units)}")
         self._y_down = scene.view.y_down
         left, top, right, bottom = scene.view.frame
-        self._least_length = scene.view.unit, LEAST_LENGTH * max(right - left, bottom - top)
+        self._least_length = scene.view.unit, MIN_LENGTH * max(right - left, bottom - top)
         # Twice the room, so that rows seldom have to be moved.
         self._room = np.empty((2 * SPAN, 1 + len(self.quantities)))
         self._first = self._end = 0
@@ -226,7 +226,7 @@ class Plot:
     def level(self, values: Floats) -> Floats:
         """What is drawn of values, (1 + quantities, k) with the times, s, first.
 
-        Those of one axis that hardly differ are one value: see `LEAST_PART` and `LEAST_LENGTH`.
+        Those of one axis that hardly differ are one value: see `MIN_PART` and `MIN_LENGTH`.
         """
         values, count = values.copy(), len(self.wish.names)
         units = [q.unit for q in self.quantities[:count]]
@@ -239,7 +239,7 @@ class Plot:
                 continue
             unit, least = self._least_length
             least = least if self.quantities[rows[0] - 1].unit == unit else 0.0
-            if float(np.ptp(some)) < max(LEAST_PART * float(np.abs(some).max()), least):
+            if float(np.ptp(some)) < max(MIN_PART * float(np.abs(some).max()), least):
                 shown[finite] = some[-1]
                 values[rows] = shown
         return values

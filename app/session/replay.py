@@ -13,7 +13,7 @@ from sim.motion.solver import UNLIMITED
 from . import log
 from .log import Entry, Log
 
-_MOST_OWED = 0.5
+_MAX_OWED = 0.5
 """Simulated seconds, at most, that a replay catches up on."""
 
 _TOO_HEAVY = "this frame is too heavy to be played in a page; `softrod run --inputs` can do it"
@@ -90,7 +90,7 @@ class Player:
         Raises:
             InputError: as `do`, or a call takes more than that.
         """
-        self._owed = min(self._owed + seconds, _MOST_OWED)
+        self._owed = min(self._owed + seconds, _MAX_OWED)
         done, end = 0, time.perf_counter() + budget
         while not self.ended:
             entry = self.upcoming

@@ -53,7 +53,7 @@ gone."""
 MAX_QUEUE = 4000
 """Commands that wait at most; beyond that the page is not a person, and the oldest are dropped."""
 
-MOST_SECONDS = 0.5
+MAX_SECONDS = 0.5
 """Seconds of computing that single steps, or one call of a replay, may take, by what steps have cost."""
 
 _AFTER_REPLAY = "it begins where a replay was left"
@@ -430,9 +430,9 @@ class Session:
         self.branch()
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
-        done = self.costs.move(self.simulation, steps, MOST_SECONDS, self.recorder.step)
-        self.companions.keep_pace(self.simulation, done, MOST_SECONDS)
-        self.companions.follow(self.simulation, done, led, MOST_SECONDS)
+        done = self.costs.move(self.simulation, steps, MAX_SECONDS, self.recorder.step)
+        self.companions.keep_pace(self.simulation, done, MAX_SECONDS)
+        self.companions.follow(self.simulation, done, led, MAX_SECONDS)
         self._after_steps()
 
     def do(self, act: log.Act) -> None:
@@ -712,7 +712,7 @@ class Session:
         steps = self.pacer.grant(now, simulation.dt)
         scene, began = simulation.capture().scene, time.perf_counter()
         try:
-            most, attempts = self.costs.affordable(MOST_SECONDS), self.costs.attempts(MOST_SECONDS)
+            most, attempts = self.costs.affordable(MAX_SECONDS), self.costs.attempts(MAX_SECONDS)
             done = player.advance(steps * simulation.dt, budget, most, attempts)
         except InputError as error:
             self._end_replay(f"It cannot go on: {error}.")

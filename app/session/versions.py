@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from sim import Moment, Scene
 from sim.edit.edit import Edit, carried, inverse
 
-MOST_STEPS = 1000
-MOST_BYTES = 64_000_000
+MAX_STEPS = 1000
+MAX_BYTES = 64_000_000
 """What is kept; beyond either the oldest is forgotten."""
 
 _PER_PART = 16
@@ -267,7 +267,7 @@ class Versions:
         del self._steps[self._at :]
         self._steps.append(step)
         self._bytes += step.bytes
-        while len(self._steps) > MOST_STEPS or (self._bytes > MOST_BYTES and len(self._steps) > 1):
+        while len(self._steps) > MAX_STEPS or (self._bytes > MAX_BYTES and len(self._steps) > 1):
             self._bytes -= self._steps.pop(0).bytes
         self._at = len(self._steps)
 

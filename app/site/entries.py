@@ -23,7 +23,7 @@ OWN = "Own scenes"
 EMPTY = "empty"
 """The preset to build on, which a page without tools cannot; it is left out where it is not named."""
 
-MOST_LETTERS = 60
+MAX_LETTERS = 60
 """Of a file's name."""
 
 # Windows opens devices by these names, whatever follows after a dot.
@@ -114,7 +114,7 @@ def _named(name: str, known: dict[str, SceneInfo]) -> tuple[SceneInfo, sim.Scene
 def _file(name: str, taken: set[str]) -> str:
     """A name for files of every system and for addresses: small letters, digits, dots and hyphens."""
     letters = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
-    text = re.sub(r"[^a-z0-9.]+|\.{2,}", "-", letters)[:MOST_LETTERS].strip("-.")
+    text = re.sub(r"[^a-z0-9.]+|\.{2,}", "-", letters)[:MAX_LETTERS].strip("-.")
     if not text or text == "index" or _DEVICE.fullmatch(text):
         text = f"scene-{text}".rstrip("-")
     number, file = 1, text

@@ -31,7 +31,7 @@ NET = 1.25
 """Springs per mass beyond which a body is a net, as a girder or a cloth: its springs are bars, too, since
 coils would run into each other."""
 
-FULL_STRAIN, LEAST_STRAIN = 0.1, 1e-6
+FULL_STRAIN, MIN_STRAIN = 0.1, 1e-6
 """Relative stretch at which a spring has its full colour, at most and at least."""
 
 WEDGE_SLICES = 6
@@ -225,4 +225,4 @@ def _full_strains(scene: Scene) -> Floats:
     stiffness = column(springs, "stiffness") * column(springs, "rest_length")
     early = force < FULL_STRAIN * stiffness
     strains[early] = force[early] / stiffness[early]
-    return np.maximum(strains, LEAST_STRAIN) if (strains < FULL_STRAIN).any() else np.array([FULL_STRAIN])
+    return np.maximum(strains, MIN_STRAIN) if (strains < FULL_STRAIN).any() else np.array([FULL_STRAIN])

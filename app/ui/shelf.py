@@ -26,10 +26,10 @@ _FRESH = 1.0
 Stamp = tuple[Path, int, bool]
 """A folder, when it was last changed, ns, and whether that was just now."""
 
-MOST_SCENES = 50
+MAX_SCENES = 50
 """Scenes that a visitor may have."""
 
-MOST_BYTES = 200_000_000
+MAX_BYTES = 200_000_000
 """What the scenes of all visitors may take, those that they have deleted included."""
 
 SHARED = "shared/"
@@ -139,8 +139,8 @@ class Shelf:
         """Refuse one more scene of a visitor where there are too many; `exists`: one is to be replaced."""
         if self.owned:
             return
-        if not exists and len(list(self.folder.glob("*.json"))) >= MOST_SCENES:
-            raise SceneError(f"you have {MOST_SCENES} scenes here, which is the most; delete some first")
+        if not exists and len(list(self.folder.glob("*.json"))) >= MAX_SCENES:
+            raise SceneError(f"you have {MAX_SCENES} scenes here, which is the most; delete some first")
         taken = sum(path.stat().st_size for path in visitors_folder().rglob("*.json"))
-        if taken + files.MAX_FILE_BYTES > MOST_BYTES:
+        if taken + files.MAX_FILE_BYTES > MAX_BYTES:
             raise SceneError("this computer has no room for more scenes of visitors; download it as a file")

@@ -26,7 +26,7 @@ from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Grips, Pose, Scene
 from ..scene.validate import validate
 
-_MOST_STEPS = 3000
+_MAX_STEPS = 3000
 """Largest number of steps."""
 _STUCK = 1000
 """Steps after which another start is tried."""
@@ -401,7 +401,7 @@ def _continuation(body: Resting) -> Floats:
     a = body.accelerations(q)
     first = shift = float(np.abs(a).max()) / body.typical + _LOWEST
     nudges = balanced = 0
-    for number in range(_MOST_STEPS):
+    for number in range(_MAX_STEPS):
         if number and number % _STUCK == 0:
             # A crumpled body may go to and fro between two folds; from elsewhere it folds in another way.
             q = body.nudge(body.start, number // _STUCK * _NUDGE)
@@ -455,7 +455,7 @@ def _continuation(body: Resting) -> Floats:
         abs(float(a[worst] / body.state.inverse_mass[index])),
     )
     raise InputError(
-        f"equilibrium: no balance was found in {_MOST_STEPS} steps; {force:.3g} kg px/s² are left at mass "
+        f"equilibrium: no balance was found in {_MAX_STEPS} steps; {force:.3g} kg px/s² are left at mass "
         f"{mass}"
     )
 

@@ -30,9 +30,9 @@ from ..scene.validate import validate
 from .decay import Decay
 from .equilibrium import Resting
 from .tuning import Dampers, vibrations_at_rest
-from .vibrations import MOST_MASSES, NOTHING, Vibrations
+from .vibrations import MAX_MASSES, NOTHING, Vibrations
 
-MOST_TOUCHING = 200
+MAX_TOUCHING = 200
 """Largest number of masses of a body with contact, whose rest may take long to find."""
 _TRIAL = 1e-4
 """Size of a displacement by which stiffness against a motion as a whole is found, in lengths of a spring."""
@@ -108,11 +108,11 @@ class Modes:
 
     def __init__(self, scene: Scene, count: int) -> None:
         scene = validate(scene)
-        if len(scene.masses) > MOST_MASSES:
-            raise InputError(f"modes: {len(scene.masses)} masses are more than {MOST_MASSES}")
-        if len(scene.masses) > MOST_TOUCHING and scene.contact is not None:
+        if len(scene.masses) > MAX_MASSES:
+            raise InputError(f"modes: {len(scene.masses)} masses are more than {MAX_MASSES}")
+        if len(scene.masses) > MAX_TOUCHING and scene.contact is not None:
             raise InputError(
-                f"modes: a body with contact may have {MOST_TOUCHING} masses, this has {len(scene.masses)}"
+                f"modes: a body with contact may have {MAX_TOUCHING} masses, this has {len(scene.masses)}"
             )
         self.scene, found = vibrations_at_rest(scene, count)
         masses = len(scene.masses)

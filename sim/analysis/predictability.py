@@ -36,7 +36,7 @@ _LEAST, _MOST = 0.1, 30.0
 """Distances, in hairs, at which the two start again."""
 _LONGEST = 0.25
 """Seconds after which they do."""
-_LEAST_PER_CALL = 1e-3
+_MIN_PER_CALL = 1e-3
 """Factor by which a distance shrinks in a call, at most; what is less may be rounding."""
 
 _SWING = 0.5
@@ -103,7 +103,7 @@ class Shadow:
         self._measure()
         self._since += steps * self.pair[0].dt
         if before > 0.0:
-            self.level += math.log(max(self._far / before, _LEAST_PER_CALL))
+            self.level += math.log(max(self._far / before, _MIN_PER_CALL))
         return True
 
     @property

@@ -22,15 +22,15 @@ from ..scene.types import Scene, is_loaded
 from ..scene.validate import validate
 from .decay import TENTH, Decay
 from .equilibrium import loaded_equilibrium
-from .vibrations import MOST_MASSES, Vibrations, free_vibrations
+from .vibrations import MAX_MASSES, Vibrations, free_vibrations
 
 _UPDATES = 4
 """Updates of the estimate of the fastest vibration."""
 _CREEP = 1e-3
 """Speed at which friction is looked at, as a part of the smallest slip speed."""
-MOST_VIBRATIONS = 100
+MAX_VIBRATIONS = 100
 """How many vibrations are looked at, the slowest first."""
-_LOOKS = (24, MOST_VIBRATIONS)
+_LOOKS = (24, MAX_VIBRATIONS)
 """How many are found at a time until one of them is elastic; of a small body all."""
 _SMALL = 120
 """Number of ways to move of a small body."""
@@ -364,8 +364,8 @@ def _of(error: InputError) -> str:
 
 def _slowest(scene: Scene, notes: list[str]) -> tuple[Vibration | None, Vibration | None]:
     """The slowest vibration, and the slowest elastic one."""
-    if len(scene.masses) > MOST_MASSES:
-        notes.append(f"the slowest vibrations are found for at most {MOST_MASSES} masses")
+    if len(scene.masses) > MAX_MASSES:
+        notes.append(f"the slowest vibrations are found for at most {MAX_MASSES} masses")
         return None, None
     dampers = Dampers(scene)
     try:

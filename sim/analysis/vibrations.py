@@ -15,7 +15,7 @@ from ..kernels.core.tables import Floats
 from ..scene.types import Scene
 from .equilibrium import Resting
 
-MOST_MASSES = 1000
+MAX_MASSES = 1000
 """Largest number of masses for vibrations, which are computed with full matrices."""
 _NOT_HELD = "vibrations: the springs do not hold the body where it starts, so it does not vibrate there"
 _BALANCED = 1e-6
@@ -111,8 +111,8 @@ def _checked(scene: Scene, count: int) -> Resting:
     freedoms = 2 * int(np.count_nonzero(body.state.inverse_mass))
     if not 1 <= count <= freedoms:
         raise InputError(f"vibrations: {count} is not in the range 1..{freedoms}")
-    if body.tables.masses > MOST_MASSES:
-        raise InputError(f"vibrations: {body.tables.masses} masses are more than {MOST_MASSES}")
+    if body.tables.masses > MAX_MASSES:
+        raise InputError(f"vibrations: {body.tables.masses} masses are more than {MAX_MASSES}")
     return body
 
 

@@ -38,7 +38,7 @@ from ..methods.registry import AUTO_METHODS, METHODS
 
 _FLOAT, _INT = types.float64, types.int64
 
-_MOST_HELPERS = 2
+_MAX_HELPERS = 2
 """Number of processes that compile at a time: with two cores, two are nearly twice as fast as one."""
 
 _PATIENCE = 5.0
@@ -223,7 +223,7 @@ class Compiler:
 
     def start(self) -> None:
         """Start making entry points ready."""
-        helpers = min(_MOST_HELPERS, os.cpu_count() or 1)
+        helpers = min(_MAX_HELPERS, os.cpu_count() or 1)
         self._threads = [threading.Thread(target=self._run, daemon=True) for _ in range(helpers)]
         for thread in self._threads:
             thread.start()

@@ -21,7 +21,7 @@ _GROUPED = re.compile(
     re.ASCII,
 )
 _INFINITE = re.compile(r"[-+]?(?:inf(?:inity)?|∞)", re.IGNORECASE)
-_MOST_LETTERS = 80
+_MAX_LETTERS = 80
 
 
 def is_gap(cell: str) -> bool:
@@ -80,7 +80,7 @@ def printable(text: str) -> str:
     """A short text on one line, without signs that steer a terminal or turn the direction of writing."""
     kept = "".join(" " if char.isspace() else char for char in text if char.isspace() or _is_seen(char))
     kept = " ".join(kept.split())
-    return kept if len(kept) <= _MOST_LETTERS else f"{kept[: _MOST_LETTERS - 1]}…"
+    return kept if len(kept) <= _MAX_LETTERS else f"{kept[: _MAX_LETTERS - 1]}…"
 
 
 def _is_seen(char: str) -> bool:

@@ -28,7 +28,7 @@ _SUNK = 1e-14
 """Movement, as a part of the largest coordinate, that ends it."""
 _LIGHTER = 40
 """Largest number of times that what bears too much is given less to bear."""
-_MOST_FOR_PROGRAM = 1500
+_MAX_FOR_PROGRAM = 1500
 """Largest number of masses for the linear program, whose time grows faster than with their square."""
 _TAUT = (0.01, 0.03, 0.1, 0.2, 0.4)
 """Tensions, as parts of stiffness times length, to which springs are drawn where the body would buckle."""
@@ -240,7 +240,7 @@ def _within_bounds(statics: Statics, x: Floats) -> tuple[Floats, float, Floats]:
         if lighter is None:
             break
         x = lighter
-    if statics.at.size <= _MOST_FOR_PROGRAM:
+    if statics.at.size <= _MAX_FOR_PROGRAM:
         even = statics.most_even()
         # The program lets all parts bear as much as the one that bears most, though they need not.
         if even is not None and float(statics.share(even).max()) < least * (1.0 - _ALIKE):

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from ..analysis.equilibrium import Resting
 from ..analysis.tuning import Dampers, at_rest, elastic_vibration, pull_direction
-from ..analysis.vibrations import MOST_MASSES, Vibrations
+from ..analysis.vibrations import MAX_MASSES, Vibrations
 from ..errors import InputError
 from ..forces.joints import TUTORIAL
 from ..scene.types import Scene
@@ -69,7 +69,7 @@ class AtRest:
         self.dampers = Dampers(self.scene)
         self.found, self.elastic = Vibrations(np.zeros(0), np.zeros((0, len(scene.masses), 2))), None
         free = len(scene.masses) > len({anchor.mass for anchor in scene.anchors})
-        if free and len(scene.masses) <= MOST_MASSES:
+        if free and len(scene.masses) <= MAX_MASSES:
             try:
                 self.found, self.elastic = elastic_vibration(self.scene, self.dampers)
             except InputError as error:

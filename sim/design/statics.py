@@ -44,7 +44,7 @@ Indices = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 Vectors = NDArray[np.complex128]
 
-MOST_BENT = math.radians(60.0)
+MAX_BENT = math.radians(60.0)
 """Largest deflection of a joint that holds a shape. Under the laws with a sine it gets softer the more it is
 bent, and at 90 degrees it bears no more."""
 _SHIFT = 1e-13
@@ -101,7 +101,7 @@ class Statics:
             stiffness or is broken.
         stiffness: (m,) D of all unknowns: of springs, of joints, and of touching masses.
         most: (m,) the most that each can bear: a spring what would shorten its rest length to nothing, a
-            joint what bends it by `MOST_BENT`. Infinite for touching masses.
+            joint what bends it by `MAX_BENT`. Infinite for touching masses.
         is_spring: (m,) whether each is a spring.
         load: (2 f,) f, kg px/s²: x and y for each free mass, in the order in which they are eliminated.
         scale: the largest of `load` and of the weights in size.
@@ -121,7 +121,7 @@ class Statics:
         self._size = self._size * self._lengths[self._first] * self._lengths[self._second]  # K |A||B|
         self.springs, self.joints = springs & (k > 0.0), joints & (self._size > 0.0)
         self._has_energy, self._law = tables.law != TUTORIAL, IN_NUMPY[tables.law]
-        bent = self._of_law(np.array([MOST_BENT]))[0][0]
+        bent = self._of_law(np.array([MAX_BENT]))[0][0]
         of_springs, of_joints = k[self.springs], self._size[self.joints]
         self.stiffness = np.concatenate((of_springs, of_joints, self._stiffness_of_walls()))
         self.most = np.concatenate(

@@ -22,7 +22,7 @@ import numpy as np
 
 from ..analysis.decay import COUPLED, TENTH, Decay
 from ..analysis.tuning import Numbers
-from ..analysis.vibrations import MOST_MASSES, Vibrations
+from ..analysis.vibrations import MAX_MASSES, Vibrations
 from ..body.system import same_topology
 from ..edit.edit import Edit, of_parts
 from ..errors import InputError, SceneError, SettingError
@@ -255,8 +255,8 @@ def _refuse_senseless(scene: Scene, wishes: _Wishes, mass: int | None) -> None:
             raise InputError(f"set_wishes: mass {mass} does not exist (0..{len(scene.masses) - 1})")
         if any(anchor.mass == mass for anchor in scene.anchors):
             raise _no(f"mass {mass} is held, so it does not sag")
-    if len(scene.masses) > MOST_MASSES:
-        raise InputError(f"set_wishes: {len(scene.masses)} masses are more than {MOST_MASSES}")
+    if len(scene.masses) > MAX_MASSES:
+        raise InputError(f"set_wishes: {len(scene.masses)} masses are more than {MAX_MASSES}")
 
 
 def _no(sentence: str) -> DesignError:

@@ -10,7 +10,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from ..analysis.tuning import (
-    MOST_VIBRATIONS,
+    MAX_VIBRATIONS,
     Dampers,
     Hold,
     Numbers,
@@ -36,13 +36,13 @@ _SOFTEST = 1e-6
 """The smallest cap that is tried, see `make_stable`."""
 _CLOSE = 1.002
 """Ratio of caps at which the search ends."""
-_SECONDS, _MOST_STEPS = 1.0, 2000
+_SECONDS, _MAX_STEPS = 1.0, 2000
 """How long it is run, s and steps."""
 _LOWER = 0.8
 """Factor of the cap after a run that did not end well."""
 _HALVINGS = 12
 """Number of halvings in the search for the largest damping that a time step bears."""
-_LEAST_HOLD = 1e-6
+_MIN_HOLD = 1e-6
 """Part of a vibration's stiffness that is of springs or joints, below which they do not hold it."""
 
 
@@ -173,13 +173,13 @@ def damp_vibration(scene: Scene, mode: int | None = None, spring: int | None = N
     own = Numbers.of(scene)
     if mode is not None and (isinstance(mode, bool) or not isinstance(mode, int) or mode < 0):
         raise InputError(f"damp_vibration: {mode} is not the number of a vibration, from 0")
-    resting, found = vibrations_at_rest(scene, MOST_VIBRATIONS if mode is None else mode + 1)
+    resting, found = vibrations_at_rest(scene, MAX_VIBRATIONS if mode is None else mode + 1)
     if mode is not None and mode >= len(found.omega):
         raise InputError(f"damp_vibration: the body has no vibration {mode}, but {len(found.omega)}")
     dampers = Dampers(resting)
     for omega, shape in list(zip(found.omega.tolist(), found.shapes, strict=True))[mode or 0 :]:
         hold = dampers.hold(omega, shape)
-        if hold.is_elastic or (mode is not None and max(hold.springs, hold.joints) > _LEAST_HOLD):
+        if hold.is_elastic or (mode is not None and max(hold.springs, hold.joints) > _MIN_HOLD):
             return _with_numbers(scene, _damped(own, dampers, omega, shape, hold))
     raise InputError("damp_vibration: springs and joints hold no such vibration, so they cannot damp it")
 
@@ -302,5 +302,5 @@ def _cause(scene: Scene) -> Cause | None:
 def _runs_away(scene: Scene) -> Divergence | None:
     """Why a body runs away within a while; None if it does not."""
     simulation = Simulation(scene)
-    simulation.step(min(math.ceil(_SECONDS / scene.integrator.dt), _MOST_STEPS))
+    simulation.step(min(math.ceil(_SECONDS / scene.integrator.dt), _MAX_STEPS))
     return simulation.divergence

@@ -51,7 +51,7 @@ REFERENCE_SPEED = 1000.0
 _CALM = 0.06
 """Speed below which the push is damped as by a dashpot, in parts of sqrt(k w) d^(3/2): so small that what
 rolls loses speed, too, and so large that it hardly makes the equations stiffer than bodies are."""
-_LEAST_BOUNCE = 0.1
+_MIN_BOUNCE = 0.1
 """The least bounciness that is distinguished with a constant restitution."""
 
 CALMING = 0.5
@@ -233,7 +233,7 @@ def tangential_spring(stiffness: float, mobility: float) -> tuple[float, float]:
 @lru_cache
 def hysteresis_of(bounciness: float) -> float:
     """The b with which everything leaves with the part e of the speed with which it came."""
-    e = max(bounciness, _LEAST_BOUNCE)
+    e = max(bounciness, _MIN_BOUNCE)
     if e >= 1.0:
         return 0.0
     low, high = 0.0, 1.5

@@ -34,7 +34,7 @@ from .simulation import Simulation
 
 Floats = NDArray[np.float64]
 
-_MOST_SAMPLES = 2**24
+_MAX_SAMPLES = 2**24
 """Numbers in the samples of bodies that are moved at once: 128 MB."""
 
 
@@ -127,7 +127,7 @@ def run_many(scenes: Iterable[Scene], seconds: float, every: int | None = None) 
     for shape, members in groups.items():
         steps = _steps(shape.dt, seconds)
         numbers = 1 + (steps // every + 1 if every else 0)
-        at_once = LANES * max(1, _MOST_SAMPLES // (numbers * 4 * shape.masses * LANES))
+        at_once = LANES * max(1, _MAX_SAMPLES // (numbers * 4 * shape.masses * LANES))
         for first in range(0, len(members), at_once):
             some = members[first : first + at_once]
             for i, run in zip(

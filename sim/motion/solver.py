@@ -80,7 +80,7 @@ _NEAR_LIMIT = 0.6
 """Step, as a fraction of the stability limit without damping, from which it counts as near the limit."""
 _NEAR_DAMPED_LIMIT = 0.9
 """The same as a fraction of velocity Verlet's limit, where damping makes that much lower."""
-_LEAST_DAMPED_LIMIT = 1e-7
+_MIN_DAMPED_LIMIT = 1e-7
 """Where that limit is lower, s, the velocities of such steps could be anything within the tolerance."""
 
 _WITH_LIMITS = 0.3
@@ -364,7 +364,7 @@ class Solver:
             **addresses,
             fixed=0.0 if info.adaptive else integrator.dt,
             near_limit=near,
-            near_damped_limit=min(near, max(damped, _LEAST_DAMPED_LIMIT)),
+            near_damped_limit=min(near, max(damped, _MIN_DAMPED_LIMIT)),
             explicit=own if isinstance(own, Tableau) else RK4,
             implicit=rosenbrock,
             adams=adams,

@@ -12,7 +12,7 @@ from ..scene.columns import column
 from ..scene.surroundings import Contact, Wall
 from ..scene.types import Scene
 
-_LEAST_GRAVITY = 1000.0
+_MIN_GRAVITY = 1000.0
 """px/s², by which the stiffness of tangential springs is chosen where there is less."""
 
 
@@ -43,7 +43,7 @@ def with_grip(scene: Scene, grips: bool) -> Scene:
     mass m H d², it is 2 sqrt(H g) m.
     """
     replace = msgspec.structs.replace
-    gravity = max(math.hypot(*scene.gravity), _LEAST_GRAVITY) if grips else 0.0
+    gravity = max(math.hypot(*scene.gravity), _MIN_GRAVITY) if grips else 0.0
     weight = gravity * float(np.median(column(scene.masses, "mass")))
 
     def of_wall(wall: Wall) -> Wall:

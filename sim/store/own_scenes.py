@@ -15,7 +15,7 @@ from pathlib import Path
 from ..errors import SceneError
 from .files import read_scene, save_user_scene, take_out, user_folder, user_path
 
-MOST_IN_TRASH, MOST_TRASH_BYTES = 50, 50_000_000
+MAX_IN_TRASH, MAX_TRASH_BYTES = 50, 50_000_000
 """How many deleted scenes are kept at most, and how many bytes of them; the newest always is."""
 
 _TRASHED = re.compile(r"\d{20}-(.+)\.json")
@@ -75,7 +75,7 @@ def trash_user_scene(name: str, folder: Path | None = None) -> str:
             trash.mkdir(parents=True, exist_ok=True)
             path.rename(trashed)
             # Their names begin with the time.
-            take_out(sorted(trash.glob("*.json"), reverse=True), MOST_IN_TRASH, MOST_TRASH_BYTES)
+            take_out(sorted(trash.glob("*.json"), reverse=True), MAX_IN_TRASH, MAX_TRASH_BYTES)
         except OSError as error:
             raise SceneError(f"{name!r} cannot be deleted ({error.strerror or error})") from None
         return trashed.name

@@ -22,13 +22,13 @@ LETTERS = "23456789BCDFGHJKMNPQRSTVWXZ"
 SHORTEST = 4
 """Letters of a code, unless two scenes would share it."""
 
-MOST_KEPT = 1000
+MAX_KEPT = 1000
 """Scenes that are kept; beyond that the one goes that was neither shared nor opened for the longest time."""
 
-MOST_BYTES = 500_000
+MAX_BYTES = 500_000
 """Bytes of a scene's file; a larger one is sent as a file."""
 
-MOST_KEPT_BYTES = 50_000_000
+MAX_KEPT_BYTES = 50_000_000
 """Bytes of all that is kept."""
 
 _CODE = re.compile(rf"[{LETTERS}]{{{SHORTEST},12}}")
@@ -49,9 +49,9 @@ def share_scene(scene: Scene) -> str:
         SceneError: it is not valid or too large, or the file cannot be written.
     """
     data = encode_scene(scene)
-    if len(data) > MOST_BYTES:
+    if len(data) > MAX_BYTES:
         raise SceneError(
-            f"{scene.name!r} takes {len(data)} bytes, more than the {MOST_BYTES} that are kept for a short "
+            f"{scene.name!r} takes {len(data)} bytes, more than the {MAX_BYTES} that are kept for a short "
             "address; send the scene as a file"
         )
     letters = letters_of(hashlib.sha256(data).digest())
@@ -63,7 +63,7 @@ def share_scene(scene: Scene) -> str:
                 if not path.exists():
                     write_atomically(path, data)
                     newest = sorted(shared_folder().glob("*.json"), key=lambda one: -one.stat().st_mtime_ns)
-                    take_out(newest, MOST_KEPT, MOST_KEPT_BYTES)
+                    take_out(newest, MAX_KEPT, MAX_KEPT_BYTES)
                 elif path.read_bytes() != data:
                     continue
                 os.utime(path)
@@ -85,7 +85,7 @@ def shared_scene(code: str) -> Scene:
     if not _CODE.fullmatch(code) or not path.is_file():
         raise SceneError(
             f"no scene is kept under {code[:20]!r} here: it was mistyped, is another server's, or was taken "
-            f"out after {MOST_KEPT} others"
+            f"out after {MAX_KEPT} others"
         )
     scene = read_scene(path)
     with contextlib.suppress(OSError):

@@ -22,7 +22,7 @@ from sim.settings import scene_of_step
 
 Floats = NDArray[np.float64]
 
-MOST_SECONDS = 600.0
+MAX_SECONDS = 600.0
 """Seconds for which a goal may ask a quantity to stay in a range, as in lessons."""
 
 EXPECTED = (
@@ -108,8 +108,8 @@ def parse_goal(text: str, scene: sim.Scene) -> tuple[Goal, sim.Scene]:
         low, high = _range(text, bounds)
         if stay := re.fullmatch(r"(.+) for (\S+)", rest):
             rest, seconds = stay[1], _number(text, stay[2])
-            if not 0.0 <= seconds <= MOST_SECONDS:
-                raise InputError(f"--goal {text}: {seconds:g} is not in the range 0..{MOST_SECONDS:g} s")
+            if not 0.0 <= seconds <= MAX_SECONDS:
+                raise InputError(f"--goal {text}: {seconds:g} is not in the range 0..{MAX_SECONDS:g} s")
     elif want not in ("max", "min"):
         raise InputError(f"--goal {text}: {_meant(want, _WANTS)}")
     words = rest.split()

@@ -33,7 +33,7 @@ from .trials import INVALID, trial
 _ENDINGS = 3
 """Values of a row after the settings: the result, the score, and how the run ended."""
 
-_MOST_LINK = 4000
+_MAX_LINK = 4000
 """Characters up to which a link is printed."""
 
 
@@ -423,7 +423,7 @@ def tell(wanted: Wanted, improved: Improved, out: Path, console: Console) -> int
     console.print(f"Run {best.number} of {len(trials)} is the best, in {out / 'best.json'}", highlight=False)
     link = out / "link.txt"
     text = link.read_text().strip() if link.exists() else ""
-    if text and len(text) <= _MOST_LINK:
+    if text and len(text) <= _MAX_LINK:
         console.print(text, soft_wrap=True, highlight=False, markup=False)
     elif text:
         console.print(f"Its link has {len(text)} characters and is in {link}", highlight=False)

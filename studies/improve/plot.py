@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-MOST_SETTINGS = 8
+MAX_SETTINGS = 8
 """Settings that are drawn; the table has all."""
 SHOWN = 0.8
 """Part of the runs, from the best on, that fit into the picture: a few can be far off."""
@@ -41,7 +41,7 @@ def plot(
     """
     from matplotlib.ticker import NullFormatter
 
-    shown = settings[:MOST_SETTINGS]
+    shown = settings[:MAX_SETTINGS]
     figure, pictures = new_figure(
         7.5, 2.9 + 1.35 * len(shown), 1, 1 + len(shown), sharex=True, squeeze=False,
         height_ratios=[2.4, *(1.0 for _ in shown)],

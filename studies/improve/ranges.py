@@ -14,7 +14,7 @@ from ..sweep.grid import Axis, Grid, check_keys, number_in, text_of
 
 EXPECTED = "KEY=A..B is expected, as in linear_stiffness=1e3..1e5"
 
-MOST_SETTINGS = 50
+MAX_SETTINGS = 50
 """Settings that are varied at a time; a search in more takes runs by the ten thousand."""
 
 _NEAR = 1e-3
@@ -78,8 +78,8 @@ def make_ranges(
     """
     if not vary:
         raise InputError("--vary: name at least one setting, as in --vary linear_stiffness=1e3..1e5")
-    if len(vary) > MOST_SETTINGS:
-        raise InputError(f"--vary: {len(vary)} settings are more than {MOST_SETTINGS}")
+    if len(vary) > MAX_SETTINGS:
+        raise InputError(f"--vary: {len(vary)} settings are more than {MAX_SETTINGS}")
     found = [_range(text) for text in vary]
     axes = tuple(Axis(key, (text_of(low), text_of(high))) for key, low, high in found)
     check_keys(axes, settings)

@@ -12,9 +12,9 @@ import sim
 from sim.errors import InputError, SettingError
 from sim.settings import SETTINGS, apply_assignments, settings_of
 
-MOST_VALUES = 10_000
+MAX_VALUES = 10_000
 """Values along an axis."""
-MOST_RUNS = 100_000
+MAX_RUNS = 100_000
 """Runs of a sweep."""
 
 EXPECTED = "KEY=A..B:N, KEY=A..B:N:log or KEY=VALUE,VALUE,... is expected"
@@ -63,8 +63,8 @@ def parse_axis(text: str) -> Axis:
         values = [word.strip() for word in listed.split(",")]
         if not all(values):
             raise InputError(f"--vary {text}: {EXPECTED}")
-        if len(values) > MOST_VALUES:
-            raise InputError(f"--vary {key}: {len(values)} values are more than {MOST_VALUES}")
+        if len(values) > MAX_VALUES:
+            raise InputError(f"--vary {key}: {len(values)} values are more than {MAX_VALUES}")
     for value in values:
         number = number_in(value)
         if number is not None and not math.isfinite(number):
@@ -81,9 +81,9 @@ def _spaced(text: str, first: str, last: str, count: str, logarithmic: bool) -> 
     a, b = number_in(first), number_in(last)
     if a is None or b is None or not (math.isfinite(a) and math.isfinite(b)):
         raise InputError(f"--vary {text}: from {first.strip()} to {last.strip()} are not two finite numbers")
-    if not count.strip().isdecimal() or not 2 <= int(count) <= MOST_VALUES:
+    if not count.strip().isdecimal() or not 2 <= int(count) <= MAX_VALUES:
         raise InputError(
-            f"--vary {text}: {count.strip() or 'no number'} of values is not in the range 2..{MOST_VALUES}"
+            f"--vary {text}: {count.strip() or 'no number'} of values is not in the range 2..{MAX_VALUES}"
         )
     n = int(count)
     if logarithmic and not (a > 0.0 and b > 0.0):
@@ -194,8 +194,8 @@ def make_grid(scene: sim.Scene, settings: Sequence[str], vary: Sequence[str]) ->
     axes = tuple(parse_axis(text) for text in vary)
     check_keys(axes, settings)
     runs = math.prod(len(axis.values) for axis in axes)
-    if runs > MOST_RUNS:
-        raise InputError(f"--vary: {runs} runs are more than {MOST_RUNS}")
+    if runs > MAX_RUNS:
+        raise InputError(f"--vary: {runs} runs are more than {MAX_RUNS}")
     return Grid(scene, tuple(settings), axes)
 
 

@@ -30,13 +30,13 @@ FINER = 1e-3
 """Its tolerance relative to the smallest one of a sweep."""
 _FINEST = 1e-12
 
-MOST_ATTEMPTS = 1e7
+MAX_ATTEMPTS = 1e7
 """Steps that a method with error control may try per simulated second: with so many they are a tenth of the
 shortest step that a scene can have. With more it would hardly ever get to the end."""
 
-_MOST_NOTED = 2**17
+_MAX_NOTED = 2**17
 """Places of masses that a run beside others may note: 4 MB with their velocities."""
-_MOST_MOVED = 2**23
+_MAX_MOVED = 2**23
 """Masses times steps that a run beside others may have: some dozen such runs take a few seconds."""
 
 Points = tuple[tuple[float, float], ...]
@@ -103,7 +103,7 @@ def is_quick(scene: sim.Scene, duration: float, measures: Sequence[str]) -> bool
         return False
     steps, masses = steps_of(scene, duration), len(scene.masses)
     looks = 2 if AT_END.issuperset(measures) else steps // looks_apart(scene.integrator.dt) + 2
-    return masses * looks <= _MOST_NOTED and masses * steps <= _MOST_MOVED
+    return masses * looks <= _MAX_NOTED and masses * steps <= _MAX_MOVED
 
 
 def _alone(scene: sim.Scene, duration: float, measures: Sequence[str], exact: Floats | None) -> Row:
@@ -178,7 +178,7 @@ def _go(simulation: sim.Simulation, steps: int) -> bool:
 
 def _attempts(steps: int, simulation: sim.Simulation) -> int:
     """The attempts that so many time steps may take."""
-    return math.ceil(MOST_ATTEMPTS * steps * simulation.dt)
+    return math.ceil(MAX_ATTEMPTS * steps * simulation.dt)
 
 
 def _finite(value: Value) -> Value:

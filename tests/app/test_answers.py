@@ -113,7 +113,7 @@ def test_texts_that_are_never_finished_are_bounded() -> None:
         for number in range(1, 99):
             answering.take(Part(kind, number, 99, letters))  # type: ignore[arg-type]
             held = sum(parts.size for parts in answering.unfinished)
-            assert held <= answers.MOST_UNFINISHED
+            assert held <= answers.MAX_UNFINISHED
     assert TOO_MUCH in page.notices
 
 

@@ -10,7 +10,7 @@ import pytest
 import sim
 from app.features.instruments.arrows import KINDS, MOST, Arrows, encode, smallest
 from app.features.instruments.messages import Tools
-from app.features.instruments.panel import LAST, MOST_TRACES, ToolsPanel
+from app.features.instruments.panel import LAST, MAX_TRACES, ToolsPanel
 from app.session import commands
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
@@ -201,7 +201,7 @@ def test_the_page_is_told_which_masses_are_traced() -> None:
     assert told.last(Tools).traced == (5, 3)
     panel.trace(False)
     assert told.last(Tools).traced == (5,)
-    for mass in range(MOST_TRACES + 2):
+    for mass in range(MAX_TRACES + 2):
         panel.choose(mass)
         panel.trace(True)
     assert told.last(Tools).traced == tuple(range(2, 10))

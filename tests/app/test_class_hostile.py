@@ -21,11 +21,11 @@ import sim
 from app.classroom import kept
 from app.classroom.live import Class, Classes
 from app.classroom.room import (
-    MOST_ANSWERS,
-    MOST_LETTERS,
-    MOST_MARKS,
-    MOST_NAME,
-    MOST_SEATS,
+    MAX_ANSWERS,
+    MAX_LETTERS,
+    MAX_MARKS,
+    MAX_NAME,
+    MAX_SEATS,
     Ghost,
     Phase,
     Refused,
@@ -345,16 +345,16 @@ def test_no_number_makes_a_class_that_cannot_be_read_again(content: Work | Ghost
         ("\U0001f595", "\U0001f595"),
         ("z" + "\u0301\u0323" * 30 + "a", None),
         ("  \n\t\u2003 ", ""),
-        ("w" * 10_000, "w" * MOST_LETTERS),
+        ("w" * 10_000, "w" * MAX_LETTERS),
     ],
 )
 def test_what_is_typed_is_one_line_of_what_can_be_seen(typed: str, shown: str | None) -> None:
-    made = plain(typed, MOST_LETTERS)
+    made = plain(typed, MAX_LETTERS)
     assert shown is None or made == shown
-    assert len(made) <= MOST_LETTERS
+    assert len(made) <= MAX_LETTERS
     assert all(unicodedata.category(c)[0] != "C" for c in made)
     marks = re.findall("1+", "".join("01"[unicodedata.category(c)[0] == "M"] for c in made))
-    assert all(len(run) <= MOST_MARKS for run in marks)
+    assert all(len(run) <= MAX_MARKS for run in marks)
     room = a_room()
     seat = room.enter(SECRETS[0])
     room.own_names = True
@@ -362,7 +362,7 @@ def test_what_is_typed_is_one_line_of_what_can_be_seen(typed: str, shown: str | 
         room.rename(seat.number, typed)
     except Refused as error:
         assert str(error) == "A name needs a letter."
-    assert 0 < len(seat.name) <= MOST_NAME
+    assert 0 < len(seat.name) <= MAX_NAME
 
 
 def test_thousands_of_answers_from_one_seat_are_bounded() -> None:
@@ -370,7 +370,7 @@ def test_thousands_of_answers_from_one_seat_are_bounded() -> None:
     for number in range(3000):
         room.take(seat.number, an_answer(number, Vote(number % 3), turn=number))
     assert len(room.answers) == 1
-    assert len(room.answers) < MOST_ANSWERS
+    assert len(room.answers) < MAX_ANSWERS
     assert room.bars(0, 0) == [0, 0, 1]
 
 
@@ -379,7 +379,7 @@ def test_thousands_of_secrets_keep_nobody_out_and_a_closed_door_stops_them() -> 
     room.take(honest.number, an_answer(1, Vote(1)))
     for number in range(2000):
         room.enter(f"{number + 1000:032x}", here=())
-    assert len(room.seats) == MOST_SEATS
+    assert len(room.seats) == MAX_SEATS
     late = room.enter(SECRETS[1], here=())
     assert late.number in room.seats
     assert room.enter(SECRETS[0]).number == honest.number, "who has given something stays"

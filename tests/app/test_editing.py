@@ -209,7 +209,7 @@ def test_what_cannot_be_done_is_one_sentence_and_nothing_changes(page: SessionPa
     assert page.simulation.capture().scene is before
 
 
-@pytest.mark.parametrize(("most", "bound"), [("MOST_STEPS", 40), ("MOST_BYTES", 50_000)])
+@pytest.mark.parametrize(("most", "bound"), [("MAX_STEPS", 40), ("MAX_BYTES", 50_000)])
 def test_undo_is_bounded(page: SessionPage, most: str, bound: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(versions, most, bound)
     page.frames(0, commands.Play(False))
@@ -217,7 +217,7 @@ def test_undo_is_bounded(page: SessionPage, most: str, bound: int, monkeypatch: 
         page.session.post(commands.SetValue("gravity", 1.0 + i % 7))
         page.session.post(commands.SetValue("air_friction", 1e-4 * (1 + i % 5)))
     page.frames(1)
-    if most == "MOST_STEPS":
+    if most == "MAX_STEPS":
         assert len(page.session.versions) == bound
     else:
         assert 0.8 * bound < page.session.versions.bytes <= bound

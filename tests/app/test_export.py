@@ -114,7 +114,7 @@ def test_a_film_goes_at_real_speed_and_shows_the_body_where_it_is() -> None:
 
 
 def test_a_long_or_large_film_has_fewer_frames(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(film, "MOST_PIXELS", 11 * 64 * 64)
+    monkeypatch.setattr(film, "MAX_PIXELS", 11 * 64 * 64)
     image = Image.open(io.BytesIO(film.gif(Clip(swing(ROPE, 1.0)), (64, 64))))
     assert image.n_frames <= 11  # type: ignore[attr-defined]
     wide = changed(ROPE, view=sim.View(frame=(0.0, 0.0, 900.0, 100.0)))
@@ -186,7 +186,7 @@ def test_what_breaks_yields_or_is_set_anew_is_in_a_replay() -> None:
 
 
 def test_a_large_body_has_fewer_frames_in_a_replay(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(replay, "MOST_NUMBERS", 200)
+    monkeypatch.setattr(replay, "MAX_NUMBERS", 200)
     about, frames = parts(replay.replay_html(Clip(swing(ROPE))).decode())
     assert len(frames) * 10 <= 200
     assert about["interval"] * (about["frames"] - 1) <= 1.0 + 1e-6

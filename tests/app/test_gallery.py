@@ -39,7 +39,7 @@ from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 from tests.app.panels import page_of
 
-MOST_BYTES = 300_000
+MAX_BYTES = 300_000
 
 
 class Page(SessionPage):
@@ -71,7 +71,7 @@ def test_every_preset_has_two_small_pictures() -> None:
                 light = image.getpixel((2, 2))
                 assert isinstance(light, tuple)
                 assert (sum(light) < 300) == dark
-    assert size < MOST_BYTES
+    assert size < MAX_BYTES
     assert any(path.endswith("/thumbnails/ring-dark.webp") for path in page_files())
 
 
@@ -222,13 +222,13 @@ def test_a_page_that_has_not_said_whose_it_is_changes_nothing(home: Path) -> Non
 
 
 def test_what_visitors_save_is_bounded(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(shelf, "MOST_SCENES", 2)
+    monkeypatch.setattr(shelf, "MAX_SCENES", 2)
     one = visitor("a").page.shelf
     for name in ("x", "y", "y"):
         one.save(sim.rope(), name)
     with pytest.raises(sim.SceneError, match="you have 2 scenes here"):
         one.save(sim.rope(), "z")
-    monkeypatch.setattr(shelf, "MOST_BYTES", files.MAX_FILE_BYTES + 100)
+    monkeypatch.setattr(shelf, "MAX_BYTES", files.MAX_FILE_BYTES + 100)
     with pytest.raises(sim.SceneError, match="no room"):
         visitor("b").page.shelf.save(sim.rope(), "x")
     Shelf(owned=True).save(sim.rope(), "z")
@@ -282,7 +282,7 @@ def test_only_the_owner_begins_a_class(home: Path) -> None:
 def test_a_server_holds_so_many_classes(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     page, classes = Page(), Classes(alone=False)
     page.page.begin_class = lambda scene: desk_address("", classes.begin((scene,)))
-    monkeypatch.setattr(live, "MOST_CLASSES", 1)
+    monkeypatch.setattr(live, "MAX_CLASSES", 1)
     for _ in range(2):
         page.gallery.use_in_class(UseInClass("lesson-hooke"))
         page.page.serve()

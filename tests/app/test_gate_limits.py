@@ -213,7 +213,7 @@ def test_who_connects_too_often_leaves_the_others_their_share(
 def test_who_opens_connections_and_says_nothing_keeps_nobody_out(
     sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(gate, "MOST_KNOCKING", 5)
+    monkeypatch.setattr(gate, "MAX_KNOCKING", 5)
     silent = [socket.create_connection(("127.0.0.1", sandbox.port)) for _ in range(6)]
     try:
         assert sandbox.refuses("knocking")

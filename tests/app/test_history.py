@@ -53,7 +53,7 @@ def bytes_of(ring: History) -> int:
 
 
 def test_a_large_body_keeps_its_last_frames_and_fewer_of_a_minute(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(history, "MOST_BYTES", 200_000)
+    monkeypatch.setattr(history, "MAX_BYTES", 200_000)
     ring = History()
     for i in range(5000):
         ring.add(moment(i * FRAME))
@@ -66,7 +66,7 @@ def test_a_large_body_keeps_its_last_frames_and_fewer_of_a_minute(monkeypatch: p
 
 
 def test_of_a_body_of_which_hardly_one_moment_fits_the_last_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(history, "MOST_BYTES", 3000)
+    monkeypatch.setattr(history, "MAX_BYTES", 3000)
     ring = History()
     for i in range(10):
         ring.add(moment(i * FRAME, sim.rope(masses=3)), {"ghost": GhostMoment(moment(0.0), 0.0, 0.0)})
@@ -75,7 +75,7 @@ def test_of_a_body_of_which_hardly_one_moment_fits_the_last_is_kept(monkeypatch:
 
 
 def test_scenes_of_sliders_count_too(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(history, "MOST_BYTES", 1_000_000)
+    monkeypatch.setattr(history, "MAX_BYTES", 1_000_000)
     ring = History()
     for i in range(2000):
         ring.add(moment(i * FRAME, sim.rope(masses=20)))

@@ -100,7 +100,7 @@ def test_a_keepsake_is_small() -> None:
     scene = sim.rope(masses=20_000)
     rows = np.random.default_rng(1).normal(0.0, 300.0, (4, 20_000))
     data = keepsakes.encode(sim.Moment(scene, 1.0, 0.0, rows, 5.0, 2000), keepsakes.Wishes(), scene)
-    assert len(data) < keepsakes.MOST_BYTES
+    assert len(data) < keepsakes.MAX_BYTES
     assert json.loads(data)["moment"] is None
     moment = keepsakes.decode(data).moment
     assert moment.time == 0.0
@@ -199,11 +199,11 @@ def test_of_a_scene_that_no_version_is_nothing_is_undone() -> None:
 def test_what_is_kept_for_pages_that_come_back_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     page = SessionPage()
     page.frames(3, commands.SetValue("gravity", 500.0))
-    names = [f"{number:032x}" for number in range(2 * pasts.MOST_PAGES)]
+    names = [f"{number:032x}" for number in range(2 * pasts.MAX_PAGES)]
     for name in names:
         pasts.keep(name, page.session.versions)
-    assert [name for name in names if pasts.of(name) is not None] == names[pasts.MOST_PAGES :]
-    monkeypatch.setattr(pasts, "MOST_BYTES", 3 * page.session.versions.bytes)
+    assert [name for name in names if pasts.of(name) is not None] == names[pasts.MAX_PAGES :]
+    monkeypatch.setattr(pasts, "MAX_BYTES", 3 * page.session.versions.bytes)
     pasts.keep(32 * "c", page.session.versions)
     assert [name for name in (*names, 32 * "c") if pasts.of(name) is not None] == [*names[-2:], 32 * "c"]
 

@@ -255,7 +255,7 @@ def test_another_program_finds_the_parts_at_their_start() -> None:
 # ------------------------------------------------------------------------- what is wrong
 def test_too_much_is_refused_before_it_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
     clip = clip_of(SPINNING, 0.5, 60)
-    monkeypatch.setattr(keyframes, "MOST_NUMBERS", 100)
+    monkeypatch.setattr(keyframes, "MAX_NUMBERS", 100)
     with pytest.raises(InputError, match="31 frames of 4 numbers are too many, there may be 100 in all"):
         motion_csv(clip, 60)
     with pytest.raises(InputError, match="31 frames of 13 numbers are too many"):

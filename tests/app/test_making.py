@@ -28,7 +28,7 @@ from tests.app.panels import page_of
 MEASURED = Measured(
     ("joint0", "mass3", "ghost"), ("mass3.y, mass5.y", "mass3.x over mass3.y"), frozenset({"forces"})
 )
-MOST_IN_A_MESSENGER = 8000
+MAX_IN_A_MESSENGER = 8000
 """Characters of a link that messengers let pass."""
 
 
@@ -120,7 +120,7 @@ def test_it_is_saved_linked_exported_and_held_as_a_class(
     scene = made().scene
     assert decode_scene(encode_scene(scene), "x") == scene
     link = f"http://127.0.0.1:8080/s#{pack_scene(scene)}"
-    assert len(link) < MOST_IN_A_MESSENGER
+    assert len(link) < MAX_IN_A_MESSENGER
     assert decode_link(link_data(link) or "") == scene
     path = tmp_path / "lesson.json"
     sim.save_scene(scene, path)

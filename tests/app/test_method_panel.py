@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 import sim
 from app.features.solver import method_panel
-from app.features.solver.method_panel import MOST_MASSES, MethodPanel
+from app.features.solver.method_panel import MAX_MASSES, MethodPanel
 from app.session import commands
 from app.session.notices import Notice
 from sim.compiling.compiler import fetch, needed_by
@@ -62,7 +62,7 @@ def test_it_says_what_to_take_and_shows_all_methods() -> None:
 
 
 def test_what_cannot_be_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert not AskingPage(sim.rope(MOST_MASSES + 1)).ask()
+    assert not AskingPage(sim.rope(MAX_MASSES + 1)).ask()
     page = AskingPage(replace(sim.rope(4), name="x"))
 
     def defect(*_: object, **__: object) -> None:

@@ -23,7 +23,7 @@ from app.features.measure.plot_list import ADD
 from app.session import commands
 from app.session.history import SPAN
 from app.session.notices import Notice
-from app.session.plots import MOST_PLOTS, Plot, Wish, curve
+from app.session.plots import MAX_PLOTS, Plot, Wish, curve
 from app.stage.colors import palette
 from app.wire.from_page import Pick
 from sim.errors import InputError
@@ -298,12 +298,12 @@ def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots() -
             press(panel.new)
         shared.serve()
         panel.tick()
-        assert len(panel.plots.wishes) == MOST_PLOTS
+        assert len(panel.plots.wishes) == MAX_PLOTS
         assert "room for 4 plots" in told[-1].text
         # Another scene keeps what it has, too; one without joints keeps nothing.
         page.frames(1, commands.Open(sim.load_scene("tutorial-3.3")))
         panel.build()
-        assert len(panel.plots.wishes) == MOST_PLOTS
+        assert len(panel.plots.wishes) == MAX_PLOTS
         page.frames(1, commands.Open(sim.rope(3, joints=False)))
         panel.build()
         assert panel.plots.wishes == ()

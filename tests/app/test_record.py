@@ -15,7 +15,7 @@ import sim
 from app.session import commands, log, record
 from app.session.hand import GIZMO
 from app.session.log import Check, Log, decode_log
-from app.ui.kept.keeping import MOST_BYTES
+from app.ui.kept.keeping import MAX_BYTES
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.store.files import encode_fields
@@ -220,7 +220,7 @@ def test_a_body_that_is_larger_than_a_log_does_not_start_it_anew_all_the_time(
 
 
 def test_a_page_can_open_the_longest_log_that_it_saves() -> None:
-    assert log.MAX_LOG_BYTES + 1_000_000 <= MOST_BYTES
+    assert log.MAX_LOG_BYTES + 1_000_000 <= MAX_BYTES
 
 
 def test_a_log_says_where_it_was_made_and_not_whose(tmp_path: Path) -> None:

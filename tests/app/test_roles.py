@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from app.classroom import kept
-from app.classroom.live import MOST_TRIED, Class, Classes
+from app.classroom.live import MAX_TRIED, Class, Classes
 from app.classroom.room import Line, Phase, Vote, Work
 from app.features.classroom.check_role import CheckRole
 from app.features.classroom.desk import DeskRole
@@ -188,11 +188,11 @@ def test_a_device_that_only_tries_is_told_to_the_teacher_and_to_nobody_else(
         assert not role.allows(found)
     check = CheckRole(klass)
     assert not any(check.allows(said) for said in (*LED, a_vote(1, 0), from_page.RaiseHand(True)))
-    for _ in range(MOST_TRIED + 3):
+    for _ in range(MAX_TRIED + 3):
         check.hear(found, session)
     desk.frame(session)
     told = letters.last(Desk)
-    assert [(one.trip, one.rate) for one in told.tried] == MOST_TRIED * [(23, 58)]
+    assert [(one.trip, one.rate) for one in told.tried] == MAX_TRIED * [(23, 58)]
     assert told.check == f"http://here/check?room={klass.room.code}"
     assert told.check_qr
     # Once the class has begun, it is in the way.

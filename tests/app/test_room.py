@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 import sim
 from app.classroom import names
 from app.classroom.room import (
-    MOST_OF_ONE,
-    MOST_SEATS,
+    MAX_OF_ONE,
+    MAX_SEATS,
     PHASE_OF,
     Answer,
     Ghost,
@@ -27,7 +27,7 @@ from app.classroom.room import (
 from sim.scene.lesson import Lesson, Question, Step
 from tests.amount import examples
 
-SECRETS = [f"{i:032x}" for i in range(MOST_SEATS + 2)]
+SECRETS = [f"{i:032x}" for i in range(MAX_SEATS + 2)]
 
 
 def a_room() -> Room:
@@ -91,22 +91,22 @@ def test_a_browser_comes_back_to_its_seat() -> None:
 
 def test_a_class_is_full() -> None:
     room = a_room()
-    given_names = {room.enter(secret).name for secret in SECRETS[:MOST_SEATS]}
-    assert len(given_names) == MOST_SEATS
-    with pytest.raises(Refused, match=f"{MOST_SEATS} seats"):
-        room.enter(SECRETS[MOST_SEATS])
+    given_names = {room.enter(secret).name for secret in SECRETS[:MAX_SEATS]}
+    assert len(given_names) == MAX_SEATS
+    with pytest.raises(Refused, match=f"{MAX_SEATS} seats"):
+        room.enter(SECRETS[MAX_SEATS])
 
 
 def test_one_visitor_does_not_fill_a_class() -> None:
     room = a_room()
-    given = {room.enter(secret).number for secret in SECRETS[:MOST_OF_ONE]}
-    with pytest.raises(Refused, match=f"{MOST_OF_ONE} seats"):
-        room.enter(SECRETS[MOST_OF_ONE], given=given)
-    assert room.enter(SECRETS[MOST_OF_ONE], given={99}).number == MOST_OF_ONE + 1
+    given = {room.enter(secret).number for secret in SECRETS[:MAX_OF_ONE]}
+    with pytest.raises(Refused, match=f"{MAX_OF_ONE} seats"):
+        room.enter(SECRETS[MAX_OF_ONE], given=given)
+    assert room.enter(SECRETS[MAX_OF_ONE], given={99}).number == MAX_OF_ONE + 1
     # Who has a seat keeps it, and where the teacher removes one there is room.
     assert room.enter(SECRETS[0], given=given).number == 1
     room.remove(2)
-    room.enter(SECRETS[MOST_OF_ONE + 1], given=given)
+    room.enter(SECRETS[MAX_OF_ONE + 1], given=given)
 
 
 def test_a_choice_can_be_changed_until_all_are_shown() -> None:

@@ -11,7 +11,7 @@ import pytest
 
 import sim
 from app.session import commands
-from app.session.hand import GIZMO, MOST_HANDS
+from app.session.hand import GIZMO, MAX_HANDS
 from app.session.session import KEYS_FORGOTTEN_AFTER, MAX_QUEUE
 from tests.app.inside import guard
 from tests.app.pages import FRAME, SessionPage, answered
@@ -119,7 +119,7 @@ def test_a_gizmo_that_keeps_to_its_axis_is_not_disturbed_by_the_pointer(page: Se
 
 
 def test_every_hand_drags_a_mass_of_its_own(page: SessionPage) -> None:
-    hands = range(MOST_HANDS)
+    hands = range(MAX_HANDS)
     before = page.simulation.positions
     moved = []
     for hand, (x, y) in zip(hands, before[1:].tolist(), strict=False):
@@ -127,8 +127,8 @@ def test_every_hand_drags_a_mass_of_its_own(page: SessionPage) -> None:
         moved.append(commands.Point(x + 5.0 * hand, y - 30.0, hand))
     page.frames(20, *moved)
     assert page.session.hands.masses == tuple(hand + 1 for hand in hands)
-    wanted = before[1 : MOST_HANDS + 1] + np.outer(hands, (5.0, 0.0)) + (0.0, -30.0)
-    assert page.simulation.positions[1 : MOST_HANDS + 1] == pytest.approx(wanted)
+    wanted = before[1 : MAX_HANDS + 1] + np.outer(hands, (5.0, 0.0)) + (0.0, -30.0)
+    assert page.simulation.positions[1 : MAX_HANDS + 1] == pytest.approx(wanted)
     page.frames(1, *(commands.DragEnd(hand) for hand in hands if hand != 4))
     assert page.session.hands.masses == (5,)
     assert page.simulation.grabbed == [5]

@@ -13,7 +13,7 @@ import segno
 
 import sim
 from app.classroom.live import Class
-from app.classroom.room import MOST_SEATS, Ghost, Line, Phase, Refused, Room, Vote
+from app.classroom.room import MAX_SEATS, Ghost, Line, Phase, Refused, Room, Vote
 from app.classroom.sheets import take
 from app.features.classroom.desk import DeskRole
 from app.lessons import lesson_code
@@ -182,7 +182,7 @@ def test_what_is_no_sheet_of_this_class_is_refused_in_a_sentence_and_changes_not
 
 def test_a_full_class_takes_no_more() -> None:
     room = a_room()
-    for i in range(MOST_SEATS):
+    for i in range(MAX_SEATS):
         take(room, json.dumps({**FULL, "id": f"{i:010x}", "name": f"N{i}"}))
     with pytest.raises(Refused, match="full"):
         take(room, json.dumps({**FULL, "id": "ffffffffff"}))

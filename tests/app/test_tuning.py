@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 import sim
 from app.features.solver import tuning_panel
-from app.features.solver.tuning_panel import MOST_MASSES, Tuner, TuningPanel
+from app.features.solver.tuning_panel import MAX_MASSES, Tuner, TuningPanel
 from app.session import commands
 from app.session.notices import Notice
 from app.ui import readouts
@@ -65,8 +65,8 @@ def test_a_scene_is_told_of_once_it_has_settled(monkeypatch: pytest.MonkeyPatch)
 
 
 def test_large_bodies_and_defects_end_the_wait(monkeypatch: pytest.MonkeyPatch) -> None:
-    large = sim.rope(masses=MOST_MASSES + 1)
-    assert f"at most {MOST_MASSES} masses" in found(Tuner(), large).trouble
+    large = sim.rope(masses=MAX_MASSES + 1)
+    assert f"at most {MAX_MASSES} masses" in found(Tuner(), large).trouble
 
     def defect(scene: sim.Scene) -> sim.Tuning:
         raise RuntimeError("a defect")

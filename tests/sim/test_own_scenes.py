@@ -89,12 +89,12 @@ def test_nothing_else_is_brought_back(home: Path, trashed: str) -> None:
 
 
 def test_the_trash_is_bounded(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(own_scenes, "MOST_IN_TRASH", 3)
+    monkeypatch.setattr(own_scenes, "MAX_IN_TRASH", 3)
     for i in range(5):
         save(f"s{i}")
         trash_user_scene(f"s{i}")
     assert [name[21:] for name in names(trash_folder())] == ["s2", "s3", "s4"]
-    monkeypatch.setattr(own_scenes, "MOST_TRASH_BYTES", 1)
+    monkeypatch.setattr(own_scenes, "MAX_TRASH_BYTES", 1)
     save("last")
     last = trash_user_scene("last")  # the newest always stays
     assert [name[21:] for name in names(trash_folder())] == ["last"]

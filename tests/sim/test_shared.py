@@ -35,7 +35,7 @@ def test_two_scenes_that_would_share_a_code_do_not(home: Path, monkeypatch: pyte
 
 
 def test_what_nobody_opened_for_long_makes_room(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(shared, "MOST_KEPT", 3)
+    monkeypatch.setattr(shared, "MAX_KEPT", 3)
     codes = [share_scene(sim.rope(masses=n)) for n in (3, 4, 5)]
     for age, code in enumerate(codes):
         os.utime(shared_folder() / f"{code}.json", (1e9 + age, 1e9 + age))
@@ -51,14 +51,14 @@ def test_all_that_is_kept_has_a_size(home: Path, monkeypatch: pytest.MonkeyPatch
     codes = [share_scene(sim.rope(masses=3))]
     (path,) = shared_folder().iterdir()
     os.utime(path, (1e9, 1e9))
-    monkeypatch.setattr(shared, "MOST_KEPT_BYTES", int(1.5 * path.stat().st_size))
+    monkeypatch.setattr(shared, "MAX_KEPT_BYTES", int(1.5 * path.stat().st_size))
     codes.append(share_scene(sim.rope(masses=4)))
     assert {path.stem for path in shared_folder().iterdir()} == {codes[1]}
 
 
 def test_what_cannot_be_kept_is_one_sentence(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(SceneError, match=r"takes \d+ bytes, more than the 300 that are kept") as caught:
-        monkeypatch.setattr(shared, "MOST_BYTES", 300)
+        monkeypatch.setattr(shared, "MAX_BYTES", 300)
         share_scene(sim.rope())
     assert "\n" not in str(caught.value)
 

@@ -136,7 +136,7 @@ def test_what_cannot_be_found_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     assert (found.slowest, found.elastic, found.fastest, found.sag) == (None, None, None, None)
     assert found.springs.frequency.tolist() == [0.0]
     assert found.springs.stable_step.tolist() == [math.inf]
-    monkeypatch.setattr(module, "MOST_MASSES", 1)
+    monkeypatch.setattr(module, "MAX_MASSES", 1)
     found = sim.tuning(weight())
     assert found.slowest is None
     assert found.fastest is not None

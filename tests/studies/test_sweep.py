@@ -268,7 +268,7 @@ def test_a_run_that_would_never_end_is_given_up(tmp_path: Path) -> None:
 
 
 def test_a_near_exact_run_that_would_never_end_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("studies.sweep.runs.MOST_ATTEMPTS", 100.0)
+    monkeypatch.setattr("studies.sweep.runs.MAX_ATTEMPTS", 100.0)
     assert run_reference(*reference_of(ROPE, 0.05, 0.1)) is None
 
 

@@ -24,7 +24,7 @@ from ...wire.carrier import Mail
 from ...wire.to_page import Brought, Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
 from ..files.sharing import qr_code
 from .role import (
-    MOST_PLACES,
+    MAX_PLACES,
     NOTHING,
     ClassRole,
     asking,
@@ -136,7 +136,7 @@ class DeskRole(ClassRole):
             self._mail.tell(
                 Posters(
                     places={str(number): one.places for number, one in posters},
-                    springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MOST_PLACES),
+                    springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MAX_PLACES),
                 )
             )
         words = (one.word for one in doing.values())

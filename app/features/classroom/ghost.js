@@ -17,7 +17,7 @@ const KEY_STEP = 20;
 /** Radius of what takes a finger, px. */
 const REACH = 22;
 /** Bodies of more masses than this have a grip at every so many only. */
-const MOST_GRIPS = 40;
+const MAX_GRIPS = 40;
 
 /**
  * Moves one mass of a body, and lets the others follow.
@@ -129,7 +129,7 @@ export class OwnGhost {
   makeGrips() {
     for (const grip of this.grips) grip.remove();
     const free = this.places.map((_, i) => i).filter((i) => !this.held.has(i));
-    const every = Math.ceil(free.length / MOST_GRIPS);
+    const every = Math.ceil(free.length / MAX_GRIPS);
     const masses = free.filter((_, i) => (free.length - 1 - i) % every === 0);
     this.grips = masses.map((mass) => this.makeGrip(mass, masses.length));
     // The last one, at the free end of a rope, is on top.

@@ -10,7 +10,7 @@ const [WIDE, HIGH, LEFT, BELOW, ABOVE] = [400, 270, 62, 52, 30];
 /** From this factor between the least and the largest on, an axis goes by powers of ten. */
 const WIDE_RANGE = 5;
 /** Marks of an axis, at most. */
-const MOST_MARKS = 5;
+const MAX_MARKS = 5;
 
 /**
  * Where numbers lie on an axis, from 0 to 1, and round numbers on it.
@@ -32,7 +32,7 @@ export function axis(numbers, logarithmic) {
 
 /** Round numbers in a range, evenly. @param {number} low @param {number} high */
 function steps(low, high) {
-  const least = (high - low) / MOST_MARKS;
+  const least = (high - low) / MAX_MARKS;
   const power = 10 ** Math.floor(Math.log10(least));
   const step = ([1, 2, 5, 10].find((one) => one * power >= least) ?? 10) * power;
   const first = Math.ceil(low / step);

@@ -33,10 +33,10 @@ _KINDS: dict[type[Content], Kind] = {Vote: "vote", Ghost: "ghost", Line: "line",
 
 NOTHING = Controls(())
 
-MOST_PLACES = 60
+MAX_PLACES = 60
 """Masses in a small picture of a body."""
 
-MOST_OPENINGS = 1_000_000
+MAX_OPENINGS = 1_000_000
 """Bodies that one page has in turn, at most, for their numbers to be those of no other page."""
 
 _numbers = itertools.count()
@@ -116,7 +116,7 @@ class ClassRole(Role):
         self._mail = mail
         self._told_end = False
         self._known: tuple[Any, ...] = ()
-        self._first_opening = MOST_OPENINGS * next(_numbers)
+        self._first_opening = MAX_OPENINGS * next(_numbers)
         self._plan = -1, -1  # of the session, when it was shown last
         self._plan_number = 0
         self._angles = np.empty(0)
@@ -271,10 +271,10 @@ def places_of(positions: np.ndarray, scene: sim.Scene) -> tuple[tuple[int, int],
         scene: that they are of.
 
     Returns:
-        of the first `MOST_PLACES` masses; nothing where one is nowhere.
+        of the first `MAX_PLACES` masses; nothing where one is nowhere.
     """
     xmin, ymin, xmax, ymax = scene.view.frame
-    positions = positions[:MOST_PLACES]
+    positions = positions[:MAX_PLACES]
     if not np.isfinite(positions).all():
         return ()
     x = (positions[:, 0] - xmin) / (xmax - xmin)

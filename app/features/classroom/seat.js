@@ -20,7 +20,7 @@ import { keepInPlace } from "./place.js";
 /** Phases in which each pupil has a body of their own. */
 const FREE = new Set(["try", "collect"]);
 /** Letters of a line. */
-const MOST_LETTERS = 140;
+const MAX_LETTERS = 140;
 
 /** @type {Seat | null} */
 let seat = null;
@@ -233,7 +233,7 @@ function line(asking) {
   const form = make("form", "");
   const label = make("label", "", "Because ");
   const input = make("input", "");
-  input.maxLength = MOST_LETTERS;
+  input.maxLength = MAX_LETTERS;
   input.value = typed || given?.text || "";
   input.dataset.focus = "line";
   input.autocomplete = "off";

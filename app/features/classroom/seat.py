@@ -11,7 +11,7 @@ import viser
 import sim
 from app.classroom.judge import GoalWatch, Meter
 from app.classroom.live import Class, Doing, Front, Word
-from app.classroom.room import FREE, MOST_ANSWERS, Answer, Ghost, Line, Refused, Vote, Work, digest
+from app.classroom.room import FREE, MAX_ANSWERS, Answer, Ghost, Line, Refused, Vote, Work, digest
 from app.classroom.room import Seat as SeatOfRoom
 from sim.errors import InputError, SettingError
 from sim.scene.lesson import Step
@@ -30,7 +30,7 @@ from .role import NOTHING, ClassRole, asking, kind_of, places_of, predictions, t
 _ALWAYS = (from_page.InSeat, from_page.Who, from_page.Unread)
 
 
-MOST_TRIES = 5
+MAX_TRIES = 5
 """Pairs of digits that one page can try, of a hundred, to take a seat over."""
 
 HAND_IN_EVERY = 1.0
@@ -58,7 +58,7 @@ class SeatRole(ClassRole):
         self._stop = -1
         self._paused = False
         self._session: Session | None = None
-        self._unwritten: deque[tuple[int, str]] = deque(maxlen=MOST_ANSWERS)
+        self._unwritten: deque[tuple[int, str]] = deque(maxlen=MAX_ANSWERS)
         self._hand_in_due = 0.0
         self._audience: set[viser.ClientHandle] = set()  # that see its body on the wall
         self._tries = 0
@@ -104,7 +104,7 @@ class SeatRole(ClassRole):
             match said:
                 case from_page.TakeOver(digits):
                     self._tries += 1
-                    if self._tries > MOST_TRIES:
+                    if self._tries > MAX_TRIES:
                         raise Refused("These were too many tries; reload the page to go on.")
                     self._sit(self.room.move(self._secret, digits))
                 case from_page.Give():
@@ -132,7 +132,7 @@ class SeatRole(ClassRole):
         ready = tuple(id for version, id in self._unwritten if version <= self.klass.written)
         if ready:
             left = [one for one in self._unwritten if one[1] not in ready]
-            self._unwritten = deque(left, maxlen=MOST_ANSWERS)
+            self._unwritten = deque(left, maxlen=MAX_ANSWERS)
             self._mail.tell(Taken(ids=ready))
         if self.seat is not None and self.front is None:
             if self._stop != self.room.at:

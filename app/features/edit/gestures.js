@@ -33,7 +33,7 @@ const TWICE = 400;
 /** Pixels around a knob. */
 const KNOB = { mouse: 12, pen: 14, touch: 24 };
 /** Corners that a stroke is told with. */
-const MOST_POINTS = 48;
+const MAX_POINTS = 48;
 
 /** The press that is under way: its pointer, where it began and what was there. */
 let press = {
@@ -142,7 +142,7 @@ function led(at, { altKey, shiftKey }) {
       return { ...drag, dx: end.x - drag.start.x, dy: end.y - drag.start.y, moved: true };
     }
     case "stroke":
-      return { ...drag, points: pick.thinned([...drag.points, at], 4 * MOST_POINTS) };
+      return { ...drag, points: pick.thinned([...drag.points, at], 4 * MAX_POINTS) };
     case "turn": {
       const tip = shown().pictured?.joints[4 * drag.joint + 2] ?? 0;
       const angle = restAt(drag.joint, directionTo(tip, at));
@@ -183,7 +183,7 @@ function up(event) {
       return;
     }
     case "stroke": {
-      if (moved) send({ do: "stroke", points: pick.thinned(drag.points, MOST_POINTS).map(world) });
+      if (moved) send({ do: "stroke", points: pick.thinned(drag.points, MAX_POINTS).map(world) });
       return;
     }
     case "turn": {

@@ -11,7 +11,7 @@ import { wrapped } from "../../stage/draw.js";
 /** A wedge reaches so many times as far as its mass. */
 const WEDGE = 2.6;
 /** Pixels that a wedge reaches at least, for the pointer. */
-const LEAST_WEDGE = 24;
+const MIN_WEDGE = 24;
 
 /** The direction from one mass to another on the screen, degrees anticlockwise from the right. @param {ArrayLike<number>} places @param {number} from @param {number} to */
 const directionOf = (places, from, to) =>
@@ -87,7 +87,7 @@ export function jointAt(plan, places, at, step) {
     const tip = joints[4 * j + 2];
     const [dx, dy] = [at.x - places[2 * tip], places[2 * tip + 1] - at.y];
     const distance = Math.hypot(dx, dy);
-    if (distance > Math.max(WEDGE * radius[tip] * step, LEAST_WEDGE)) continue;
+    if (distance > Math.max(WEDGE * radius[tip] * step, MIN_WEDGE)) continue;
     const { one, two } = armsOf(plan, places, j);
     const width = Math.abs(wrapped(two - one));
     if (width < least && isBetween((Math.atan2(dy, dx) * 180) / Math.PI, one, two)) [found, least] = [j, width];

@@ -19,7 +19,7 @@ from ...ui.board import foremost
 from ...ui.page import Page
 from .messages import Link, Share
 
-MOST_IN_QR = 1200
+MAX_IN_QR = 1200
 """Characters of the longest link that gets a QR code; the squares of a longer one are too small for a camera
 across a room."""
 
@@ -47,7 +47,7 @@ class Sharing:
         except (InputError, SceneError) as error:
             self._mail.tell(Link(problem=str(error)))
             return
-        self._mail.tell(Link(link=link, qr=qr_code(link) if len(link) <= MOST_IN_QR else ""))
+        self._mail.tell(Link(link=link, qr=qr_code(link) if len(link) <= MAX_IN_QR else ""))
 
     def _link(self, scene: Scene, ask: Share) -> str:
         base, controls = self._for_others(ask.page), _controls(scene, ask.controls)

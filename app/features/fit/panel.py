@@ -39,13 +39,13 @@ FIRST = -10.0
 """Order of the first control: before all others of the tab, since it is what the tab was opened for."""
 LAST = 9.0
 """Order of what is said of tables: before the plots."""
-MOST_COLUMNS = 8
+MAX_COLUMNS = 8
 """Columns that a page can match; the command `softrod fit` takes more."""
-MOST_MASSES, MOST_NUMBERS = 60, 4000
+MAX_MASSES, MAX_NUMBERS = 60, 4000
 """Masses of a body, and numbers of a table, that a page fits: a fit shares the interpreter with the pages."""
-MOST_POINTS = 2000
+MAX_POINTS = 2000
 """Places that are drawn."""
-DRAWS, RATE, MOST_OF_FAN = 8, 30.0, 60_000
+DRAWS, RATE, MAX_OF_FAN = 8, 30.0, 60_000
 """Bodies that go with the data about as well, their frames a second, and numbers of all at most."""
 _NOT_SOUGHT = ("dt", "tolerance", "template")
 
@@ -95,7 +95,7 @@ class FitPanel:
             )
             self._about = gui.add_html(_text(about), order=FIRST)
             texts = guesses(table, self._scene)
-            for i, column in enumerate(table.columns[:MOST_COLUMNS]):
+            for i, column in enumerate(table.columns[:MAX_COLUMNS]):
                 self._columns[column.name] = gui.add_text(
                     _short(column.label),
                     initial_value=texts[column.name],
@@ -208,7 +208,7 @@ class FitPanel:
             scale = _value(values.get("length_scale"), self._given_scale() or math.nan)
             origin = tuple(_value(values.get(f"origin_{axis}"), 0.0) for axis in "xy")
             rows, places = places_of(matches, self._session.scene, scale, (origin[0], origin[1]))
-            some = np.linspace(0, rows.size - 1, min(rows.size, MOST_POINTS)).astype(int)
+            some = np.linspace(0, rows.size - 1, min(rows.size, MAX_POINTS)).astype(int)
             begin = table.time[0] if self._switches["start"].value or table.is_absolute else 0.0
             both = np.column_stack((table.time[rows[some]] - begin, places[some]))
             both = both[(np.abs(both) < 1e7).all(axis=1)]  # and no NaN, where there is no scale yet
@@ -239,10 +239,10 @@ class FitPanel:
 
     def _refuse(self, matches: tuple[Match, ...], vary: list[str]) -> None:
         scene, numbers = self._session.scene, sum(each.column.values.size for each in matches)
-        if len(scene.masses) > MOST_MASSES:
-            raise InputError(f"a page fits at most {MOST_MASSES} masses; softrod fit takes more")
-        if numbers > MOST_NUMBERS:
-            raise InputError(f"a page fits at most {MOST_NUMBERS} numbers; softrod fit takes more")
+        if len(scene.masses) > MAX_MASSES:
+            raise InputError(f"a page fits at most {MAX_MASSES} masses; softrod fit takes more")
+        if numbers > MAX_NUMBERS:
+            raise InputError(f"a page fits at most {MAX_NUMBERS} numbers; softrod fit takes more")
         if self._needs_scale(matches) and self._given_scale() is None:
             unit = scene.view.unit
             raise InputError(
@@ -328,13 +328,13 @@ def fan(found: Fit, seconds: float, breath: Breath) -> Fan:
 
     Args:
         found: the fit.
-        seconds: for how long; a body of many masses is followed for a shorter time, see `MOST_OF_FAN`.
+        seconds: for how long; a body of many masses is followed for a shorter time, see `MAX_OF_FAN`.
         breath: is taken after each body.
     """
     masses = len(found.scene.masses)
     dt = found.scene.integrator.dt
     every = max(round(1.0 / (RATE * dt)), 1)
-    frames = min(int(seconds / (every * dt)) + 2, MOST_OF_FAN // (2 * DRAWS * masses))
+    frames = min(int(seconds / (every * dt)) + 2, MAX_OF_FAN // (2 * DRAWS * masses))
     places = np.zeros((frames, DRAWS, masses, 2))
     for i, scene in enumerate(found.draws(DRAWS)):
         body = sim.Simulation(scene)

@@ -34,7 +34,7 @@ from .messages import (
     UseInClass,
 )
 
-MOST_PAINTED = 200
+MAX_PAINTED = 200
 """Saved scenes that get a picture; the others have their names."""
 
 PAINTED_AT_ONCE = 8
@@ -84,7 +84,7 @@ class Gallery:
             )
         )
         pictures: dict[str, str] = {}
-        saved = [info for info in scenes if not info.built_in][:MOST_PAINTED]
+        saved = [info for info in scenes if not info.built_in][:MAX_PAINTED]
         for count, info in enumerate(saved, start=1):
             if picture := _picture(info.path, ask.dark):
                 pictures[info.name] = picture
@@ -149,7 +149,7 @@ def _picture(path: Path, dark: bool) -> str:
         return ""
 
 
-@functools.lru_cache(maxsize=2 * MOST_PAINTED)
+@functools.lru_cache(maxsize=2 * MAX_PAINTED)
 def painted(path: Path, _: int, dark: bool) -> str:
     """The picture of the scene that a file had at a time; the last ones are kept."""
     data = thumbnails.picture(read_scene(path), dark)

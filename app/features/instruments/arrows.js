@@ -17,7 +17,7 @@ const PATIENCE = 1.5;
 /** How many times larger all may become and still fit a finer scale, before there is one. */
 const ROOM = 1.2;
 /** Radians of a full arc, and below which it is not drawn. */
-const [FULL_TURN, LEAST_TURN] = [1.5 * Math.PI, 0.2];
+const [FULL_TURN, MIN_TURN] = [1.5 * Math.PI, 0.2];
 /** Pixels between a mass and the arc of its joint. */
 const ARC = 12;
 
@@ -141,7 +141,7 @@ const text = (value) => value.toFixed(1);
  * @param {number} turn radians, clockwise
  */
 export function turnArrow(x, y, radius, from, turn) {
-  if (!(Math.abs(turn) >= LEAST_TURN)) return "";
+  if (!(Math.abs(turn) >= MIN_TURN)) return "";
   const sense = Math.sign(turn);
   const size = headOf(0.7 * radius * Math.abs(turn));
   /** @param {number} angle */

@@ -21,7 +21,7 @@ KINDS = ("forces", "velocities", "torques")
 
 MOST = 240
 """Arrows of a kind, about: of more masses or joints, every second or third one has an arrow."""
-MOST_HELD = 60
+MAX_HELD = 60
 """Held masses that have an arrow in any case."""
 
 EVERY = 1.0 / 30.0
@@ -113,7 +113,7 @@ def encode(
     """
     masses = max(len(numbers[0]), len(numbers[1]))
     step, joint_step = _step(masses), _step(len(numbers[2]))
-    held = held[:MOST_HELD]
+    held = held[:MAX_HELD]
     chosen = [*range(0, masses, step), *(mass for mass in held if mass % step)]
     forces, velocities = (part[chosen] if len(part) else part for part in numbers[:2])
     head = plan, time, step, joint_step, *least

@@ -12,7 +12,7 @@ from ...ui.viser.handlers import on_change
 from .arrows import KINDS, Arrows
 from .messages import Tools
 
-MOST_TRACES = 8
+MAX_TRACES = 8
 """Masses whose path is drawn at the same time; the one that was chosen first gives way."""
 
 LENGTHS = {"1 s": 1, "2 s": 2, "5 s": 5, "10 s": 10, "30 s": 30}
@@ -100,7 +100,7 @@ class ToolsPanel:
         """Trace the chosen mass, or no longer."""
         if self._chosen is not None:
             others = tuple(mass for mass in self._traced if mass != self._chosen)
-            self._traced = (*others, self._chosen)[-MOST_TRACES:] if on else others
+            self._traced = (*others, self._chosen)[-MAX_TRACES:] if on else others
         self._show()
 
     def clear_traces(self) -> None:

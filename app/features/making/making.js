@@ -16,7 +16,7 @@ import { StepForm } from "./step_form.js";
 
 /** Under which the browser keeps that the form is open. */
 const NAME = "softrod-making";
-const MOST_STEPS = 20;
+const MAX_STEPS = 20;
 /** Milliseconds between two looks whether viser has made its canvas anew. */
 const LOOK_EVERY = 200;
 /** Size of a phone's page. */
@@ -151,7 +151,7 @@ function begin() {
     tool("Duplicate", "Duplicate", () => {
       send({ do: "copyStep", step: at });
       go(at + 1);
-    }, form.steps.length < MOST_STEPS);
+    }, form.steps.length < MAX_STEPS);
     tool("Remove", "Remove", () => {
       send({ do: "removeStep", step: at });
       focus(`step ${Math.max(0, at - 1)}`);
@@ -194,7 +194,7 @@ function begin() {
     about.hidden = some;
     add.textContent = some ? "Add a step" : "Add the first step";
     add.classList.toggle("softrod-first", !some);
-    add.disabled = steps.length >= MOST_STEPS;
+    add.disabled = steps.length >= MAX_STEPS;
     fields.element.hidden = foot.hidden = drop.hidden = !some || offers === null;
     if (some && offers) fields.show(steps[at], at, begins[at] ?? "", offers);
   };

@@ -10,7 +10,7 @@ import { labelled, makeCheck, refusal } from "./fields.js";
 /** @typedef {HTMLInputElement | HTMLTextAreaElement} Field */
 
 /** What a question has at most, see `sim.scene.lesson`. */
-const MOST_CHOICES = 5;
+const MAX_CHOICES = 5;
 
 export class QuestionForm {
   /**
@@ -54,7 +54,7 @@ export class QuestionForm {
       question.choices.push("");
       this.build(`question.choices[${question.choices.length - 1}]`);
     }, "softrod-button");
-    more.hidden = question.choices.length >= MOST_CHOICES;
+    more.hidden = question.choices.length >= MAX_CHOICES;
     const because = this.area(question.because, (value) => (question.because = value));
     this.element.append(list, refusal("question.choices"), more, labelled("Why that is right", because, "question.because"), refusal("question"));
     const line = focus && this.element.querySelector(`[data-field="${focus}"]`);

@@ -18,7 +18,7 @@ import { QuestionForm } from "./question_form.js";
 /** Milliseconds without a key after which what was typed is sent. */
 const PAUSE = 600;
 /** Sliders that a step has at most, see `sim.scene.lesson`. */
-const MOST_CONTROLS = 6;
+const MAX_CONTROLS = 6;
 
 /** The form of one step. */
 export class StepForm {
@@ -304,7 +304,7 @@ export class StepForm {
           send({ do: "offerInStep", step: this.number, controls: now });
         });
         box.checked = chosen.includes(key);
-        box.disabled = !box.checked && chosen.length >= MOST_CONTROLS;
+        box.disabled = !box.checked && chosen.length >= MAX_CONTROLS;
         return row;
       }),
     );

@@ -17,7 +17,7 @@ from ...ui.viser.handlers import on_change, on_press
 from .messages import ShowMeasures
 from .plot_list import SPANS, PlotList
 
-MOST_PARTS = 24
+MAX_PARTS = 24
 """Joints and springs of the chosen mass that are offered, at most."""
 
 TIME = "time"
@@ -121,9 +121,9 @@ class MeasurePanel:
         if scene.angular_springs:
             joints = list(dict.fromkeys((joint, *joints)))
         counted = (
-            *(f"joint{j}" for j in joints[:MOST_PARTS]),
+            *(f"joint{j}" for j in joints[:MAX_PARTS]),
             f"mass{mass}",
-            *(f"spring{s}" for s in springs[:MOST_PARTS]),
+            *(f"spring{s}" for s in springs[:MAX_PARTS]),
         )
         return (*counted, *(part for part in OFFERED if part not in COUNTED))
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ...session.plots import LEAST_PART
+from ...session.plots import MIN_PART
 
 Floats = NDArray[np.float64]
 
@@ -113,5 +113,5 @@ def _range(values: Floats) -> tuple[float, float]:
     low, high = float(finite.min()), float(finite.max())
     # Values that hardly differ are told apart by no marks.
     size = max(abs(low), abs(high))
-    more = 0.05 * (high - low) if high - low > LEAST_PART * size else 0.05 * size or 1.0
+    more = 0.05 * (high - low) if high - low > MIN_PART * size else 0.05 * size or 1.0
     return low - more, high + more

@@ -18,7 +18,7 @@ from sim.scene.types import shown_name
 
 from ...export.workshop import workshop
 from ...session.notices import Notice
-from ...session.plots import MOST_PLOTS, Plot, Wish, curve
+from ...session.plots import MAX_PLOTS, Plot, Wish, curve
 from ...stage.colors import palette
 from ...ui.page import Page
 from . import plots
@@ -127,7 +127,7 @@ class PlotList:
 
     def remember(self, wishes: tuple[Wish, ...]) -> None:
         """Have these plots, and no others, as soon as the scene is there that they are of."""
-        self._kept = wishes[:MOST_PLOTS]
+        self._kept = wishes[:MAX_PLOTS]
 
     def build(self) -> None:
         """Another scene, or other looks: plots of what is not there any more go, the others begin anew if
@@ -174,8 +174,8 @@ class PlotList:
     def add(self, wish: Wish) -> None:
         """Open a plot, or say why not."""
         try:
-            if len(self._plots) == MOST_PLOTS:
-                raise InputError(f"a page has room for {MOST_PLOTS} plots; remove one first")
+            if len(self._plots) == MAX_PLOTS:
+                raise InputError(f"a page has room for {MAX_PLOTS} plots; remove one first")
             plot = Plot(wish, self._session.scene)
         except InputError as error:
             self._page.notify(Notice("error", "That cannot be plotted", f"{error}."))

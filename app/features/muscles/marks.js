@@ -15,7 +15,7 @@ import { countMuscles, muscleAt, waveAt } from "../../stage/swing.js";
 /** Amplitudes that reach to the edge: of a spring, a fraction, and of a joint, degrees. */
 const [FULL_STRETCH, FULL_TURN] = [0.4, 60];
 /** Amplitudes that there can be. */
-const [MOST_STRETCH, MOST_TURN] = [0.9, 180];
+const [MAX_STRETCH, MAX_TURN] = [0.9, 180];
 /** Pixels around the wave. */
 export const EDGE = 15;
 /** Parts of a beat to which a drag keeps. */
@@ -110,7 +110,7 @@ export function stepOf(all, later, higher) {
 function within(all, wanted) {
   let part = wanted;
   for (const { joint, amplitude } of all) {
-    const [full, most] = joint ? [FULL_TURN, MOST_TURN] : [FULL_STRETCH, MOST_STRETCH];
+    const [full, most] = joint ? [FULL_TURN, MAX_TURN] : [FULL_STRETCH, MAX_STRETCH];
     part = Math.max((-most - amplitude) / full, Math.min((most - amplitude) / full, part));
   }
   return part;

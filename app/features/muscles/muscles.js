@@ -32,7 +32,7 @@ const SETTLES = 500;
 /** Beats by which an arrow moves a mark, and parts of the full height; and how much less with Shift. */
 const [LATER, HIGHER, FINE] = [1 / 36, 0.05, 0.2];
 /** Waves that are drawn, beside those of marks that are selected. */
-const MOST_WAVES = 60;
+const MAX_WAVES = 60;
 /** Waves of selected marks that are drawn boldly. */
 const FEW = 5;
 /** Pixels of height below which the body needs the room more than the strip. */
@@ -126,7 +126,7 @@ function makeStrip() {
     const middle = (box.height / 2).toFixed(1);
     set(axis, { d: `M0 ${middle}H${box.width}` });
     const bold = all.filter((mark) => mark === pointed || mark === focused || isSelected(mark));
-    const faint = all.filter((mark) => !bold.includes(mark)).slice(0, MOST_WAVES);
+    const faint = all.filter((mark) => !bold.includes(mark)).slice(0, MAX_WAVES);
     set(waves, { d: faint.map((mark) => waveOf(mark, box)).join("") });
     chosen.classList.toggle("softrod-muscles-many", bold.length > FEW);
     set(chosen, { d: bold.map((mark) => waveOf(mark, box)).join("") });

@@ -21,7 +21,7 @@ from ...session.notices import Notice
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command
 
-MOST_MASSES = 200
+MAX_MASSES = 200
 """Masses of a body for which a page does that; `softrod study` does it for more."""
 
 _shop = Workshop()
@@ -79,9 +79,9 @@ class MethodPanel:
         page = self._page
         try:
             scene = page.session.snapshot("methods", False)
-            if len(scene.masses) > MOST_MASSES:
+            if len(scene.masses) > MAX_MASSES:
                 raise InputError(
-                    f"a page does that for at most {MOST_MASSES} masses; softrod study does it for more"
+                    f"a page does that for at most {MAX_MASSES} masses; softrod study does it for more"
                 )
             self._found = scene, _said(compare_methods(scene, wait=False))
         except (InputError, SceneError) as error:

@@ -33,7 +33,7 @@ from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_change
 from ...ui.viser.slider_box import DECIMALS, Limits, SliderBox, alike, rounded
 
-MOST_MASSES = 200
+MAX_MASSES = 200
 """Masses of a body of which a page is told; pages would notice the work for larger ones."""
 
 _TAKEN = 1.0
@@ -75,9 +75,9 @@ class Tuner:
         self.busy = True
         if self._at_work or not settled:
             return
-        if len(scene.masses) > MOST_MASSES:
+        if len(scene.masses) > MAX_MASSES:
             self._show(
-                scene, None, f"is told here of at most {MOST_MASSES} masses; sim.tuning tells it of more"
+                scene, None, f"is told here of at most {MAX_MASSES} masses; sim.tuning tells it of more"
             )
         elif is_compiled(scene):
             self._at_work = True
@@ -336,7 +336,7 @@ class TuningPanel:
         session = self._session
         try:
             scene = session.snapshot("tuning", False)
-            if len(scene.masses) > MOST_MASSES or not is_compiled(scene):
+            if len(scene.masses) > MAX_MASSES or not is_compiled(scene):
                 return ""
             made = _designed(scene, key, value)
         except (InputError, SceneError) as error:
@@ -365,8 +365,8 @@ class TuningPanel:
         def run() -> None:
             try:
                 scene = self._session.snapshot("tuning", with_pose)
-                if len(scene.masses) > MOST_MASSES:
-                    raise InputError(f"a page does that for at most {MOST_MASSES} masses")
+                if len(scene.masses) > MAX_MASSES:
+                    raise InputError(f"a page does that for at most {MAX_MASSES} masses")
                 if not is_compiled(scene):
                     raise InputError("the solver is still being compiled; try again in a moment")
                 work(scene)

@@ -26,7 +26,7 @@ beside = ThreadPoolExecutor(8, thread_name_prefix="softrod-beside")
 the step of a heavy body, in which nobody else's is to be held up."""
 
 
-MOST_UNFINISHED = 6_000_000
+MAX_UNFINISHED = 6_000_000
 """Letters of texts of which parts are missing that one page may have: the longest one, and some more."""
 
 
@@ -69,7 +69,7 @@ class Answers:
             return
         letters = self._parts[part.kind].add(part.number, part.of, part.letters)
         if letters is None:
-            if sum(text.size for text in self.unfinished) > MOST_UNFINISHED:
+            if sum(text.size for text in self.unfinished) > MAX_UNFINISHED:
                 self._parts.clear()
                 self._page.notify(TOO_MUCH)
             return

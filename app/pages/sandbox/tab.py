@@ -67,7 +67,7 @@ KEEP_EVERY, KEEP_SHARE, KEEP_LATEST = 1.0, 0.001, 3.0
 """Seconds between two keepsakes, at least; the share of processor time that making them may take; and seconds
 between two, at most, whatever they take."""
 
-MOST_REQUESTS = 20
+MAX_REQUESTS = 20
 """What one page may ask the ticker for in a frame; what comes faster waits, or is dropped."""
 
 CALM_FRAME = 1.0
@@ -618,7 +618,7 @@ class Tab:
     def _serve_requests(self, session: Session) -> None:
         self._page.serve()
         # No more in a frame than a person can ask for: others wait for the same thread.
-        for _ in range(min(len(self._requests), MOST_REQUESTS)):
+        for _ in range(min(len(self._requests), MAX_REQUESTS)):
             self._requests.take()(session)
 
     # --------------------------------------------------------------------- what was asked for

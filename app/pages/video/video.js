@@ -10,7 +10,7 @@ import { tableOf } from "./table.js";
 /** Of Okabe and Ito, which the colour-blind can tell apart. */
 const COLOURS = ["#d55e00", "#0072b2", "#009e73"];
 /** Frames of the longest video. */
-const MOST_FRAMES = 20000;
+const MAX_FRAMES = 20000;
 /** Milliseconds in which a browser tells the time of a frame, unless it shows the same one as before. */
 const PATIENCE = 500;
 /** How fast a video is played to find its rate, and how many frames of it; slower where there are more than a few a second. */
@@ -53,7 +53,7 @@ let queue = Promise.resolve();
 /** @param {string} text */
 const say = (text) => void (byId("said").textContent = text);
 const framesASecond = () => Math.max(1, Math.min(1000, Number(rate.value) || 30));
-const frames = () => Math.max(1, Math.min(MOST_FRAMES, Math.round(video.duration * framesASecond())));
+const frames = () => Math.max(1, Math.min(MAX_FRAMES, Math.round(video.duration * framesASecond())));
 
 /** @param {string} event */
 const heard = (event) => new Promise((done) => video.addEventListener(event, done, { once: true }));

@@ -11,7 +11,7 @@ from msgspec import Meta
 
 from ...session.plots import Wish
 
-MOST_BYTES = 8_000_000
+MAX_BYTES = 8_000_000
 """Of what a page gives back, unpacked: a scene of the largest size, and what belongs to it."""
 
 
@@ -62,13 +62,13 @@ def decode(letters: str) -> Kept | None:
 
 
 def unpacked(letters: str) -> bytes:
-    """What a page has packed, at most MOST_BYTES of it.
+    """What a page has packed, at most MAX_BYTES of it.
 
     Raises:
         ValueError: it was not packed so.
     """
     try:
-        return zlib.decompressobj().decompress(base64.b64decode(letters, validate=True), MOST_BYTES)
+        return zlib.decompressobj().decompress(base64.b64decode(letters, validate=True), MAX_BYTES)
     except zlib.error as error:
         raise ValueError(str(error)) from None
 

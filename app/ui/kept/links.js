@@ -13,7 +13,7 @@ const BEGIN = /^#\d+\./;
 /** Characters of a message; the gate takes 64 KiB. */
 const PART = 48_000;
 /** Parts of a text; the server takes no more. */
-const MOST_PARTS = 99;
+const MAX_PARTS = 99;
 
 /** The data of a link that is to be opened. */
 let due = "";
@@ -43,7 +43,7 @@ export function keepAddress() {
  */
 export function sendParts(kind, letters) {
   const parts = Math.max(1, Math.ceil(letters.length / PART));
-  if (parts > MOST_PARTS) {
+  if (parts > MAX_PARTS) {
     send({ do: "unsent", what: kind });
     return false;
   }

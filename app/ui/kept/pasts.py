@@ -9,7 +9,7 @@ import threading
 
 from ...session.versions import Versions
 
-MOST_PAGES, MOST_BYTES = 64, 128_000_000
+MAX_PAGES, MAX_BYTES = 64, 128_000_000
 """Pages of which it is kept at most, and what all of it may take; the newest always is."""
 
 _lock = threading.Lock()
@@ -22,7 +22,7 @@ def keep(secret: str, versions: Versions) -> None:
         _pasts.pop(secret, None)
         _pasts[secret] = versions
         while len(_pasts) > 1 and (
-            len(_pasts) > MOST_PAGES or sum(each.bytes for each in _pasts.values()) > MOST_BYTES
+            len(_pasts) > MAX_PAGES or sum(each.bytes for each in _pasts.values()) > MAX_BYTES
         ):
             del _pasts[next(iter(_pasts))]
 

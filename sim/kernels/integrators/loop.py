@@ -26,7 +26,7 @@ from .steps import (
     shortest_of,
 )
 
-_MOST_AT_ONCE = 64
+_MAX_AT_ONCE = 64
 """Number of steps that may be done between two checks of the state. If a check fails, fixed ones are done
 again one at a time, so that a body that runs away stops at its last good state."""
 
@@ -60,7 +60,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
     number = last = 0
     # With an energy balance, methods with a fixed step do one at a time, which gives the same bits.
     accounts = balance.active and fixed > 0.0
-    most = 1 if accounts or problem.settle != 0 or problem.stick != 0 else _MOST_AT_ONCE
+    most = 1 if accounts or problem.settle != 0 or problem.stick != 0 else _MAX_AT_ONCE
     if knows_a:
         ensure_acceleration(problem, drive)
     else:

@@ -16,7 +16,7 @@ from .loop import advance
 from .steps import HOPELESS, first_step, largest_sum, step_after
 from .turning import remember
 
-_MOST_STAGES = 8
+_MAX_STAGES = 8
 """Largest number of stages of a method."""
 
 _SPAN = 5e-3
@@ -47,8 +47,8 @@ def _step(problem, drive, old, new, t, h, tolerance):
     eight_at_a_time()
     body, state, integrator, method = problem.body, problem.state, problem.integrator, problem.implicit
     q, v, to_q, to_v, to_a, rows = old.q, old.v, new.q, new.v, new.a, integrator.rows
-    xs, ws = rows[:_MOST_STAGES], rows[_MOST_STAGES : 2 * _MOST_STAGES]
-    rest, right, by_time = rows[2 * _MOST_STAGES], rows[2 * _MOST_STAGES + 1], rows[2 * _MOST_STAGES + 2]
+    xs, ws = rows[:_MAX_STAGES], rows[_MAX_STAGES : 2 * _MAX_STAGES]
+    rest, right, by_time = rows[2 * _MAX_STAGES], rows[2 * _MAX_STAGES + 1], rows[2 * _MAX_STAGES + 2]
     stages = method.stages
     g = 1.0 / (method.gamma * h)
     regular = factorise(problem, q, v, g * g, g, False)
@@ -99,7 +99,7 @@ def _control(problem, drive, old, new, h, tolerance, error, good):
     integrator, rows = problem.integrator, problem.integrator.rows
     if not good:
         error = max(error, 2.0)
-        for i in range(2 * _MOST_STAGES):  # sums include stages with weight zero, which may be NaN
+        for i in range(2 * _MAX_STAGES):  # sums include stages with weight zero, which may be NaN
             for j in range(1, old.q.size - SPARE):
                 rows[i, j] = 0.0
     elif integrator.alpha.rows.shape[0] > 0:  # in case generalized-alpha goes on from here

@@ -18,7 +18,7 @@ const SPAN = 10;
 /** Pixels: left and right of the curves, above, below. */
 const [LEFT, RIGHT, TOP, BOTTOM] = [62, 10, 8, 22];
 /** Range of an axis on either side, at least, as a part of the largest value on it: its marks have different numbers. */
-const LEAST_PART = 2e-3;
+const MIN_PART = 2e-3;
 /** Lines of the grid, about. */
 const LINES = 4;
 /** Colours of the curves, in turn. */
@@ -40,7 +40,7 @@ function rangeOf(all) {
     }
   }
   if (!(high >= low)) return [0, 1];
-  const least = LEAST_PART * Math.max(Math.abs(low), Math.abs(high), 1);
+  const least = MIN_PART * Math.max(Math.abs(low), Math.abs(high), 1);
   const room = Math.max(0.06 * (high - low), least);
   return [low - room, high + room];
 }

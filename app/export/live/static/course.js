@@ -37,7 +37,7 @@ import { qrCode } from "./qr.js";
 import { said } from "./readings.js";
 
 /** Letters of a line and of a name, as a class takes them. */
-const [MOST_LETTERS, MOST_NAME] = [140, 20];
+const [MAX_LETTERS, MAX_NAME] = [140, 20];
 /** Modules of light paper around a QR code. */
 const QUIET = 4;
 /** Milliseconds between two updates of how far a goal is. */
@@ -158,7 +158,7 @@ export function addCourse({ code, frame, steps }, does) {
     const { given } = present();
     const label = make("label", "softrod-line", "In your own words: ");
     const input = make("input", "");
-    Object.assign(input, { maxLength: MOST_LETTERS, value: given.line, autocomplete: "off" });
+    Object.assign(input, { maxLength: MAX_LETTERS, value: given.line, autocomplete: "off" });
     input.addEventListener("input", () => {
       given.line = input.value.trim();
       state.turn++;
@@ -233,7 +233,7 @@ function addHandIn(sheet, frame, called, rename) {
   box.hidden = false;
   const label = make("label", "softrod-line", "Your name or nickname, if your teacher wants one: ");
   const input = make("input", "");
-  Object.assign(input, { maxLength: MOST_NAME, value: called, autocomplete: "off" });
+  Object.assign(input, { maxLength: MAX_NAME, value: called, autocomplete: "off" });
   label.append(input);
   const canvas = make("canvas", "qr");
   canvas.setAttribute("role", "img");
