@@ -5,7 +5,7 @@ import { onTold, told } from "../wire/channel.js";
 import { toWorld } from "./draw.js";
 import { MARGIN, NEAR, STRIP } from "./looks.js";
 import { editing } from "../features/edit/editing.js";
-import { placeTransport } from "../ui/transport.js";
+import { placeTransport } from "./dock.js";
 import { viser } from "../ui/viser/viser.js";
 
 /** How many times larger than the scene's frame a view may be; a body farther away is left out. */

@@ -6,7 +6,7 @@
 import { told } from "../wire/channel.js";
 import { make } from "../ui/dialog.js";
 import { frameMarks } from "./overlay.js";
-import { timeNow } from "../ui/transport.js";
+import { timeNow } from "../ui/clock.js";
 import { CHARTS } from "../ui/viser/widgets.js";
 
 /** The words of the lesson's present step, but none of its buttons. */

@@ -8,7 +8,7 @@ import { onPicture, secondIn, shown } from "./canvas.js";
 import { onTold, told } from "../wire/channel.js";
 import { makeSvg, set, sight } from "./overlay.js";
 import { onScreen } from "./screen.js";
-import { timeNow } from "../ui/transport.js";
+import { timeNow } from "../ui/clock.js";
 import { viser } from "../ui/viser/viser.js";
 
 /** Milliseconds between two pictures of the wind around a body at rest, of which no frames come. */

@@ -17,14 +17,6 @@ from sim.settings import Setting, setting_keys
 
 from ..gate.address import page_query
 
-CORE = {
-    "play": "the bar of time under the body",
-    "help": "Help, in the View menu",
-    "view": "the other entries of the View menu",
-}
-"""Names of controls of no feature, and what they stand for; besides them and those of features, the key of
-any setting stands for its slider."""
-
 IN_PLAY_TAB = ("chooser", "about", "follow", "angle", "keys", "body")
 """Those that stand in the Play tab, as the sliders of single settings do."""
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol, TypeVar
 
+import msgspec
 import viser
 
 from sim.design.measurements import Measurement
@@ -14,9 +15,10 @@ from sim.scene.types import Scene
 
 from ..session.notices import Notice
 from ..session.plots import Wish
-from ..session.session import Session
+from ..session.session import Changed, Session
+from ..stage import sketch
 from ..wire.carrier import Mail
-from .commands import CORE, Row
+from .commands import Row
 from .controls import ALL, Controls
 from .kept.keeping import PLAIN, Looks
 from .shelf import Shelf
@@ -54,10 +56,11 @@ class Page:
         notify: tells its user something.
         perform: does a command of the table.
         shelf: its scenes.
-        commas: whether its tables have decimal commas.
         commands: the whole table of them.
         controls: which it has; what there is not is not made.
         looks: how it looks.
+        mapping: from the scene to the page's world and back.
+        commas: whether its tables have decimal commas.
         plots: its lists of plots.
         features: what it can do; see `find`.
         soon: has the ticker do something before the next frame; any thread may ask.
@@ -77,8 +80,7 @@ class Page:
     notify: Callable[[Notice], None]
     perform: Callable[[str], None]
     shelf: Shelf
-    commas: CommaSwitch
-    commands: Mapping[str, Row] = field(default_factory=lambda: CORE)
+    commands: Mapping[str, Row] = field(default_factory=dict)
     controls: Controls = ALL
     looks: Looks = PLAIN
     plots: list[Plots] = field(default_factory=list)
@@ -90,9 +92,13 @@ class Page:
     begin_class: Callable[[Scene], str] | None = None
     for_others: Callable[[str], str] = str
     take_tables: Callable[[tuple[Measurement, ...]], None] | None = None
+    mapping: sketch.Mapping = field(init=False)
+    commas: CommaSwitch = field(init=False)
     _asked: Waiting[Callable[[], object]] = field(init=False)
 
     def __post_init__(self) -> None:
+        self.mapping = sketch.Mapping.of(self.session.scene)
+        self.commas = CommaSwitch(self._set_commas)
         self._asked = Waiting(self.notify)
 
     @property
@@ -128,6 +134,15 @@ class Page:
         self.plots.clear()
         self.take_tables = None
         self.commas.clear()
+
+    def _set_commas(self, on: bool) -> None:
+        self.soon(lambda: self.set_look("commas", on))
+
+    def set_look(self, look: str, on: bool) -> None:
+        """Turn one of the looks on or off; the ticker's. The page shows it with the next frame."""
+        self.looks = msgspec.structs.replace(self.looks, **{look: on})
+        self.commas.show(self.looks.commas)
+        self.session.note(Changed.SETTINGS)
 
     # --------------------------------------------------------------------- controls
     def button(

@@ -15,11 +15,7 @@ from msgspec import Meta
 from .messages import (
     Ask,
     CommandName,
-    Coordinate,
     FromPage,
-    Hand,
-    Index,
-    Key,
     OwnBody,
     PhaseName,
     Point,
@@ -27,67 +23,14 @@ from .messages import (
 )
 
 
-# ------------------------------------------------------------------------- commands, keys and hands
 class Perform(OwnBody, frozen=True):
     """Do a command of the table, see `commands`."""
 
     command: CommandName
 
 
-class Keys(OwnBody, frozen=True):
-    """The arrow keys that are held; said again and again while any is."""
-
-    held: Annotated[tuple[Key, ...], Meta(max_length=4)]
-
-
-class At(OwnBody, frozen=True):
-    """Where hands are; said at every animation frame in which one moved."""
-
-    hands: Annotated[tuple[tuple[Hand, Coordinate, Coordinate], ...], Meta(min_length=1, max_length=10)]
-
-
-class Grab(OwnBody, frozen=True):
-    """A hand takes hold of a mass."""
-
-    hand: Hand
-    mass: Index
-    x: Coordinate
-    y: Coordinate
-
-
-class Drop(OwnBody, frozen=True):
-    """A hand lets go."""
-
-    hand: Hand
-
-
-class Pick(OwnBody, frozen=True):
-    """A mass was clicked."""
-
-    mass: Index
-
-
-# ------------------------------------------------------------------------- time and looks
-class GoTo(OwnBody, frozen=True):
-    """Show a moment of the past, s."""
-
-    time: Coordinate
-
-
-class Speed(OwnBody, frozen=True):
-    """How fast time goes, simulated seconds per second."""
-
-    speed: Coordinate
-
-
 class Visit(OwnBody, frozen=True):
     """A slider was pressed, or a number box entered: what is changed from here on is another step of undo."""
-
-
-class Seen(OwnBody, frozen=True):
-    """In which tab somebody sees plots now; they are not sent otherwise."""
-
-    tab: Literal["measure", "lesson", ""]
 
 
 # ------------------------------------------------------------------------- long texts

@@ -1,9 +1,9 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "body" | "lengths" | "angles" | "palette" | "help" | "follow" | "ownBody" | "plot" | "stopwatch" | "energy" | "foretell" | "ownSolver" | "share" | "video" | "picture" | "gallery" | "anew" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "follow" | "ownBody" | "plot" | "stopwatch" | "energy" | "foretell" | "ownSolver" | "share" | "video" | "picture" | "gallery" | "anew" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "palette" | "help" | "body" | "lengths" | "angles";
 /** Texts that are too long for one message. */
 export type TextKind = "resume" | "link" | "file" | "rival" | "paste";
 /** Commands that the page's script does, by the features that they belong to. */
-export type PageCommands = { core: "fit" | "chase" | "larger"; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit" };
+export type PageCommands = { time: never; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit"; view: "fit" | "chase" | "larger"; hands: never };
 /** The scene is to have another name and another description. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
 /** The beat of all muscles is to have another frequency, Hz. */
@@ -40,6 +40,16 @@ export type OpenScene = { do: "openScene"; name: string };
 export type UseInClass = { do: "useInClass"; name: string };
 /** Do something with one of the page's own scenes; `name` is that of a deleted one for "restore". */
 export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
+/** The arrow keys that are held; repeated while any of them is. */
+export type Keys = { do: "keys"; held: ("down" | "left" | "right" | "up")[] };
+/** Where hands are; sent at every animation frame in which one moved. */
+export type At = { do: "at"; hands: [number, number, number][] };
+/** A hand takes hold of a mass. */
+export type Grab = { do: "grab"; hand: number; mass: number; x: number; y: number };
+/** A hand lets go. */
+export type Drop = { do: "drop"; hand: number };
+/** A mass was clicked. */
+export type Pick = { do: "pick"; mass: number };
 /** The page goes to a step of the scene's lesson. */
 export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "wait" };
 /** The form of the lesson is to be open, or not. */
@@ -76,30 +86,20 @@ export type TryStep = { do: "tryStep"; step: number };
 export type EndTrying = { do: "endTrying" };
 /** The lesson is to go. */
 export type DropLesson = { do: "dropLesson" };
+/** In which tab somebody sees plots now; they are not sent otherwise. */
+export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
 /** The body is to be put into a mode, with a part of the amplitude of a full bar. */
 export type PutMode = { do: "putMode"; mode: number; part: number };
 /** A mode is to be driven as long as a bar is pressed; none (-1) from then on. */
 export type DriveMode = { do: "driveMode"; mode: number };
-/** Do a command of the table, see `commands`. */
-export type Perform = { do: "perform"; command: CommandName };
-/** The arrow keys that are held; said again and again while any is. */
-export type Keys = { do: "keys"; held: ("down" | "left" | "right" | "up")[] };
-/** Where hands are; said at every animation frame in which one moved. */
-export type At = { do: "at"; hands: [number, number, number][] };
-/** A hand takes hold of a mass. */
-export type Grab = { do: "grab"; hand: number; mass: number; x: number; y: number };
-/** A hand lets go. */
-export type Drop = { do: "drop"; hand: number };
-/** A mass was clicked. */
-export type Pick = { do: "pick"; mass: number };
 /** Show a moment of the past, s. */
 export type GoTo = { do: "goTo"; time: number };
 /** How fast time goes, simulated seconds per second. */
 export type Speed = { do: "speed"; speed: number };
+/** Do a command of the table, see `commands`. */
+export type Perform = { do: "perform"; command: CommandName };
 /** A slider was pressed, or a number box entered: what is changed from here on is another step of undo. */
 export type Visit = { do: "visit" };
-/** In which tab somebody sees plots now; they are not sent otherwise. */
-export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
 /** A text was typed into a number box that is no number; its user is to be told. */
 export type Unread = { do: "unread"; text: string };
 /** Something was too long to be sent; its user is to be told. */
@@ -142,7 +142,7 @@ export type ToWall = { do: "toWall"; answer: string };
 export type Bring = { do: "bring"; text: string };
 /** Something is to be done with one seat. */
 export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
-export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Unread | Unsent | Who | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
+export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | Seen | PutMode | DriveMode | GoTo | Speed | Perform | Visit | Unread | Unsent | Who | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
 /** A scene as the gallery shows it. */
 export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */

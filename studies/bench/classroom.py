@@ -30,6 +30,7 @@ from websockets.exceptions import WebSocketException
 import sim
 from app.classroom import kept
 from app.classroom.room import Room, digest
+from app.features.hands import messages as hands
 from app.wire import from_page
 from app.wire.messages import tag_of
 from sim.scene.lesson import Lesson, Question, Reading, Step
@@ -224,7 +225,7 @@ async def _lead(talk: Talk, number: int, stop: asyncio.Event) -> None:
     await talk.say(from_page.Perform("follow"))
     while not stop.is_set():
         angle = 2.0 * time.monotonic() + number
-        await talk.say(from_page.At(((0, 0.6 * math.cos(angle), 1.0 + 0.6 * math.sin(angle)),)))
+        await talk.say(hands.At(((0, 0.6 * math.cos(angle), 1.0 + 0.6 * math.sin(angle)),)))
         await asyncio.sleep(STEER_EVERY)
 
 

@@ -16,6 +16,7 @@ from rich.console import Console
 from rich.table import Table
 
 import sim
+from app.features.hands import messages as hands
 from app.wire import from_page
 
 from .client import FRAME_PLACES, FRAME_TIME, Page, is_frame, saying, state_of
@@ -174,7 +175,7 @@ def _latencies(masses: int, count: int, cache: str) -> list[float]:
             page.read_for(0.03 + 0.01 * (i % 4))
             before = page.wait_for(is_frame)["numbers"][driven]
             began = time.perf_counter()
-            page.send(saying(from_page.At(((0, 0.5 * (i % 2), 1.0),))))
+            page.send(saying(hands.At(((0, 0.5 * (i % 2), 1.0),))))
             page.wait_for(lambda m: is_frame(m) and (m["numbers"][driven] != before).any())  # noqa: B023
             result.append(time.perf_counter() - began)
         return result

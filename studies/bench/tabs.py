@@ -17,6 +17,7 @@ from websockets.asyncio.client import connect
 
 import sim
 from app.features.gallery.messages import OpenScene
+from app.features.hands import messages as hands
 from app.wire import from_page
 from sim import Scene
 from sim.store.files import encode_scene
@@ -92,7 +93,7 @@ async def _visit(
                     pressed = True
                     await say(from_page.Perform("pause"))
                 angle = 2.0 * time.monotonic() + number
-                await say(from_page.At(((0, 0.6 * math.cos(angle), 1.0 + 0.6 * math.sin(angle)),)))
+                await say(hands.At(((0, 0.6 * math.cos(angle), 1.0 + 0.6 * math.sin(angle)),)))
                 await asyncio.sleep(STEER_EVERY)
 
         steering = asyncio.create_task(steer())

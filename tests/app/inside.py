@@ -19,6 +19,7 @@ from app.stage.sketch import Mapping
 from app.ui import controls
 from app.ui.waiting import Waiting
 from tests.app.letters import Letters
+from tests.app.pages import SessionPage
 from tests.app.panels import page_of
 
 __all__ = [
@@ -63,12 +64,14 @@ class Bare(Tab):
 
     def __init__(self, names: controls.Controls = controls.ALL) -> None:
         self.posted: list[Any] = []
-        session: Any = SimpleNamespace(post=self.posted.append)
+        session = SessionPage("tutorial-3.3").session
+        session.post = self.posted.append  # type: ignore
         self._session, self._page = session, page_of(session)
         self._page.controls = names
         self._role = None
-        self._features, self._hearers = (), {}
-        self._mapping = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
+        self._hearers = {}
+        self._add_features()
+        self._page.mapping = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
         self._mail = Letters()
         self._requests = Waiting(print)
 

@@ -18,7 +18,6 @@ from app.session.notices import Notice
 from app.session.session import Session
 from app.ui.page import Page
 from app.ui.shelf import Shelf
-from app.ui.viser.comma_switch import CommaSwitch
 from app.viser_inside import SoftrodMessage
 from app.wire.messages import FromPage
 from tests.app.letters import Letters
@@ -221,5 +220,4 @@ def page_of(
         notify,
         print,
         Shelf(owned),
-        CommaSwitch(print),
     )

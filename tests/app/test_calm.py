@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 import sim
+from app.features.hands.messages import Grab
 from app.pages.sandbox import tab as tab_module
 from app.server.ticker import Ticker
 from app.session import commands
 from app.session import session as session_module
-from app.wire.from_page import Grab
 from sim.compiling.compiler import Compiler
 from tests.app.hostile import eventually
 from tests.app.whole import WholePage

@@ -18,7 +18,7 @@ import platformdirs
 import pytest
 
 import sim
-from app.pages.sandbox.tab import told_of_compiling
+from app.pages.sandbox.tab import compile_status
 from app.session.log import Keys, read_log
 from sim.errors import InputError
 from tests.app.command import Result, Softrod, refused, rows_of
@@ -249,8 +249,8 @@ def test_a_cache_folder_that_cannot_be_written_is_said_once(
     assert result.stderr == f"softrod: the solver is {trouble}\n"
     assert softrod("check", tmp_path / "file").stderr.count("anew") == 0
     # The page says it in the line that tells how far the compiler is.
-    assert told_of_compiling(3, 19, "forces", "") == f"preparing forces: 3 of 19 parts ready; {trouble}"
-    assert told_of_compiling(19, 19, "", "") == ""
+    assert compile_status(3, 19, "forces", "") == f"preparing forces: 3 of 19 parts ready; {trouble}"
+    assert compile_status(19, 19, "", "") == ""
 
 
 def test_check_notes_a_tolerance_that_is_coarse_for_its_body(tmp_path: Path, softrod: Softrod) -> None:

@@ -16,6 +16,7 @@ from PIL import Image
 
 import sim
 from app.export.plot_picture import plot_png
+from app.features.hands.messages import Pick
 from app.features.measure import plots
 from app.features.measure.panel import MeasurePanel
 from app.features.measure.phase import phase_svg
@@ -25,7 +26,6 @@ from app.session.history import SPAN
 from app.session.notices import Notice
 from app.session.plots import MAX_PLOTS, Plot, Wish, curve
 from app.stage.colors import palette
-from app.wire.from_page import Pick
 from sim.errors import InputError
 from tests.app.inside import press
 from tests.app.pages import SessionPage

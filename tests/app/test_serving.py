@@ -20,7 +20,6 @@ from rich.console import Console
 import sim
 from app.features.gallery.messages import OpenScene
 from app.gate.gate import open_server
-from app.pages.sandbox import tab as tab_module
 from app.pages.sandbox.tab import Tab
 from app.server import serve as serve_module
 from app.server.serve import serving, start_compiling, tell_addresses
@@ -30,7 +29,7 @@ from app.session.commands import DragStart, Open
 from app.session.plots import Wish
 from app.session.session import Session
 from app.ui import owner
-from app.ui.kept import keeping
+from app.ui.kept import keeper, keeping
 from app.wire.from_page import Part, Perform
 from app.wire.messages import FromPage
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
@@ -229,7 +228,7 @@ def test_however_long_a_keepsake_took_another_one_comes_in_time(
 ) -> None:
     with stage.page() as page:
         stage.new_tab(set())
-        monkeypatch.setattr(tab_module, "KEEP_LATEST", 0.1)
+        monkeypatch.setattr(keeper, "MAX_INTERVAL", 0.1)
         processor = Sluggish(monkeypatch)
         eventually(lambda: processor.used >= 3.0)
         page.read_for(0.1)
@@ -240,7 +239,7 @@ def test_another_scene_is_kept_at_once_however_long_the_last_keepsake_took(
 ) -> None:
     with stage.page() as page:
         tab = stage.new_tab(set())
-        monkeypatch.setattr(tab_module, "KEEP_LATEST", 1e9)
+        monkeypatch.setattr(keeper, "MAX_INTERVAL", 1e9)
         processor = Sluggish(monkeypatch)
         eventually(lambda: processor.used)
         say(page, OpenScene("box"))

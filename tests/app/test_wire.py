@@ -11,7 +11,10 @@ import pytest
 from msgspec import inspect
 
 from app.features.gallery.messages import OfferGallery, ShelfChanged
+from app.features.hands import messages as hands
 from app.features.instruments.messages import Tools
+from app.features.measure import messages as measure
+from app.features.time import messages as time_messages
 from app.pages.sandbox.features import COMMANDS, CONTROLS
 from app.session import commands
 from app.ui import controls
@@ -24,16 +27,16 @@ from tests.page import generate
 
 SAID = {
     '{"do":"perform","command":"play"}': from_page.Perform("play"),
-    '{"do":"keys","held":["up","right"]}': from_page.Keys(("up", "right")),
-    '{"do":"keys","held":[]}': from_page.Keys(()),
-    '{"do":"at","hands":[[0,1.5,-0.5]]}': from_page.At(((0, 1.5, -0.5),)),
-    '{"do":"at","hands":[[2,1.5,-0.5],[9,0,0]]}': from_page.At(((2, 1.5, -0.5), (9, 0.0, 0.0))),
-    '{"do":"grab","hand":2,"mass":3,"x":1.5,"y":-0.5}': from_page.Grab(2, 3, 1.5, -0.5),
-    '{"do":"drop","hand":2}': from_page.Drop(2),
-    '{"do":"pick","mass":3}': from_page.Pick(3),
-    '{"do":"goTo","time":12.5}': from_page.GoTo(12.5),
-    '{"do":"speed","speed":0.125}': from_page.Speed(0.125),
-    '{"do":"seen","tab":""}': from_page.Seen(""),
+    '{"do":"keys","held":["up","right"]}': hands.Keys(("up", "right")),
+    '{"do":"keys","held":[]}': hands.Keys(()),
+    '{"do":"at","hands":[[0,1.5,-0.5]]}': hands.At(((0, 1.5, -0.5),)),
+    '{"do":"at","hands":[[2,1.5,-0.5],[9,0,0]]}': hands.At(((2, 1.5, -0.5), (9, 0.0, 0.0))),
+    '{"do":"grab","hand":2,"mass":3,"x":1.5,"y":-0.5}': hands.Grab(2, 3, 1.5, -0.5),
+    '{"do":"drop","hand":2}': hands.Drop(2),
+    '{"do":"pick","mass":3}': hands.Pick(3),
+    '{"do":"goTo","time":12.5}': time_messages.GoTo(12.5),
+    '{"do":"speed","speed":0.125}': time_messages.Speed(0.125),
+    '{"do":"seen","tab":""}': measure.Seen(""),
 }
 
 
@@ -136,12 +139,12 @@ def test_the_readme_has_all_keys() -> None:
 @pytest.mark.parametrize(
     ("said", "posted"),
     [
-        (from_page.Keys(("up", "right")), commands.HoldKeys(frozenset({"up", "right"}))),
-        (from_page.At(((0, 1.5, -0.5),)), commands.Point(450.0, 350.0)),
-        (from_page.Grab(2, 3, 1.5, -0.5), commands.DragStart(3, 450.0, 350.0, 2)),
-        (from_page.Drop(2), commands.DragEnd(2)),
-        (from_page.GoTo(12.5), commands.GoTo(12.5)),
-        (from_page.Speed(0.125), commands.Speed(0.125)),
+        (hands.Keys(("up", "right")), commands.HoldKeys(frozenset({"up", "right"}))),
+        (hands.At(((0, 1.5, -0.5),)), commands.Point(450.0, 350.0)),
+        (hands.Grab(2, 3, 1.5, -0.5), commands.DragStart(3, 450.0, 350.0, 2)),
+        (hands.Drop(2), commands.DragEnd(2)),
+        (time_messages.GoTo(12.5), commands.GoTo(12.5)),
+        (time_messages.Speed(0.125), commands.Speed(0.125)),
         (from_page.Visit(), commands.Visit()),
         (from_page.Perform("pause"), commands.Play(False)),
         (from_page.Perform("steps"), commands.DoSteps(10)),
@@ -156,7 +159,7 @@ def test_what_a_page_says_is_done(said: FromPage, posted: commands.Command) -> N
 
 def test_every_hand_is_pointed() -> None:
     tab = Bare()
-    tab.hear(from_page.At(((2, 1.5, -0.5), (9, 0.0, 0.0))))
+    tab.hear(hands.At(((2, 1.5, -0.5), (9, 0.0, 0.0))))
     assert tab.posted == [commands.Point(450.0, 350.0, 2), commands.Point(300.0, 300.0, 9)]
 
 

@@ -16,7 +16,7 @@ from msgspec import inspect as types_of
 
 from app.pages.sandbox.answers import VERBS
 from app.pages.sandbox.features import COMMANDS, FEATURES
-from app.ui.commands import CORE, key_lines
+from app.ui.commands import key_lines
 from app.ui.feature import Feature
 from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages
 
@@ -91,7 +91,7 @@ def parts_of(kinds: list[type]) -> list[type]:
 def types() -> str:
     """wire.d.ts."""
     says, tells = messages(FromPage), messages(ToPage)
-    tables = {"core": CORE, **{name_of(feature): feature.commands for feature in FEATURES}}
+    tables = {name_of(feature): feature.commands for feature in FEATURES}
     page = {of: [name for name, row in table.items() if row.does == "page"] for of, table in tables.items()}
     texts = [*VERBS, *(kind for feature in FEATURES for kind in feature.texts)]
     commands = "; ".join(

@@ -4,12 +4,12 @@ import { beforeEach, test } from "node:test";
 import { become, canvas, heard, key, point, show } from "./page.mjs";
 import { listenToKeys } from "../../app/ui/hands/keys.js";
 import { listenToPointer } from "../../app/ui/hands/pointer.js";
-import { addMenu } from "../../app/ui/menu.js";
+import view from "../../app/features/view/view.js";
 import { addInstruments } from "../../app/features/instruments/toolbox.js";
 
 listenToKeys();
 listenToPointer();
-addMenu();
+view.begin();
 addInstruments();
 const [menu, lid] = [document.querySelector(".softrod-menu-list"), document.querySelector(".softrod-menu-lid")];
 const [tools, box] = [document.querySelector(".softrod-box-tools"), document.querySelector(".softrod-box-lid")];

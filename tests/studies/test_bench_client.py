@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sim
+from app.features.hands import messages as hands
 from app.server.serve import serving
 from app.wire import from_page
 from studies.bench.client import FRAME_PLACES, Page, is_frame, saying, state_of
@@ -17,7 +18,7 @@ def test_a_page_without_a_browser_leads_a_body_and_stops_it() -> None:
             before = page.wait_for(is_frame)["numbers"][FRAME_PLACES]
             page.send(saying(from_page.Perform("follow")))
             page.wait_for(lambda message: (state := state_of(message)) is not None and state.get("follow"))
-            page.send(saying(from_page.At(((0, 0.5, 1.0),))))
+            page.send(saying(hands.At(((0, 0.5, 1.0),))))
             page.wait_for(lambda message: is_frame(message) and message["numbers"][FRAME_PLACES] != before)
             page.send(saying(from_page.Perform("pause")))
             page.wait_for(

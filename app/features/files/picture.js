@@ -11,7 +11,7 @@
 import { hold } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
 import { SVG } from "../../stage/overlay.js";
-import { timeNow } from "../../ui/transport.js";
+import { timeNow } from "../../ui/clock.js";
 import { viser } from "../../ui/viser/viser.js";
 import { PANEL } from "../../ui/viser/widgets.js";
 

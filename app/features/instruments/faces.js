@@ -18,7 +18,7 @@
 import { told } from "../../wire/channel.js";
 import { protractorReading, rulerReading, strokes, watchReading } from "./shapes.js";
 import { SVG } from "../../stage/overlay.js";
-import { timeNow } from "../../ui/transport.js";
+import { timeNow } from "../../ui/clock.js";
 
 /** Pixels: between a point and its grip, of a grip, and around it where it can be taken. */
 const [AWAY, GRIP, REACH] = [24, 8, 20];

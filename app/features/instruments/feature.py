@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, ClassVar
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
-from ...wire.from_page import Pick
 from ...wire.messages import FromPage
+from ..hands.messages import Pick
 from .panel import ToolsPanel
 
 if TYPE_CHECKING:

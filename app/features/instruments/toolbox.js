@@ -18,7 +18,7 @@ import { isFree } from "../../ui/hands/keys.js";
 import { hasWords, keepInView } from "../../ui/looks.js";
 import { onSight, redrawMarks, sight, SVG } from "../../stage/overlay.js";
 import { kept, store } from "../../ui/kept/storage.js";
-import { timeNow } from "../../ui/transport.js";
+import { timeNow } from "../../ui/clock.js";
 import { viser } from "../../ui/viser/viser.js";
 
 const STORED = "softrod-instruments";

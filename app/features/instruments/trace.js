@@ -4,7 +4,7 @@ import { onTold, told } from "../../wire/channel.js";
 import { onFrame, shown } from "../../stage/canvas.js";
 import { onSight, redrawMarks, SVG } from "../../stage/overlay.js";
 import { onTools, tools } from "./tools.js";
-import { timeNow } from "../../ui/transport.js";
+import { timeNow } from "../../ui/clock.js";
 
 /** Points of a path, at most, about. */
 const MOST = 1200;

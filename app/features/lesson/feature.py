@@ -14,10 +14,10 @@ from ...session.plots import Wish
 from ...ui.board import Board, dials_of
 from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
-from ...wire.from_page import Seen
 from ...wire.messages import FromPage
 from ..instruments.feature import InstrumentsFeature
 from ..measure.feature import MeasureFeature
+from ..measure.messages import Seen
 from .messages import BeginStep
 from .panel import LessonPanel
 

@@ -9,8 +9,9 @@ from ...session.session import Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
-from ...wire.from_page import Pick, Seen
 from ...wire.messages import FromPage
+from ..hands.messages import Pick
+from .messages import Seen
 from .panel import MeasurePanel
 
 if TYPE_CHECKING:

@@ -1,8 +1,10 @@
-"""What a page is told of its plots."""
+"""What a page says of its plots, and what it is sent."""
 
 from __future__ import annotations
 
-from ...wire.messages import Event
+from typing import Literal
+
+from ...wire.messages import Event, OwnBody
 
 
 class ShowMeasures(Event, frozen=True, kw_only=True):
@@ -21,3 +23,9 @@ class Melody(Event, frozen=True, kw_only=True):
     name: str
     unit: str
     values: tuple[float | None, ...]
+
+
+class Seen(OwnBody, frozen=True):
+    """In which tab somebody sees plots now; they are not sent otherwise."""
+
+    tab: Literal["measure", "lesson", ""]

@@ -12,7 +12,7 @@ import { make, makeButton } from "../../ui/dialog.js";
 import { floorOf, makeSvg, set } from "../../stage/overlay.js";
 import { across, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf, stepOf, wayOf, waveOf } from "./marks.js";
 import { addMuscleMarks } from "./body_marks.js";
-import { timeNow } from "../../ui/transport.js";
+import { timeNow } from "../../ui/clock.js";
 import { tuning } from "./tuning.js";
 import { viser } from "../../ui/viser/viser.js";
 

@@ -43,7 +43,7 @@ class Answers:
         self,
         page: Page,
         features: Iterable[Feature],
-        resume: Callable[[keeping.Kept], None],
+        resume: Callable[[keeping.Kept], object],
     ) -> None:
         self._page, self._resume = page, resume
         self._readers = {kind: feature for feature in features for kind in feature.texts}

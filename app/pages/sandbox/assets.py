@@ -23,8 +23,8 @@ _TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/web
 _COMMENT = re.compile(rb"^[ \t]*(?:/\*\*(?:(?!\*/).)*\*/|//[^\n]*)[ \t]*\n", re.MULTILINE | re.DOTALL)
 """A comment of scripts on lines of its own; none stands in a text of several lines, a test says so."""
 _FOREVER = "public, max-age=31536000, immutable"
-_FIRST = ("ui/page.css", "ui/viser/viser.css", "ui/dialogs.css", "stage/stage.css", "ui/dock.css")
-_LAST = ("features/classroom/classroom.css", "ui/menu.css", "ui/looks.css")
+_FIRST = ("ui/page.css", "ui/viser/viser.css", "ui/dialogs.css", "stage/stage.css")
+_LAST = ("features/classroom/classroom.css", "ui/looks.css")
 """Style sheets of no feature, before and after those of features; later ones win."""
 
 

@@ -1,5 +1,6 @@
 // @ts-check
 /** The features of the page. Made by `uv run python -m tests.page.generate` from app/pages/sandbox/features.py. */
+import time from "../../features/time/time.js";
 import lesson from "../../features/lesson/lesson.js";
 import measure from "../../features/measure/measure.js";
 import instruments from "../../features/instruments/instruments.js";
@@ -11,5 +12,7 @@ import modes from "../../features/modes/modes.js";
 import race from "../../features/race/race.js";
 import making from "../../features/making/making.js";
 import edit from "../../features/edit/edit.js";
+import view from "../../features/view/view.js";
+import hands from "../../features/hands/hands.js";
 
-export const FEATURES = [lesson, measure, instruments, fit, files, gallery, muscles, modes, race, making, edit];
+export const FEATURES = [time, lesson, measure, instruments, fit, files, gallery, muscles, modes, race, making, edit, view, hands];

@@ -8,6 +8,7 @@ from ...features.edit.feature import EditFeature
 from ...features.files.feature import FilesFeature
 from ...features.fit.feature import FitFeature
 from ...features.gallery.feature import GalleryFeature
+from ...features.hands.feature import HandsFeature
 from ...features.instruments.feature import InstrumentsFeature
 from ...features.lesson.feature import LessonFeature
 from ...features.making.feature import MakingFeature
@@ -17,11 +18,13 @@ from ...features.muscles.feature import MusclesFeature
 from ...features.play.feature import PlayFeature
 from ...features.race.feature import RaceFeature
 from ...features.solver.feature import SolverFeature
-from ...ui import controls
-from ...ui.commands import CORE, Row
+from ...features.time.feature import TimeFeature
+from ...features.view.feature import ViewFeature
+from ...ui.commands import Row
 from ...ui.feature import Feature
 
 FEATURES: tuple[type[Feature], ...] = (
+    TimeFeature,
     LessonFeature,
     PlayFeature,
     MeasureFeature,
@@ -35,14 +38,12 @@ FEATURES: tuple[type[Feature], ...] = (
     RaceFeature,
     MakingFeature,
     EditFeature,
+    ViewFeature,
+    HandsFeature,
 )
 
-COMMANDS: Mapping[str, Row] = CORE | {
-    name: row for feature in FEATURES for name, row in feature.commands.items()
-}
+COMMANDS: Mapping[str, Row] = {name: row for feature in FEATURES for name, row in feature.commands.items()}
 """All commands by their names, in the order of the palette and of the help."""
 
-CONTROLS: Mapping[str, str] = controls.CORE | {
-    name: text for feature in FEATURES for name, text in feature.controls.items()
-}
+CONTROLS: Mapping[str, str] = {name: text for feature in FEATURES for name, text in feature.controls.items()}
 """Names of all controls, and what they stand for."""

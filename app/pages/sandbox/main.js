@@ -3,42 +3,29 @@
 import { mindAbsence } from "../../ui/away.js";
 import { tellApart } from "../../ui/viser/axis_numbers.js";
 import { addClassroom } from "../../features/classroom/classroom.js";
-import { addBodyKeys } from "../../ui/hands/body_keys.js";
-import { fit, fitted, keepFlat } from "../../stage/camera.js";
-import { addChase, toggleChase } from "../../stage/chase.js";
+import { fitted, keepFlat } from "../../stage/camera.js";
+import { addChase } from "../../stage/chase.js";
 import { drawBody, shown } from "../../stage/canvas.js";
 import { askedScene, watchConnection } from "../../ui/viser/connection.js";
 import { mindDialogs } from "../../ui/viser/dialogs.js";
 import { addEmpty } from "../../stage/empty.js";
 import { showHud } from "../../ui/hud.js";
 import { hasKept, keepOnlyOf, resume } from "../../ui/kept/keep.js";
-import { listenToKeys } from "../../ui/hands/keys.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "../../ui/kept/links.js";
 import { addLoads } from "../../stage/load_marks.js";
 import { beginViser, canDraw, complain, endLoading, mindGraphics } from "../../ui/viser/loading.js";
-import { restoreLooks, toggleProjector } from "../../ui/looks.js";
-import { addMenu } from "../../ui/menu.js";
 import { mindWidgets } from "../../ui/viser/widgets.js";
 import { mindNumbers } from "../../ui/viser/numbers.js";
 import { addOverlay } from "../../stage/overlay.js";
 import { sayWhose } from "../../ui/owner.js";
 import { listenToCommands, provide } from "../../wire/perform.js";
-import { listenToPointer } from "../../ui/hands/pointer.js";
 import { addPaper } from "../../stage/paper.js";
 import { listenToPresses } from "../../ui/hands/presses.js";
 import { addUnderlay } from "../../stage/underlay.js";
-import { addTransport } from "../../ui/transport.js";
 import * as seen from "../../ui/viser/seen.js";
 import { isKnown, whenViser } from "../../ui/viser/viser.js";
 import { send } from "../../wire/channel.js";
 import { FEATURES } from "./features.js";
-
-/** What the page does itself, of no feature. @type {Record<import("../../wire/wire.js").PageCommands["core"], () => void>} */
-const OWN = {
-  fit: () => void fit(true),
-  chase: () => toggleChase(),
-  larger: () => toggleProjector(),
-};
 
 /** Seconds after which viser's page has made its hook, or never will. */
 const PATIENCE = 20;
@@ -66,7 +53,6 @@ whenViser((viser) => {
   drawBody(viser);
   showHud();
   mindWidgets();
-  provide(OWN);
   listenToCommands();
   keepFlat();
   addChase(); // before what is drawn where the camera looks
@@ -74,24 +60,17 @@ whenViser((viser) => {
   listenToPresses();
   addOverlay(); // its hint goes with the first press, which others keep for themselves
   addUnderlay();
-  addTransport(); // over which strips stand
   addLoads();
-  // Before the keys and pointers of the body: a tool that is out has them first.
   for (const { commands, begin } of FEATURES) {
     provide(commands);
     begin();
   }
-  listenToKeys();
   mindNumbers();
-  listenToPointer();
   resume(openLink);
   listenToLinks();
-  restoreLooks();
   addPaper();
   addClassroom();
-  addMenu();
   addEmpty();
-  addBodyKeys();
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted, send, ...seen } });
 });

@@ -3,21 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 from ...session.plots import Wish
 from ...stage.sketch import Floats, Mapping
+from ...ui.kept.keeper import KeptState
 from ...ui.kept.keeping import Looks
 from ...wire.to_page import PageState
-
-
-class KeptState(NamedTuple):
-    """What the browser was told to keep: the session's revision, and how the page looked."""
-
-    revision: int
-    looks: Looks
-    plots: tuple[Wish, ...]
-    time: float
 
 
 @dataclass(frozen=True)

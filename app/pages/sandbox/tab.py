@@ -9,13 +9,11 @@ from __future__ import annotations
 import math
 import secrets
 import time
-from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
 from functools import partial
-from typing import Any, Literal, Protocol
+from typing import Any, Protocol
 
-import msgspec
 import viser
 
 import sim
@@ -31,7 +29,6 @@ from ...features.classroom.role import Role
 from ...features.gallery.feature import GalleryFeature
 from ...features.measure.feature import MeasureFeature
 from ...session import commands
-from ...session.notices import About
 from ...session.pacing import LONGEST_FRAME, is_large
 from ...session.plots import Wish
 from ...session.session import Changed, Notice, Session
@@ -39,33 +36,28 @@ from ...stage.colors import palette
 from ...stage.plan import Picture, broken_of, own_rest_angles
 from ...stage.sketch import Mapping, world_size
 from ...ui import controls, readouts
-from ...ui.commands import Look, key_lines
 from ...ui.controls import Controls
 from ...ui.feature import Drawn, Feature
-from ...ui.kept import keeping, pasts
+from ...ui.kept import keeping
+from ...ui.kept.keeper import Keeper
+from ...ui.notice_board import NoticeBoard
 from ...ui.opening import asked_scene
 from ...ui.page import Page
 from ...ui.panel import Panel, set_theme
 from ...ui.shelf import Shelf
 from ...ui.view import Canvas, picture_of
-from ...ui.viser.comma_switch import CommaSwitch
-from ...ui.viser.handlers import on_press
 from ...ui.waiting import Waiting
 from ...viser_inside import element_id
 from ...wire import from_page
 from ...wire.carrier import Mail, listen
 from ...wire.messages import Ask, FromPage, messages
-from ...wire.to_page import Hud, Keepsake, PageState, Resumed, Run
+from ...wire.to_page import Hud, PageState, Run
 from .answers import Answers
 from .features import COMMANDS, CONTROLS, FEATURES
-from .probe import KeptState, Probe
+from .probe import Probe
 
 READOUTS_EVERY = 0.1
 """Seconds between two updates of texts and sliders; faster would only flicker."""
-
-KEEP_EVERY, KEEP_SHARE, KEEP_LATEST = 1.0, 0.001, 3.0
-"""Seconds between two keepsakes, at least; the share of processor time that making them may take; and seconds
-between two, at most, whatever they take."""
 
 MAX_REQUESTS = 20
 """What one page may ask the ticker for in a frame; what comes faster waits, or is dropped."""
@@ -79,10 +71,8 @@ UNTOUCHED = 1.0
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
 
-_COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
 
-
-def told_of_compiling(ready: int, of: int, busy_with: str, awaited: str) -> str:
+def compile_status(ready: int, of: int, busy_with: str, awaited: str) -> str:
     """How far the compiler is, as the page says it; empty if all is ready.
 
     Args:
@@ -136,17 +126,12 @@ class Tab:
     ) -> None:
         self.client = client
         self._compiler = compiler
-        self._notices: deque[Notice] = deque(maxlen=100)
+        self._notices = NoticeBoard(client)
         self._requests: Waiting[Callable[[Session], object]] = Waiting(self.notify)
         self._generation = -1
         self._number = secrets.token_hex(4)
         self._planned = -1
-        self._kept: KeptState | None = None
         self._shelf = Shelf(owned)
-        self._passing: dict[About, viser.NotificationHandle] = {}  # notices that go when it is over
-        self._keep_due = 0.0
-        self._kept_scene: tuple[int, str] = (-1, "")
-        self._secret = secrets.token_hex(16)
         self._readouts_due = 0.0
         self._moved_at = 0.0
         self._was_at_rest = self._rests = False
@@ -175,7 +160,8 @@ class Tab:
         self._calm, self._stirred = False, time.monotonic()
         self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
-        self._view.build(scene, keeping.PLAIN.dark)
+        self._looks = keeping.PLAIN
+        self._view.build(scene, self._looks.dark)
         self._view.draw(Picture.at_start(scene), time.monotonic())
 
     def leave(self) -> None:
@@ -200,7 +186,7 @@ class Tab:
             controls=page.controls.names,
             plots=self._wishes,
             plots_seen=(measure := page.find(MeasureFeature)) is not None and measure.is_seen,
-            kept=self._kept,
+            kept=self._keeper.kept,
             owned=self._shelf.owned,
             requests=len(self._requests),
             nodes=self._view.nodes,
@@ -215,19 +201,6 @@ class Tab:
         if session is None or (role is not None and not role.allows(said)):
             return
         match said:
-            case from_page.At(hands):
-                for hand, x, y in hands:
-                    session.post(commands.Point(*self._mapping.to_scene(x, y), hand))
-            case from_page.Grab(hand, mass, x, y):
-                session.post(commands.DragStart(mass, *self._mapping.to_scene(x, y), hand))
-            case from_page.Drop(hand):
-                session.post(commands.DragEnd(hand))
-            case from_page.Keys(held):
-                session.post(commands.HoldKeys(frozenset(held)))
-            case from_page.GoTo(moment):
-                session.post(commands.GoTo(moment))
-            case from_page.Speed(speed):
-                session.post(commands.Speed(speed))
             case from_page.Visit():
                 session.post(commands.Visit())
             case from_page.Perform(command):
@@ -241,8 +214,6 @@ class Tab:
             case from_page.InSeat() | from_page.Lead() | from_page.Checked():
                 if role is not None:
                     self._requests.add(lambda now: role.hear(said, now))
-            case from_page.Pick(mass):
-                self._requests.add(lambda now: self._pick(now, mass))
             case _:
                 pass
         for feature, needs in self._hearers.get(type(said), ()):
@@ -264,14 +235,14 @@ class Tab:
         if does == "page":
             self._mail.tell(Run(command=command))
         elif callable(does):
-            owner = next((one for one in self._features if command in one.commands), self)
+            owner = next(one for one in self._features if command in one.commands)
             self._requests.add(lambda now: does(now, owner))
         else:
             session.post(does)
 
     def notify(self, notice: Notice) -> None:
         """Have the user told something."""
-        self._notices.append(notice)
+        self._notices.add(notice)
 
     def snapshot(self) -> sim.Scene:
         """The scene as it is now, with its pose; as it comes first where the page is not drawn yet.
@@ -290,7 +261,7 @@ class Tab:
     @property
     def is_calm(self) -> bool:
         """Whether a frame now and then will do: its body rests or stands, and nobody does anything."""
-        return self._calm and not (self._requests or self._notices or self._has_commands)
+        return self._calm and not (self._requests or self._notices.has_new or self._has_commands)
 
     @property
     def _has_commands(self) -> bool:
@@ -302,7 +273,9 @@ class Tab:
 
     def _is_settled(self, session: Session) -> bool:
         """Whether the page is told all that there is to tell, and nothing goes on but the clock."""
-        waits = not self._all_ready or self._passing or self._unsettled or self._role is not None
+        waits = (
+            not self._all_ready or self._notices.has_transient or self._unsettled or self._role is not None
+        )
         lists = [*self._page.plots] if session.playing else []
         plots = any(each.wishes and each.looked_at for each in lists)
         untouched = time.monotonic() - self._stirred > UNTOUCHED
@@ -333,9 +306,10 @@ class Tab:
         else:
             made = session
             self._serve_requests(session)
+            self._apply_looks()
             if self._role is not None:
                 self._role.frame(session)
-                told = self._looks_on(session, self._role.front)
+                told = self._show_teachers_body(session, self._role.front)
                 if self._front is not None:
                     return told
             self._prepare(session)
@@ -348,11 +322,11 @@ class Tab:
         with self.client.atomic():
             session = session or self._begin(made)
             self._send(session)
-        self._keep(session)
+        self._keeper.keep(self._wishes, self._was_at_rest)
         self._calm = self._is_settled(session)
         return True
 
-    def _looks_on(self, session: Session, front: Front | None) -> bool:
+    def _show_teachers_body(self, session: Session, front: Front | None) -> bool:
         """Show what the teacher's page does, if there is that, instead of the page's own body.
 
         Returns:
@@ -365,13 +339,13 @@ class Tab:
         if front is None:
             return False
         show, anew = self._front_view.show, self._generation != session.generation
-        if not (anew or session.notices or self._notices or self._passing):
+        if not (anew or session.notices or self._notices.has_new or self._notices.has_transient):
             return show(front, self._page.looks.dark, session.now())
         with self.client.atomic():
             if anew:
                 self._front_view.leave()
                 self._rebuild(session)
-            self._tell(session)
+            self._notices.show(session)
             show(front, self._page.looks.dark, session.now())
         return True
 
@@ -384,7 +358,7 @@ class Tab:
         drawn = self._show(session)
         for feature in self._features:
             feature.frame(drawn)
-        self._tell(session)
+        self._notices.show(session)
 
     @staticmethod
     def _advance(session: Session, budget: float, longest: float = LONGEST_FRAME) -> None:
@@ -394,25 +368,28 @@ class Tab:
     def _begin(self, session: Session) -> Session:
         """What is made after the first picture has been sent."""
 
-        def resume(kept: keeping.Kept) -> None:
-            self._page.soon(lambda: self._resume(session, kept))
-
-        commas = CommaSwitch(lambda on: self._requests.add(lambda now: self._switch(now, "commas", on)))
         self._page = Page(
-            self.client, session, self._mail, self.notify, self.perform, self._shelf, commas,
+            self.client, session, self._mail, self.notify, self.perform, self._shelf,
             commands=COMMANDS, controls=self._wanted_controls(session.scene), begin_class=self._begin_class,
             is_closed=self._is_closed, is_in_class=self._role is not None,
             for_others=self._for_others, soon=lambda act: self._requests.add(lambda _: act()),
         )  # fmt: skip
+        self._add_features()
+        role = self._role
+        self._keeper = Keeper(self._page, role.keep if role is not None else lambda _: False)
+        self._answers = Answers(
+            self._page, self._features, lambda kept: self._page.soon(lambda: self._resume(kept))
+        )
+        self._make_panel(session)
+        self._session = session
+        return session
+
+    def _add_features(self) -> None:
         self._page.features = self._features = tuple(feature(self._page) for feature in FEATURES)
         for feature in self._features:
             for kind, needs in feature.messages.items():
                 for message in messages(kind):
                     self._hearers.setdefault(message, []).append((feature, needs))
-        self._answers = Answers(self._page, self._features, resume)
-        self._make_panel(session)
-        self._session = session
-        return session
 
     def _asked_scene(self, query: str) -> sim.Scene | None:
         """The scene that the page's address asks for; if there is none, its user is told and may choose."""
@@ -471,7 +448,7 @@ class Tab:
         ready, of = self._compiler.progress
         self._all_ready = ready == of
         label = METHODS[method].label if session.simulation.plain else ""
-        text = told_of_compiling(ready, of, self._compiler.busy_with, label)
+        text = compile_status(ready, of, self._compiler.busy_with, label)
         if text != session.preparing:
             session.preparing = text
             session.note(Changed.SETTINGS)
@@ -499,7 +476,7 @@ class Tab:
     def _plan(self, session: Session) -> None:
         """Tell the page of the body, as far as it is another one."""
         self._planned = session.revision
-        self._mapping = Mapping.of(session.scene)
+        self._mapping = self._page.mapping = Mapping.of(session.scene)
         dark, second = self._page.looks.dark, session.companions.second
         self._view.build(session.scene, dark, own_rest_angles(session.simulation))
         self._view.build_second(second.capture().scene if second is not None else None, dark)
@@ -574,46 +551,24 @@ class Tab:
         )
         self._mail.tell(state)
 
-    def _keep(self, session: Session) -> None:
-        """Have the browser keep what it needs to come back to here."""
-        now, plots = session.now(), self._wishes
-        state = KeptState(session.revision, self._page.looks, plots, session.simulation.time)
-        # At rest only the clock goes on: that is not worth a message.
-        resting = self._was_at_rest and self._kept is not None and state[:-1] == self._kept[:-1]
-        # Another scene, and one that was saved under another name, is kept at once.
-        scene = (session.openings, session.scene.name)
-        due = now >= self._keep_due or scene != self._kept_scene
-        if not due or state == self._kept or resting or session.replay is not None:
-            return
-        began = time.thread_time()  # that others have the processor is no reason to keep less often
-        undo = self._secret if len(session.versions) else ""
-        if undo:
-            pasts.keep(undo, session.versions)
-        made = session.keepsake()
-        if self._role is None or not self._role.keep(made):
-            self._mail.tell(Keepsake(kept=keeping.encode(made, self._page.looks, plots, undo).decode()))
-        self._kept = state
-        self._kept_scene = scene
-        wait = (time.thread_time() - began) / KEEP_SHARE
-        self._keep_due = now + min(max(KEEP_EVERY, wait), KEEP_LATEST)
+    def _apply_looks(self) -> None:
+        """Show how the page is to look."""
+        looks, shown = self._page.looks, self._looks
+        self._looks = looks
+        if looks.dark != shown.dark:
+            set_theme(self.client.gui, dark=looks.dark)
+            self._generation = -1
+        if looks.gizmos != shown.gizmos:
+            self._view.show_gizmos(looks.gizmos)
 
-    def _resume(self, session: Session, kept: keeping.Kept) -> None:
-        """Go on with what was kept, in this very frame, and keep what goes on from that.
+    def _resume(self, kept: keeping.Kept) -> None:
+        """Go on from a saved state.
 
         The plots are remembered before the body comes: with it they are put up.
         """
-        versions = pasts.of(kept.undo) if kept.undo else None
-        if kept.undo and versions is None:
-            text = "What was changed before the connection was lost can no longer be undone."
-            self.notify(Notice("info", "Undo begins anew", text))
-        session.post(commands.Resume(bytes(kept.session), versions))
-        self._mail.tell(Resumed())
-        self._kept = None
+        self._keeper.resume(kept)
         if (measure := self._page.find(MeasureFeature)) is not None:
             measure.remember(kept.plots)
-        for what in kept.looks.__struct_fields__:
-            if getattr(kept.looks, what):
-                self._switch(session, what, True)
 
     def _serve_requests(self, session: Session) -> None:
         self._page.serve()
@@ -621,60 +576,9 @@ class Tab:
         for _ in range(min(len(self._requests), MAX_REQUESTS)):
             self._requests.take()(session)
 
-    # --------------------------------------------------------------------- what was asked for
-    def show_help(self) -> None:
-        """Open the help."""
-        with self.client.gui.add_modal("How to use softrod") as modal:
-            self.client.gui.add_html(readouts.help_html(key_lines(COMMANDS)))
-            on_press(self.client.gui.add_button("Close"), modal.close)
-
-    def toggle(self, look: Look) -> None:
-        """Turn a look of the page on or off."""
-        if self._session is not None:
-            self._switch(self._session, look, not getattr(self._page.looks, look))
-
-    def _switch(self, session: Session, what: str, on: bool) -> None:
-        """Turn one of the looks on or off."""
-        self._page.looks = msgspec.structs.replace(self._page.looks, **{what: on})
-        session.note(Changed.SETTINGS)
-        if what == "dark":
-            set_theme(self.client.gui, dark=on)
-            self._generation = -1
-        elif what == "gizmos":
-            self._view.show_gizmos(on)
-        elif what == "commas":
-            self._page.commas.show(on)
-
-    def _pick(self, session: Session, mass: int) -> None:
-        """A mass was clicked: its joint is read out."""
-        if mass >= len(session.scene.masses):
-            return
-        joint = readouts.joint_of_mass(session.scene, mass)
-        if joint is not None:
-            session.post(commands.SelectJoint(joint))
-
     def _say_not_found(self, why: str) -> None:
         gallery = self._page.find(GalleryFeature)
         if gallery is not None and "chooser" in self._page.controls:
             gallery.offer(why)
         else:
             self.notify(Notice("error", "That address has no scene", why))
-
-    def _tell(self, session: Session) -> None:
-        self._notices.extend(session.notices)
-        session.notices.clear()
-        for about in tuple(self._passing):
-            if not session.holds(about):
-                self._passing.pop(about).remove()
-        while self._notices:
-            notice = self._notices.popleft()
-            handle = self.client.add_notification(
-                notice.title,
-                notice.text,
-                color=_COLORS[notice.kind],
-                auto_close_seconds=None if notice.kind == "error" else 5.0,
-            )
-            if notice.about is not None:
-                if notice.about in self._passing:
-                    self._passing[notice.about].remove()
-                self._passing[notice.about] = handle

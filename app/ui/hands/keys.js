@@ -3,7 +3,7 @@
 import { onTold, send, told } from "../../wire/channel.js";
 import { commandOf } from "./key_table.js";
 import { perform } from "../../wire/perform.js";
-import { nextStep } from "../transport.js";
+import { nextStep } from "../clock.js";
 import { NUMBER_BOX } from "../viser/widgets.js";
 
 /** @typedef {import("../../wire/wire.js").Keys["held"][number]} Key */

@@ -1,12 +1,12 @@
 // @ts-check
 /** The bar under the body: play and pause, steps, going back in time, speed and the clock. */
-import { FRACTIONS, SPEEDS } from "../stage/looks.js";
-import { awaySince } from "./away.js";
-import { onPicture, shown } from "../stage/canvas.js";
-import { has, onTold, send, told } from "../wire/channel.js";
-import { COMMANDS } from "../wire/commands.js";
-import { withKey } from "./hands/key_table.js";
-import { perform } from "../wire/perform.js";
+import { FRACTIONS, SPEEDS } from "../../stage/looks.js";
+import { onPicture } from "../../stage/canvas.js";
+import { nextStep, timeNow } from "../../ui/clock.js";
+import { has, onTold, send, told } from "../../wire/channel.js";
+import { COMMANDS } from "../../wire/commands.js";
+import { withKey } from "../../ui/hands/key_table.js";
+import { perform } from "../../wire/perform.js";
 
 /** Milliseconds between two readings of the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
@@ -18,7 +18,7 @@ const CLOCK_EVERY = 100;
  * @property {string} name for screen readers and the tooltip; it contains the word
  * @property {CommandName} does
  *
- * @typedef {import("../wire/wire.js").CommandName} CommandName
+ * @typedef {import("../../wire/wire.js").CommandName} CommandName
  */
 
 /** @param {CommandName} does @returns {Face} */
@@ -65,16 +65,6 @@ function offerButton(command) {
   element.textContent = COMMANDS[command].word ?? COMMANDS[command].label;
   element.addEventListener("click", () => perform(command));
   return element;
-}
-
-/** What the step button does: in the past, go on to the next frame; else make a step. */
-export const nextStep = () => (told().scrubbed ? "forward" : "step");
-
-/** The simulated time. A body at rest sends no pictures, but its clock goes on, while there is a connection. */
-export function timeNow() {
-  const { frame, since } = shown();
-  const passed = told().rest ? (Math.max(0, Math.min(performance.now(), awaySince()) - since) / 1e3) * (told().speed ?? 1) : 0;
-  return (frame?.time ?? 0) + passed;
 }
 
 /** @param {number} speed */
@@ -149,7 +139,7 @@ function offers() {
 }
 
 /** Puts up the bar. */
-export function addTransport() {
+function begin() {
   const bar = document.createElement("div");
   bar.className = "softrod-transport";
   bar.setAttribute("role", "toolbar");
@@ -189,18 +179,5 @@ export function addTransport() {
   });
 }
 
-/**
- * Keeps the bar under the canvas, above what covers it.
- *
- * @param {DOMRect} box of the canvas
- * @param {number} hidden px at its bottom that are covered
- * @returns {number} its height, px
- */
-export function placeTransport(box, hidden) {
-  const dock = /** @type {HTMLElement | null} */ (document.querySelector(".softrod-dock"));
-  if (!dock) return 0;
-  dock.style.left = `${box.left}px`;
-  dock.style.width = `${box.width}px`;
-  dock.style.bottom = `${window.innerHeight - box.bottom + hidden}px`;
-  return dock.offsetHeight;
-}
+/** @type {import("../../ui/feature.js").Feature<"time">} */
+export default { commands: {}, begin };

@@ -1,19 +1,20 @@
 // @ts-check
 /** The View menu over the bar of time: how the page looks, and the help. */
-import { isChasing } from "../stage/chase.js";
-import { has, onTold, told } from "../wire/channel.js";
-import { COMMANDS } from "../wire/commands.js";
-import { make, makeButton } from "./dialog.js";
-import { hasWords, isProjector, keepInView } from "./looks.js";
-import { onSight } from "../stage/overlay.js";
-import { perform } from "../wire/perform.js";
-import { isDark } from "./viser/widgets.js";
+import { fit } from "../../stage/camera.js";
+import { isChasing, toggleChase } from "../../stage/chase.js";
+import { has, onTold, told } from "../../wire/channel.js";
+import { COMMANDS } from "../../wire/commands.js";
+import { make, makeButton } from "../../ui/dialog.js";
+import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
+import { onSight } from "../../stage/overlay.js";
+import { perform } from "../../wire/perform.js";
+import { isDark } from "../../ui/viser/widgets.js";
 
 const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z";
 
 /**
  * @typedef {object} Entry
- * @property {import("../wire/wire.js").CommandName} name of the command
+ * @property {import("../../wire/wire.js").CommandName} name of the command
  * @property {"view" | "modes" | "help"} part of the controls of a page without which it is left out
  * @property {() => boolean} [on] of a switch
  */
@@ -31,7 +32,7 @@ const ENTRIES = [
 ];
 
 /** Puts up the button and its menu. */
-export function addMenu() {
+function addMenu() {
   const element = make("div", "softrod-menu");
   const list = make("div", "softrod-menu-list");
   list.id = "softrod-menu-list";
@@ -102,3 +103,11 @@ export function addMenu() {
     if (!list.hidden) keepInView(list);
   });
 }
+
+function begin() {
+  restoreLooks();
+  addMenu();
+}
+
+/** @type {import("../../ui/feature.js").Feature<"view">} */
+export default { commands: { fit: () => void fit(true), chase: toggleChase, larger: toggleProjector }, begin };

@@ -1,0 +1,1 @@
+"""Hands on the body: pointers, the arrow keys, and a mass that is clicked."""

@@ -1,0 +1,60 @@
+"""Hands on the body: pointers, the arrow keys, and a mass that is clicked."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from ...session import commands
+from ...session.session import Session
+from ...ui import readouts
+from ...ui.commands import Row
+from ...ui.feature import Feature
+from ...wire.messages import FromPage
+from .messages import At, Drop, Grab, Keys, Pick
+
+
+def _show_help(_: Session, feature: Feature) -> None:
+    feature.page.perform("help")
+
+
+class HandsFeature(Feature):
+    """Moves the masses that a page's hands hold, and shows the joint of a mass that is clicked."""
+
+    messages: ClassVar = {At: "", Grab: "", Drop: "", Keys: "", Pick: ""}
+    commands: ClassVar = {
+        "body": Row(
+            "The body by keys", "own", ("Tab",),
+            "to the body, and on: arrows choose a mass, Space takes it, arrows move it",
+        ),
+        "lengths": Row(
+            "Every spring longer, shorter", _show_help, ("↑ ↓",), "held: every spring longer, shorter",
+            held=True,
+        ),
+        "angles": Row(
+            "Every rest angle up, down", _show_help, ("→ ←",), "held: every rest angle up, down", held=True
+        ),
+    }  # fmt: skip
+
+    def hear(self, said: FromPage) -> None:
+        """See `Feature`."""
+        session, place = self.session, self.page.mapping.to_scene
+        match said:
+            case At(hands):
+                for hand, x, y in hands:
+                    session.post(commands.Point(*place(x, y), hand))
+            case Grab(hand, mass, x, y):
+                session.post(commands.DragStart(mass, *place(x, y), hand))
+            case Drop(hand):
+                session.post(commands.DragEnd(hand))
+            case Keys(held):
+                session.post(commands.HoldKeys(frozenset(held)))
+            case Pick(mass):
+                self.page.soon(lambda: self._pick(mass))
+            case _:
+                pass
+
+    def _pick(self, mass: int) -> None:
+        """Show the angle of a mass's joint."""
+        scene = self.session.scene
+        if mass < len(scene.masses) and (joint := readouts.joint_of_mass(scene, mass)) is not None:
+            self.session.post(commands.SelectJoint(joint))

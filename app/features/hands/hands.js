@@ -1,0 +1,14 @@
+// @ts-check
+/** Hands on the body, by keys, mouse, touch and pen. Begins after the features whose tools have keys and pointers first. */
+import { addBodyKeys } from "../../ui/hands/body_keys.js";
+import { listenToKeys } from "../../ui/hands/keys.js";
+import { listenToPointer } from "../../ui/hands/pointer.js";
+
+function begin() {
+  listenToKeys();
+  listenToPointer();
+  addBodyKeys();
+}
+
+/** @type {import("../../ui/feature.js").Feature<"hands">} */
+export default { commands: {}, begin };

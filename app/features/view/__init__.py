@@ -1,0 +1,1 @@
+"""How the page looks: the View menu, and the help."""

@@ -1,0 +1,50 @@
+"""How the page looks, and the help."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar, Literal
+
+from ...session.session import Session
+from ...ui import readouts
+from ...ui.commands import Row, key_lines
+from ...ui.feature import Feature
+from ...ui.viser.handlers import on_press
+
+
+def _toggle(look: Literal["dark", "gizmos", "meter"]) -> Callable[[Session, Feature], None]:
+    return lambda _, feature: feature.page.set_look(look, not getattr(feature.page.looks, look))
+
+
+def _show_help(_: Session, feature: Feature) -> None:
+    gui = feature.page.client.gui
+    with gui.add_modal("How to use softrod") as modal:
+        gui.add_html(readouts.help_html(key_lines(feature.page.commands)))
+        on_press(gui.add_button("Close"), modal.close)
+
+
+class ViewFeature(Feature):
+    """The View menu, the palette and the help of a page."""
+
+    controls: ClassVar = {
+        "help": "Help, in the View menu",
+        "view": "the other entries of the View menu",
+    }
+    commands: ClassVar = {
+        "fit": Row("Show the whole scene", "page", ("0",), "show the whole scene"),
+        "chase": Row(
+            "Camera goes with the body", "page", hint="with both, in a race; pan and zoom as ever",
+            needs="view",
+        ),
+        "larger": Row("Larger, for a projector", "page", ("P",), "larger, for a projector"),
+        "dark": Row("Dark", _toggle("dark"), needs="view"),
+        "meter": Row(
+            "Stability bar", _toggle("meter"), hint="always, not only where the time step is near its limit",
+            needs="view",
+        ),
+        "gizmos": Row(
+            "Arrows at held masses", _toggle("gizmos"), hint="to drag them along one axis", needs="view"
+        ),
+        "palette": Row("All commands", "own", ("Ctrl K",), "all commands"),
+        "help": Row("Help", _show_help, needs="help"),
+    }  # fmt: skip

@@ -1,0 +1,65 @@
+"""The notices of one page: each is shown once, and some go when what they are about is over."""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import Literal
+
+import viser
+
+from ..session.notices import About, Notice
+from ..session.session import Session
+
+_COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
+
+MAX_WAITING = 100
+
+CLOSES_AFTER = 5.0
+"""Seconds for which a notice stands that is no error."""
+
+
+class NoticeBoard:
+    """The notices of a page.
+
+    Args:
+        client: viser's handle of the page.
+    """
+
+    def __init__(self, client: viser.ClientHandle) -> None:
+        self._client = client
+        self._waiting: deque[Notice] = deque(maxlen=MAX_WAITING)
+        self._transient: dict[About, viser.NotificationHandle] = {}
+
+    def add(self, notice: Notice) -> None:
+        """Show a notice with the next frame; any thread may call."""
+        self._waiting.append(notice)
+
+    @property
+    def has_new(self) -> bool:
+        """Whether a notice is not shown yet."""
+        return bool(self._waiting)
+
+    @property
+    def has_transient(self) -> bool:
+        """Whether a notice is shown that goes when what it is about is over."""
+        return bool(self._transient)
+
+    def show(self, session: Session) -> None:
+        """Show what is new, and remove what is over; the ticker's."""
+        self._waiting.extend(session.notices)
+        session.notices.clear()
+        for about in tuple(self._transient):
+            if not session.holds(about):
+                self._transient.pop(about).remove()
+        while self._waiting:
+            notice = self._waiting.popleft()
+            handle = self._client.add_notification(
+                notice.title,
+                notice.text,
+                color=_COLORS[notice.kind],
+                auto_close_seconds=None if notice.kind == "error" else CLOSES_AFTER,
+            )
+            if notice.about is not None:
+                if notice.about in self._transient:
+                    self._transient[notice.about].remove()
+                self._transient[notice.about] = handle
