@@ -199,10 +199,10 @@ def messages_list() -> str:
         f"### {title}\n\n| | |\n|---|---|\n"
         + "\n".join(f"| `{kind.__struct_config__.tag}` | {first_sentence(kind)} |" for kind in kinds)
         for title, kinds in (
-            ("What a page says", messages(FromPage)),
-            ("States that a page is told", messages(State)),
-            ("Numbers that a page is told", messages(Numbers)),
-            ("Events that a page is told", messages(Event)),
+            ("From the page", messages(FromPage)),
+            ("States sent to the page", messages(State)),
+            ("Numbers sent to the page", messages(Numbers)),
+            ("Events sent to the page", messages(Event)),
         )
     )
 
