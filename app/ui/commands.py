@@ -1,8 +1,8 @@
 """Commands: what keys, buttons, menus, the palette and the help offer.
 
 A row is all that a command needs: the page's copy of the table (`app/wire/commands.js`), the list of keys in
-docs/using.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. Rows of
-a feature stand with the feature; `app.pages.sandbox.features` has the whole table.
+docs/using.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. Rows
+of a feature stand with the feature; `app.pages.sandbox.features` has the whole table.
 """
 
 from __future__ import annotations
