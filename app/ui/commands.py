@@ -1,7 +1,7 @@
 """Commands: what keys, buttons, menus, the palette and the help offer.
 
 A row is all that a command needs: the page's copy of the table (`app/wire/commands.js`), the list of keys in
-docs/page.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. Rows
+docs/using.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. Rows
 stand with the features that do them; `app.pages.sandbox.features` has the whole table.
 """
 

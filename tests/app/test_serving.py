@@ -216,7 +216,7 @@ class Sluggish:
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.used = 0.0
-        monkeypatch.setattr(tab_module.time, "thread_time", self)
+        monkeypatch.setattr(keeper.time, "thread_time", self)
 
     def __call__(self) -> float:
         self.used += 0.5  # that alone would put the next keepsake off by 500 s

@@ -187,7 +187,7 @@ def key_name(key: str) -> str:
 
 
 def keys_list() -> str:
-    """The keys, for docs/page.md."""
+    """The keys, for docs/using.md."""
     return "\n".join(
         ("| key | |", "|---|---|", *(f"| {keys} | {what} |" for keys, what in key_lines(COMMANDS)))
     )
@@ -199,10 +199,10 @@ def messages_list() -> str:
         f"### {title}\n\n| | |\n|---|---|\n"
         + "\n".join(f"| `{kind.__struct_config__.tag}` | {first_sentence(kind)} |" for kind in kinds)
         for title, kinds in (
-            ("What a page says", messages(FromPage)),
-            ("States that a page is told", messages(State)),
-            ("Numbers that a page is told", messages(Numbers)),
-            ("Events that a page is told", messages(Event)),
+            ("From the page", messages(FromPage)),
+            ("States sent to the page", messages(State)),
+            ("Numbers sent to the page", messages(Numbers)),
+            ("Events sent to the page", messages(Event)),
         )
     )
 
@@ -217,12 +217,12 @@ def between(path: Path, name: str, text: str) -> str:
 
 def files() -> dict[Path, str]:
     """All that is made, and what is in it."""
-    page, wire = ROOT / "docs" / "page.md", ROOT / "docs" / "wire.md"
+    using, wire = ROOT / "docs" / "using.md", ROOT / "docs" / "wire.md"
     return {
         WIRE / "wire.d.ts": types(),
         WIRE / "commands.js": table(),
         PAGE / "features.js": features(),
-        page: between(page, "keys", keys_list()),
+        using: between(using, "keys", keys_list()),
         wire: between(wire, "messages", messages_list()),
     }
 
