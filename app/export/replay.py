@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 from sim.scene.types import shown_name
 
 from ..stage.looks import FRACTIONS, ICONS, SPEEDS, style_rules
-from ..stage.plan import encode_damage, encode_frame, joined
+from ..stage.plan import encode_damage, encode_frame
 from ..stage.sketch import Floats
+from ..wire.sections import joined
 from .bundle import bundle
 from .clip import Clip, Shot
 from .html_file import html_file, packed, plans, stage

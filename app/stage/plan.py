@@ -1,7 +1,7 @@
 """What a page is told of a body: once, what it is made of, and then where its masses are.
 
-The page draws by itself. It gets one array of single precision numbers for the plan of a body, sections each
-after their length, and one for each frame; `static/plan.js` reads both.
+The page draws by itself. It gets one array of numbers for the plan of a body, and one for each frame; their
+sections are those of the messages `Plan`, `Frame` and `Damage`, and `plan.js` reads them.
 """
 
 from __future__ import annotations
@@ -19,6 +19,8 @@ from sim.scene.columns import column
 from sim.scene.surroundings import STILL_AIR
 from sim.scene.types import Damage
 
+from ..wire import to_page
+from ..wire.to_page import Frame, Plan
 from .colors import blend
 from .looks import YIELDED
 from .sketch import Floats, Sketch
@@ -118,38 +120,28 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         sketch.slices,
         -1 if sketch.driven is None else sketch.driven,
     )
-    joints = (sketch.joint_a, sketch.joint_b, sketch.joint_mass, sketch.joint_sense)
-    sections = (
-        head,
-        sketch.radius,
-        sketch.springs,
-        sketch.rest_length,
-        sketch.thickness,
-        sketch.full_strain,
-        np.column_stack(joints),
-        rest_angles,
-        sketch.pinned,
-        sketch.mass_colors(),
-        strain_colors(sketch),
-        turn_colors(sketch),
-        sketch.ink_colors(),
+    surroundings = _surroundings(sketch, sketch.environment) if sketch.environment is not None else {}
+    muscles = len(sketch.muscles)
+    return Plan.pack(
+        head=head,
+        radius=sketch.radius,
+        springs=sketch.springs,
+        rest_length=sketch.rest_length,
+        thickness=sketch.thickness,
+        full_strain=sketch.full_strain,
+        joints=np.column_stack((sketch.joint_a, sketch.joint_b, sketch.joint_mass, sketch.joint_sense)),
+        rest_angle=rest_angles,
+        pinned=sketch.pinned,
+        mass_colors=sketch.mass_colors(),
+        strain_colors=strain_colors(sketch),
+        turn_colors=turn_colors(sketch),
+        ink_colors=sketch.ink_colors(),
+        **surroundings,
+        loads=sketch.loads,
+        muscles=(*sketch.beat, *sketch.muscles.ravel()) if muscles else (),
+        muscle_colors=muscle_colors(sketch) if muscles else (),
+        resists=(sketch.medium, sketch.ground) if sketch.medium or sketch.ground else (),
     )
-    surroundings: tuple[ArrayLike, ...] = ()
-    if sketch.environment is not None:
-        surroundings = _surroundings(sketch, sketch.environment)
-    moved: tuple[ArrayLike, ...] = ()
-    if len(sketch.muscles):
-        moved = sketch.loads, (*sketch.beat, *sketch.muscles.ravel()), muscle_colors(sketch)
-    elif len(sketch.loads):
-        moved = (sketch.loads,)
-    resists: tuple[ArrayLike, ...] = ()
-    if sketch.medium or sketch.ground:
-        resists = ((sketch.medium, sketch.ground),)
-        # What a body does not have may be left out at the end only.
-        moved = (*moved, [], [], [])[:3]
-    if moved and not surroundings:
-        surroundings = [], [], [], []
-    return joined(*sections, *surroundings, *moved, *resists)
 
 
 def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:
@@ -161,57 +153,54 @@ def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:
     """
 
     def moment(body: Picture) -> tuple[float, float, float, float]:
-        # After a day a time in single precision goes on by 8 ms at once; what it lacks comes last.
+        # After a day, a time in single precision goes on by 8 ms at once.
         left = body.time - float(np.float32(body.time))
         return body.time, body.rest_length_scale, body.rest_angle_shift, left
 
-    beside: tuple[ArrayLike, ...] = ()
-    if picture.ghost is not None:
-        beside = (picture.ghost,)
-    if (second := picture.second) is not None:
-        beside = *(beside or ([],)), moment(second), second.positions
-    return joined((generation, *moment(picture)), picture.positions, *beside)
+    second = picture.second
+    return Frame.pack(
+        moment=(generation, *moment(picture)),
+        positions=picture.positions,
+        ghost=picture.ghost if picture.ghost is not None else (),
+        second_moment=moment(second) if second is not None else (),
+        second_positions=second.positions if second is not None else (),
+    )
 
 
 def encode_damage(generation: int, picture: Picture) -> NDArray[np.float32]:
-    """What has yielded and broken of a body; sent only when it changes.
+    """What has yielded and broken of a body.
 
     Args:
         generation: of the plan.
         picture: what is drawn.
     """
-    damage, sections = picture.damage or Damage(), list[ArrayLike]()
-    if picture.second is not None and (other := picture.second.damage) is not None:
-        sections = [other.broken, other.set_lengths, other.set_angles]
-    return joined(
-        [generation], damage.broken, damage.set_lengths, damage.set_angles, picture.ghost_broken, *sections
+    own = picture.damage or Damage()
+    other = (picture.second.damage if picture.second is not None else None) or Damage()
+    return to_page.Damage.pack(
+        head=[generation],
+        broken=own.broken,
+        set_length=own.set_lengths,
+        set_angle=own.set_angles,
+        ghost_broken=picture.ghost_broken,
+        second_broken=other.broken,
+        second_set_length=other.set_lengths,
+        second_set_angle=other.set_angles,
     )
 
 
-def joined(*sections: ArrayLike) -> NDArray[np.float32]:
-    """Sections, each after its length."""
-    flat = [np.asarray(section, np.float32).ravel() for section in sections]
-    return np.concatenate([part for section in flat for part in ([len(section)], section)], dtype=np.float32)
-
-
-def _surroundings(sketch: Sketch, environment: Environment) -> tuple[ArrayLike, ...]:
-    """Walls, fillings, wind, and the distance of contact (px).
-
-    Of each wall a point (px) and its normal; of each filling whether it is a gas, how many masses its loop
-    has, and which; of wind its mean velocity (px/s), and wave vector, amplitude and phase of each wave.
-    """
+def _surroundings(sketch: Sketch, environment: Environment) -> dict[str, ArrayLike]:
+    """The sections of walls, fillings, wind and contact."""
     loops: list[float] = []
     fillings, air = environment.fillings, environment.air
     for filling, loop in zip(fillings.rows, fillings.loops(), strict=True):
         loops += [FillingRow(*filling).is_gas, len(loop), *loop]
     blows = math.hypot(air.wind_x, air.wind_y) >= STILL_AIR
-    wind = (air.wind_x, air.wind_y, *air.waves[:, :-1].ravel()) if blows else ()
-    return (
-        environment.walls.rows[:, :4],  # points and normals
-        loops,
-        wind,
-        [sketch.contact] if sketch.contact else (),
-    )
+    return {
+        "walls": environment.walls.rows[:, :4],  # points and normals
+        "fillings": loops,
+        "wind": (air.wind_x, air.wind_y, *air.waves[:, :-1].ravel()) if blows else (),
+        "contact_of": [sketch.contact] if sketch.contact else (),
+    }
 
 
 def strain_colors(sketch: Sketch) -> NDArray[np.uint8]:

@@ -8,11 +8,14 @@ from __future__ import annotations
 
 from functools import cache, reduce
 from operator import or_
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import msgspec
 import numpy as np
 from msgspec import Meta, Struct
+from numpy.typing import ArrayLike, NDArray
+
+from .sections import Section, pack
 
 
 def tag_of(name: str) -> str:
@@ -45,9 +48,19 @@ class Event(ToPage, frozen=True, kw_only=True):
 
 
 class Numbers(ToPage, frozen=True, kw_only=True):
-    """Numbers of single precision, which travel beside the JSON: only the latest count."""
+    """Numbers of single precision, which travel beside the JSON: only the latest count.
+
+    Attributes:
+        sections: what the numbers are.
+    """
 
     numbers: np.ndarray
+    sections: ClassVar[tuple[Section, ...]] = ()
+
+    @classmethod
+    def pack(cls, **values: ArrayLike) -> NDArray[np.float32]:
+        """Numbers with these sections; see `sections.pack`."""
+        return pack(cls.sections, values)
 
 
 Index = Annotated[int, Meta(ge=0, le=999_999)]

@@ -7,6 +7,7 @@ from typing import Literal
 from msgspec import Struct
 
 from .messages import CommandName, Event, Numbers, PhaseName, State
+from .sections import Section
 
 
 # ------------------------------------------------------------------------- states
@@ -73,15 +74,74 @@ class Keepsake(State, frozen=True, kw_only=True):
 
 # ------------------------------------------------------------------------- numbers
 class Plan(Numbers, frozen=True, kw_only=True):
-    """What a body is made of, see `stage.plan.encode_plan`."""
+    """What a body is made of and what surrounds it."""
+
+    sections = (
+        Section(
+            "head",
+            numbers={
+                "generation": "which body this is; frames carry the same number",
+                "scale": "from px to the page's world",
+                "x": "the middle of the scene's frame, px",
+                "y": "the middle of the scene's frame, px",
+                "flip": "-1 where y grows downwards",
+                "many?": "whether there are so many masses that they are drawn with less",
+                "bars?": "whether springs are bars instead of coils",
+                "slices": "triangles of a wedge",
+                "driven": "the mass that the pointer drives, or -1",
+            },
+        ),
+        Section("radius", "of each mass, in the world"),
+        Section("springs", "two masses each"),
+        Section("rest_length", "px, one for each spring"),
+        Section("thickness", "amplitude of the coil or width of the bar, in the world"),
+        Section("full_strain", "relative stretch at which each spring has its full colour; or one for all"),
+        Section("joints", "spring a, spring b, the mass at the tip, and whether b leaves it (1) or not (-1)"),
+        Section("rest_angle", "degrees"),
+        Section("pinned", "the held masses that have a support"),
+        Section("mass_colors", "three a mass: of rim, fill and shine"),
+        Section("strain_colors", "a table, from full compression to full stretch"),
+        Section("turn_colors", "a table, from the full negative deviation to the full positive one"),
+        Section("ink_colors", "of pins, ring, ghost and the mark of springs that have yielded"),
+        Section("walls", "of each a point of the surface, px, and the unit vector to the free side"),
+        Section("fillings", "of each whether it is a gas, how many masses its loop has, and which"),
+        Section(
+            "wind", "velocity, px/s; of each wave of its gusts wave vector, amplitude and phase; or nothing"
+        ),
+        Section(
+            "contact_of",
+            numbers={"contact": "px, the distance at which contact begins; 0 where there is none"},
+        ),
+        Section("loads", "of each constant force which mass it acts on, and its arrow, in the world"),
+        Section(
+            "muscles",
+            "frequency, Hz, and phase of the beat, and of each muscle what swing.js says; or nothing",
+        ),
+        Section("muscle_colors", "a table, from a muscle at its longest to one at its shortest"),
+        Section(
+            "resists",
+            numbers={
+                "medium?": "whether the body is in a medium",
+                "ground?": "whether it lies on the ground, seen from above",
+            },
+        ),
+    )
 
 
 class SecondPlan(Numbers, frozen=True, kw_only=True):
     """What a second body beside the page's is made of, as a plan; where its masses are is in the frames."""
 
 
+_MOMENT = {
+    "time": "simulated seconds",
+    "length_scale": "factor of all rest lengths",
+    "angle_shift": "degrees added to all rest angles",
+    "time_rest": "what a time in single precision lacks, s",
+}
+
+
 class Frame(Numbers, frozen=True, kw_only=True):
-    """Where the masses are, see `stage.plan.encode_frame`.
+    """Where the masses are.
 
     Attributes:
         wall: when it was made, s of a clock that runs evenly.
@@ -89,9 +149,28 @@ class Frame(Numbers, frozen=True, kw_only=True):
 
     wall: float
 
+    sections = (
+        Section("moment", numbers={"generation": "of the body", **_MOMENT}),
+        Section("positions", "px, x and y of each mass"),
+        Section("ghost", "px, of a second body with the same plan"),
+        Section("second_moment", "of a second body with a plan of its own: " + ", ".join(_MOMENT)),
+        Section("second_positions", "px, x and y of each of its masses"),
+    )
+
 
 class Damage(Numbers, frozen=True, kw_only=True):
-    """What has yielded and broken, see `stage.plan.encode_damage`."""
+    """What has yielded and broken; sent only when it changes."""
+
+    sections = (
+        Section("head", numbers={"generation": "of the body"}),
+        Section("broken", "the springs that are broken"),
+        Section("set_length", "px by which each rest length has moved for good; empty if none has"),
+        Section("set_angle", "degrees by which each rest angle has moved for good; empty if none has"),
+        Section("ghost_broken", "the broken springs of a second body with the same plan"),
+        Section("second_broken", "as `broken`, of a second body with a plan of its own"),
+        Section("second_set_length", "as `set_length`, of that"),
+        Section("second_set_angle", "as `set_angle`, of that"),
+    )
 
 
 # ------------------------------------------------------------------------- in a class

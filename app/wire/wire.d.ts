@@ -253,14 +253,70 @@ export type ClassEnded = { tell: "classEnded" };
 export type Run = { tell: "run"; command: CommandName };
 /** The server has what the page gave back. */
 export type Resumed = { tell: "resumed" };
-/** What a body is made of, see `stage.plan.encode_plan`. */
+/** What a body is made of and what surrounds it. */
 export type Plan = { tell: "plan"; numbers: Float32Array };
 /** What a second body beside the page's is made of, as a plan; where its masses are is in the frames. */
 export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
-/** Where the masses are, see `stage.plan.encode_frame`. */
+/** Where the masses are. */
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
-/** What has yielded and broken, see `stage.plan.encode_damage`. */
+/** What has yielded and broken; sent only when it changes. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
 export type ToPage = Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | Plan | SecondPlan | Frame | Damage;
+/** What is in arrays of numbers, by the tags of their messages. */
+export type Layouts = {
+  plan: {
+    /** which body this is; frames carry the same number */ generation: number;
+    /** from px to the page's world */ scale: number;
+    /** the middle of the scene's frame, px */ x: number;
+    /** the middle of the scene's frame, px */ y: number;
+    /** -1 where y grows downwards */ flip: number;
+    /** whether there are so many masses that they are drawn with less */ many: boolean;
+    /** whether springs are bars instead of coils */ bars: boolean;
+    /** triangles of a wedge */ slices: number;
+    /** the mass that the pointer drives, or -1 */ driven: number;
+    /** of each mass, in the world */ radius: Float32Array;
+    /** two masses each */ springs: Float32Array;
+    /** px, one for each spring */ restLength: Float32Array;
+    /** amplitude of the coil or width of the bar, in the world */ thickness: Float32Array;
+    /** relative stretch at which each spring has its full colour; or one for all */ fullStrain: Float32Array;
+    /** spring a, spring b, the mass at the tip, and whether b leaves it (1) or not (-1) */ joints: Float32Array;
+    /** degrees */ restAngle: Float32Array;
+    /** the held masses that have a support */ pinned: Float32Array;
+    /** three a mass: of rim, fill and shine */ massColors: Float32Array;
+    /** a table, from full compression to full stretch */ strainColors: Float32Array;
+    /** a table, from the full negative deviation to the full positive one */ turnColors: Float32Array;
+    /** of pins, ring, ghost and the mark of springs that have yielded */ inkColors: Float32Array;
+    /** of each a point of the surface, px, and the unit vector to the free side */ walls: Float32Array;
+    /** of each whether it is a gas, how many masses its loop has, and which */ fillings: Float32Array;
+    /** velocity, px/s; of each wave of its gusts wave vector, amplitude and phase; or nothing */ wind: Float32Array;
+    /** px, the distance at which contact begins; 0 where there is none */ contact: number;
+    /** of each constant force which mass it acts on, and its arrow, in the world */ loads: Float32Array;
+    /** frequency, Hz, and phase of the beat, and of each muscle what swing.js says; or nothing */ muscles: Float32Array;
+    /** a table, from a muscle at its longest to one at its shortest */ muscleColors: Float32Array;
+    /** whether the body is in a medium */ medium: boolean;
+    /** whether it lies on the ground, seen from above */ ground: boolean;
+  };
+  frame: {
+    /** of the body */ generation: number;
+    /** simulated seconds */ time: number;
+    /** factor of all rest lengths */ lengthScale: number;
+    /** degrees added to all rest angles */ angleShift: number;
+    /** what a time in single precision lacks, s */ timeRest: number;
+    /** px, x and y of each mass */ positions: Float32Array;
+    /** px, of a second body with the same plan */ ghost: Float32Array;
+    /** of a second body with a plan of its own: time, length_scale, angle_shift, time_rest */ secondMoment: Float32Array;
+    /** px, x and y of each of its masses */ secondPositions: Float32Array;
+  };
+  damage: {
+    /** of the body */ generation: number;
+    /** the springs that are broken */ broken: Float32Array;
+    /** px by which each rest length has moved for good; empty if none has */ setLength: Float32Array;
+    /** degrees by which each rest angle has moved for good; empty if none has */ setAngle: Float32Array;
+    /** the broken springs of a second body with the same plan */ ghostBroken: Float32Array;
+    /** as `broken`, of a second body with a plan of its own */ secondBroken: Float32Array;
+    /** as `set_length`, of that */ secondSetLength: Float32Array;
+    /** as `set_angle`, of that */ secondSetAngle: Float32Array;
+  };
+};
 /** What the page is told, by its tag. */
 export type Told = { selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };

@@ -19,6 +19,7 @@ from app.pages.sandbox.features import COMMANDS, FEATURES
 from app.ui.commands import key_lines
 from app.ui.feature import Feature
 from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages
+from app.wire.sections import Section
 
 COMMAND = "uv run python -m tests.page.generate"
 ROOT = Path(__file__).parents[2]
@@ -109,10 +110,62 @@ def types() -> str:
         f"export type FromPage = {' | '.join(kind.__name__ for kind in says)};",
         *(declared(kind, says=False) for kind in (*parts_of(tells), *tells)),
         f"export type ToPage = {' | '.join(kind.__name__ for kind in tells)};",
+        *layout_types(),
         "/** What the page is told, by its tag. */",
         f"export type Told = {{ {told} }};",
     ]
     return "\n".join(lines) + "\n"
+
+
+def camel(name: str) -> str:
+    """A name as the script has it: rest_length is restLength."""
+    return re.sub(r"_(.)", lambda found: found[1].upper(), name)
+
+
+def layouts() -> dict[str, tuple[Section, ...]]:
+    """The sections of all arrays of numbers, by the tags of their messages."""
+    kinds = messages(Numbers)
+    return {str(kind.__struct_config__.tag): kind.sections for kind in kinds if kind.sections}  # type: ignore[attr-defined]
+
+
+def layout_types() -> list[str]:
+    """The types of arrays of numbers, for wire.d.ts."""
+    lines = ["/** What is in arrays of numbers, by the tags of their messages. */", "export type Layouts = {"]
+    for tag, sections in layouts().items():
+        lines.append(f"  {tag}: {{")
+        for section in sections:
+            for name, doc in section.numbers.items():
+                kind = "boolean" if name.endswith("?") else "number"
+                lines.append(f"    /** {doc} */ {camel(name.rstrip('?'))}: {kind};")
+            if not section.numbers:
+                lines.append(f"    /** {section.doc} */ {camel(section.name)}: Float32Array;")
+        lines.append("  };")
+    return [*lines, "};"]
+
+
+def layout_table() -> str:
+    """layouts.js."""
+    tables = {
+        tag: [[camel(name) for name in section.numbers] or camel(section.name) for section in sections]
+        for tag, sections in layouts().items()
+    }
+    rows = [f"  {tag}: {json.dumps(table)}," for tag, table in tables.items()]
+    return "\n".join(
+        (
+            "// @ts-check",
+            f"/** The sections of arrays of numbers. Made by `{COMMAND}` from the messages. */",
+            "",
+            "/**",
+            ' * By the tags of messages: names of sections, or of the numbers of one; flags end in "?".',
+            " *",
+            ' * @type {Record<keyof import("./wire.js").Layouts, (string | string[])[]>}',
+            " */",
+            "export const LAYOUTS = {",
+            *rows,
+            "};",
+            "",
+        )
+    )
 
 
 def table() -> str:
@@ -221,6 +274,7 @@ def files() -> dict[Path, str]:
     return {
         WIRE / "wire.d.ts": types(),
         WIRE / "commands.js": table(),
+        WIRE / "layouts.js": layout_table(),
         PAGE / "features.js": features(),
         using: between(using, "keys", keys_list()),
         wire: between(wire, "messages", messages_list()),

@@ -10,7 +10,8 @@
  * @property {number[]} damages from which frame on there is each
  * @typedef {import("./paint.js").Stage & Moving} About what the file says
  */
-import { between, readDamage, readFrame, readPlan, sections, UNHARMED } from "../../stage/plan.js";
+import { between, readDamage, readFrame, readPlan, UNHARMED } from "../../stage/plan.js";
+import { sections } from "../../wire/unpack.js";
 import { paint } from "./paint.js";
 import { element, unpacked } from "./parts.js";
 

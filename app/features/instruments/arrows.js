@@ -8,7 +8,7 @@
  */
 import { arrow, head, headOf } from "../../stage/arrow_shapes.js";
 import { roundUp } from "../../stage/overlay.js";
-import { sections } from "../../stage/plan.js";
+import { sections } from "../../wire/unpack.js";
 
 /** Sets of numbers that are kept to glide between. */
 const KEPT = 8;

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from sim import Scene, Simulation
 
 from ...session.session import Session
-from ...stage.plan import joined
 from ...stage.sketch import Floats
 from ...wire.carrier import Mail
+from ...wire.sections import joined
 from . import messages as to_page
 
 KINDS = ("forces", "velocities", "torques")

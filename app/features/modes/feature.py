@@ -14,11 +14,11 @@ from sim.analysis.modes import Modes
 
 from ...session.modes import ModesWatch
 from ...session.session import Changed, Command, Session
-from ...stage.plan import joined
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
 from ...wire.messages import FromPage
+from ...wire.sections import joined
 from . import messages
 
 EVERY = 1.0 / 20.0

@@ -1,6 +1,6 @@
 // @ts-check
 /** Shapes and levels of modes as modes.py writes them, and where a shape is on the screen. Arithmetic only. */
-import { sections } from "../../stage/plan.js";
+import { sections } from "../../wire/unpack.js";
 
 /**
  * @typedef {object} Shape

@@ -1,0 +1,13 @@
+// @ts-check
+/** The sections of arrays of numbers. Made by `uv run python -m tests.page.generate` from the messages. */
+
+/**
+ * By the tags of messages: names of sections, or of the numbers of one; flags end in "?".
+ *
+ * @type {Record<keyof import("./wire.js").Layouts, (string | string[])[]>}
+ */
+export const LAYOUTS = {
+  plan: [["generation", "scale", "x", "y", "flip", "many?", "bars?", "slices", "driven"], "radius", "springs", "restLength", "thickness", "fullStrain", "joints", "restAngle", "pinned", "massColors", "strainColors", "turnColors", "inkColors", "walls", "fillings", "wind", ["contact"], "loads", "muscles", "muscleColors", ["medium?", "ground?"]],
+  frame: [["generation", "time", "lengthScale", "angleShift", "timeRest"], "positions", "ghost", "secondMoment", "secondPositions"],
+  damage: [["generation"], "broken", "setLength", "setAngle", "ghostBroken", "secondBroken", "secondSetLength", "secondSetAngle"],
+};
