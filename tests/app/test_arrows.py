@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import sim
-from app.features.instruments.arrows import KINDS, MOST, Arrows, encode, smallest
+from app.features.instruments.arrows import KINDS, MAX_ARROWS, Arrows, encode, smallest
 from app.features.instruments.messages import Tools
-from app.features.instruments.panel import LAST, MAX_TRACES, ToolsPanel
+from app.features.instruments.panel import MAX_TRACES, ORDER, ToolsPanel
 from app.session import commands
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
@@ -114,11 +114,11 @@ def test_of_a_thousand_masses_some_have_arrows_and_the_held_ones_in_any_case() -
     step = int(head[2])
     assert step == 5
     chosen = [*range(0, 1000, step), *(int(m) for m in held if m % step)]
-    assert len(forces) == 2 * len(chosen) <= 2 * (MOST + len(held))
+    assert len(forces) == 2 * len(chosen) <= 2 * (MAX_ARROWS + len(held))
     assert {anchor.mass for anchor in scene.anchors} == set(held.astype(int)) <= set(chosen)
     assert forces.reshape(-1, 2) == pytest.approx(page.simulation.loads.forces[chosen], rel=1e-5, abs=0.1)
-    assert len(torques) <= MOST
-    assert len(wire.numbers) < 4 * MOST + 500
+    assert len(torques) <= MAX_ARROWS
+    assert len(wire.numbers) < 4 * MAX_ARROWS + 500
 
 
 def test_the_mass_in_hand_counts_as_held() -> None:
@@ -187,7 +187,7 @@ def test_the_switches_stand_below_the_plots_however_many_pages_there_were() -> N
     added = (gui.add_checkbox, gui.add_dropdown, gui.add_button, gui.add_html)
     orders = [call.kwargs["order"] for add in added for call in add.call_args_list]
     assert len(orders) == 7
-    assert min(orders) >= LAST
+    assert min(orders) >= ORDER
 
 
 def test_the_page_is_told_which_masses_are_traced() -> None:
