@@ -203,7 +203,7 @@ export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
 /** What is measured on the canvas. */
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
-/** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
+/** Forces, velocities and torques, see `encode` in arrows.py; empty while no arrows are shown. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
 export type Lesson = { tell: "lesson"; steps: LessonStep[] };
@@ -213,9 +213,9 @@ export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; st
 export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
 /** What was done of the lesson that is being made. */
 export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; field: string; refused: string };
-/** Turn to the Measure tab, where a plot is about to come. */
+/** Turn to the Measure tab, where a plot is about to appear. */
 export type ShowMeasures = { tell: "showMeasures" };
-/** A plot is to be heard. */
+/** Play a plot as a melody. */
 export type Melody = { tell: "melody"; name: string; unit: string; values: (number | null)[] };
 /** The slow vibrations of the body, where the page looks at them. */
 export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };

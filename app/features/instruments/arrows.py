@@ -20,7 +20,7 @@ from . import messages as to_page
 KINDS = ("forces", "velocities", "torques")
 
 MAX_ARROWS = 240
-"""Approximate number of arrows of a kind: of more masses or joints, every second or third one has an arrow."""
+"""Arrows of a kind, about: of more masses or joints, every second or third one has an arrow."""
 
 MAX_HELD = 60
 """Held masses that have an arrow in any case."""
