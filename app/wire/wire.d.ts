@@ -4,6 +4,46 @@ export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "seco
 export type TextKind = "resume" | "link" | "file" | "rival" | "paste";
 /** Commands that the page's script does, by the features that they belong to. */
 export type PageCommands = { core: "fit" | "chase" | "larger"; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit" };
+/** New values of fields of a step, see `sim.scene.lesson.Step`; null removes one. */
+export type StepChanges = { title?: string; do?: string; watch?: string; question?: QuestionDraft | null; predict?: number | null; goal?: GoalDraft | null; collect?: ReadingDraft | null; controls?: string[]; plots?: null; arrows?: null; ghost?: string };
+/** A question as it is written, see `sim.scene.lesson.Question`. */
+export type QuestionDraft = { text: string; choices: string[]; answer: number; because: string };
+/** A goal as it is written, see `sim.scene.lesson.Goal`. */
+export type GoalDraft = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
+/** A reading as it is chosen, see `sim.scene.lesson.Reading`. */
+export type ReadingDraft = { quantity: string; of: "period" | "value" };
+/** A scene as the gallery shows it. */
+export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
+/** What the script shows of a step, see `sim.scene.lesson.Step`. */
+export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
+/** A question with answers to choose from. */
+export type Question = { text: string; choices: string[]; answer: number; because: string };
+/** One step of a lesson. */
+export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
+/** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
+export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
+/** Something that is read off a run. */
+export type Reading = { quantity: string; of: "period" | "value" };
+/** A slider or a list that a step can offer. */
+export type LessonControl = { key: string; label: string };
+/** What a class looks at. */
+export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
+/** Something that the pupil at a page has given. */
+export type Given = { stop: number; round: number; twin: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string };
+/** A line that the teacher has picked out. */
+export type WallLine = { text: string; color: string };
+/** What one seat found: a point of the class's plot. */
+export type Found = { setting: number; found: number };
+/** The power law, found = factor * setting ** exponent, that the class's points are closest to. */
+export type Law = { factor: number; exponent: number };
+/** What a device found that tried whether it can take part; see `from_page.Checked`. */
+export type DeskTried = { trip: number; rate: number; works: boolean; doubts: boolean };
+/** A stop of the class's plan. */
+export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number][] };
+/** A seat, as the teacher sees it. */
+export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
+/** An answer, as the teacher sees it. */
+export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
 /** The scene is to have another name and another description. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
 /** The beat of all muscles is to have another frequency, Hz. */
@@ -42,39 +82,25 @@ export type UseInClass = { do: "useInClass"; name: string };
 export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
 /** The page goes to a step of the scene's lesson. */
 export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "wait" };
-/** The form of the lesson is to be open, or not. */
+/** Open or close the form of the lesson. */
 export type MakeLesson = { do: "makeLesson"; on: boolean };
-/** A new step, which is to have that number, counted from 0. */
+/** Insert a step at a position, counted from 0. */
 export type AddStep = { do: "addStep"; at: number };
-/** A copy of the step is to come after it. */
+/** Insert a copy after a step. */
 export type CopyStep = { do: "copyStep"; step: number };
-/** The step is to go; with the last one, the lesson goes. */
+/** Remove a step; with the last one, the lesson. */
 export type RemoveStep = { do: "removeStep"; step: number };
-/** The step is to have another place. */
+/** Move a step to another position. */
 export type MoveStep = { do: "moveStep"; step: number; to: number };
-/** A text of the step. */
-export type WriteStep = { do: "writeStep"; step: number; field: "do" | "title" | "watch"; text: string };
-/** The question of the step. */
-export type AskInStep = { do: "askInStep"; step: number; text: string; choices: string[]; answer: number; because: string };
-/** The time after which the body's place is asked for, s. */
-export type PredictInStep = { do: "predictInStep"; step: number; seconds: number };
-/** The goal of the step, see `sim.scene.lesson.Goal`. */
-export type AimInStep = { do: "aimInStep"; step: number; quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
-/** What is handed in of the step. */
-export type CollectInStep = { do: "collectInStep"; step: number; quantity: string; of: "period" | "value" };
-/** The sliders and lists that stand below the step, by their keys. */
-export type OfferInStep = { do: "offerInStep"; step: number; controls: string[] };
-/** The method of the second body, "reference", or "" for none. */
-export type CompareInStep = { do: "compareInStep"; step: number; ghost: string };
-/** The step is to have the settings, the plots or the arrows as they are now. */
+/** Change fields of a step. */
+export type ChangeStep = { do: "changeStep"; step: number; changes: StepChanges };
+/** Give a step the present settings, plots or arrows. */
 export type TakeInStep = { do: "takeInStep"; step: number; what: "arrows" | "plots" | "settings" };
-/** The step is to have no such thing any more; without arrows of its own it leaves them as they are. */
-export type DropFromStep = { do: "dropFromStep"; step: number; what: "arrows" | "collect" | "goal" | "plots" | "predict" | "question" };
-/** The step is to begin as a pupil sees it. */
+/** Begin a step as a pupil sees it. */
 export type TryStep = { do: "tryStep"; step: number };
-/** The page goes back to where a step was tried from. */
+/** Return from a step that was begun by `TryStep`. */
 export type EndTrying = { do: "endTrying" };
-/** The lesson is to go. */
+/** Remove the lesson. */
 export type DropLesson = { do: "dropLesson" };
 /** The body is to be put into a mode, with a part of the amplitude of a full bar. */
 export type PutMode = { do: "putMode"; mode: number; part: number };
@@ -142,39 +168,7 @@ export type ToWall = { do: "toWall"; answer: string };
 export type Bring = { do: "bring"; text: string };
 /** Something is to be done with one seat. */
 export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
-export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Unread | Unsent | Who | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
-/** A scene as the gallery shows it. */
-export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
-/** What the script shows of a step, see `sim.scene.lesson.Step`. */
-export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
-/** A question with answers to choose from. */
-export type Question = { text: string; choices: string[]; answer: number; because: string };
-/** One step of a lesson. */
-export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
-/** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
-export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
-/** Something that is read off a run. */
-export type Reading = { quantity: string; of: "period" | "value" };
-/** A slider or a list that a step can have. */
-export type LessonControl = { key: string; label: string };
-/** What a class looks at. */
-export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
-/** Something that the pupil at a page has given. */
-export type Given = { stop: number; round: number; twin: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string };
-/** A line that the teacher has picked out. */
-export type WallLine = { text: string; color: string };
-/** What one seat found: a point of the class's plot. */
-export type Found = { setting: number; found: number };
-/** The power law, found = factor * setting ** exponent, that the class's points are closest to. */
-export type Law = { factor: number; exponent: number };
-/** What a device found that tried whether it can take part; see `from_page.Checked`. */
-export type DeskTried = { trip: number; rate: number; works: boolean; doubts: boolean };
-/** A stop of the class's plan. */
-export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number][] };
-/** A seat, as the teacher sees it. */
-export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
-/** An answer, as the teacher sees it. */
-export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
+export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Unread | Unsent | Who | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
 /** What is selected. */
 export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
 /** What undo takes back, and what redo does again; empty for nothing. */
@@ -207,11 +201,11 @@ export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: 
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
 export type Lesson = { tell: "lesson"; steps: LessonStep[] };
-/** The lesson that is being made, which the page shows as a form. */
+/** The lesson that is being edited. */
 export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[] };
-/** What a step of the lesson can have, as things are now. */
+/** What the user can choose for a step at present. */
 export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
-/** What was done of the lesson that is being made. */
+/** The result of a change of the lesson. */
 export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; field: string; refused: string };
 /** Turn to the Measure tab, where a plot is about to appear. */
 export type ShowMeasures = { tell: "showMeasures" };
