@@ -44,31 +44,31 @@ export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" |
 export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
 /** An answer, as the teacher sees it. */
 export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
-/** The scene is to have another name and another description. */
+/** Change the name and the description of the scene. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
-/** The beat of all muscles is to have another frequency, Hz. */
+/** Change the frequency of the beat of all muscles, Hz. */
 export type Tempo = { do: "tempo"; frequency: number };
-/** Some parts are to be selected; with `toggle`, they change sides and the others stay as they are. */
+/** Select these parts only; or with `toggle`, select or deselect them. */
 export type Select = { do: "select"; masses?: number[]; springs?: number[]; joints?: number[]; toggle?: boolean };
-/** What lies whole in a rectangle is to be selected, or with `add` selected too. */
+/** Select what lies entirely in a rectangle; with `add`, in addition to the selection. */
 export type Marquee = { do: "marquee"; x: [number, number]; y: [number, number]; add?: boolean };
-/** A mass is to be put down. */
+/** Add a mass. */
 export type Place = { do: "place"; x: number; y: number };
-/** Two masses are to be joined by a spring; where one is not named, it is to be put down. */
+/** Add a spring between two masses; a mass that is not given is added, too. */
 export type Line = { do: "line"; a?: number | null; b?: number | null; start?: [number, number]; end?: [number, number] };
-/** An angular spring is to hold two springs at the angle that they have. */
+/** Add an angular spring between two springs, at rest at their present angle. */
 export type Hold = { do: "hold"; a: number; b: number };
-/** A joint is to rest at an angle, degrees, or at the one that it has. */
+/** Set the rest angle of a joint, degrees; by default to its present angle. */
 export type Turn = { do: "turn"; joint: number; angle?: number | null };
-/** The springs that a stroke crosses are to be cut. */
+/** Cut the springs that a stroke crosses. */
 export type Stroke = { do: "stroke"; points: [number, number][] };
-/** What is selected, or else one mass, is to be moved by (x, y), and may rest as it is then. */
+/** Move the selection, or else one mass; with `rest`, springs and joints rest as they are then. */
 export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
-/** The selected muscles are to come to their largest later, and to be larger. */
+/** Change phase and amplitude of the selected muscles. */
 export type MoveMuscles = { do: "moveMuscles"; later?: number; stretch?: number; turn?: number; keys?: boolean };
-/** The selected muscles are to have another wave, or another number of waves in a beat, or are to be spread over the beat. */
+/** Change the waveform or the waves per beat of the selected muscles, or spread their phases. */
 export type ShapeMuscles = { do: "shapeMuscles"; wave?: "pulse" | "sine" | null; per_beat?: number | null; spread?: boolean };
-/** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
+/** Apply an action to a mass; or to the selection, or else to the mass under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "keep" | "mirror" | "pin" | "remove" | "rest" | "stiffen" | "triangulate"; mass?: number | null; under?: number | null };
 /** A link to the scene, with the present pose or without. */
 export type Share = { do: "share"; pose: boolean; page: string; short?: boolean; controls?: "all" | "play" | "sliders" };
@@ -169,13 +169,13 @@ export type Bring = { do: "bring"; text: string };
 /** Something is to be done with one seat. */
 export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
 export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Unread | Unsent | Who | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
-/** What is selected. */
+/** The selection. */
 export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
-/** What undo takes back, and what redo does again; empty for nothing. */
+/** Names of the changes that can be undone and redone; empty for none. */
 export type Versions = { tell: "versions"; undo: string; redo: string; count: number; stiffen: number };
-/** What was to be copied, as text. */
+/** The copied parts, as text. */
 export type Copied = { tell: "copied"; text: string };
-/** Whether the scene has its new texts: a sentence that says why not, or nothing. */
+/** The result of `SetTexts`: a sentence that says why it was refused, or an empty one. */
 export type TextsTaken = { tell: "textsTaken"; refused: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };

@@ -1,4 +1,4 @@
-"""What a page's script does to the body's parts: gestures become edits, and it is told what came of them."""
+"""Turns the gestures of a page into edits of the body, and reports the results to the page."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from operator import or_, xor
 
 import msgspec
 import numpy as np
@@ -27,62 +28,60 @@ from ...wire.carrier import Mail
 from . import messages as asks
 from .messages import Copied, Selected, TextsTaken, Versions
 
-ASIDE = 0.3
-"""By how much a copy lies to the right and below of what it was made of, in the page's world."""
+COPY_OFFSET = 0.3
+"""How far a copy lies to the right of and below the original, in the page's world."""
 
-NUDGES = 1.0
-"""Seconds between two moves by keys that are one step of undo, at most."""
+MERGE_WITHIN = 1.0
+"""Seconds within which moves by keys are one step of undo."""
 
-OFFER = "Reset, and “Keep this shape” beside the tools lets what you drew stand as you drew it."
-"""What is said once to who has drawn a spring and lets it go."""
+OFFER = "Reset, then press “Keep this shape” next to the tools: the body will stay as you drew it."
+"""Shown once to a user who has drawn a spring and lets the body move."""
 
 _PASTE = re.compile(r"(-?\d{1,7}(?:\.\d{1,6})?),(-?\d{1,7}(?:\.\d{1,6})?),([A-Za-z0-9+/=]+)")
 
 
 class Edits:
-    """What one page does to the parts of its body.
+    """The edits of one page.
 
     Args:
         session: the page's simulation.
         mail: to the page's script.
-        notify: tells the user something.
+        notify: shows a notice to the user.
     """
 
     def __init__(self, session: Session, mail: Mail, notify: Callable[[Notice], None]) -> None:
         self._session = session
         self._mail = mail
         self._notify = notify
-        self._copy = False
-        self._selected: Selection | None = None
-        self._drew = self._offered = (
-            False  # whether a spring was drawn, and whether it was said what keeps it
-        )
+        self._copies = False  # whether the selection is to be copied
+        self._selected: Selection | None = None  # what the page knows to be selected
+        self._drew = self._offered = False  # whether a spring was drawn, and OFFER was shown
 
     # --------------------------------------------------------------------- any thread
     def do(self, ask: asks.Edit) -> None:
-        """Do what a gesture, or the form of texts, asks for."""
+        """Carry out a message of the page."""
+        post = self._session.post
         match ask:
             case asks.SetTexts():
                 self._set_texts(ask)
             case asks.Select() | asks.Marquee() | asks.Act(what="all"):
-                self._session.post(commands.Select(lambda *now: selected(ask, *now)))
+                post(commands.Select(lambda *now: selected(ask, *now)))
             case asks.Act(what="copy"):
-                self._copy = True
+                self._copies = True
             case asks.Tempo(frequency):
-                self._session.post(commands.SetValue("tempo", frequency))
-            case asks.MoveMuscles():
-                key, within = ("muscles by keys", NUDGES) if ask.keys else ("muscles by hand", math.inf)
-                self._session.post(commands.Change(lambda *now: edited(ask, *now), key, within=within))
-            case asks.Move(keys=True):
-                move = commands.Change(lambda *now: edited(ask, *now), "moved by keys", within=NUDGES)
-                self._session.post(move)
+                post(commands.SetValue("tempo", frequency))
+            case asks.MoveMuscles(keys=False):
+                post(commands.Change(lambda *now: edited(ask, *now), "muscles by hand", within=math.inf))
+            case asks.MoveMuscles() | asks.Move(keys=True):
+                key = "moved by keys" if isinstance(ask, asks.Move) else "muscles by keys"
+                post(commands.Change(lambda *now: edited(ask, *now), key, within=MERGE_WITHIN))
             case asks.Gesture():
                 self._drew |= isinstance(ask, asks.Line)
                 heavy = isinstance(ask, asks.Act) and ask.what in ("keep", "stiffen")
-                self._session.post(commands.Change(lambda *now: edited(ask, *now), heavy=heavy))
+                post(commands.Change(lambda *now: edited(ask, *now), heavy=heavy))
 
     def _set_texts(self, ask: asks.SetTexts) -> None:
-        """Give the scene another name and description, or say in the page why not: what was typed is kept."""
+        """Change the scene's name and description, or report to the page why that is impossible."""
         refused = ""
         try:
             texts.set_texts(self._session.scene, ask.name, ask.description)
@@ -95,10 +94,10 @@ class Edits:
         self._mail.tell(TextsTaken(refused=refused))
 
     def paste(self, message: str) -> None:
-        """Put in what was copied; in a thread, since it may be long.
+        """Paste copied parts; in a thread, since the text may be long.
 
         Args:
-            message: where its middle is to be, in the page's world, and the text as base64.
+            message: where their middle goes, in the page's world, and the copied text as base64.
         """
         match = _PASTE.fullmatch(message)
         if match is None:
@@ -118,25 +117,18 @@ class Edits:
 
     # --------------------------------------------------------------------- the ticker's
     def tell(self) -> None:
-        """Tell the script what is selected, what can be undone, and what it wanted to copy."""
-        session = self._session
+        """Report to the page what is selected, what can be undone, and what it copies."""
+        session, versions = self._session, self._session.versions
         if session.selection is not self._selected:
             self._selected = session.selection
-            self._mail.tell(
-                Selected(**{kind: tuple(sorted(of)) for kind, of in self._selected._asdict().items()})
-            )
-        versions = session.versions
+            self._mail.tell(Selected(*(tuple(sorted(parts)) for parts in self._selected)))
         stiffen = (session.refusal.stiffening or 0.0) if session.refusal is not None else 0.0
-        self._mail.tell(
-            Versions(
-                undo=versions.undoable, redo=versions.redoable, count=len(versions), stiffen=round(stiffen, 3)
-            )
-        )
+        self._mail.tell(Versions(versions.undoable, versions.redoable, len(versions), round(stiffen, 3)))
         if session.playing and self._drew and not self._offered:
             self._offered = True
             self._notify(Notice("info", "It sags?", OFFER))
-        if self._copy:
-            self._copy = False
+        if self._copies:
+            self._copies = False
             moment = session.simulation.capture()
             try:
                 fragment = _copied(moment, masses_of(moment.scene, session.selection))
@@ -147,16 +139,14 @@ class Edits:
 
 # ------------------------------------------------------------------------- what is selected
 def selected(ask: asks.Gesture, moment: Moment, before: Selection) -> Selection:
-    """What is selected after a gesture that selects."""
+    """Return the selection after a gesture that selects."""
     match ask:
         case asks.Select(masses, springs, joints, toggle):
             parts = Selection(*map(frozenset, (masses, springs, joints)))
-            return (
-                Selection(*(one ^ two for one, two in zip(before, parts, strict=True))) if toggle else parts
-            )
+            return Selection(*map(xor, before, parts)) if toggle else parts
         case asks.Marquee(x, y, add):
             parts = _enclosed(moment, x, y)
-            return Selection(*(one | two for one, two in zip(before, parts, strict=True))) if add else parts
+            return Selection(*map(or_, before, parts)) if add else parts
         case _:
             scene = moment.scene
             every = scene.masses, scene.linear_springs, scene.angular_springs
@@ -164,7 +154,7 @@ def selected(ask: asks.Gesture, moment: Moment, before: Selection) -> Selection:
 
 
 def _enclosed(moment: Moment, x: Vector, y: Vector) -> Selection:
-    """Masses in a rectangle, springs with both ends and joints with both springs among them."""
+    """Return the masses in a rectangle, springs with both ends and joints with both springs in it."""
     scene, corners = moment.scene, np.array([_point(moment.scene, *c) for c in zip(x, y, strict=True)])
     at = moment.positions
     inside = ((at >= corners.min(0)) & (at <= corners.max(0))).all(1)
@@ -179,7 +169,7 @@ def _enclosed(moment: Moment, x: Vector, y: Vector) -> Selection:
 
 
 def masses_of(scene: Scene, selection: Selection) -> frozenset[int]:
-    """The masses that are selected, and those that selected springs and joints join."""
+    """Return the selected masses, and those at selected springs and joints."""
     springs = set(selection.springs)
     for j in selection.joints:
         springs |= {scene.angular_springs[j].a, scene.angular_springs[j].b}
@@ -189,10 +179,10 @@ def masses_of(scene: Scene, selection: Selection) -> frozenset[int]:
 
 # ------------------------------------------------------------------------- what is changed
 def edited(ask: asks.Gesture, moment: Moment, selection: Selection) -> Edit:
-    """The edit that a gesture asks for.
+    """Return the edit that a gesture makes.
 
     Raises:
-        SceneError, SettingError: it cannot be made.
+        SceneError, SettingError: it is impossible.
     """
     scene = moment.scene
     match ask:
@@ -210,9 +200,8 @@ def edited(ask: asks.Gesture, moment: Moment, selection: Selection) -> Edit:
             edit = shape.cut(scene, stroke, build.positions_of(moment))
             return edit if edit.springs else Edit("", scene)
         case asks.Move(x, y, rest, under):
-            origin, point = _point(scene, 0.0, 0.0), _point(scene, x, y)
             masses = masses_of(scene, _aimed(scene, selection, None, under))
-            return _moved(moment, masses, (point[0] - origin[0], point[1] - origin[1]), rest)
+            return _moved(moment, masses, _vector(scene, x, y), rest)
         case asks.MoveMuscles(later, stretch, turn):
             return muscles.move_muscles(scene, selection, later, stretch, turn)
         case asks.ShapeMuscles(spread=True):
@@ -226,7 +215,7 @@ def edited(ask: asks.Gesture, moment: Moment, selection: Selection) -> Edit:
 
 
 def _aimed(scene: Scene, selection: Selection, mass: int | None, under: int | None) -> Selection:
-    """What an action is meant for: a mass, or what is selected, or else what is under the pointer."""
+    """Return the target of an action: a mass, or the selection, or else the mass under the pointer."""
     if mass is None:
         mass = None if any(selection) else under
     if mass is None:
@@ -238,7 +227,7 @@ def _aimed(scene: Scene, selection: Selection, mass: int | None, under: int | No
 def _done(what: str, moment: Moment, selection: Selection) -> Edit:
     scene, positions = moment.scene, build.positions_of(moment)
     masses = masses_of(scene, selection)
-    some = masses or frozenset(range(len(scene.masses)))  # where nothing is selected, the whole body is meant
+    some = masses or frozenset(range(len(scene.masses)))  # without a selection, the whole body
     match what:
         case "remove" if any(selection):
             return build.remove(scene, selection)
@@ -248,17 +237,16 @@ def _done(what: str, moment: Moment, selection: Selection) -> Edit:
         case "duplicate" if masses:
             fragment = _copied(moment, masses)
             at = (_middle([positions[i][k] for i in masses]) for k in (0, 1))
-            zero, aside = _point(scene, 0.0, 0.0), _point(scene, ASIDE, -ASIDE)
-            x, y = (a + one - none for a, one, none in zip(at, aside, zero, strict=True))
-            return replace(
-                _pasted(moment, fragment, (x, y)), label=f"{counted(len(masses), 'mass')} duplicated"
-            )
+            offset = _vector(scene, COPY_OFFSET, -COPY_OFFSET)
+            x, y = (a + b for a, b in zip(at, offset, strict=True))
+            label = f"{counted(len(masses), 'mass')} duplicated"
+            return replace(_pasted(moment, fragment, (x, y)), label=label)
         case "mirror":
             return shape.mirror(scene, some, positions)
         case "corners":
             edit = shape.add_corners(scene, some, positions, moment.rest_angle_shift)
             if edit.joints is None:
-                raise SceneError("every corner there has an angular spring, or has none to get")
+                raise SceneError("there is no corner without an angular spring")
             return edit
         case "triangulate":
             edit = shape.triangulate(scene, some, positions, moment.rest_length_scale)
@@ -312,7 +300,7 @@ def _turned(moment: Moment, joint: int, angle: float | None) -> Edit:
 
 
 def _kept(moment: Moment, selection: Selection, allow_stiffening: bool) -> Edit:
-    """What is selected holds the body as it is: springs and joints, or all that selected masses have."""
+    """Make the selected springs and joints, and all those at selected masses, hold the present shape."""
     scene, parts = moment.scene, None
     if any(selection):
         masses = selection.masses
@@ -329,7 +317,7 @@ def _kept(moment: Moment, selection: Selection, allow_stiffening: bool) -> Edit:
     assert kept.pose is not None
     shift = np.array(kept.pose.positions).T - moment.rows[:2]
     starts = scene.pose.positions if scene.pose else tuple(mass.position for mass in scene.masses)
-    # Where it is to start in this shape, too, it starts there at rest.
+    # A body that starts in this shape starts at rest.
     made = kept if starts != kept.pose.positions else msgspec.structs.replace(kept, pose=scene.pose)
     return Edit("keep this shape", made, shift=shift if shift.any() else None, stops=True)
 
@@ -366,5 +354,11 @@ def _middle(values: Sequence[float]) -> float:
 
 
 def _point(scene: Scene, x: float, y: float) -> Vector:
-    """A point of the page's world in the scene, px."""
+    """Convert a point of the page's world to the scene, px."""
     return Mapping.of(scene).to_scene(x, y)
+
+
+def _vector(scene: Scene, x: float, y: float) -> Vector:
+    """Convert a displacement in the page's world to the scene, px."""
+    (x0, y0), (x1, y1) = _point(scene, 0.0, 0.0), _point(scene, x, y)
+    return x1 - x0, y1 - y0
