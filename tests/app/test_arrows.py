@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import sim
-from app.features.instruments.arrows import KINDS, MAX_ARROWS, Arrows, encode, smallest
+from app.features.instruments.arrows import KINDS, MAX_ARROWS, Arrows, encode, negligible
 from app.features.instruments.messages import Tools
 from app.features.instruments.panel import MAX_TRACES, ORDER, ToolsPanel
 from app.session import commands
@@ -131,7 +131,7 @@ def test_the_mass_in_hand_counts_as_held() -> None:
 @pytest.mark.parametrize("name", [info.name for info in sim.list_scenes() if info.built_in])
 def test_what_is_next_to_nothing_is_small_and_positive(name: str) -> None:
     scene = sim.load_scene(name)
-    least = smallest(scene)
+    least = negligible(scene)
     assert all(0.0 < part < 1e9 for part in least)
     simulation = sim.Simulation(scene)
     simulation.step(20)

@@ -11,7 +11,7 @@ import pytest
 import sim
 from app.classroom.live import Classes
 from app.features.making import messages as asks
-from app.features.making.maker import LessonMaker, Measured, in_words
+from app.features.making.maker import LessonMaker, Measured, describe_settings
 from app.features.making.messages import LessonForm, LessonOffers, LessonTaken
 from app.lessons import check_lesson
 from app.session import commands
@@ -272,8 +272,8 @@ def test_the_form_offers_what_there_is_now() -> None:
     form.page.frames(30, commands.SetValue("gravity", 20.0), commands.SetChoice("method", "rk4"))
     form.maker.tell()
     assert form.letters.last(LessonOffers).settings == "Integrator: Runge-Kutta 4, Gravity 20 px/s²"
-    assert in_words(form.scene, ("hope=1", "gravity=many")) == "gravity many, hope 1"
-    assert in_words(form.scene, ("gravity=1", "method=rk4")) == in_words(
+    assert describe_settings(form.scene, ("hope=1", "gravity=many")) == "gravity many, hope 1"
+    assert describe_settings(form.scene, ("gravity=1", "method=rk4")) == describe_settings(
         form.scene, ("method=rk4", "gravity=1")
     )
 

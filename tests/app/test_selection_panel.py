@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from app.features.edit import selection_panel
-from app.features.edit.selection_panel import SelectionPanel, described, numbers_of
+from app.features.edit.selection_panel import SelectionPanel, describe, numbers_of
 from app.session import commands
 from app.session.notices import Notice
 from sim.edit.edit import Selection
@@ -283,7 +283,7 @@ def test_a_mass_that_is_alone_has_nothing_that_could_rest() -> None:
 
 def test_what_is_selected_in_words() -> None:
     parts = Selection(frozenset({1}), frozenset({1, 2}), frozenset({0, 4, 7}))
-    assert described(parts) == "1 mass, 2 springs, 3 joints"
+    assert describe(parts) == "1 mass, 2 springs, 3 joints"
 
 
 def test_numbers_of_muscles_get_their_boxes_with_the_first_muscle() -> None:

@@ -377,7 +377,7 @@ def test_a_picture_to_draw_over_stays_in_the_browser(open_page: OpenPage, tmp_pa
     text = tmp_path / "notes.txt"
     text.write_text("no picture")
     page.locator(".softrod-edit-bar input[type=file]").set_input_files(text)
-    page.get_by_text("notes.txt is no picture").wait_for()
+    page.get_by_text("notes.txt is not a picture").wait_for()
     page.get_by_role("button", name="Picture", exact=True).click()
     page.get_by_role("button", name="Take it away").click()
     desk.until(lambda: image.count() == 0, "it is gone")

@@ -190,7 +190,7 @@ function jointMarks(seen) {
   return marks;
 }
 
-/** Writes the rest angle beside its knob, if there is one. @param {Sight} seen @param {SVGTextElement} words */
+/** Writes the rest angle next to its knob, if there is one. @param {Sight} seen @param {SVGTextElement} words */
 function writeRestAngle(seen, words) {
   const joint = editing.on ? turnable() : -1;
   words.textContent = "";

@@ -85,13 +85,13 @@ def parts_of(selection: Selection, kind: Kind) -> Collection[int]:
     return selection[("masses", "linear_springs", "angular_springs").index(kind)]
 
 
-def described(selection: Selection) -> str:
+def describe(selection: Selection) -> str:
     """Describe a selection, as in "2 masses, 3 springs"."""
     kinds = zip(selection, ("mass", "spring", "joint"), strict=True)
     return ", ".join(counted(len(parts), what) for parts, what in kinds if parts)
 
 
-def changed(of: Number, value: float, in_proportion: bool) -> commands.MakeEdit:
+def make_change(of: Number, value: float, in_proportion: bool) -> commands.MakeEdit:
     """Return an edit that sets a number of all selected parts, or scales it so that the largest has it."""
 
     def make(moment: Moment, selection: Selection) -> Edit:
@@ -152,7 +152,7 @@ class SelectionPanel:
                 row.take(shown.get(row.of), is_new)
             self._proportions.visible = any(each.note == "mixed" for each in shown.values())
             self._holding.visible = bool(selection.masses)
-            folder.label = described(selection)
+            folder.label = describe(selection)
             folder.visible = True
         for row in self._rows:
             row.show()
@@ -187,7 +187,7 @@ class SelectionPanel:
 
     def _set(self, of: Number, value: float) -> None:
         """Set a number; consecutive values of one number of the same parts are one step of undo."""
-        change = changed(of, value, bool(self._proportions.value))
+        change = make_change(of, value, bool(self._proportions.value))
         key = f"{of.kind}.{of.field}.{of.axis} {hash(self._session.selection)}"
         self._session.post(commands.Change(change, key))
 

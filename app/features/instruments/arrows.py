@@ -53,7 +53,7 @@ class Arrows:
             kinds: which of KINDS are shown.
             plan: number of the plan of the body that the page has.
             now: wall time, s.
-            exactly: whether to send even the smallest change, for a still picture.
+            exactly: whether to send even the negligible change, for a still picture.
         """
         if not kinds:
             self.clear()
@@ -65,7 +65,7 @@ class Arrows:
         about = plan, frozenset(kinds), frozenset(held)
         numbers = _numbers(simulation, kinds)
         if self._least[0] != plan:
-            self._least = plan, smallest(simulation.scene)
+            self._least = plan, negligible(simulation.scene)
         least = self._least[1]
         if self._sent is not None and self._sent[0] == about:
             size = (0.0, 0.0, 0.0) if exactly else least
@@ -73,8 +73,8 @@ class Arrows:
                 return
         self._sent = about, numbers
         self._due = now + EVERY - 1e-3
-        told = encode(plan, simulation.time, least, sorted(held), numbers)
-        self._mail.tell(to_page.Arrows(numbers=told))
+        encoded = encode(plan, simulation.time, least, sorted(held), numbers)
+        self._mail.tell(to_page.Arrows(numbers=encoded))
 
     def clear(self) -> None:
         """Remove the arrows from the page."""
@@ -122,11 +122,11 @@ def encode(
 
 
 def _step(count: int) -> int:
-    """The step in which so many items are gone through, so that at most MAX_ARROWS remain."""
+    """Return n such that every n-th of so many items is at most MAX_ARROWS items."""
     return -(-count // MAX_ARROWS) or 1
 
 
-def smallest(scene: Scene) -> tuple[float, float, float]:
+def negligible(scene: Scene) -> tuple[float, float, float]:
     """A negligible force, speed and torque in a scene: kg px/s², px/s, kg px²/s².
 
     Without them the noise of a body at rest would be drawn as large as the forces of one in motion.

@@ -1,5 +1,5 @@
 // @ts-check
-/** The box of instruments: a button, and a list out of which instruments are dragged. */
+/** The box of instruments: a button, and a list from which instruments are dragged. */
 import { NAMES } from "./faces.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { hasWords, keepInView } from "../../ui/looks.js";

@@ -1,5 +1,5 @@
 // @ts-check
-/** A small label beside a mass, the one under the pointer or the chosen one: its position and its speed. */
+/** A small label next to a mass, the one under the pointer or the chosen one: its position and its speed. */
 import { onPicture } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
 import { chosenMass, makeSvg, onSight, putUp, redrawMarks, set } from "../../stage/overlay.js";

@@ -17,7 +17,7 @@ export const onTools = (listener) => listeners.push(listener);
 
 /** Begins to receive it. */
 export const hearTools = () =>
-  onTold("tools", (told) => {
-    state = told;
+  onTold("tools", (now) => {
+    state = now;
     for (const call of listeners) call();
   });

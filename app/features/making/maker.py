@@ -1,4 +1,4 @@
-"""The form in which a lesson is made: each change is a step of undo, or is refused beside its field."""
+"""The form in which a lesson is made: each change is a step of undo, or is refused with a sentence."""
 
 from __future__ import annotations
 
@@ -131,7 +131,10 @@ class LessonMaker:
         scene = self._session.scene
         steps = scene.lesson.steps if scene.lesson is not None and self._open else ()
         if steps is not self._steps:
-            self._steps, self._begins = steps, tuple(in_words(scene, step.settings) for step in steps)
+            self._steps, self._begins = (
+                steps,
+                tuple(describe_settings(scene, step.settings) for step in steps),
+            )
         self._mail.tell(LessonForm(open=self._open, trying=self._trying, steps=steps, begins=self._begins))
         if self._page.makes_lesson and self._session.now() >= self._due:
             self._due = self._session.now() + OFFERS_EVERY
@@ -235,13 +238,13 @@ class LessonMaker:
             },
             controls=tuple(LessonControl(*each) for each in (*sliders, *choices)),
             methods={REFERENCE: "Reference", **{name: method.label for name, method in METHODS.items()}},
-            settings=in_words(scene, tuple(f"{key}={value}" for key, value in wanted.items())),
+            settings=describe_settings(scene, tuple(f"{key}={value}" for key, value in wanted.items())),
             plots=measured.plots,
             arrows=self._arrows,
         )
 
 
-def in_words(scene: sim.Scene, settings: tuple[str, ...]) -> str:
+def describe_settings(scene: sim.Scene, settings: tuple[str, ...]) -> str:
     """Describe settings in the order of the panel, as in "Integrator: RK4, Gravity 980 px/s²"."""
     known = {setting.key: setting for setting in settings_of(scene)}
     order = [*CHOICES, *known]

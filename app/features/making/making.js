@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * The form in which the scene's lesson is made, beside the body: its steps in order, and the fields of the chosen one.
+ * The form in which the scene's lesson is made, next to the body: its steps in order, and the fields of the chosen one.
  * The server has the lesson, with undo; the form shows what the server has.
  */
 import { onTold, send } from "../../wire/channel.js";
