@@ -53,7 +53,8 @@ class _OpenPlot:
 
     Attributes:
         plot: what it shows; `show` takes over another one.
-        sent: the version of the plot that the page has; -1 for none.
+        sent: the version of the plot that `PlotList.tick` sent last; -1 for none. A new chart does not count:
+            its lines are pale until it is updated.
     """
 
     def __init__(self, plot: Plot, page: Page, tab: viser.GuiTabHandle, order: float, is_own: bool) -> None:
@@ -102,7 +103,6 @@ class _OpenPlot:
                     before, add, plot, drawn, series, colors, self._looks
                 )
             if reads:
-                self.sent = plot.version
                 self._title.content = plots.title(plot, series)
                 # In a lesson, it is not the user who plots something that does not swing.
                 self._reading.content = plots.reading(
@@ -237,6 +237,8 @@ class PlotList:
         for shown in self._plots:
             if shown.sent != shown.plot.version:
                 shown.show(self.seconds, reads)
+                if reads:
+                    shown.sent = shown.plot.version
 
     def add(self, wish: Wish) -> None:
         """Open a plot, or notify the user why that is impossible."""
@@ -294,6 +296,6 @@ class PlotList:
             return
         plot.take_over(shown.plot)
         shown.remove_chart()
-        shown.plot = plot
+        shown.plot, shown.sent = plot, -1
         plot.sample(self._session)
         shown.show(self.seconds, reads=True)
