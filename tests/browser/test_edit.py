@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
+from playwright.sync_api import Locator
 
 import sim
 from app.session import commands
@@ -66,6 +67,16 @@ def drag(desk: Desk, start: Point, end: Point) -> None:
     desk.page.mouse.down()
     desk.lead(start, end)
     desk.let_go()
+
+
+def put_picture(desk: Desk, folder: Path, width: int = 40, height: int = 20) -> Locator:
+    """Put a picture behind the body, once the tools are there."""
+    path = folder / "bridge.png"
+    Image.new("RGB", (width, height), (250, 80, 10)).save(path)
+    desk.page.locator(".softrod-edit-bar input[type=file]").set_input_files(path)
+    image = desk.page.locator(".softrod-underlay image")
+    desk.until(lambda: image.count() == 1, "the picture is there")
+    return image
 
 
 def test_a_body_is_built_by_mouse_and_taken_back(open_page: OpenPage) -> None:
@@ -342,12 +353,8 @@ def test_a_copy_is_pasted_into_another_page(open_page: OpenPage) -> None:
 def test_a_picture_to_draw_over_stays_in_the_browser(open_page: OpenPage, tmp_path: Path) -> None:
     desk = paused(open_page)
     page = desk.page
-    path = tmp_path / "bridge.png"
-    Image.new("RGB", (400, 200), (250, 80, 10)).save(path)
     page.keyboard.press("e")
-    page.locator(".softrod-edit-bar input[type=file]").set_input_files(path)
-    image = page.locator(".softrod-underlay image")
-    desk.until(lambda: image.count() == 1, "the picture is there")
+    image = put_picture(desk, tmp_path, 400, 200)
 
     def box() -> tuple[float, float, float, float]:
         return tuple(float(image.get_attribute(name) or 0.0) for name in ("x", "y", "width", "height"))  # type: ignore[return-value]
