@@ -161,9 +161,11 @@ def test_what_is_ahead_is_pale_and_the_axes_have_room_for_their_labels() -> None
     page = PlotPage("energy.kinetic", "energy.linear", "energy.angular")
     page.frames(60)
     page.frames(1, commands.GoBack(0.5))
-    chart, colors = MagicMock(), palette("softrod", dark=False)
-    drawn, series = curve(page.plot, 10.0, 200), plots.colors_of(page.plot, colors)
-    plots.draw_over_time(chart, MagicMock(), page.plot, drawn, series, colors, ())
+    gui, colors = MagicMock(), palette("softrod", dark=False)
+    chart, time_chart = gui.add_uplot.return_value, plots.TimeChart(gui, 0.0)
+    drawn = curve(page.plot, 10.0, 200)
+    time_chart.draw(page.plot, drawn, palette("softrod", dark=True))
+    time_chart.draw(page.plot, drawn, colors)
     time, *lines = chart.data
     until, whole = lines[:3], lines[3:]
     assert len(time) == drawn.values.shape[1]
@@ -176,7 +178,7 @@ def test_what_is_ahead_is_pale_and_the_axes_have_room_for_their_labels() -> None
         assert "alpha" not in strong
     assert chart.axes[1]["label"] == "energy, kg px²/s²"
     page.frames(30, commands.Play(True))
-    plots.draw_over_time(chart, MagicMock(), page.plot, curve(page.plot, 10.0, 200), series, colors, ())
+    time_chart.draw(page.plot, curve(page.plot, 10.0, 200), colors)
     assert len(chart.series) == len(chart.data) == 7, "as before: another number would be another chart"
     assert all(np.isfinite(line).all() for line in chart.data[1:4])
     assert not any(map(len, chart.data[4:])), "nothing is sent twice"
@@ -415,10 +417,9 @@ def test_an_axis_with_a_y_grows_downwards_where_the_scene_s_does(
 ) -> None:
     plot = growing(names, y_down=y_down)
     assert plot.turned == turned
-    colors, add = palette("softrod", dark=False), MagicMock()
-    series = plots.colors_of(plot, colors)
-    plots.draw_over_time(None, add, plot, curve(plot, 10.0, 200), series, colors, ())
-    _, _, options = add.mock_calls[0]
+    gui = MagicMock()
+    plots.TimeChart(gui, 0.0).draw(plot, curve(plot, 10.0, 200), palette("softrod", dark=False))
+    options = gui.add_uplot.call_args.kwargs
     assert tuple(options["scales"][f"y{i}"].get("dir") == -1 for i in range(len(turned))) == turned
     assert tuple(axis["label"].endswith(", downwards") for axis in options["axes"][1:]) == turned
 

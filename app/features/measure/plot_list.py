@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -29,9 +28,6 @@ READ_EVERY = 0.5
 PIECES = 150
 """Pieces of a curve from left to right, each with its highest and lowest value."""
 
-HEIGHT = 220
-"""Height of a plot, pixels."""
-
 SPANS = {"5 s": 5.0, "10 s": 10.0, "20 s": 20.0, "60 s": 60.0}
 """How much time a plot shows, s, by its label."""
 
@@ -52,58 +48,37 @@ class _OpenPlot:
     """A plot in the page.
 
     Attributes:
-        plot: what it shows; `show` takes over another one.
+        plot: what it shows.
+        chart: its drawing.
         sent: the version of the plot that `PlotList.tick` sent last; -1 for none. A new chart does not count:
             its lines are pale until it is updated.
     """
 
     def __init__(self, plot: Plot, page: Page, tab: viser.GuiTabHandle, order: float, is_own: bool) -> None:
         self.plot, self.sent = plot, -1
-        self._page, self._tab, self._order, self._is_own = page, tab, order, is_own
+        self._page, self._tab, self._is_own = page, tab, is_own
         gui = page.client.gui
+        self.chart = (plots.PhaseChart if plot.wish.over else plots.TimeChart)(gui, order + 1)
         with tab:
             self._title = gui.add_html("", order=order)
             self._reading = gui.add_html("", order=order + 2)
             labels = (ADD, TABLE, PICTURE, HEAR, REMOVE) if is_own else (TABLE, PICTURE, HEAR)
             self.buttons = gui.add_button_group("", labels, order=order + 3)
-        self._chart: viser.GuiUplotHandle | viser.GuiHtmlHandle | None = None
-        self._looks: tuple[object, ...] = ()  # what the chart's lines and axes were made for
 
     def remove(self) -> None:
         """Remove it from the page."""
         for handle in (self._title, self._reading, self.buttons):
             handle.remove()
-        self.remove_chart()
-
-    def remove_chart(self) -> None:
-        """Remove its chart, to be replaced by a new one: viser may not draw one whose lines changed."""
-        if self._chart is not None:
-            self._chart.remove()
-        self._chart = None
+        self.chart.remove()
 
     def show(self, seconds: float, reads: bool) -> None:
         """Send the last seconds; with `reads`, period and damping, too."""
-        page, plot, chart = self._page, self.plot, self._chart
-        drawn = curve(plot, seconds, PIECES)
+        page, plot = self._page, self.plot
         colors = palette(page.session.scene.view.colors, page.looks.dark)
-        series, gui = plots.colors_of(plot, colors), page.client.gui
         with page.client.atomic(), self._tab:
-            if plot.wish.over:
-                content = plots.draw_over_another(plot, drawn, series)
-                if isinstance(chart, viser.GuiHtmlHandle):
-                    chart.content = content
-                else:
-                    self._chart = gui.add_html(content, order=self._order + 1)
-            else:
-                before = chart if isinstance(chart, viser.GuiUplotHandle) else None
-                # At the right there is an axis, or else room for half of the last label of the time.
-                padding = (8, 4 if len(plot.units) > 1 else 20, 0, 0)
-                add = partial(gui.add_uplot, height=HEIGHT, padding=padding, order=self._order + 1)
-                self._chart, self._looks = plots.draw_over_time(
-                    before, add, plot, drawn, series, colors, self._looks
-                )
+            self.chart.draw(plot, curve(plot, seconds, PIECES), colors)
             if reads:
-                self._title.content = plots.title(plot, series)
+                self._title.content = plots.title(plot, plots.colors_of(plot, colors))
                 # In a lesson, it is not the user who plots something that does not swing.
                 self._reading.content = plots.reading(
                     plot, seconds, "no regular swing" if self._is_own else ""
@@ -215,7 +190,7 @@ class PlotList:
                 continue
             is_turned = plot.turned != before.turned
             if is_turned:
-                shown.remove_chart()
+                shown.chart.remove()
             if is_turned or [q.unit for q in plot.quantities] != [q.unit for q in before.quantities]:
                 plot.version = shown.sent + 1
                 shown.plot = plot
@@ -295,7 +270,7 @@ class PlotList:
             self._page.notify(Notice("error", "That cannot be added", f"{error}."))
             return
         plot.take_over(shown.plot)
-        shown.remove_chart()
+        shown.chart.remove()
         shown.plot, shown.sent = plot, -1
         plot.sample(self._session)
         shown.show(self.seconds, reads=True)

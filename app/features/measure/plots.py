@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import viser
@@ -27,62 +28,100 @@ _FONT = "12px system-ui, sans-serif"
 _MAX_LABEL = 26
 """Letters of an axis label that fit."""
 
+HEIGHT = 220
+"""Height of a chart, pixels."""
+
 PALE = 0.35
 """Opacity of values that are later than the moment shown."""
 
 
-def draw_over_time(
-    chart: viser.GuiUplotHandle | None,
-    add: Callable[..., viser.GuiUplotHandle],
-    plot: Plot,
-    drawn: Drawn,
-    series: Sequence[str],
-    colors: Palette,
-    before: tuple[object, ...],
-) -> tuple[viser.GuiUplotHandle, tuple[object, ...]]:
-    """Set the data of a plot over time, and its lines and axes if they have changed.
+class TimeChart:
+    """A plot over time, drawn by uPlot.
 
-    Values later than the moment shown are pale: one line ends there, and a pale one has all values.
+    Values later than the moment shown are pale: one line ends there, and a pale one has all values. After the
+    number of lines has changed, the chart is to be removed: viser may draw nothing.
 
     Args:
-        chart: the chart to update; None to create one.
-        add: creates a chart.
-        plot: what is plotted.
-        drawn: its values.
-        series: CSS colours of its lines.
-        colors: for axes and grid.
-        before: the second result of the previous call.
-
-    Returns:
-        The chart, and all that its lines and axes depend on.
+        gui: of the page.
+        order: in the panel.
     """
-    # uPlot takes the first value of a line as a number when it determines ranges, so that must exist.
-    values, past = drawn
-    some: NDArray[np.bool_] = np.asarray(np.isfinite(values).any(1))
-    begin = int(np.isfinite(values[some]).all(0).argmax())
-    values, past = values[:, begin:], max(past - begin, 0)
-    ahead = past < values.shape[1]
-    if values.shape[1] == 1:  # an empty range has no ticks
-        values = np.column_stack((values, values))
-        values[0, 1] += 0.1
-    # Without later values the pale line is left empty: otherwise everything would be sent twice.
-    until, whole = values, [np.zeros(0)] * len(series)
-    if ahead or chart is None:  # viser creates charts with lines of equal length only
-        until, whole = values.copy(), list(values[1:])
-        until[1:, past:] = np.nan
-    data = *until, *whole
-    looks = plot.wish, tuple(series), colors.css("text"), tuple(some.tolist()), plot.units, plot.turned
-    lines, axes = _lines(plot, series, some), _axes(plot, colors)
-    if chart is None:
+
+    def __init__(self, gui: viser.GuiApi, order: float) -> None:
+        self._gui, self._order = gui, order
+        self._chart: viser.GuiUplotHandle | None = None
+        self._looks: tuple[object, ...] = ()  # all that its lines and axes depend on
+
+    def remove(self) -> None:
+        """Remove it from the page; `draw` creates it again."""
+        if self._chart is not None:
+            self._chart.remove()
+        self._chart = None
+
+    def draw(self, plot: Plot, drawn: Drawn, colors: Palette) -> None:
+        """Send the values, and lines and axes if they have changed."""
+        series = colors_of(plot, colors)
+        # uPlot takes the first value of a line as a number when it determines ranges, so that must exist.
+        values, past = drawn
+        some: NDArray[np.bool_] = np.asarray(np.isfinite(values).any(1))
+        begin = int(np.isfinite(values[some]).all(0).argmax())
+        values, past = values[:, begin:], max(past - begin, 0)
+        ahead = past < values.shape[1]
+        if values.shape[1] == 1:  # an empty range has no ticks
+            values = np.column_stack((values, values))
+            values[0, 1] += 0.1
+        # Without later values the pale line is left empty: otherwise everything would be sent twice.
+        until, whole = values, [np.zeros(0)] * len(series)
+        if ahead or self._chart is None:  # viser creates charts with lines of equal length only
+            until, whole = values.copy(), list(values[1:])
+            until[1:, past:] = np.nan
+        data = *until, *whole
+        before = self._looks
+        self._looks = plot.wish, *series, colors.css("text"), *some.tolist(), plot.units, plot.turned
+        lines, axes = _lines(plot, series, some), _axes(plot, colors)
+        if self._chart is None:
+            self._chart = self._create(plot, data, lines, axes)
+            return
+        self._chart.data = data
+        if self._looks != before:
+            self._chart.series, self._chart.axes = lines, axes
+
+    def _create(self, plot: Plot, data: Any, lines: Any, axes: Any) -> viser.GuiUplotHandle:
         upwards: dict[str, uplot.Scale] = {
             f"y{i}": {"dir": -1} if turned else {} for i, turned in enumerate(plot.turned)
         }
-        scales: dict[str, uplot.Scale] = {"x": {"time": False}, **upwards}
-        return add(data, lines, scales=scales, axes=axes, cursor={"drag": {"x": True, "y": False}}), looks
-    chart.data = data
-    if looks != before:
-        chart.series, chart.axes = lines, axes
-    return chart, looks
+        return self._gui.add_uplot(
+            data,
+            lines,
+            scales={"x": {"time": False}, **upwards},
+            axes=axes,
+            cursor={"drag": {"x": True, "y": False}},
+            # At the right there is an axis, or else room for half of the last label of the time.
+            padding=(8, 4 if len(plot.units) > 1 else 20, 0, 0),
+            height=HEIGHT,
+            order=self._order,
+        )
+
+
+class PhaseChart:
+    """A plot over another quantity than time, as SVG; arguments and methods are those of `TimeChart`."""
+
+    def __init__(self, gui: viser.GuiApi, order: float) -> None:
+        self._gui, self._order = gui, order
+        self._chart: viser.GuiHtmlHandle | None = None
+
+    def remove(self) -> None:
+        """Remove it from the page."""
+        if self._chart is not None:
+            self._chart.remove()
+        self._chart = None
+
+    def draw(self, plot: Plot, drawn: Drawn, colors: Palette) -> None:
+        """Send the drawing."""
+        content = draw_over_another(plot, drawn, colors_of(plot, colors))
+        if self._chart is None:
+            self._chart = self._gui.add_html(content, order=self._order)
+        else:
+            self._chart.content = content
 
 
 def draw_over_another(plot: Plot, drawn: Drawn, series: Sequence[str]) -> str:
