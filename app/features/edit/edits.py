@@ -8,6 +8,7 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from operator import or_, xor
 
 import msgspec
@@ -65,20 +66,20 @@ class Edits:
             case asks.SetTexts():
                 self._set_texts(ask)
             case asks.Select() | asks.Marquee() | asks.Act(what="all"):
-                post(commands.Select(lambda *now: select(ask, *now)))
+                post(commands.Select(partial(select, ask)))
             case asks.Act(what="copy"):
                 self._copies = True
             case asks.Tempo(frequency):
                 post(commands.SetValue("tempo", frequency))
             case asks.MoveMuscles(keys=False):
-                post(commands.Change(lambda *now: make_edit(ask, *now), "muscles by hand", within=math.inf))
+                post(commands.Change(partial(make_edit, ask), "muscles by hand", within=math.inf))
             case asks.MoveMuscles() | asks.Move(keys=True):
                 key = "moved by keys" if isinstance(ask, asks.Move) else "muscles by keys"
-                post(commands.Change(lambda *now: make_edit(ask, *now), key, within=MERGE_WITHIN))
+                post(commands.Change(partial(make_edit, ask), key, within=MERGE_WITHIN))
             case asks.Gesture():
                 self._drew |= isinstance(ask, asks.Line)
                 heavy = isinstance(ask, asks.Act) and ask.what in ("keep", "stiffen")
-                post(commands.Change(lambda *now: make_edit(ask, *now), heavy=heavy))
+                post(commands.Change(partial(make_edit, ask), heavy=heavy))
 
     def _set_texts(self, ask: asks.SetTexts) -> None:
         """Change the scene's name and description, or report to the page why that is impossible."""

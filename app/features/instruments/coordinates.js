@@ -3,6 +3,7 @@
 import { onPicture } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
 import { chosenMass, makeSvg, onSight, putUp, redrawMarks, set } from "../../stage/overlay.js";
+import { digits } from "./shapes.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { onTools, tools } from "./tools.js";
 import { viser } from "../../ui/viser/viser.js";
@@ -21,9 +22,6 @@ export function speedOf(before, now, mass) {
   const [x, y] = [2 * mass, 2 * mass + 1].map((i) => now.positions[i] - before.positions[i]);
   return Math.hypot(x, y) / Math.abs(span);
 }
-
-/** @param {number} value */
-const digits = (value) => value.toFixed(Math.abs(value) < 10 ? 2 : 1);
 
 /** Adds the label, which is shown while its switch is on. */
 export function addCoordinates() {

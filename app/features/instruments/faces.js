@@ -10,7 +10,7 @@
  * @typedef {import("../../stage/overlay.js").Sight} Sight
  */
 import { told } from "../../wire/channel.js";
-import { protractorReading, rulerReading, ticks, watchReading } from "./shapes.js";
+import { digits, protractorReading, rulerReading, ticks, watchReading } from "./shapes.js";
 import { makeSvg, set } from "../../stage/overlay.js";
 import { timeNow } from "../../ui/transport.js";
 
@@ -28,9 +28,6 @@ const NARROW = 50;
 
 /** @type {Record<Kind, string>} */
 export const NAMES = { ruler: "Ruler", protractor: "Protractor", stopwatch: "Stopwatch" };
-
-/** A number with a typographic minus sign. @param {number} value */
-const digits = (value) => value.toFixed(Math.abs(value) < 9.995 ? 2 : 1).replace("-", "−");
 
 /** @param {Element} parent @param {string} names */
 function makeHandle(parent, names) {

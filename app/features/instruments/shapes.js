@@ -26,6 +26,9 @@ const TICK = 6;
 const MAX_TICKS = 600;
 const MAX_LAPS = 4;
 
+/** A reading, with a typographic minus sign. @param {number} value */
+export const digits = (value) => value.toFixed(Math.abs(value) < 9.995 ? 2 : 1).replace("-", "−");
+
 /**
  * Where points are on the screen. A point on a mass is moved to that mass; in a body without such a mass it stays.
  *
