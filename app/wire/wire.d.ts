@@ -4,31 +4,71 @@ export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "seco
 export type TextKind = "resume" | "link" | "file" | "rival" | "paste";
 /** Commands that the page's script does, by the features that they belong to. */
 export type PageCommands = { time: never; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit"; view: "fit" | "chase" | "larger"; hands: never };
-/** The scene is to have another name and another description. */
+/** New values of fields of a step, see `sim.scene.lesson.Step`; null removes one. */
+export type StepChanges = { title?: string; do?: string; watch?: string; question?: QuestionDraft | null; predict?: number | null; goal?: GoalDraft | null; collect?: ReadingDraft | null; controls?: string[]; plots?: null; arrows?: null; ghost?: string };
+/** A question as it is written, see `sim.scene.lesson.Question`. */
+export type QuestionDraft = { text: string; choices: string[]; answer: number; because: string };
+/** A goal as it is written, see `sim.scene.lesson.Goal`. */
+export type GoalDraft = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
+/** A reading as it is chosen, see `sim.scene.lesson.Reading`. */
+export type ReadingDraft = { quantity: string; of: "period" | "value" };
+/** A scene as the gallery shows it. */
+export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
+/** What the script shows of a step, see `sim.scene.lesson.Step`. */
+export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
+/** A question with answers to choose from. */
+export type Question = { text: string; choices: string[]; answer: number; because: string };
+/** One step of a lesson. */
+export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
+/** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
+export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
+/** Something that is read off a run. */
+export type Reading = { quantity: string; of: "period" | "value" };
+/** A slider or a list that a step can offer. */
+export type LessonControl = { key: string; label: string };
+/** What a class looks at. */
+export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
+/** Something that the pupil at a page has given. */
+export type Given = { stop: number; round: number; twin: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string };
+/** A line that the teacher has picked out. */
+export type WallLine = { text: string; color: string };
+/** What one seat found: a point of the class's plot. */
+export type Found = { setting: number; found: number };
+/** The power law, found = factor * setting ** exponent, that the class's points are closest to. */
+export type Law = { factor: number; exponent: number };
+/** What a device found that tried whether it can take part; see `from_page.Checked`. */
+export type DeskTried = { trip: number; rate: number; works: boolean; doubts: boolean };
+/** A stop of the class's plan. */
+export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number][] };
+/** A seat, as the teacher sees it. */
+export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
+/** An answer, as the teacher sees it. */
+export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
+/** Change the name and the description of the scene. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
-/** The beat of all muscles is to have another frequency, Hz. */
+/** Change the frequency of the beat of all muscles, Hz. */
 export type Tempo = { do: "tempo"; frequency: number };
-/** Some parts are to be selected; with `toggle`, they change sides and the others stay as they are. */
+/** Select these parts only; or with `toggle`, select or deselect them. */
 export type Select = { do: "select"; masses?: number[]; springs?: number[]; joints?: number[]; toggle?: boolean };
-/** What lies whole in a rectangle is to be selected, or with `add` selected too. */
+/** Select what lies entirely in a rectangle; with `add`, in addition to the selection. */
 export type Marquee = { do: "marquee"; x: [number, number]; y: [number, number]; add?: boolean };
-/** A mass is to be put down. */
+/** Add a mass. */
 export type Place = { do: "place"; x: number; y: number };
-/** Two masses are to be joined by a spring; where one is not named, it is to be put down. */
+/** Add a spring between two masses; a mass that is not given is added, too. */
 export type Line = { do: "line"; a?: number | null; b?: number | null; start?: [number, number]; end?: [number, number] };
-/** An angular spring is to hold two springs at the angle that they have. */
+/** Add an angular spring between two springs, at rest at their present angle. */
 export type Hold = { do: "hold"; a: number; b: number };
-/** A joint is to rest at an angle, degrees, or at the one that it has. */
+/** Set the rest angle of a joint, degrees; by default to its present angle. */
 export type Turn = { do: "turn"; joint: number; angle?: number | null };
-/** The springs that a stroke crosses are to be cut. */
+/** Cut the springs that a stroke crosses. */
 export type Stroke = { do: "stroke"; points: [number, number][] };
-/** What is selected, or else one mass, is to be moved by (x, y), and may rest as it is then. */
+/** Move the selection, or else one mass; with `rest`, springs and joints rest as they are then. */
 export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
-/** The selected muscles are to come to their largest later, and to be larger. */
+/** Change phase and amplitude of the selected muscles. */
 export type MoveMuscles = { do: "moveMuscles"; later?: number; stretch?: number; turn?: number; keys?: boolean };
-/** The selected muscles are to have another wave, or another number of waves in a beat, or are to be spread over the beat. */
+/** Change the waveform or the waves per beat of the selected muscles, or spread their phases. */
 export type ShapeMuscles = { do: "shapeMuscles"; wave?: "pulse" | "sine" | null; per_beat?: number | null; spread?: boolean };
-/** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
+/** Apply an action to a mass; or to the selection, or else to the mass under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "keep" | "mirror" | "pin" | "remove" | "rest" | "stiffen" | "triangulate"; mass?: number | null; under?: number | null };
 /** A link to the scene, with the present pose or without. */
 export type Share = { do: "share"; pose: boolean; page: string; short?: boolean; controls?: "all" | "play" | "sliders" };
@@ -52,39 +92,25 @@ export type Drop = { do: "drop"; hand: number };
 export type Pick = { do: "pick"; mass: number };
 /** The page goes to a step of the scene's lesson. */
 export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "wait" };
-/** The form of the lesson is to be open, or not. */
+/** Open or close the form of the lesson. */
 export type MakeLesson = { do: "makeLesson"; on: boolean };
-/** A new step, which is to have that number, counted from 0. */
+/** Insert a step at a position, counted from 0. */
 export type AddStep = { do: "addStep"; at: number };
-/** A copy of the step is to come after it. */
+/** Insert a copy after a step. */
 export type CopyStep = { do: "copyStep"; step: number };
-/** The step is to go; with the last one, the lesson goes. */
+/** Remove a step; with the last one, the lesson. */
 export type RemoveStep = { do: "removeStep"; step: number };
-/** The step is to have another place. */
+/** Move a step to another position. */
 export type MoveStep = { do: "moveStep"; step: number; to: number };
-/** A text of the step. */
-export type WriteStep = { do: "writeStep"; step: number; field: "do" | "title" | "watch"; text: string };
-/** The question of the step. */
-export type AskInStep = { do: "askInStep"; step: number; text: string; choices: string[]; answer: number; because: string };
-/** The time after which the body's place is asked for, s. */
-export type PredictInStep = { do: "predictInStep"; step: number; seconds: number };
-/** The goal of the step, see `sim.scene.lesson.Goal`. */
-export type AimInStep = { do: "aimInStep"; step: number; quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
-/** What is handed in of the step. */
-export type CollectInStep = { do: "collectInStep"; step: number; quantity: string; of: "period" | "value" };
-/** The sliders and lists that stand below the step, by their keys. */
-export type OfferInStep = { do: "offerInStep"; step: number; controls: string[] };
-/** The method of the second body, "reference", or "" for none. */
-export type CompareInStep = { do: "compareInStep"; step: number; ghost: string };
-/** The step is to have the settings, the plots or the arrows as they are now. */
+/** Change fields of a step. */
+export type ChangeStep = { do: "changeStep"; step: number; changes: StepChanges };
+/** Give a step the present settings, plots or arrows. */
 export type TakeInStep = { do: "takeInStep"; step: number; what: "arrows" | "plots" | "settings" };
-/** The step is to have no such thing any more; without arrows of its own it leaves them as they are. */
-export type DropFromStep = { do: "dropFromStep"; step: number; what: "arrows" | "collect" | "goal" | "plots" | "predict" | "question" };
-/** The step is to begin as a pupil sees it. */
+/** Begin a step as a pupil sees it. */
 export type TryStep = { do: "tryStep"; step: number };
-/** The page goes back to where a step was tried from. */
+/** Return from a step that was begun by `TryStep`. */
 export type EndTrying = { do: "endTrying" };
-/** The lesson is to go. */
+/** Remove the lesson. */
 export type DropLesson = { do: "dropLesson" };
 /** In which tab somebody sees plots now; they are not sent otherwise. */
 export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
@@ -142,46 +168,14 @@ export type ToWall = { do: "toWall"; answer: string };
 export type Bring = { do: "bring"; text: string };
 /** Something is to be done with one seat. */
 export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
-export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | Seen | PutMode | DriveMode | GoTo | Speed | Perform | Visit | Unread | Unsent | Who | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
-/** A scene as the gallery shows it. */
-export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
-/** What the script shows of a step, see `sim.scene.lesson.Step`. */
-export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
-/** A question with answers to choose from. */
-export type Question = { text: string; choices: string[]; answer: number; because: string };
-/** One step of a lesson. */
-export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
-/** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
-export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
-/** Something that is read off a run. */
-export type Reading = { quantity: string; of: "period" | "value" };
-/** A slider or a list that a step can have. */
-export type LessonControl = { key: string; label: string };
-/** What a class looks at. */
-export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
-/** Something that the pupil at a page has given. */
-export type Given = { stop: number; round: number; twin: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string };
-/** A line that the teacher has picked out. */
-export type WallLine = { text: string; color: string };
-/** What one seat found: a point of the class's plot. */
-export type Found = { setting: number; found: number };
-/** The power law, found = factor * setting ** exponent, that the class's points are closest to. */
-export type Law = { factor: number; exponent: number };
-/** What a device found that tried whether it can take part; see `from_page.Checked`. */
-export type DeskTried = { trip: number; rate: number; works: boolean; doubts: boolean };
-/** A stop of the class's plan. */
-export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number][] };
-/** A seat, as the teacher sees it. */
-export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
-/** An answer, as the teacher sees it. */
-export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
-/** What is selected. */
+export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | Seen | PutMode | DriveMode | GoTo | Speed | Perform | Visit | Unread | Unsent | Who | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
+/** The selection. */
 export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
-/** What undo takes back, and what redo does again; empty for nothing. */
+/** Names of the changes that can be undone and redone; empty for none. */
 export type Versions = { tell: "versions"; undo: string; redo: string; count: number; stiffen: number };
-/** What was to be copied, as text. */
+/** The copied parts, as text. */
 export type Copied = { tell: "copied"; text: string };
-/** Whether the scene has its new texts: a sentence that says why not, or nothing. */
+/** The result of `SetTexts`: a sentence that says why it was refused, or an empty one. */
 export type TextsTaken = { tell: "textsTaken"; refused: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
@@ -203,19 +197,19 @@ export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
 /** What is measured on the canvas. */
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
-/** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
+/** Forces, velocities and torques, see `encode` in arrows.py; empty while no arrows are shown. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
 export type Lesson = { tell: "lesson"; steps: LessonStep[] };
-/** The lesson that is being made, which the page shows as a form. */
+/** The lesson that is being edited. */
 export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[] };
-/** What a step of the lesson can have, as things are now. */
+/** What the user can choose for a step at present. */
 export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
-/** What was done of the lesson that is being made. */
+/** The result of a change of the lesson. */
 export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; field: string; refused: string };
-/** Turn to the Measure tab, where a plot is about to come. */
+/** Turn to the Measure tab, where a plot is about to appear. */
 export type ShowMeasures = { tell: "showMeasures" };
-/** A plot is to be heard. */
+/** Play a plot as a melody. */
 export type Melody = { tell: "melody"; name: string; unit: string; values: (number | null)[] };
 /** The slow vibrations of the body, where the page looks at them. */
 export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import reduce
+from functools import cache, reduce
 from operator import or_
 from typing import Any, TypeVar
 from unittest.mock import MagicMock
@@ -14,7 +14,13 @@ from app.viser_inside import SoftrodMessage
 from app.wire.carrier import Mail
 from app.wire.messages import Event, State, ToPage, messages
 
-_decoder: Any = msgspec.json.Decoder(reduce(or_, (*messages(State), *messages(Event))))
+
+@cache
+def _decoder() -> Any:
+    """Made with the first message, when all features that a test imports have been loaded."""
+    return msgspec.json.Decoder(reduce(or_, (*messages(State), *messages(Event))))
+
+
 _T = TypeVar("_T", bound=ToPage)
 
 
@@ -32,7 +38,7 @@ class Letters(Mail):
         self.keys: list[str] = []
 
     def send(self, message: SoftrodMessage) -> None:
-        self.sent.append(_decoder.decode(message.text) if message.numbers is None else message)
+        self.sent.append(_decoder().decode(message.text) if message.numbers is None else message)
         self.keys.append(message.redundancy_key())
 
     def last(self, kind: type[_T]) -> _T:

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 import sim
 from app.features.edit import messages as asks
-from app.features.edit.edits import edited
+from app.features.edit.edits import make_edit
 from app.features.modes.feature import DriveMode, PutIntoMode, ShowModes
 from app.session import commands
 from app.stage.plan import encode_damage, encode_frame
@@ -28,7 +28,7 @@ DONE = ("remove", "pin", "duplicate", "mirror", "corners", "triangulate", "rest"
 
 
 def change(ask: asks.Gesture) -> commands.Change:
-    return commands.Change(lambda *now: edited(ask, *now))
+    return commands.Change(lambda *now: make_edit(ask, *now))
 
 
 def select(masses: frozenset[int], springs: frozenset[int]) -> commands.Select:

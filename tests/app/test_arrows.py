@@ -1,26 +1,27 @@
-"""What a page is told of forces, velocities and torques, and when."""
+"""What is sent to a page of forces, velocities and torques, and when."""
 
 from __future__ import annotations
 
-from unittest.mock import MagicMock
+from typing import Any
 
 import numpy as np
 import pytest
 
 import sim
-from app.features.instruments.arrows import KINDS, MOST, Arrows, encode, smallest
+from app.features.instruments.arrows import KINDS, MAX_ARROWS, Arrows, encode, negligible
 from app.features.instruments.messages import Tools
-from app.features.instruments.panel import LAST, MAX_TRACES, ToolsPanel
+from app.features.instruments.panel import MAX_TRACES, ORDER, ToolsPanel
 from app.session import commands
+from app.session.session import Session
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
-from tests.app.panels import page_of
+from tests.app.panels import Client, page_of
 
 ALL = frozenset(KINDS)
 
 
 def sections(data: np.ndarray) -> list[np.ndarray]:
-    """As static/plan.js reads them."""
+    """As plan.js reads them."""
     found, at = [], 0
     while at < len(data):
         length = int(data[at])
@@ -30,7 +31,7 @@ def sections(data: np.ndarray) -> list[np.ndarray]:
 
 
 class Wire:
-    """A client that keeps what is sent."""
+    """The arrows of a page, and what its script is sent."""
 
     def __init__(self) -> None:
         self.letters = Letters()
@@ -114,11 +115,11 @@ def test_of_a_thousand_masses_some_have_arrows_and_the_held_ones_in_any_case() -
     step = int(head[2])
     assert step == 5
     chosen = [*range(0, 1000, step), *(int(m) for m in held if m % step)]
-    assert len(forces) == 2 * len(chosen) <= 2 * (MOST + len(held))
+    assert len(forces) == 2 * len(chosen) <= 2 * (MAX_ARROWS + len(held))
     assert {anchor.mass for anchor in scene.anchors} == set(held.astype(int)) <= set(chosen)
     assert forces.reshape(-1, 2) == pytest.approx(page.simulation.loads.forces[chosen], rel=1e-5, abs=0.1)
-    assert len(torques) <= MOST
-    assert len(wire.numbers) < 4 * MOST + 500
+    assert len(torques) <= MAX_ARROWS
+    assert len(wire.numbers) < 4 * MAX_ARROWS + 500
 
 
 def test_the_mass_in_hand_counts_as_held() -> None:
@@ -131,7 +132,7 @@ def test_the_mass_in_hand_counts_as_held() -> None:
 @pytest.mark.parametrize("name", [info.name for info in sim.list_scenes() if info.built_in])
 def test_what_is_next_to_nothing_is_small_and_positive(name: str) -> None:
     scene = sim.load_scene(name)
-    least = smallest(scene)
+    least = negligible(scene)
     assert all(0.0 < part < 1e9 for part in least)
     simulation = sim.Simulation(scene)
     simulation.step(20)
@@ -144,66 +145,59 @@ def test_every_number_of_a_body_without_joints_and_springs_can_be_sent() -> None
     assert [len(section) for section in sections(data)] == [7, 1, 2, 0, 0]
 
 
-def panel_of(scene: sim.Scene) -> tuple[ToolsPanel, Letters]:
-    """A panel, and what the page's script is told."""
-    client = MagicMock()
-    client.gui.add_dropdown.return_value.value = "10 s"
-    client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
-    letters = Letters()
-    panel = ToolsPanel(page_of(SessionPage(scene).session, client, letters))
-    panel.build()
-    return panel, letters
+class Panel:
+    """The switches of a page, and what its script is sent."""
+
+    def __init__(self, session: Session) -> None:
+        self.client: Any = Client()
+        self.letters = Letters()
+        self.panel = ToolsPanel(page_of(session, self.client, self.letters))
+        self.panel.build()
+
+    @property
+    def are_on(self) -> list[bool]:
+        return [self.client.gui[label].value for label in ("Forces", "Velocities", "Torques")]
+
+    @property
+    def traced(self) -> tuple[int, ...]:
+        return self.letters.last(Tools).traced
 
 
 def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones() -> None:
-    client, session = MagicMock(), SessionPage("ring").session
-    switches: dict[str, MagicMock] = {}
-    client.gui.add_checkbox.side_effect = lambda label, **_: switches.setdefault(
-        label, MagicMock(value=False)
-    )
-
-    def are_on() -> list[bool]:
-        return [switches[label].value for label in ("Forces", "Velocities", "Torques")]
-
-    letters = Letters()
-    one = ToolsPanel(page_of(session, client, letters))
-    one.show_arrows({"forces", "torques"})
-    assert are_on() == [True, False, True]
-    one.draw(1, 0.0, exactly=True)
-    assert len(letters.sent[-1].numbers)
-    kinds = one.leave()
-    assert not len(letters.sent[-1].numbers)
-    switches.clear()
-    other = ToolsPanel(page_of(session, client))
-    other.show_arrows(kinds)
-    assert are_on() == [True, False, True]
+    session = SessionPage("ring").session
+    one = Panel(session)
+    one.panel.show_arrows({"forces", "torques"})
+    assert one.are_on == [True, False, True]
+    one.panel.draw(1, 0.0, exactly=True)
+    assert len(one.letters.sent[-1].numbers)
+    kinds = one.panel.leave()
+    assert not len(one.letters.sent[-1].numbers)
+    other = Panel(session)
+    other.panel.show_arrows(kinds)
+    assert other.are_on == [True, False, True]
 
 
 def test_the_switches_stand_below_the_plots_however_many_pages_there_were() -> None:
-    client = MagicMock()
-    client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
-    ToolsPanel(page_of(SessionPage("ring").session, client))
-    gui = client.gui
-    added = (gui.add_checkbox, gui.add_dropdown, gui.add_button, gui.add_html)
-    orders = [call.kwargs["order"] for add in added for call in add.call_args_list]
+    orders = [control.order for control in Panel(SessionPage("ring").session).client.gui.there]
     assert len(orders) == 7
-    assert min(orders) >= LAST
+    assert min(orders) >= ORDER
 
 
 def test_the_page_is_told_which_masses_are_traced() -> None:
-    panel, told = panel_of(sim.load_scene("ring"))
-    assert told.last(Tools) == Tools(seconds=10)
-    panel.trace(True)
-    assert told.last(Tools).traced == (), "no mass is chosen"
+    page = Panel(SessionPage("ring").session)
+    assert page.letters.last(Tools) == Tools()
+    page.panel.trace(True)
+    assert page.traced == (), "no mass is chosen"
     for mass in (3, 99, 5, 3):
-        panel.choose(mass)
-        panel.trace(True)
-    assert told.last(Tools).traced == (5, 3)
-    panel.trace(False)
-    assert told.last(Tools).traced == (5,)
+        page.panel.choose(mass)
+        page.panel.trace(True)
+    assert page.traced == (5, 3)
+    page.panel.trace(False)
+    assert page.traced == (5,)
     for mass in range(MAX_TRACES + 2):
-        panel.choose(mass)
-        panel.trace(True)
-    assert told.last(Tools).traced == tuple(range(2, 10))
-    panel.clear_traces()
-    assert told.last(Tools).traced == ()
+        page.panel.choose(mass)
+        page.panel.trace(True)
+    assert page.traced == tuple(range(2, 10))
+    page.client.gui["Length of a trace"].enter("10 s")
+    page.panel.clear_traces()
+    assert page.letters.last(Tools) == Tools(seconds=10, chosen=9)

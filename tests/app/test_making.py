@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import pytest
@@ -10,7 +11,7 @@ import pytest
 import sim
 from app.classroom.live import Classes
 from app.features.making import messages as asks
-from app.features.making.maker import LessonMaker, Measured, in_words
+from app.features.making.maker import LessonMaker, Measured, describe_settings
 from app.features.making.messages import LessonForm, LessonOffers, LessonTaken
 from app.lessons import check_lesson
 from app.session import commands
@@ -65,24 +66,30 @@ class Form:
         return self.letters.last(LessonTaken)
 
 
+def change(step: int, **changes: Any) -> asks.ChangeStep:
+    return asks.ChangeStep(step, asks.StepChanges(**changes))
+
+
+def asked(text: str, choices: tuple[str, ...] = ("a", "b"), answer: int = 0, because: str = "c") -> Any:
+    return asks.QuestionDraft(text, choices, answer, because)
+
+
+def aimed(name: str, low: float | None, high: float | None = None, seconds: float = 0.0) -> asks.GoalDraft:
+    return asks.GoalDraft(name, "value", low, high, seconds)
+
+
 def made() -> Form:
     """A lesson of two steps that has everything."""
     form = Form()
     form.say(
         asks.AddStep(0),
-        asks.WriteStep(0, "title", "Weigh it"),
-        asks.AskInStep(0, "Where will it hang?", ("higher", "lower"), 1, "It is heavier."),
-        asks.PredictInStep(0, 1.5),
-        asks.OfferInStep(0, ("gravity", "method")),
+        change(0, title="Weigh it", predict=1.5, controls=("gravity", "method"), ghost="reference"),
+        change(0, question=asked("Where will it hang?", ("higher", "lower"), 1, "It is heavier.")),
         asks.TakeInStep(0, "plots"),
         asks.TakeInStep(0, "arrows"),
-        asks.CompareInStep(0, "reference"),
         asks.AddStep(1),
-        asks.WriteStep(1, "title", "Reach it"),
-        asks.WriteStep(1, "do", "Make it hang deeper."),
-        asks.WriteStep(1, "watch", "The lowest mass."),
-        asks.AimInStep(1, "mass5.y", "value", 100.0, None, 2.0),
-        asks.CollectInStep(1, "mass5.y", "period"),
+        change(1, title="Reach it", do="Make it hang deeper.", watch="The lowest mass."),
+        change(1, goal=aimed("mass5.y", 100.0, seconds=2.0), collect=asks.ReadingDraft("mass5.y", "period")),
     )
     form.page.frames(1, commands.SetValue("gravity", 700.0))
     form.say(asks.TakeInStep(1, "settings"))
@@ -140,44 +147,40 @@ def test_a_link_holds_the_longest_lesson_that_there_is() -> None:
 
 
 @pytest.mark.parametrize(
-    ("said", "field", "refused"),
+    ("changes", "field", "refused"),
     [
-        (asks.WriteStep(0, "title", ""), "title", "It must not be empty."),
-        (asks.WriteStep(0, "do", "x" * 601), "do", "601 characters are more than 600."),
-        (asks.AskInStep(0, "", ("a", "b"), 0, "c"), "question.text", "It must not be empty."),
-        (asks.AskInStep(0, "?", ("a", ""), 0, "c"), "question.choices[1]", "It must not be empty."),
+        ({"title": ""}, "title", "It must not be empty."),
+        ({"do": "x" * 601}, "do", "601 characters are more than 600."),
+        ({"question": asked("")}, "question.text", "It must not be empty."),
+        ({"question": asked("?", ("a", ""))}, "question.choices[1]", "It must not be empty."),
         (
-            asks.AskInStep(0, "?", ("a",), 0, "c"),
+            {"question": asked("?", ("a",))},
             "question.choices",
             "A question has 2 to 5 answers to choose from.",
         ),
-        (asks.AskInStep(0, "?", ("a", "b"), 3, "c"), "question.answer", "Choice 3 does not exist (0..1)."),
-        (asks.PredictInStep(0, -1.0), "predict", "-1 is not above 0 and at most 600."),
-        (asks.AimInStep(0, "mass5.y", "value", None, None, 0.0), "goal", "It needs low, high or both."),
-        (asks.AimInStep(0, "mass5.y", "value", 3.0, 2.0, 0.0), "goal", "Low 3 is above high 2."),
-        (
-            asks.AimInStep(0, "mass99.y", "value", 3.0, None, 0.0),
-            "goal.quantity",
-            "mass99.y: mass 99 does not exist (0..11).",
-        ),
-        (asks.CollectInStep(0, "hope", "value"), "collect.quantity", "'hope' is not a quantity"),
-        (asks.OfferInStep(0, ("gravty",)), "controls[0]", "gravty: there is no such setting"),
+        ({"question": asked("?", answer=3)}, "question.answer", "Choice 3 does not exist (0..1)."),
+        ({"predict": -1.0}, "predict", "-1 is not above 0 and at most 600."),
+        ({"goal": aimed("mass5.y", None)}, "goal", "It needs low, high or both."),
+        ({"goal": aimed("mass5.y", 3.0, 2.0)}, "goal", "Low 3 is above high 2."),
+        ({"goal": aimed("mass99.y", 3.0)}, "goal.quantity", "mass99.y: mass 99 does not exist (0..11)."),
+        ({"collect": asks.ReadingDraft("hope", "value")}, "collect.quantity", "'hope' is not a quantity"),
+        ({"controls": ("gravty",)}, "controls[0]", "gravty: there is no such setting"),
     ],
-)  # fmt: skip
+)
 def test_what_is_wrong_is_said_beside_its_field_and_changes_nothing(
-    said: asks.OfStep, field: str, refused: str
+    changes: dict[str, Any], field: str, refused: str
 ) -> None:
     form = Form()
     form.say(asks.AddStep(0))
     before = form.steps
-    form.say(said)
+    form.say(change(0, **changes))
     assert (form.taken.step, form.taken.field) == (0, field)
     assert form.taken.refused.startswith(refused)
     assert "\n" not in form.taken.refused
     assert form.steps == before
     assert not form.page.session.notices
     # What is right afterwards takes the sentence away.
-    form.say(asks.WriteStep(0, "title", "T"))
+    form.say(change(0, title="T"))
     assert (form.taken.part, form.taken.refused) == ("title", "")
 
 
@@ -185,9 +188,7 @@ def test_undo_takes_back_what_was_done_to_the_lesson() -> None:
     form = Form()
     opened = form.scene
     versions = form.page.session.versions
-    form.say(
-        asks.AddStep(0), asks.WriteStep(0, "title", "T"), asks.WriteStep(0, "title", "Ti"), asks.AddStep(1)
-    )
+    form.say(asks.AddStep(0), change(0, title="T"), change(0, title="Ti"), asks.AddStep(1))
     assert versions.undoable == "step 2 added"
     form.undo()
     # What is written in one go is one step.
@@ -204,16 +205,16 @@ def test_undo_takes_back_what_was_done_to_the_lesson() -> None:
     assert form.scene.lesson is None
     form.undo()
     assert len(form.steps) == 2
-    for what in ("question", "predict", "goal", "collect", "plots", "arrows"):
-        form.say(asks.DropFromStep(0, what))
-    assert not form.taken.refused
+    for name in ("question", "predict", "goal", "collect", "plots", "arrows"):
+        form.say(change(0, **{name: None}))
+        assert not form.taken.refused
 
 
 def test_the_body_moves_on_while_its_lesson_is_written() -> None:
     form = Form()
     form.page.frames(20)
     time, rows = form.page.simulation.time, form.page.simulation.positions.copy()
-    form.say(asks.AddStep(0), asks.WriteStep(0, "title", "T"))
+    form.say(asks.AddStep(0), change(0, title="T"))
     assert form.page.simulation.time > time > 0.0
     assert (form.page.simulation.positions != rows).any()
     assert form.page.session.openings == 0
@@ -271,8 +272,8 @@ def test_the_form_offers_what_there_is_now() -> None:
     form.page.frames(30, commands.SetValue("gravity", 20.0), commands.SetChoice("method", "rk4"))
     form.maker.tell()
     assert form.letters.last(LessonOffers).settings == "Integrator: Runge-Kutta 4, Gravity 20 px/s²"
-    assert in_words(form.scene, ("hope=1", "gravity=many")) == "gravity many, hope 1"
-    assert in_words(form.scene, ("gravity=1", "method=rk4")) == in_words(
+    assert describe_settings(form.scene, ("hope=1", "gravity=many")) == "gravity many, hope 1"
+    assert describe_settings(form.scene, ("gravity=1", "method=rk4")) == describe_settings(
         form.scene, ("method=rk4", "gravity=1")
     )
 
@@ -282,11 +283,12 @@ def test_the_form_offers_what_there_is_now() -> None:
     [
         '{"do":"addStep","at":-1}',
         '{"do":"addStep","at":100}',
-        '{"do":"writeStep","step":0,"field":"settings","text":"gravity=1"}',
-        '{"do":"writeStep","step":0,"field":"title","text":1}',
-        '{"do":"predictInStep","step":0,"seconds":1e999}',
-        '{"do":"predictInStep","step":0,"seconds":NaN}',
-        '{"do":"aimInStep","step":0,"quantity":"mass0.y","of":"hope","low":1,"high":2,"seconds":0}',
+        '{"do":"changeStep","step":0,"changes":{"settings":"gravity=1"}}',
+        '{"do":"changeStep","step":0,"changes":{"title":1}}',
+        '{"do":"changeStep","step":0,"changes":{"title":null}}',
+        '{"do":"changeStep","step":0,"changes":{"predict":1e999}}',
+        '{"do":"changeStep","step":0,"changes":{"predict":NaN}}',
+        '{"do":"changeStep","step":0,"changes":{"collect":{"quantity":"mass0.y","of":"hope"}}}',
         '{"do":"takeInStep","step":0,"what":"everything"}',
         '{"do":"makeLesson"}',
         '{"do":"ofStep","step":0}',
@@ -303,8 +305,8 @@ def test_steps_that_are_not_there_change_nothing() -> None:
     before = form.steps
     for said in (
         asks.AddStep(9), asks.CopyStep(9), asks.RemoveStep(9), asks.MoveStep(0, 9),
-        asks.WriteStep(9, "title", "T"), asks.TakeInStep(9, "settings"),
-        asks.DropFromStep(9, "goal"), asks.TryStep(9), asks.EndTrying(), asks.CompareInStep(0, "hope"),
+        change(9, title="T"), asks.TakeInStep(9, "settings"),
+        change(9, goal=None), asks.TryStep(9), asks.EndTrying(), change(0, ghost="hope"), change(0),
     ):  # fmt: skip
         form.say(said)
     assert form.steps == before

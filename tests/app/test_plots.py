@@ -6,6 +6,7 @@ import csv
 import io
 import math
 import re
+from collections.abc import Iterator
 from unittest.mock import MagicMock
 
 import msgspec
@@ -160,9 +161,11 @@ def test_what_is_ahead_is_pale_and_the_axes_have_room_for_their_labels() -> None
     page = PlotPage("energy.kinetic", "energy.linear", "energy.angular")
     page.frames(60)
     page.frames(1, commands.GoBack(0.5))
-    chart, colors = MagicMock(), palette("softrod", dark=False)
-    drawn, series = curve(page.plot, 10.0, 200), plots.colors_of(page.plot, colors)
-    plots.draw_over_time(chart, MagicMock(), page.plot, drawn, series, colors, ())
+    gui, colors = MagicMock(), palette("softrod", dark=False)
+    chart, time_chart = gui.add_uplot.return_value, plots.TimeChart(gui, 0.0)
+    drawn = curve(page.plot, 10.0, 200)
+    time_chart.draw(page.plot, drawn, palette("softrod", dark=True))
+    time_chart.draw(page.plot, drawn, colors)
     time, *lines = chart.data
     until, whole = lines[:3], lines[3:]
     assert len(time) == drawn.values.shape[1]
@@ -175,7 +178,7 @@ def test_what_is_ahead_is_pale_and_the_axes_have_room_for_their_labels() -> None
         assert "alpha" not in strong
     assert chart.axes[1]["label"] == "energy, kg px²/s²"
     page.frames(30, commands.Play(True))
-    plots.draw_over_time(chart, MagicMock(), page.plot, curve(page.plot, 10.0, 200), series, colors, ())
+    time_chart.draw(page.plot, curve(page.plot, 10.0, 200), colors)
     assert len(chart.series) == len(chart.data) == 7, "as before: another number would be another chart"
     assert all(np.isfinite(line).all() for line in chart.data[1:4])
     assert not any(map(len, chart.data[4:])), "nothing is sent twice"
@@ -192,36 +195,51 @@ def test_over_another_quantity_a_disc_marks_the_moment_and_what_is_ahead_is_pale
         assert "<x>" not in text
 
 
-def test_plots_that_nobody_sees_run_on_and_are_not_sent() -> None:
-    page = SessionPage("rod")
-    server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
-    try:
-        noted = Noted(server)
+class MeasureTab:
+    """The Measure tab of a page, in a panel of viser's own."""
+
+    def __init__(self, server: viser.ViserServer) -> None:
+        self.page, self.told = SessionPage("rod"), list[Notice]()
+        self.noted = Noted(server)
         tab = server.gui.add_tab_group().add_tab("Measure")
-        shared = page_of(page.session, noted)
-        panel = MeasurePanel(shared, tab)
-        panel.plot_angle()
+        self.seen = page_of(self.page.session, self.noted, notify=self.told.append)
+        self.panel = MeasurePanel(self.seen, tab)
+
+    def tick(self) -> None:
+        self.seen.serve()
+        self.panel.tick()
+
+
+@pytest.fixture
+def measure() -> Iterator[MeasureTab]:
+    server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
+    yield MeasureTab(server)
+    server.stop()
+
+
+def test_plots_that_nobody_sees_run_on_and_are_not_sent(measure: MeasureTab) -> None:
+    page, panel, noted = measure.page, measure.panel, measure.noted
+    panel.plot_angle()
+    panel.tick()
+    (chart,) = noted.charts
+    assert np.isfinite(chart.data[1]).all(), "its line is strong although nothing moves"
+    # Another number of lines is another chart.
+    noted.made["Quantity"].value = "rate"
+    press(noted.made[""], ADD)
+    measure.seen.serve()
+    _, chart = noted.charts
+    assert len(chart.data) == len(chart.series) == 5
+    assert len(set(map(len, chart.data))) == 1
+    panel.plots.looked_at = False
+    before = chart.data
+    for _ in range(30):
+        page.frames(1)
         panel.tick()
-        (chart,) = noted.charts
-        # Another number of lines is another chart.
-        noted.made["Quantity"].value = "rate"
-        press(noted.made[""], ADD)
-        shared.serve()
-        _, chart = noted.charts
-        assert len(chart.data) == len(chart.series) == 5
-        assert len(set(map(len, chart.data))) == 1
-        panel.plots.looked_at = False
-        before = chart.data
-        for _ in range(30):
-            page.frames(1)
-            panel.tick()
-        assert chart.data is before
-        panel.plots.looked_at = True
-        panel.tick()
-        assert chart.data[0][-1] == pytest.approx(page.simulation.time, abs=1e-3)
-        assert np.diff(chart.data[0]).max() < 0.03, "no frame is missing"
-    finally:
-        server.stop()
+    assert chart.data is before
+    panel.plots.looked_at = True
+    panel.tick()
+    assert chart.data[0][-1] == pytest.approx(page.simulation.time, abs=1e-3)
+    assert np.diff(chart.data[0]).max() < 0.03, "no frame is missing"
 
 
 def test_values_that_are_none_leave_a_gap() -> None:
@@ -273,45 +291,31 @@ def test_a_body_that_ran_away_leaves_finite_values() -> None:
     assert all(map(math.isfinite, drawn[0]))
 
 
-def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots() -> None:
-    page = SessionPage("rod")
-    server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
-    told: list[Notice] = []
-    try:
-        noted = Noted(server)
-        tab = server.gui.add_tab_group().add_tab("Measure")
-        shared = page_of(page.session, noted, notify=told.append)
-        panel = MeasurePanel(shared, tab)
-        panel.tick()
-        part, what, over = (noted.made[label] for label in ("Part", "Quantity", "Over"))
-        part.value, what.value, over.value = "joint999999", "<b>", "nan"
+def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots(measure: MeasureTab) -> None:
+    page, panel, told = measure.page, measure.panel, measure.told
+    panel.tick()
+    part, what, over = (measure.noted.made[label] for label in ("Part", "Quantity", "Over"))
+    part.value, what.value, over.value = "joint999999", "<b>", "nan"
+    press(panel.new)
+    press(what, "<b>")
+    measure.tick()
+    assert "not a quantity" in told[0].text
+    assert (part.value, what.value) == ("joint0", "angle")
+    for _ in range(3):
+        panel.plot_angle()  # twice the same is one plot
+    for _ in range(5):
         press(panel.new)
-        press(what, "<b>")
-        shared.serve()
-        panel.tick()
-        assert "not a quantity" in told[0].text
-        assert part.value == "joint0"
-        assert what.value == "angle"
-        for _ in range(3):
-            panel.plot_angle()  # twice the same is one plot
-        for _ in range(5):
-            press(panel.new)
-        shared.serve()
-        panel.tick()
-        assert len(panel.plots.wishes) == MAX_PLOTS
-        assert "room for 4 plots" in told[-1].text
-        # Another scene keeps what it has, too; one without joints keeps nothing.
-        page.frames(1, commands.Open(sim.load_scene("tutorial-3.3")))
+    measure.tick()
+    assert len(panel.plots.wishes) == MAX_PLOTS
+    assert "room for 4 plots" in told[-1].text
+    # Another scene keeps what it has, too; one without joints keeps nothing.
+    for scene, count in ((sim.load_scene("tutorial-3.3"), MAX_PLOTS), (sim.rope(3, joints=False), 0)):
+        page.frames(1, commands.Open(scene))
         panel.build()
-        assert len(panel.plots.wishes) == MAX_PLOTS
-        page.frames(1, commands.Open(sim.rope(3, joints=False)))
-        panel.build()
-        assert panel.plots.wishes == ()
-        panel.plot_angle()
-        panel.tick()
-        assert told[-1].text == "This scene has no joints."
-    finally:
-        server.stop()
+        assert len(panel.plots.wishes) == count
+    panel.plot_angle()
+    panel.tick()
+    assert told[-1].text == "This scene has no joints."
 
 
 def ring_of(plot: Plot, times: np.ndarray, *columns: np.ndarray) -> None:
@@ -413,10 +417,9 @@ def test_an_axis_with_a_y_grows_downwards_where_the_scene_s_does(
 ) -> None:
     plot = growing(names, y_down=y_down)
     assert plot.turned == turned
-    colors, add = palette("softrod", dark=False), MagicMock()
-    series = plots.colors_of(plot, colors)
-    plots.draw_over_time(None, add, plot, curve(plot, 10.0, 200), series, colors, ())
-    _, _, options = add.mock_calls[0]
+    gui = MagicMock()
+    plots.TimeChart(gui, 0.0).draw(plot, curve(plot, 10.0, 200), palette("softrod", dark=False))
+    options = gui.add_uplot.call_args.kwargs
     assert tuple(options["scales"][f"y{i}"].get("dir") == -1 for i in range(len(turned))) == turned
     assert tuple(axis["label"].endswith(", downwards") for axis in options["axes"][1:]) == turned
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
+from playwright.sync_api import Locator
 
 import sim
 from app.session import commands
@@ -66,6 +67,16 @@ def drag(desk: Desk, start: Point, end: Point) -> None:
     desk.page.mouse.down()
     desk.lead(start, end)
     desk.let_go()
+
+
+def put_picture(desk: Desk, folder: Path, width: int = 40, height: int = 20) -> Locator:
+    """Put a picture behind the body, once the tools are there."""
+    path = folder / "bridge.png"
+    Image.new("RGB", (width, height), (250, 80, 10)).save(path)
+    desk.page.locator(".softrod-edit-bar input[type=file]").set_input_files(path)
+    image = desk.page.locator(".softrod-underlay image")
+    desk.until(lambda: image.count() == 1, "the picture is there")
+    return image
 
 
 def test_a_body_is_built_by_mouse_and_taken_back(open_page: OpenPage) -> None:
@@ -175,6 +186,33 @@ def test_a_frame_selects_what_is_moved_pinned_and_cut_off(open_page: OpenPage) -
     middle = (np.array(desk.place(2)) + desk.place(3)) / 2.0
     drag(desk, (middle[0] - 30.0, middle[1] - 5.0), (middle[0] + 30.0, middle[1] + 5.0))
     becomes(desk, 12, 10, 8)
+
+
+def test_what_is_selected_has_a_folder_and_a_force_on_it_is_drawn(open_page: OpenPage) -> None:
+    """`tests/app/test_selection_panel.py` has its numbers and buttons."""
+    desk = open_page()
+    desk.tell(commands.Play(False))
+    arrows = desk.page.locator(".softrod-loads .softrod-forces")
+    folder = desk.page.get_by_text("1 mass", exact=True).and_(desk.page.locator(":visible"))
+    desk.tell(commands.Select(lambda *_: Selection(masses=frozenset({4}))))
+    folder.first.wait_for()
+    for label, text in (("Start x", "320"), ("Force y", "500")):
+        desk.control(label).fill(text)
+        desk.control(label).press("Enter")
+    desk.until(lambda: desk.session.scene.masses[4].force == (0.0, 500.0), "the mass has a force")
+    desk.until(lambda: abs(desk.simulation.positions[4, 0] - 320.0) < 1e-6, "and is elsewhere")
+    arrows.wait_for(state="attached")
+    desk.until(lambda: (arrows.bounding_box() or {"height": 0.0})["height"] > 30.0, "its arrow is drawn")
+
+    def begins_at_its_mass() -> bool:
+        box, (x, y) = arrows.bounding_box(), desk.place(4)
+        return box is not None and abs(box["x"] + box["width"] / 2.0 - x) < 3.0 and abs(box["y"] - y) < 4.0
+
+    desk.until(begins_at_its_mass, "it begins at the mass and points down")
+    desk.tell(commands.Undo())
+    desk.until(lambda: arrows.count() == 0, "without a force there is no arrow")
+    desk.tell(commands.Select(lambda *_: Selection()))
+    desk.until(lambda: folder.count() == 0, "nothing is selected any more")
 
 
 def test_by_touch(open_page: OpenPage) -> None:
@@ -342,12 +380,8 @@ def test_a_copy_is_pasted_into_another_page(open_page: OpenPage) -> None:
 def test_a_picture_to_draw_over_stays_in_the_browser(open_page: OpenPage, tmp_path: Path) -> None:
     desk = paused(open_page)
     page = desk.page
-    path = tmp_path / "bridge.png"
-    Image.new("RGB", (400, 200), (250, 80, 10)).save(path)
     page.keyboard.press("e")
-    page.locator(".softrod-edit-bar input[type=file]").set_input_files(path)
-    image = page.locator(".softrod-underlay image")
-    desk.until(lambda: image.count() == 1, "the picture is there")
+    image = put_picture(desk, tmp_path, 400, 200)
 
     def box() -> tuple[float, float, float, float]:
         return tuple(float(image.get_attribute(name) or 0.0) for name in ("x", "y", "width", "height"))  # type: ignore[return-value]
@@ -377,7 +411,7 @@ def test_a_picture_to_draw_over_stays_in_the_browser(open_page: OpenPage, tmp_pa
     text = tmp_path / "notes.txt"
     text.write_text("no picture")
     page.locator(".softrod-edit-bar input[type=file]").set_input_files(text)
-    page.get_by_text("notes.txt is no picture").wait_for()
+    page.get_by_text("notes.txt is not a picture").wait_for()
     page.get_by_role("button", name="Picture", exact=True).click()
     page.get_by_role("button", name="Take it away").click()
     desk.until(lambda: image.count() == 0, "it is gone")

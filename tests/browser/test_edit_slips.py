@@ -8,14 +8,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from PIL import Image
 
 import sim
 from app.session import commands
 from sim.edit.edit import Selection
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
-from tests.browser.test_edit import becomes, beside, drag, paused, tool
+from tests.browser.test_edit import becomes, beside, drag, paused, put_picture, tool
 
 
 def pick(desk: Desk, **parts: set[int]) -> None:
@@ -86,8 +85,7 @@ def test_a_phone_has_room_for_the_body_beside_the_tools(open_page: OpenPage, tmp
     desk.until(lambda: count.inner_text() == "24 parts", "the bar has a short word for all of it")
     assert seen()
     # What is to be done with a picture comes into view.
-    Image.new("RGB", (40, 20)).save(tmp_path / "bridge.png")
-    desk.page.locator(".softrod-edit-bar input[type=file]").set_input_files(tmp_path / "bridge.png")
+    put_picture(desk, tmp_path)
     size = desk.page.get_by_text("Size", exact=True)
     desk.until(lambda: 0.0 < (size.bounding_box() or {}).get("x", 0.0) < 150.0, "its controls are there")
 
@@ -109,12 +107,10 @@ def test_a_question_about_a_body_that_is_gone_goes_too(open_page: OpenPage) -> N
 def test_moving_a_picture_takes_no_keys_of_others(open_page: OpenPage, tmp_path: Path) -> None:
     desk = paused(open_page, size=(1100, 760))
     page = desk.page
-    Image.new("RGB", (40, 20)).save(tmp_path / "bridge.png")
     page.keyboard.press("e")
-    page.locator(".softrod-edit-bar input[type=file]").set_input_files(tmp_path / "bridge.png")
+    image = put_picture(desk, tmp_path)
     button = page.get_by_role("button", name="Move it")
     button.click()
-    image = page.locator(".softrod-underlay image")
     x = image.get_attribute("x")
     desk.gallery()
     page.keyboard.press("ArrowDown")

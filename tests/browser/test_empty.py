@@ -34,7 +34,7 @@ def test_an_empty_canvas_a_tab_without_plots_and_a_gallery_without_own_scenes(
     hint = desk.page.get_by_text("No plot is open.")
     assert "mass1.x" in hint.inner_text()
     desk.button("New plot").click()
-    desk.page.get_by_text("The pointer over a plot reads values").wait_for()
+    desk.page.get_by_text("Move the pointer over a plot to read values").wait_for()
     desk.until(lambda: hint.count() == 0, "one is open")
     desk.button("Remove").click()
     hint.wait_for()

@@ -52,11 +52,11 @@ test("a ruler reads lengths of the scene, with y as the scene has it", () => {
 
 test("strokes of a ruler are at round lengths, and never too many", () => {
   const count = (path) => path.split("M").length - 1;
-  const path = shapes.strokes({ x: 0, y: 0 }, { x: 100, y: 0 }, { x: 0, y: 1 }, 1);
+  const path = shapes.ticks({ x: 0, y: 0 }, { x: 100, y: 0 }, { x: 0, y: 1 }, 1);
   assert.equal(count(path), 11);
   assert.ok(path.includes("M10.0 0.0") && path.includes("M100.0 0.0"));
-  for (const scale of [1e-6, 1, 1e6]) assert.ok(count(shapes.strokes({ x: 0, y: 0 }, { x: 1e5, y: 0 }, { x: 0, y: 1 }, scale)) <= 601);
-  assert.equal(count(shapes.strokes({ x: 5, y: 5 }, { x: 5, y: 5 }, { x: 0, y: 1 }, 1)), 1);
+  for (const scale of [1e-6, 1, 1e6]) assert.ok(count(shapes.ticks({ x: 0, y: 0 }, { x: 1e5, y: 0 }, { x: 0, y: 1 }, scale)) <= 601);
+  assert.equal(count(shapes.ticks({ x: 5, y: 5 }, { x: 5, y: 5 }, { x: 0, y: 1 }, 1)), 1);
 });
 
 test("a protractor reads the angle between its sides, in either order", () => {

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * Copying parts of a body and pasting them, also into another tab: by the clipboard where the browser lets a page have
- * it, and by the storage that the tabs of one server share.
+ * Copying parts of a body and pasting them, in another tab, too: by the clipboard where the browser allows it, and by the
+ * storage that the tabs of one server share.
  */
 import { onTold, send } from "../../wire/channel.js";
 import { editing } from "./editing.js";
@@ -10,15 +10,16 @@ import { sight } from "../../stage/overlay.js";
 import { worldAt } from "../../stage/screen.js";
 
 const STORED = "softrod-clipboard";
-const BEGINS = '{"type":"softrod-fragment"';
+/** The beginning of a copied text. */
+const PREFIX = '{"type":"softrod-fragment"';
 
-/** What was copied last in this tab, where storage is forbidden. */
+/** What was copied last in this tab, in case storage is forbidden. */
 let copied = "";
 
-/** Has what is selected copied. */
-export const toClipboard = () => send({ do: "act", what: "copy" });
+/** Copies the selection. */
+export const copySelection = () => send({ do: "act", what: "copy" });
 
-/** What was copied last, in whichever tab. */
+/** What was copied last, in any tab. */
 function stored() {
   try {
     return localStorage.getItem(STORED) ?? copied;
@@ -27,9 +28,9 @@ function stored() {
   }
 }
 
-/** Puts it in at the pointer, or in the middle of the canvas. @param {string} [text] what is pasted, if it is known */
+/** Pastes at the pointer, or in the middle of the canvas. @param {string} [text] from the clipboard, if it is known */
 export function pasteHere(text) {
-  const fragment = typeof text === "string" && text.trimStart().startsWith(BEGINS) ? text.trim() : stored();
+  const fragment = typeof text === "string" && text.trimStart().startsWith(PREFIX) ? text.trim() : stored();
   const seen = sight();
   if (!fragment || !seen) return;
   const { box, on } = seen;
@@ -48,9 +49,9 @@ export function listenToClipboard() {
     try {
       localStorage.setItem(STORED, text);
     } catch {
-      // Forbidden or full: this tab still has it.
+      // Forbidden or full: this tab has it in `copied`.
     }
-    // Only a page of this machine or by TLS has a clipboard.
+    // Only pages served by TLS or from this machine have a clipboard.
     navigator.clipboard?.writeText(text).catch(() => {});
   });
 }

@@ -1,4 +1,4 @@
-"""What a page's script does to the body's parts: gestures become edits, and it is told what came of them."""
+"""Turns the gestures of a page into edits of the body, and reports the results to the page."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
+from operator import or_, xor
 
 import msgspec
 import numpy as np
@@ -27,62 +29,60 @@ from ...wire.carrier import Mail
 from . import messages as asks
 from .messages import Copied, Selected, TextsTaken, Versions
 
-ASIDE = 0.3
-"""By how much a copy lies to the right and below of what it was made of, in the page's world."""
+COPY_OFFSET = 0.3
+"""How far a copy lies to the right of and below the original, in the page's world."""
 
-NUDGES = 1.0
-"""Seconds between two moves by keys that are one step of undo, at most."""
+MERGE_WITHIN = 1.0
+"""Seconds within which moves by keys are one step of undo."""
 
-OFFER = "Reset, and “Keep this shape” beside the tools lets what you drew stand as you drew it."
-"""What is said once to who has drawn a spring and lets it go."""
+OFFER = "Reset, then press “Keep this shape” next to the tools: the body will stay as you drew it."
+"""Shown once to a user who has drawn a spring and lets the body move."""
 
-_PASTE = re.compile(r"(-?\d{1,7}(?:\.\d{1,6})?),(-?\d{1,7}(?:\.\d{1,6})?),([A-Za-z0-9+/=]+)")
+_PASTED = re.compile(r"(-?\d{1,7}(?:\.\d{1,6})?),(-?\d{1,7}(?:\.\d{1,6})?),([A-Za-z0-9+/=]+)")
 
 
 class Edits:
-    """What one page does to the parts of its body.
+    """The edits of one page.
 
     Args:
         session: the page's simulation.
         mail: to the page's script.
-        notify: tells the user something.
+        notify: shows a notice to the user.
     """
 
     def __init__(self, session: Session, mail: Mail, notify: Callable[[Notice], None]) -> None:
         self._session = session
         self._mail = mail
         self._notify = notify
-        self._copy = False
-        self._selected: Selection | None = None
-        self._drew = self._offered = (
-            False  # whether a spring was drawn, and whether it was said what keeps it
-        )
+        self._copies = False  # whether the selection is to be copied
+        self._selected: Selection | None = None  # what the page knows to be selected
+        self._drew = self._offered = False  # whether a spring was drawn, and OFFER was shown
 
     # --------------------------------------------------------------------- any thread
     def do(self, ask: asks.Edit) -> None:
-        """Do what a gesture, or the form of texts, asks for."""
+        """Carry out a message of the page."""
+        post = self._session.post
         match ask:
             case asks.SetTexts():
                 self._set_texts(ask)
             case asks.Select() | asks.Marquee() | asks.Act(what="all"):
-                self._session.post(commands.Select(lambda *now: selected(ask, *now)))
+                post(commands.Select(partial(select, ask)))
             case asks.Act(what="copy"):
-                self._copy = True
+                self._copies = True
             case asks.Tempo(frequency):
-                self._session.post(commands.SetValue("tempo", frequency))
-            case asks.MoveMuscles():
-                key, within = ("muscles by keys", NUDGES) if ask.keys else ("muscles by hand", math.inf)
-                self._session.post(commands.Change(lambda *now: edited(ask, *now), key, within=within))
-            case asks.Move(keys=True):
-                move = commands.Change(lambda *now: edited(ask, *now), "moved by keys", within=NUDGES)
-                self._session.post(move)
+                post(commands.SetValue("tempo", frequency))
+            case asks.MoveMuscles(keys=False):
+                post(commands.Change(partial(make_edit, ask), "muscles by hand", within=math.inf))
+            case asks.MoveMuscles() | asks.Move(keys=True):
+                key = "moved by keys" if isinstance(ask, asks.Move) else "muscles by keys"
+                post(commands.Change(partial(make_edit, ask), key, within=MERGE_WITHIN))
             case asks.Gesture():
                 self._drew |= isinstance(ask, asks.Line)
                 heavy = isinstance(ask, asks.Act) and ask.what in ("keep", "stiffen")
-                self._session.post(commands.Change(lambda *now: edited(ask, *now), heavy=heavy))
+                post(commands.Change(partial(make_edit, ask), heavy=heavy))
 
     def _set_texts(self, ask: asks.SetTexts) -> None:
-        """Give the scene another name and description, or say in the page why not: what was typed is kept."""
+        """Change the scene's name and description, or report to the page why that is impossible."""
         refused = ""
         try:
             texts.set_texts(self._session.scene, ask.name, ask.description)
@@ -95,12 +95,12 @@ class Edits:
         self._mail.tell(TextsTaken(refused=refused))
 
     def paste(self, message: str) -> None:
-        """Put in what was copied; in a thread, since it may be long.
+        """Paste copied parts; in a thread, since the text may be long.
 
         Args:
-            message: where its middle is to be, in the page's world, and the text as base64.
+            message: where their middle goes, in the page's world, and the copied text as base64.
         """
-        match = _PASTE.fullmatch(message)
+        match = _PASTED.fullmatch(message)
         if match is None:
             return
         try:
@@ -113,59 +113,50 @@ class Edits:
             return
         x, y = float(match[1]), float(match[2])
         self._session.post(
-            commands.Change(lambda moment, _: _pasted(moment, fragment, _point(moment.scene, x, y)))
+            commands.Change(lambda moment, _: _paste(moment, fragment, _to_scene(moment.scene, x, y)))
         )
 
     # --------------------------------------------------------------------- the ticker's
     def tell(self) -> None:
-        """Tell the script what is selected, what can be undone, and what it wanted to copy."""
-        session = self._session
+        """Report to the page what is selected, what can be undone, and what it copies."""
+        session, versions = self._session, self._session.versions
         if session.selection is not self._selected:
             self._selected = session.selection
-            self._mail.tell(
-                Selected(**{kind: tuple(sorted(of)) for kind, of in self._selected._asdict().items()})
-            )
-        versions = session.versions
+            self._mail.tell(Selected(*(tuple(sorted(parts)) for parts in self._selected)))
         stiffen = (session.refusal.stiffening or 0.0) if session.refusal is not None else 0.0
-        self._mail.tell(
-            Versions(
-                undo=versions.undoable, redo=versions.redoable, count=len(versions), stiffen=round(stiffen, 3)
-            )
-        )
+        self._mail.tell(Versions(versions.undoable, versions.redoable, len(versions), round(stiffen, 3)))
         if session.playing and self._drew and not self._offered:
             self._offered = True
             self._notify(Notice("info", "It sags?", OFFER))
-        if self._copy:
-            self._copy = False
+        if self._copies:
+            self._copies = False
             moment = session.simulation.capture()
             try:
-                fragment = _copied(moment, masses_of(moment.scene, session.selection))
+                fragment = _copy(moment, masses_of(moment.scene, session.selection))
                 self._mail.tell(Copied(text=copying.encode(fragment)))
             except SceneError as error:
                 self._notify(Notice("error", "That cannot be copied", str(error)))
 
 
 # ------------------------------------------------------------------------- what is selected
-def selected(ask: asks.Gesture, moment: Moment, before: Selection) -> Selection:
-    """What is selected after a gesture that selects."""
+def select(ask: asks.Gesture, moment: Moment, before: Selection) -> Selection:
+    """Return the selection after a gesture that selects."""
     match ask:
         case asks.Select(masses, springs, joints, toggle):
             parts = Selection(*map(frozenset, (masses, springs, joints)))
-            return (
-                Selection(*(one ^ two for one, two in zip(before, parts, strict=True))) if toggle else parts
-            )
+            return Selection(*map(xor, before, parts)) if toggle else parts
         case asks.Marquee(x, y, add):
-            parts = _enclosed(moment, x, y)
-            return Selection(*(one | two for one, two in zip(before, parts, strict=True))) if add else parts
+            parts = _inside(moment, x, y)
+            return Selection(*map(or_, before, parts)) if add else parts
         case _:
             scene = moment.scene
             every = scene.masses, scene.linear_springs, scene.angular_springs
             return Selection(*(frozenset(range(len(parts))) for parts in every))
 
 
-def _enclosed(moment: Moment, x: Vector, y: Vector) -> Selection:
-    """Masses in a rectangle, springs with both ends and joints with both springs among them."""
-    scene, corners = moment.scene, np.array([_point(moment.scene, *c) for c in zip(x, y, strict=True)])
+def _inside(moment: Moment, x: Vector, y: Vector) -> Selection:
+    """Return the masses in a rectangle, springs with both ends and joints with both springs in it."""
+    scene, corners = moment.scene, np.array([_to_scene(moment.scene, *c) for c in zip(x, y, strict=True)])
     at = moment.positions
     inside = ((at >= corners.min(0)) & (at <= corners.max(0))).all(1)
     broken = set(moment.damage.broken) if moment.damage is not None else set()
@@ -179,7 +170,7 @@ def _enclosed(moment: Moment, x: Vector, y: Vector) -> Selection:
 
 
 def masses_of(scene: Scene, selection: Selection) -> frozenset[int]:
-    """The masses that are selected, and those that selected springs and joints join."""
+    """Return the selected masses, and those at selected springs and joints."""
     springs = set(selection.springs)
     for j in selection.joints:
         springs |= {scene.angular_springs[j].a, scene.angular_springs[j].b}
@@ -188,31 +179,30 @@ def masses_of(scene: Scene, selection: Selection) -> frozenset[int]:
 
 
 # ------------------------------------------------------------------------- what is changed
-def edited(ask: asks.Gesture, moment: Moment, selection: Selection) -> Edit:
-    """The edit that a gesture asks for.
+def make_edit(ask: asks.Gesture, moment: Moment, selection: Selection) -> Edit:
+    """Return the edit that a gesture makes.
 
     Raises:
-        SceneError, SettingError: it cannot be made.
+        SceneError, SettingError: it is impossible.
     """
     scene = moment.scene
     match ask:
         case asks.Place(x, y):
-            edit = build.add_mass(scene, _point(scene, x, y))
-            return replace(edit, select=_one(len(scene.masses)))
+            edit = build.add_mass(scene, _to_scene(scene, x, y))
+            return replace(edit, select=_only(len(scene.masses)))
         case asks.Line(a, b, start, end):
-            return _lined(moment, a, b, _point(scene, *start), _point(scene, *end))
+            return _add_line(moment, a, b, _to_scene(scene, *start), _to_scene(scene, *end))
         case asks.Hold(a, b):
-            return _held(moment, a, b)
+            return _add_joint(moment, a, b)
         case asks.Turn(joint, angle):
-            return _turned(moment, joint, angle)
+            return _turn_joint(moment, joint, angle)
         case asks.Stroke(points):
-            stroke = [_point(scene, *point) for point in points]
+            stroke = [_to_scene(scene, *point) for point in points]
             edit = shape.cut(scene, stroke, build.positions_of(moment))
             return edit if edit.springs else Edit("", scene)
         case asks.Move(x, y, rest, under):
-            origin, point = _point(scene, 0.0, 0.0), _point(scene, x, y)
-            masses = masses_of(scene, _aimed(scene, selection, None, under))
-            return _moved(moment, masses, (point[0] - origin[0], point[1] - origin[1]), rest)
+            masses = masses_of(scene, _target(scene, selection, None, under))
+            return _move(moment, masses, _vector(scene, x, y), rest)
         case asks.MoveMuscles(later, stretch, turn):
             return muscles.move_muscles(scene, selection, later, stretch, turn)
         case asks.ShapeMuscles(spread=True):
@@ -220,25 +210,25 @@ def edited(ask: asks.Gesture, moment: Moment, selection: Selection) -> Edit:
         case asks.ShapeMuscles(wave, per_beat):
             return muscles.shape_muscles(scene, selection, wave, per_beat)
         case asks.Act(what, mass, under):
-            return _done(what, moment, _aimed(scene, selection, mass, under))
+            return _act(what, moment, _target(scene, selection, mass, under))
         case _:
             return Edit("", scene)
 
 
-def _aimed(scene: Scene, selection: Selection, mass: int | None, under: int | None) -> Selection:
-    """What an action is meant for: a mass, or what is selected, or else what is under the pointer."""
+def _target(scene: Scene, selection: Selection, mass: int | None, under: int | None) -> Selection:
+    """Return the target of an action: a mass, or the selection, or else the mass under the pointer."""
     if mass is None:
         mass = None if any(selection) else under
     if mass is None:
         return selection
     refuse_missing([mass], len(scene.masses))
-    return _one(mass)
+    return _only(mass)
 
 
-def _done(what: str, moment: Moment, selection: Selection) -> Edit:
+def _act(what: str, moment: Moment, selection: Selection) -> Edit:
     scene, positions = moment.scene, build.positions_of(moment)
     masses = masses_of(scene, selection)
-    some = masses or frozenset(range(len(scene.masses)))  # where nothing is selected, the whole body is meant
+    some = masses or frozenset(range(len(scene.masses)))  # without a selection, the whole body
     match what:
         case "remove" if any(selection):
             return build.remove(scene, selection)
@@ -246,19 +236,18 @@ def _done(what: str, moment: Moment, selection: Selection) -> Edit:
             held = {anchor.mass for anchor in scene.anchors}
             return build.pin(scene, masses, on=not masses <= held)
         case "duplicate" if masses:
-            fragment = _copied(moment, masses)
-            at = (_middle([positions[i][k] for i in masses]) for k in (0, 1))
-            zero, aside = _point(scene, 0.0, 0.0), _point(scene, ASIDE, -ASIDE)
-            x, y = (a + one - none for a, one, none in zip(at, aside, zero, strict=True))
-            return replace(
-                _pasted(moment, fragment, (x, y)), label=f"{counted(len(masses), 'mass')} duplicated"
-            )
+            fragment = _copy(moment, masses)
+            at = (_center([positions[i][k] for i in masses]) for k in (0, 1))
+            offset = _vector(scene, COPY_OFFSET, -COPY_OFFSET)
+            x, y = (a + b for a, b in zip(at, offset, strict=True))
+            label = f"{counted(len(masses), 'mass')} duplicated"
+            return replace(_paste(moment, fragment, (x, y)), label=label)
         case "mirror":
             return shape.mirror(scene, some, positions)
         case "corners":
             edit = shape.add_corners(scene, some, positions, moment.rest_angle_shift)
             if edit.joints is None:
-                raise SceneError("every corner there has an angular spring, or has none to get")
+                raise SceneError("there is no corner without an angular spring")
             return edit
         case "triangulate":
             edit = shape.triangulate(scene, some, positions, moment.rest_length_scale)
@@ -268,27 +257,27 @@ def _done(what: str, moment: Moment, selection: Selection) -> Edit:
         case "rest":
             return take_as_rest(moment, selection if any(selection) else Selection(masses=some))
         case "keep" | "stiffen":
-            return _kept(moment, selection, what == "stiffen")
+            return _keep_shape(moment, selection, what == "stiffen")
         case _:
             raise SceneError("nothing is selected")
 
 
-def _lined(moment: Moment, a: int | None, b: int | None, start: Vector, end: Vector) -> Edit:
+def _add_line(moment: Moment, a: int | None, b: int | None, start: Vector, end: Vector) -> Edit:
     scene, positions, scale = moment.scene, build.positions_of(moment), moment.rest_length_scale
     n = len(scene.masses)
     if a is None and b is not None:
-        return replace(build.extend(scene, b, start, positions, scale), select=_one(b))
+        return replace(build.extend(scene, b, start, positions, scale), select=_only(b))
     if a is None:
         first = build.add_mass(scene, start)
         second = build.extend(first.scene, n, end, [*positions, start], scale)
-        return replace(build.joined("2 masses and a spring added", first, second), select=_one(n + 1))
+        return replace(build.joined("2 masses and a spring added", first, second), select=_only(n + 1))
     if b is None:
-        return replace(build.extend(scene, a, end, positions, scale), select=_one(n))
+        return replace(build.extend(scene, a, end, positions, scale), select=_only(n))
     edit = build.add_springs(scene, [(a, b)], positions, scale)
-    return replace(edit if edit.springs else Edit("", scene), select=_one(b))
+    return replace(edit if edit.springs else Edit("", scene), select=_only(b))
 
 
-def _held(moment: Moment, a: int, b: int) -> Edit:
+def _add_joint(moment: Moment, a: int, b: int) -> Edit:
     scene, positions = moment.scene, build.positions_of(moment)
     refuse_missing((a, b), len(scene.linear_springs), "spring")
     angle = build.angle_between(scene, a, b, positions) - moment.rest_angle_shift
@@ -298,7 +287,7 @@ def _held(moment: Moment, a: int, b: int) -> Edit:
     return replace(edit, select=Selection(joints=frozenset({len(scene.angular_springs)})))
 
 
-def _turned(moment: Moment, joint: int, angle: float | None) -> Edit:
+def _turn_joint(moment: Moment, joint: int, angle: float | None) -> Edit:
     scene = moment.scene
     refuse_missing([joint], len(scene.angular_springs), "joint")
     if angle is None:
@@ -311,8 +300,8 @@ def _turned(moment: Moment, joint: int, angle: float | None) -> Edit:
     return replace(edit, select=Selection(joints=frozenset({joint})))
 
 
-def _kept(moment: Moment, selection: Selection, allow_stiffening: bool) -> Edit:
-    """What is selected holds the body as it is: springs and joints, or all that selected masses have."""
+def _keep_shape(moment: Moment, selection: Selection, allow_stiffening: bool) -> Edit:
+    """Make the selected springs and joints, and all those at selected masses, hold the present shape."""
     scene, parts = moment.scene, None
     if any(selection):
         masses = selection.masses
@@ -325,16 +314,16 @@ def _kept(moment: Moment, selection: Selection, allow_stiffening: bool) -> Edit:
             if masses and (each.a in springs or each.b in springs)
         }
         parts = Selection(springs=springs, joints=joints)
-    kept = keep_shape_at(moment, parts, allow_stiffening)
-    assert kept.pose is not None
-    shift = np.array(kept.pose.positions).T - moment.rows[:2]
+    held = keep_shape_at(moment, parts, allow_stiffening)
+    assert held.pose is not None
+    shift = np.array(held.pose.positions).T - moment.rows[:2]
     starts = scene.pose.positions if scene.pose else tuple(mass.position for mass in scene.masses)
-    # Where it is to start in this shape, too, it starts there at rest.
-    made = kept if starts != kept.pose.positions else msgspec.structs.replace(kept, pose=scene.pose)
+    # A body that starts in this shape starts at rest.
+    made = held if starts != held.pose.positions else msgspec.structs.replace(held, pose=scene.pose)
     return Edit("keep this shape", made, shift=shift if shift.any() else None, stops=True)
 
 
-def _moved(moment: Moment, masses: frozenset[int], by: Vector, rest: bool) -> Edit:
+def _move(moment: Moment, masses: frozenset[int], by: Vector, rest: bool) -> Edit:
     if not masses:
         raise SettingError("nothing is selected that could be moved")
     edit = shape.move(moment.scene, masses, by)
@@ -344,11 +333,11 @@ def _moved(moment: Moment, masses: frozenset[int], by: Vector, rest: bool) -> Ed
     return replace(edit, scene=resting.scene)
 
 
-def _copied(moment: Moment, masses: frozenset[int]) -> copying.Fragment:
+def _copy(moment: Moment, masses: frozenset[int]) -> copying.Fragment:
     return copying.copy(moment.scene, masses, build.positions_of(moment))
 
 
-def _pasted(moment: Moment, fragment: copying.Fragment, at: Vector) -> Edit:
+def _paste(moment: Moment, fragment: copying.Fragment, at: Vector) -> Edit:
     scene = moment.scene
     edit = copying.paste(scene, fragment, at)
     olds = len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)
@@ -357,14 +346,20 @@ def _pasted(moment: Moment, fragment: copying.Fragment, at: Vector) -> Edit:
     return replace(edit, select=select)
 
 
-def _one(mass: int) -> Selection:
+def _only(mass: int) -> Selection:
     return Selection(masses=frozenset({mass}))
 
 
-def _middle(values: Sequence[float]) -> float:
+def _center(values: Sequence[float]) -> float:
     return (min(values) + max(values)) / 2.0
 
 
-def _point(scene: Scene, x: float, y: float) -> Vector:
-    """A point of the page's world in the scene, px."""
+def _to_scene(scene: Scene, x: float, y: float) -> Vector:
+    """Convert a point of the page's world to the scene, px."""
     return Mapping.of(scene).to_scene(x, y)
+
+
+def _vector(scene: Scene, x: float, y: float) -> Vector:
+    """Convert a displacement in the page's world to the scene, px."""
+    (x0, y0), (x1, y1) = _to_scene(scene, 0.0, 0.0), _to_scene(scene, x, y)
+    return x1 - x0, y1 - y0

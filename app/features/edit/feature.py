@@ -1,4 +1,4 @@
-"""Building and changing the body: gestures on the canvas, the numbers of what is selected, undo and redo."""
+"""Editing the body: gestures on the canvas, the numbers of the selection, undo and redo."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _HAND = (
 
 
 class EditFeature(Feature):
-    """What a page does to the parts of its body."""
+    """The editing of one page."""
 
     messages: ClassVar = {Edit: "edit"}
     texts: ClassVar = {"paste": LongText(needs="edit", verb="pasted")}
@@ -60,20 +60,20 @@ class EditFeature(Feature):
             icon="M6 8a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM6 20a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM7.700 7.200L19 18"
             "M7.700 16.800L19 6",
         ),
-        "pin": Row("Pin", "edit", ("P",), hint="Hold the masses where they are, or let them go"),
-        "remove": Row("Delete", "edit", ("Delete", "Backspace"), hint="Take away what is selected"),
-        "duplicate": Row("Duplicate", "edit", ("Ctrl D",), hint="A copy beside it"),
+        "pin": Row("Pin", "edit", ("P",), hint="Fix the masses where they are, or release them"),
+        "remove": Row("Delete", "edit", ("Delete", "Backspace"), hint="Delete what is selected"),
+        "duplicate": Row("Duplicate", "edit", ("Ctrl D",), hint="Add a copy next to it"),
         "copy": Row("Copy", "edit", ("Ctrl C",)),
         "all": Row("Select all", "edit", ("Ctrl A",)),
         "mirror": Row("Mirror", "edit", hint="Left becomes right"),
-        "corners": Row("Corners", "edit", hint="Angular springs at every corner, at rest as they are"),
-        "triangulate": Row("Triangulate", "edit", hint="Springs until all is triangles"),
-        "rest": Row("Rest as is", "edit", hint="Springs and joints rest as they are now"),
+        "corners": Row("Corners", "edit", hint="Add angular springs at all corners, at rest as they are"),
+        "triangulate": Row("Triangulate", "edit", hint="Add springs until there are only triangles"),
+        "rest": Row("Rest as is", "edit", hint="Set rest lengths and rest angles to the present ones"),
         "keep": Row(
-            "Keep this shape", "edit", hint="Springs and joints hold the body as it is now"
+            "Keep this shape", "edit", hint="Set springs and joints so that they hold the body as it is now"
         ),
         "stiffen": Row(
-            "Keep it, stiffer", "edit", hint="With the least stiffness that holds it as it is now"
+            "Keep it, stiffer", "edit", hint="The same, with as much stiffness as that needs"
         ),
     }  # fmt: skip
 

@@ -1,15 +1,11 @@
 // @ts-check
 /**
- * Building and changing the body by the pointer. The page finds what is under the pointer and draws what is under way,
- * so that nothing lags; the server makes the edit.
+ * Building and changing the body by the pointer. The page finds what is under the pointer and draws what it does, so
+ * that nothing lags; the server makes the edit.
  */
-import { onPicture, shown } from "../../stage/canvas.js";
+import { onPicture } from "../../stage/canvas.js";
 import { onTold, send, told } from "../../wire/channel.js";
-import {
-  CORNER, directionTo, distanceTo, isNothing, isSelected, partAt, REACH, snapped, turnable, within, world,
-} from "./places.js";
 import { change, countSelected, editing, giveUp } from "./editing.js";
-import { directionAt, restAt, restDirection } from "./joint_rest.js";
 import { swallow } from "../../ui/hands/keys.js";
 import { moveSelected } from "./move.js";
 import { sight } from "../../stage/overlay.js";
@@ -27,39 +23,40 @@ import { viser } from "../../ui/viser/viser.js";
 /** Pixels within which a press counts as a click. */
 const CLICK = 5;
 /** Milliseconds after which a finger that rests selects what is under it. */
-const LONG = 550;
-/** Milliseconds between two presses that are a double click. */
-const TWICE = 400;
-/** Pixels around a knob. */
-const KNOB = { mouse: 12, pen: 14, touch: 24 };
-/** Corners that a stroke is told with. */
+const LONG_PRESS = 550;
+/** Milliseconds between the two presses of a double click, at most. */
+const DOUBLE_CLICK = 400;
+/** Corners of a stroke that is sent. */
 const MAX_POINTS = 48;
+/** Milliseconds of vibration when a long press selects. */
+const VIBRATION = 15;
 
-/** The press that is under way: its pointer, where it began and what was there. */
+/** The present press: its pointer, where it began and what was there. */
 let press = {
   id: -1, kind: "mouse", start: { x: 0, y: 0 }, moved: false, shift: false, toggled: false, tool: editing.tool,
-  /** The event, to give it back to viser. @type {PointerEvent | null} */
+  /** The event, to pass it on to viser. @type {PointerEvent | null} */
   event: null,
 };
-let longer = 0;
+/** The timer of a long press. */
+let longPress = 0;
 /** Where the second button was pressed. */
 let second = { x: 0, y: 0 };
 /** The last click on a joint. */
-let last = { joint: -1, at: 0 };
-/** Whether a press is given back to viser. */
+let lastClick = { joint: -1, at: 0 };
+/** Whether an event is being passed on to viser. */
 let passing = false;
 
 // ------------------------------------------------------------------------- presses
-/** @param {PointerEvent} event @returns {Place} */
+/** @param {MouseEvent} event @returns {Place} */
 const placeOf = ({ clientX, clientY }) => ({ x: clientX, y: clientY });
 
 /** @param {PointerEvent} event */
 function down(event) {
   const { canvas } = viser() ?? {};
   if (passing || !editing.on || event.target !== canvas || !canvas) return;
-  if (press.id >= 0 && event.pointerType === "pen") drop(); // a hand that rests gives way to it
+  if (press.id >= 0 && event.pointerType === "pen") drop(); // a resting hand gives way to the pen
   if (press.id >= 0) {
-    giveBack(canvas);
+    passOn(canvas);
     return;
   }
   if (event.button === 2) second = placeOf(event);
@@ -72,17 +69,17 @@ function down(event) {
   canvas.setPointerCapture(event.pointerId);
   const start = placeOf(event);
   press = { id: event.pointerId, kind: event.pointerType, start, moved: false, shift: event.shiftKey, toggled: false, tool, event };
-  if (event.pointerType === "touch") longer = setTimeout(rest, LONG);
-  const knob = turnable();
-  if (knob >= 0 && isOnKnob(knob, start)) change({ drag: { kind: "turn", joint: knob, angle: restDirection(knob) }, hover: start });
+  if (press.kind === "touch") longPress = setTimeout(selectByLongPress, LONG_PRESS);
+  const joint = pick.knobAt(start, press.kind);
+  if (joint >= 0) change({ drag: { kind: "turn", joint, angle: pick.restDirection(joint) }, hover: start });
   else if (selects) takeParts(start);
   else if (tool === "build") beginLine(start, event.altKey);
   else if (tool === "cut") change({ drag: { kind: "stroke", points: [start] }, hover: start });
   else change({ hover: start });
 }
 
-/** A second finger is for the view: viser gets the first one, too. @param {HTMLCanvasElement} canvas */
-function giveBack(canvas) {
+/** A second finger moves the view: viser gets the first one, too. @param {HTMLCanvasElement} canvas */
+function passOn(canvas) {
   const { event, id } = press;
   drop();
   if (!event || press.kind !== "touch") return;
@@ -94,19 +91,19 @@ function giveBack(canvas) {
   passing = false;
 }
 
-/** A finger rests: what is under it is selected, and nothing else happens. */
-function rest() {
-  const parts = partAt(press.start, press.kind);
+/** Selects what is under a finger that rests, and ends the press. */
+function selectByLongPress() {
+  const parts = pick.partAt(press.start, press.kind);
   drop();
-  if (isNothing(parts)) return;
-  navigator.vibrate?.(15);
+  if (pick.isNothing(parts)) return;
+  navigator.vibrate?.(VIBRATION);
   send({ do: "select", ...parts });
 }
 
 function drop() {
-  clearTimeout(longer);
+  clearTimeout(longPress);
   press.id = -1;
-  // A finger that is gone points at nothing.
+  // A finger that was lifted points at nothing.
   change({ drag: null, hover: press.kind === "touch" ? null : editing.hover });
 }
 
@@ -121,32 +118,33 @@ function move(event) {
   }
   if (event.pointerId !== press.id) return;
   event.stopImmediatePropagation();
-  if (!press.moved && Math.hypot(at.x - press.start.x, at.y - press.start.y) <= CLICK) return;
-  clearTimeout(longer);
+  if (!press.moved && pick.distance(at, press.start) <= CLICK) return;
+  clearTimeout(longPress);
   press.moved = true;
-  change({ hover: at, drag: led(at, event) });
+  change({ hover: at, drag: dragged(at, event) });
 }
 
-/** What the pointer does, once it is somewhere else. @param {Place} at @param {PointerEvent} event */
-function led(at, { altKey, shiftKey }) {
+/** The drag after a move of the pointer. @param {Place} at @param {PointerEvent} event */
+function dragged(at, { altKey, shiftKey }) {
   const { drag } = editing;
   switch (drag?.kind) {
     case "line": {
       const to = massAt(at, press.kind);
-      return { ...drag, to: to === drag.from ? -1 : to, at: snapped(at, altKey) };
+      return { ...drag, to: to === drag.from ? -1 : to, at: pick.snapped(at, altKey) };
     }
     case "marquee":
       return { ...drag, at };
     case "move": {
-      const end = snapped({ x: drag.start.x + at.x - press.start.x, y: drag.start.y + at.y - press.start.y }, altKey);
+      const end = pick.snapped({ x: drag.start.x + at.x - press.start.x, y: drag.start.y + at.y - press.start.y }, altKey);
       return { ...drag, dx: end.x - drag.start.x, dy: end.y - drag.start.y, moved: true };
     }
     case "stroke":
       return { ...drag, points: pick.thinned([...drag.points, at], 4 * MAX_POINTS) };
     case "turn": {
-      const tip = shown().pictured?.joints[4 * drag.joint + 2] ?? 0;
-      const angle = restAt(drag.joint, directionTo(tip, at));
-      return { ...drag, angle: directionAt(drag.joint, shiftKey ? pick.rounded(angle, 15) : angle) };
+      const seen = sight();
+      if (!seen) return drag;
+      const angle = pick.restAt(drag.joint, pick.directionOf(pick.knobOf(seen, drag.joint).tip, at));
+      return { ...drag, angle: pick.directionAt(drag.joint, shiftKey ? pick.rounded(angle, 15) : angle) };
     }
     default:
       return null;
@@ -159,38 +157,29 @@ function up(event) {
   event.stopImmediatePropagation();
   const { drag } = editing;
   const at = placeOf(event);
-  const { moved } = press;
+  const { moved, shift } = press;
   drop();
   if (event.type === "pointercancel") return;
   switch (drag?.kind) {
     case "line":
-      return endLine(drag, moved);
-    case "marquee": {
+      endLine(drag, moved);
+      break;
+    case "marquee":
       if (moved) {
-        const [one, two] = [world(drag.start), world(at)];
+        const [one, two] = [pick.world(drag.start), pick.world(at)];
         send({ do: "marquee", x: [one[0], two[0]], y: [one[1], two[1]], add: drag.add });
-      } else if (!press.shift && countSelected()) send({ do: "select" });
-      return;
-    }
-    case "move": {
-      const step = sight()?.on.step ?? 1;
-      if (drag.moved && (drag.dx || drag.dy)) moveSelected(drag.dx / step, -drag.dy / step);
-      else if (!press.toggled && !drag.moved) {
-        // One of several: it goes with Shift, and stays alone without.
-        const parts = partAt(press.start, press.kind);
-        if (press.shift || countSelected() > 1) send({ do: "select", ...parts, toggle: press.shift });
-      }
-      return;
-    }
-    case "stroke": {
-      if (moved) send({ do: "stroke", points: pick.thinned(drag.points, MAX_POINTS).map(world) });
-      return;
-    }
-    case "turn": {
-      if (moved) send({ do: "turn", joint: drag.joint, angle: restAt(drag.joint, drag.angle) });
-      else if (isTwice(drag.joint, event.timeStamp)) send({ do: "turn", joint: drag.joint });
-      return;
-    }
+      } else if (!shift && countSelected()) send({ do: "select" });
+      break;
+    case "move":
+      endMove(drag);
+      break;
+    case "stroke":
+      if (moved) send({ do: "stroke", points: pick.thinned(drag.points, MAX_POINTS).map(pick.world) });
+      break;
+    case "turn":
+      if (moved) send({ do: "turn", joint: drag.joint, angle: pick.restAt(drag.joint, drag.angle) });
+      else if (isDoubleClick(drag.joint, event.timeStamp)) send({ do: "turn", joint: drag.joint });
+      break;
     default:
       if (editing.on && press.tool === "joint" && editing.tool === "joint" && !moved) clickCorner(at, event.timeStamp);
   }
@@ -203,27 +192,27 @@ function hover(at) {
     return;
   }
   const { plan, places } = sight() ?? {};
-  const corner = plan && places && editing.tool === "joint" ? nearest(places, plan.radius, at, CORNER) : -1;
+  const corner = plan && places && editing.tool === "joint" ? nearest(places, plan.radius, at, pick.CORNER) : -1;
   change({ hover: at, corner });
 }
 
 // ------------------------------------------------------------------------- select
 /** A press of the select tool. @param {Place} at */
 function takeParts(at) {
-  const parts = partAt(at, press.kind);
-  if (isNothing(parts)) {
+  const parts = pick.partAt(at, press.kind);
+  if (pick.isNothing(parts)) {
     change({ drag: { kind: "marquee", start: at, at, add: press.shift }, hover: at });
     return;
   }
-  if (!isSelected(parts)) {
+  if (!pick.isSelected(parts)) {
     press.toggled = true;
     send({ do: "select", ...parts, toggle: press.shift });
-    // So that it can be moved at once: the server says the same.
+    // Selected at once, so that it can be moved; the server will report the same.
     change({ selected: press.shift ? joined(editing.selected, parts) : parts });
   }
-  const { places } = sight() ?? {};
+  const seen = sight();
   const [mass] = parts.masses;
-  const start = places && mass !== undefined ? { x: places[2 * mass], y: places[2 * mass + 1] } : at;
+  const start = seen && mass !== undefined ? pick.placeOf(seen, mass) : at;
   change({ drag: { kind: "move", start, dx: 0, dy: 0, moved: false }, hover: at });
 }
 
@@ -234,11 +223,22 @@ const joined = (one, two) => ({
   joints: [...one.joints, ...two.joints],
 });
 
+/** @param {import("./editing.js").Move} drag */
+function endMove({ moved, dx, dy }) {
+  const step = sight()?.on.step ?? 1;
+  if (moved && (dx || dy)) moveSelected(dx / step, -dy / step);
+  else if (!press.toggled && !moved) {
+    // A click on one of several: Shift takes it out of the selection; otherwise it is selected alone.
+    const parts = pick.partAt(press.start, press.kind);
+    if (press.shift || countSelected() > 1) send({ do: "select", ...parts, toggle: press.shift });
+  }
+}
+
 // ------------------------------------------------------------------------- build
-/** @param {Place} at @param {boolean} free */
-function beginLine(at, free) {
+/** @param {Place} at @param {boolean} isFree off the grid */
+function beginLine(at, isFree) {
   const mass = massAt(at, press.kind);
-  const start = mass >= 0 ? at : snapped(at, free);
+  const start = mass >= 0 ? at : pick.snapped(at, isFree);
   change({ drag: { kind: "line", from: mass, start, at: start, to: -1 }, hover: at });
 }
 
@@ -246,19 +246,19 @@ function beginLine(at, free) {
 function endLine({ from, start, at, to }, moved) {
   const { chain } = editing;
   if (moved) {
-    if (from < 0 && to < 0 && Math.hypot(at.x - start.x, at.y - start.y) < 1) return;
+    if (from < 0 && to < 0 && pick.distance(at, start) < 1) return;
     line(from, start, to, at);
   } else if (chain >= 0 && from === chain) change({ chain: -1 });
   else if (chain >= 0) line(chain, start, from, start);
   else if (from >= 0) change({ chain: from });
   else {
-    const [x, y] = world(start);
+    const [x, y] = pick.world(start);
     send({ do: "place", x, y });
   }
 }
 
 /**
- * A spring between two masses, each named or to be put down; the next one leads on from its end.
+ * Adds a spring between two masses; a negative number stands for a new mass at a place. The next spring begins at its end.
  *
  * @param {number} a @param {Place} start @param {number} b @param {Place} end
  */
@@ -266,98 +266,88 @@ export function line(a, start, b, end) {
   change(b >= 0 ? { chain: b } : { chaining: true });
   send({
     do: "line",
-    ...(a >= 0 ? { a } : { start: world(start) }),
-    ...(b >= 0 ? { b } : { end: world(end) }),
+    ...(a >= 0 ? { a } : { start: pick.world(start) }),
+    ...(b >= 0 ? { b } : { end: pick.world(end) }),
   });
 }
 
 // ------------------------------------------------------------------------- joints
-/** @param {number} joint @param {Place} at */
-function isOnKnob(joint, at) {
-  const { pictured: plan } = shown();
-  const { places } = sight() ?? {};
-  if (!plan || !places) return false;
-  const tip = plan.joints[4 * joint + 2];
-  const t = (restDirection(joint) * Math.PI) / 180;
-  const knob = { x: places[2 * tip] + CORNER * Math.cos(t), y: places[2 * tip + 1] - CORNER * Math.sin(t) };
-  return Math.hypot(knob.x - at.x, knob.y - at.y) <= within(KNOB, press.kind);
-}
-
-/** Whether a click on a joint is the second of two. @param {number} joint @param {number} now when it was made, ms */
-function isTwice(joint, now) {
-  const twice = joint === last.joint && now - last.at < TWICE;
-  last = { joint, at: now };
+/** Whether a click on a joint is the second of a double click. @param {number} joint @param {number} now ms */
+function isDoubleClick(joint, now) {
+  const twice = joint === lastClick.joint && now - lastClick.at < DOUBLE_CLICK;
+  lastClick = { joint, at: now };
   return twice;
 }
 
-/** A click of the joint tool. @param {Place} at @param {number} now when it was made, ms */
+/** A click of the joint tool. @param {Place} at @param {number} now ms */
 function clickCorner(at, now) {
   const seen = sight();
   if (!seen) return;
-  const { broken } = shown().damage;
   const mass = massAt(at, press.kind);
   if (mass >= 0) {
     change({ corner: mass, arm: -1 });
     return;
   }
-  const { corner } = editing;
-  if (corner >= 0 && distanceTo(corner, at) <= CORNER) {
-    const direction = directionTo(corner, at);
-    const corners = pick.cornersOf(seen.plan, seen.places, corner, broken);
-    const hit = corners.find(({ from, turn }) => pick.turnTo(from, direction) <= turn);
+  const { corner, arm } = editing;
+  const tip = pick.placeOf(seen, corner);
+  if (corner >= 0 && pick.distance(tip, at) <= pick.CORNER) {
+    const direction = pick.directionOf(tip, at);
+    const hit = pick.cornersOf(seen, corner).find(({ from, turn }) => pick.turnTo(from, direction) <= turn);
     if (hit) {
       if (hit.joint < 0) send({ do: "hold", a: hit.a, b: hit.b });
       else chooseJoint(hit.joint, now);
       return;
     }
   }
-  const joint = pick.jointAt(seen.plan, seen.places, at, seen.on.step);
+  const joint = pick.jointAt(seen, at);
   if (joint >= 0) {
     chooseJoint(joint, now);
     return;
   }
   // Any two springs that share a mass, one after the other.
-  const spring = pick.springAt(seen.plan, seen.places, at, within(REACH, press.kind), broken);
-  if (spring >= 0 && editing.arm >= 0 && spring !== editing.arm) {
-    send({ do: "hold", a: editing.arm, b: spring });
+  const spring = pick.springAt(seen, at, press.kind);
+  if (spring >= 0 && arm >= 0 && spring !== arm) {
+    send({ do: "hold", a: arm, b: spring });
     change({ arm: -1 });
   } else change({ arm: spring, corner: -1 });
 }
 
 /** @param {number} joint @param {number} now */
 function chooseJoint(joint, now) {
-  if (isTwice(joint, now)) send({ do: "turn", joint });
+  if (isDoubleClick(joint, now)) send({ do: "turn", joint });
   else send({ do: "select", joints: [joint] });
 }
 
-/** Takes the last change back, or does it again: numbers of masses are then others. @param {"undo" | "redo"} what */
+/** Undoes or redoes a change: masses may then have other numbers, so the present gesture ends. @param {"undo" | "redo"} what */
 export function stepBack(what) {
   giveUp();
   perform(what);
 }
 
-// ------------------------------------------------------------------------- what the server tells
-/** Begins to listen; before the pointer that takes hold of masses, and before the keys. */
+// ------------------------------------------------------------------------- events
+/** Selects what the second button is released over. @param {MouseEvent & {pointerType?: string}} event */
+function openMenu(event) {
+  if (!editing.on || event.target !== viser()?.canvas) return;
+  if (press.id >= 0) {
+    swallow(event);
+    return;
+  }
+  // Some systems send this at the release, after the second button has moved the view.
+  if (event.pointerType === "mouse" && pick.distance(placeOf(event), second) > CLICK) return;
+  const parts = pick.partAt(placeOf(event), "mouse");
+  if (pick.isNothing(parts)) return;
+  swallow(event);
+  send({ do: "select", ...parts });
+}
+
+/** Begins to listen; before the pointer that grabs masses, and before the keys. */
 export function listenToEdits() {
   window.addEventListener("pointerdown", down, true);
   window.addEventListener("pointermove", move, true);
   for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) window.addEventListener(kind, up, true);
   window.addEventListener("lostpointercapture", ({ pointerId }) => pointerId === press.id && drop(), true);
   document.addEventListener("pointerout", ({ relatedTarget }) => editing.hover && press.id < 0 && !relatedTarget && hover(null));
-  window.addEventListener("contextmenu", (event) => {
-    if (!editing.on || event.target !== viser()?.canvas) return;
-    if (press.id >= 0) {
-      swallow(event);
-      return;
-    }
-    // Some systems say so at the release, when the second button has moved the view.
-    const dragged = event.pointerType === "mouse" && Math.hypot(event.clientX - second.x, event.clientY - second.y) > CLICK;
-    if (dragged) return;
-    const parts = partAt({ x: event.clientX, y: event.clientY }, "mouse");
-    if (isNothing(parts)) return;
-    swallow(event);
-    send({ do: "select", ...parts });
-  }, true);
+  window.addEventListener("contextmenu", openMenu, true);
   onTold("selected", ({ masses, springs, joints }) => {
     const { chaining, chain } = editing;
     change({
@@ -370,7 +360,7 @@ export function listenToEdits() {
     if (redo && redo !== editing.redo) giveUp(); // undone elsewhere: as in `stepBack`
     change({ undo, redo, stiffen });
   });
-  // Where some are gone, the numbers of the others are different ones.
+  // Without some parts, the numbers of the others have changed.
   let [masses, springs] = [0, 0];
   onPicture((_, { radius, springs: ends }) => {
     if (radius.length < masses || ends.length < springs) giveUp();

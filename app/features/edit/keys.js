@@ -1,13 +1,13 @@
 // @ts-check
 /**
- * Editing by keys: the tools' letters, undo and redo everywhere, and on the body itself, which the Tab key reaches, all
- * that the pointer can do.
+ * Editing by keys: letters choose tools, undo and redo work everywhere, and once the Tab key has reached the body, keys
+ * can do all that the pointer can.
  */
 import { shown } from "../../stage/canvas.js";
 import { send } from "../../wire/channel.js";
-import { pasteHere, toClipboard } from "./clipboard.js";
+import { pasteHere, copySelection } from "./clipboard.js";
 import { line, stepBack } from "./gestures.js";
-import { step } from "./places.js";
+import { placeOf, springsOf, step } from "./pick.js";
 import { change, countSelected, editing, giveUp, isEditable, isTool, setTool } from "./editing.js";
 import { ARROWS, commandOf } from "../../ui/hands/key_table.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
@@ -15,29 +15,33 @@ import { moveSelected } from "./move.js";
 import { chosenMass, sight } from "../../stage/overlay.js";
 import { massAt } from "../../ui/hands/pointer.js";
 
-/** By how much less an arrow moves with Shift. */
+/** Factor by which an arrow key moves less with Shift. */
 const FINE = 0.1;
+/** Length of a new spring, in steps of the grid, and in pixels at least. */
+const NEW_STEPS = 5;
+const MIN_NEW = 30;
+const NOWHERE = { x: 0, y: 0 };
 
-/** Whether keys go to the page, even with Ctrl: nobody types, no dialog is open. @param {KeyboardEvent} event */
+/** Whether keys with Ctrl go to the page: no text is being typed and no dialog is open. @param {KeyboardEvent} event */
 const isFreeWithCtrl = ({ target }) => isFree(/** @type {any} */ ({ target }));
 
-/** Whether some text of the page is marked: that is what is copied then. */
-const isTextMarked = () => !(getSelection()?.isCollapsed ?? true);
+/** Whether text of the page is selected, which is copied then. */
+const isTextSelected = () => !(getSelection()?.isCollapsed ?? true);
 
-/** Whether a key takes an instrument away. @param {KeyboardEvent} event */
+/** Whether a key goes to an instrument. @param {KeyboardEvent} event */
 const isForInstrument = ({ target }) => target instanceof Element && target.matches(".softrod-grip");
 
-/** The mass that the keys have chosen, if they are on the body. @param {KeyboardEvent} event */
+/** The mass that is chosen by keys, if the body has the focus; else -1. @param {KeyboardEvent} event */
 const massOf = ({ target }) => (target instanceof Element && target.matches(".softrod-body") ? chosenMass() : -1);
 
-/** The mass that is meant where nothing is selected: that of the keys, or the one under the pointer. @param {number} mass */
+/** The target without a selection: the mass that is chosen by keys, or the one under the pointer. @param {number} mass */
 function aim(mass) {
   const under = mass < 0 && editing.hover ? massAt(editing.hover, "mouse") : mass;
   return under >= 0 ? { under } : {};
 }
 
-/** @param {KeyboardEvent} event @returns {boolean} whether that was one */
-function withCtrl(event) {
+/** @param {KeyboardEvent} event @returns {boolean} whether it did something */
+function pressWithCtrl(event) {
   const { shiftKey, repeat } = event;
   if (!isFreeWithCtrl(event)) return false;
   const [everywhere, does] = [commandOf(event), commandOf(event, "edit")];
@@ -45,12 +49,12 @@ function withCtrl(event) {
   else if (everywhere === "redo" && !shiftKey) stepBack("redo");
   else if (!editing.on || shiftKey) return false;
   else if (does === "duplicate" || does === "all") repeat || send({ do: "act", what: does });
-  else if (does === "copy" && countSelected() && !isTextMarked()) repeat || toClipboard();
+  else if (does === "copy" && countSelected() && !isTextSelected()) repeat || copySelection();
   else return false;
   return true;
 }
 
-/** Moves what is selected, or the mass of the keys, by a step of the grid. @param {KeyboardEvent} event @param {number} mass */
+/** Moves the selection, or the chosen mass, by a step of the grid. @param {KeyboardEvent} event @param {number} mass */
 function nudge({ key, shiftKey }, mass) {
   const { pictured: plan } = shown();
   const by = step() * (plan?.scale ?? 1) * (shiftKey ? FINE : 1);
@@ -58,37 +62,35 @@ function nudge({ key, shiftKey }, mass) {
   if (countSelected() || mass >= 0) moveSelected(x * by, y * by, { ...aim(mass), keys: true });
 }
 
-/** Enter on a mass. @param {number} mass */
+/** The Enter key on a mass. @param {number} mass @returns {boolean} whether it did something */
 function enter(mass) {
   const { tool, chain } = editing;
-  const none = { x: 0, y: 0 };
   if (tool === "select") send({ do: "select", masses: [mass], toggle: true });
   else if (tool === "joint") send({ do: "act", what: "corners", mass });
   else if (tool === "build" && chain === mass) change({ chain: -1 });
-  else if (tool === "build" && chain >= 0) line(chain, none, mass, none);
+  else if (tool === "build" && chain >= 0) line(chain, NOWHERE, mass, NOWHERE);
   else if (tool === "build") change({ chain: mass });
   else return false;
   return true;
 }
 
-/** A spring to a new mass, away from the body. @param {number} mass */
+/** Adds a spring to a new mass. @param {number} mass */
 function grow(mass) {
   const seen = sight();
   if (!seen) return;
-  const { plan, places, on } = seen;
-  const far = Math.max(5 * step() * plan.scale * on.step, 30);
-  // Away from those that it is joined to already, or upwards.
+  const at = placeOf(seen, mass);
+  const far = Math.max(NEW_STEPS * step() * seen.plan.scale * seen.on.step, MIN_NEW);
+  // Away from its neighbours, or upwards.
   let [dx, dy] = [0, 0];
-  for (let s = 0; 2 * s < plan.springs.length; s++) {
-    const [a, b] = [plan.springs[2 * s], plan.springs[2 * s + 1]];
+  for (const { ends: [a, b] } of springsOf(seen)) {
     if (a !== mass && b !== mass) continue;
-    const other = a === mass ? b : a;
-    dx += places[2 * mass] - places[2 * other];
-    dy += places[2 * mass + 1] - places[2 * other + 1];
+    const { x, y } = placeOf(seen, a === mass ? b : a);
+    dx += at.x - x;
+    dy += at.y - y;
   }
   const size = Math.hypot(dx, dy);
   const [x, y] = size > 1 ? [dx / size, dy / size] : [0, -1];
-  line(mass, { x: 0, y: 0 }, -1, { x: places[2 * mass] + far * x, y: places[2 * mass + 1] + far * y });
+  line(mass, NOWHERE, -1, { x: at.x + far * x, y: at.y + far * y });
 }
 
 /** @param {KeyboardEvent} event */
@@ -96,7 +98,7 @@ function press(event) {
   if (!isEditable()) return;
   const { key, ctrlKey, metaKey, altKey } = event;
   if ((ctrlKey || metaKey) && !altKey) {
-    if (withCtrl(event)) swallow(event);
+    if (pressWithCtrl(event)) swallow(event);
     return;
   }
   const mass = massOf(event);
@@ -106,8 +108,7 @@ function press(event) {
     swallow(event);
     return;
   }
-  if (!isFree(event)) return;
-  if (!editing.on) return;
+  if (!isFree(event) || !editing.on) return;
   const does = commandOf(event, "edit");
   if (isTool(does)) setTool(does);
   else if (does === "remove" || does === "pin") {
@@ -122,7 +123,7 @@ function press(event) {
   swallow(event);
 }
 
-/** Leaves what is under way: the chain, then the selection. @returns {boolean} whether there was something */
+/** Ends the present gesture, or else the selection. @returns {boolean} whether there was one */
 function leave() {
   if (giveUp()) return true;
   if (!countSelected()) return false;

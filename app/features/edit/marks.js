@@ -1,54 +1,48 @@
 // @ts-check
-/** What is drawn of an edit: what is selected, and what the pointer is doing. */
-import { shown } from "../../stage/canvas.js";
-import { CORNER, partAt, snapped, turnable } from "./places.js";
+/** The marks of an edit: what is selected, and what the pointer is doing. */
+import { CORNER, WEDGE, armsOf, cornersOf, crossed, directionOf, distance, endsOf, knobOf, off, partAt, placeOf, restAt, snapped, springsOf, turnable, turnTo } from "./pick.js";
 import { editing, onEditing } from "./editing.js";
 import { wrapped } from "../../stage/draw.js";
-import { restAt, restDirection } from "./joint_rest.js";
 import { degrees, makeSvg, onSight, putUp, set, sight } from "../../stage/overlay.js";
-import { armsOf, cornersOf, crossed, turnTo } from "./pick.js";
 import { massAt } from "../../ui/hands/pointer.js";
 
 /**
  * @typedef {import("../../stage/overlay.js").Sight} Sight
+ * @typedef {import("./pick.js").Parts} Parts
  * @typedef {import("./pick.js").Place} Place
  */
 
 /** Pixels from a mass to the ring around it. */
 const RING = 7;
+/** Radius of the ring around a place where a mass would be created, pixels. */
+const NEW_RING = 9;
 /** From the back to the front. */
 const KINDS = /** @type {const} */ (["springs", "joints", "masses", "moved", "corner", "corner-hover", "under", "rubber", "marquee", "stroke", "cut", "rest", "knob"]);
-/** @typedef {typeof KINDS[number]} Kind */
+/** Paths of marks. @typedef {Partial<Record<typeof KINDS[number], string>>} Marks */
+
+/** @param {Place} at */
+const text = ({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 
 /** @param {Place} at @param {number} radius */
-export const circle = ({ x, y }, radius) => {
+const circle = ({ x, y }, radius) => {
   const r = radius.toFixed(1);
-  return `M${(x - radius).toFixed(1)} ${y.toFixed(1)}a${r} ${r} 0 1 0 ${(2 * radius).toFixed(1)} 0a${r} ${r} 0 1 0 ${(-2 * radius).toFixed(1)} 0`;
+  return `M${text({ x: x - radius, y })}a${r} ${r} 0 1 0 ${(2 * radius).toFixed(1)} 0a${r} ${r} 0 1 0 ${(-2 * radius).toFixed(1)} 0`;
 };
 
 /** @param {Place} one @param {Place} two */
-const lineTo = (one, two) => `M${one.x.toFixed(1)} ${one.y.toFixed(1)}L${two.x.toFixed(1)} ${two.y.toFixed(1)}`;
-
-/** @param {Place} at @param {number} degrees anticlockwise @param {number} distance @returns {Place} */
-const off = ({ x, y }, degrees, distance) => {
-  const t = (degrees * Math.PI) / 180;
-  return { x: x + distance * Math.cos(t), y: y - distance * Math.sin(t) };
-};
+const line = (one, two) => `M${text(one)}L${text(two)}`;
 
 /** A slice of a disc, anticlockwise from a direction. @param {Place} at @param {number} from @param {number} turn @param {number} radius */
 function sector(at, from, turn, radius) {
   if (turn >= 359.9) return circle(at, radius);
-  const [one, two] = [off(at, from, radius), off(at, from + turn, radius)];
-  const large = turn > 180 ? 1 : 0;
-  return `M${at.x.toFixed(1)} ${at.y.toFixed(1)}L${one.x.toFixed(1)} ${one.y.toFixed(1)}A${radius} ${radius} 0 ${large} 0 ${two.x.toFixed(1)} ${two.y.toFixed(1)}Z`;
+  const arc = `A${radius} ${radius} 0 ${turn > 180 ? 1 : 0} 0 ${text(off(at, from + turn, radius))}`;
+  return `${line(at, off(at, from, radius))}${arc}Z`;
 }
 
-/** Begins to draw. */
+/** Adds the marks. */
 export function addEditMarks() {
   const svg = makeSvg("svg", "softrod-marks softrod-edit-marks");
-  const paths = /** @type {Record<Kind, SVGPathElement>} */ (
-    Object.fromEntries(KINDS.map((kind) => [kind, makeSvg("path", `softrod-edit-${kind}`, svg)]))
-  );
+  const paths = KINDS.map((kind) => makeSvg("path", `softrod-edit-${kind}`, svg));
   const words = makeSvg("text", "", svg);
   let empty = true;
   putUp(svg);
@@ -57,10 +51,8 @@ export function addEditMarks() {
   const draw = (seen) => {
     if (!editing.on && empty) return;
     const marks = editing.on ? { ...selection(seen), ...underWay(seen), ...jointMarks(seen) } : {};
-    for (const kind of KINDS) set(paths[kind], { d: marks[kind] ?? "" });
-    const said = editing.on ? knobText(seen) : null;
-    words.textContent = said?.text ?? "";
-    if (said) set(words, { x: said.at.x.toFixed(1), y: said.at.y.toFixed(1) });
+    KINDS.forEach((kind, i) => set(paths[i], { d: marks[kind] ?? "" }));
+    writeRestAngle(seen, words);
     empty = !editing.on;
   };
   onSight(draw);
@@ -76,23 +68,21 @@ export function addEditMarks() {
   });
 }
 
-/** @param {Sight} seen @param {number} mass @returns {Place} */
-const placeOf = ({ places }, mass) => ({ x: places[2 * mass], y: places[2 * mass + 1] });
-/** @param {Sight} seen @param {number} mass @param {number} [more] */
-const ring = (seen, mass, more = RING) => circle(placeOf(seen, mass), seen.plan.radius[mass] * seen.on.step + more);
+/** @param {Sight} seen @param {number} mass */
+const ring = (seen, mass) => circle(placeOf(seen, mass), seen.plan.radius[mass] * seen.on.step + RING);
 /** @param {Sight} seen @param {number} spring */
 const bar = (seen, spring) => {
-  const { springs } = seen.plan;
-  return lineTo(placeOf(seen, springs[2 * spring]), placeOf(seen, springs[2 * spring + 1]));
+  const [a, b] = endsOf(seen, spring);
+  return line(placeOf(seen, a), placeOf(seen, b));
 };
 /** @param {Sight} seen @param {number} joint */
 function wedge(seen, joint) {
-  const { tip, one, two } = armsOf(seen.plan, seen.places, joint);
+  const { tip, one, two } = armsOf(seen, joint);
   const turn = wrapped(two - one);
-  return sector(placeOf(seen, tip), turn >= 0 ? one : two, Math.abs(turn), 2.6 * seen.plan.radius[tip] * seen.on.step + 4);
+  return sector(placeOf(seen, tip), turn >= 0 ? one : two, Math.abs(turn), WEDGE * seen.plan.radius[tip] * seen.on.step + 4);
 }
 
-/** The parts of a kind that the picture has: what is told of another body may be a frame early. @param {Sight} seen */
+/** The selected parts that the picture has: a selection in another body may arrive a frame early. @param {Sight} seen @returns {Parts} */
 function selectedIn({ plan }) {
   const { masses, springs, joints } = editing.selected;
   return {
@@ -102,27 +92,33 @@ function selectedIn({ plan }) {
   };
 }
 
-/** What marks the selection, and of which picture: it stays while only the pointer moves. */
-const marked = { of: "", selected: editing.selected, frame: /** @type {import("../../stage/plan.js").Frame | null} */ (null), marks: {} };
+/** @param {Sight} seen @param {Parts} parts */
+const marksOf = (seen, { masses, springs, joints }) => ({
+  masses: masses.map((mass) => ring(seen, mass)).join(""),
+  springs: springs.map((spring) => bar(seen, spring)).join(""),
+  joints: joints.map((joint) => wedge(seen, joint)).join(""),
+});
 
-/** @param {Sight} seen @returns {Partial<Record<Kind, string>>} */
+/** The marks of the selection, and what they were drawn for: they stay while only the pointer moves. */
+const cached = { view: "", selected: editing.selected, frame: /** @type {import("../../stage/plan.js").Frame | null} */ (null), marks: {} };
+
+/** @param {Sight} seen @returns {Marks} */
 function selection(seen) {
   const { selected } = editing;
-  const of = [seen.on.x, seen.on.y, seen.on.step].join(" ");
-  if (marked.of === of && marked.selected === selected && marked.frame === seen.frame) return marked.marks;
-  const { masses, springs, joints } = selectedIn(seen);
-  const marks = {
-    masses: masses.map((mass) => ring(seen, mass)).join(""),
-    springs: springs.map((spring) => bar(seen, spring)).join(""),
-    joints: joints.map((joint) => wedge(seen, joint)).join(""),
-  };
-  Object.assign(marked, { of, selected, frame: seen.frame, marks });
-  return marks;
+  const { on, frame } = seen;
+  const view = [on.x, on.y, on.step].join(" ");
+  if (cached.view !== view || cached.selected !== selected || cached.frame !== frame) {
+    Object.assign(cached, { view, selected, frame, marks: marksOf(seen, selectedIn(seen)) });
+  }
+  return cached.marks;
 }
 
-/** @param {Sight} seen @returns {Partial<Record<Kind, string>>} */
+/** @param {Sight} seen @returns {Marks} */
 function underWay(seen) {
   const { drag, hover, tool, chain } = editing;
+  /** An end of a line, on a mass or at a place. @param {number} mass @param {Place} place */
+  const end = (mass, place) =>
+    mass >= 0 ? { at: placeOf(seen, mass), under: ring(seen, mass) } : { at: place, under: circle(place, NEW_RING) };
   switch (drag?.kind) {
     case "marquee": {
       const { start, at } = drag;
@@ -130,101 +126,77 @@ function underWay(seen) {
     }
     case "move":
       return drag.moved ? { moved: moved(seen, drag.dx, drag.dy) } : {};
-    case "stroke": {
-      const hit = crossed(seen.plan, seen.places, drag.points, shown().damage.broken);
+    case "stroke":
       return {
-        stroke: `M${drag.points.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`,
-        cut: hit.map((spring) => bar(seen, spring)).join(""),
+        stroke: `M${drag.points.map(text).join("L")}`,
+        cut: crossed(seen, drag.points).map((spring) => bar(seen, spring)).join(""),
       };
-    }
     case "line": {
-      const from = drag.from >= 0 ? placeOf(seen, drag.from) : drag.start;
-      const to = drag.to >= 0 ? placeOf(seen, drag.to) : drag.at;
-      const end = drag.to >= 0 ? ring(seen, drag.to) : circle(to, 9);
-      const begin = drag.from >= 0 ? ring(seen, drag.from) : circle(from, 9);
-      return { rubber: lineTo(from, to), under: begin + end };
+      const [from, to] = [end(drag.from, drag.start), end(drag.to, drag.at)];
+      return { rubber: line(from.at, to.at), under: from.under + to.under };
     }
     default:
       break;
   }
-  const has = chain >= 0 && chain < seen.plan.radius.length;
-  if (!hover) return has ? { under: ring(seen, chain) } : {};
-  if (tool === "build") {
-    const mass = massAt(hover, "mouse");
-    const to = mass >= 0 ? placeOf(seen, mass) : snapped(hover, false);
-    const under = mass >= 0 ? ring(seen, mass) : circle(to, 9);
-    return has ? { under: under + ring(seen, chain), rubber: lineTo(placeOf(seen, chain), to) } : { under };
+  const start = chain >= 0 && chain < seen.plan.radius.length ? end(chain, { x: 0, y: 0 }) : null;
+  if (hover && tool === "build") {
+    const to = end(massAt(hover, "mouse"), snapped(hover, false));
+    return start ? { under: to.under + start.under, rubber: line(start.at, to.at) } : { under: to.under };
   }
-  if (tool === "select") {
-    const { masses, springs, joints } = partAt(hover, "mouse");
-    return {
-      under:
-        masses.map((mass) => ring(seen, mass)).join("") +
-        springs.map((spring) => bar(seen, spring)).join("") +
-        joints.map((joint) => wedge(seen, joint)).join(""),
-    };
-  }
-  return {};
+  if (hover && tool === "select") return { under: Object.values(marksOf(seen, partAt(hover, "mouse"))).join("") };
+  return start && !hover ? { under: start.under } : {};
 }
 
-/** Where the selected masses, and the springs among them, would be. @param {Sight} seen @param {number} dx @param {number} dy */
+/** Where the selected masses and their springs would be. @param {Sight} seen @param {number} dx @param {number} dy */
 function moved(seen, dx, dy) {
   const { masses, springs, joints } = selectedIn(seen);
-  const { plan } = seen;
-  const all = new Set(masses);
+  const { plan, on } = seen;
   for (const joint of joints) springs.push(plan.joints[4 * joint], plan.joints[4 * joint + 1]);
-  for (const spring of springs) all.add(plan.springs[2 * spring]).add(plan.springs[2 * spring + 1]);
+  const all = new Set([...masses, ...springs.flatMap((spring) => endsOf(seen, spring))]);
   /** @param {number} mass */
   const place = (mass) => {
     const { x, y } = placeOf(seen, mass);
     return all.has(mass) ? { x: x + dx, y: y + dy } : { x, y };
   };
-  let d = "";
-  for (const mass of all) d += circle(place(mass), plan.radius[mass] * seen.on.step);
-  for (let s = 0; 2 * s < plan.springs.length; s++) {
-    const [a, b] = [plan.springs[2 * s], plan.springs[2 * s + 1]];
-    if (all.has(a) || all.has(b)) d += lineTo(place(a), place(b));
-  }
-  return d;
+  const circles = [...all].map((mass) => circle(place(mass), plan.radius[mass] * on.step));
+  const lines = springsOf(seen).filter(({ ends }) => ends.some((mass) => all.has(mass))).map(({ ends: [a, b] }) => line(place(a), place(b)));
+  return [...circles, ...lines].join("");
 }
 
-/** @param {Sight} seen @returns {Partial<Record<Kind, string>>} */
+/** @param {Sight} seen @returns {Marks} */
 function jointMarks(seen) {
   const { tool, corner, hover, arm, drag } = editing;
   if (tool !== "joint") return {};
-  const { plan, places } = seen;
-  /** @type {Partial<Record<Kind, string>>} */
+  const { plan } = seen;
+  /** @type {Marks} */
   const marks = {};
   if (corner >= 0 && corner < plan.radius.length && !drag) {
     const at = placeOf(seen, corner);
-    const direction = hover ? (Math.atan2(at.y - hover.y, hover.x - at.x) * 180) / Math.PI : 0;
-    const near = hover && Math.hypot(hover.x - at.x, hover.y - at.y) <= CORNER;
-    for (const { from, turn, joint } of cornersOf(plan, places, corner, shown().damage.broken)) {
-      const on = near && turnTo(from, direction) <= turn;
-      const kind = on ? "corner-hover" : "corner";
-      // One that is there already shows only under the pointer.
-      if (joint < 0 || on) marks[kind] = (marks[kind] ?? "") + sector(at, from + 4, Math.max(1, turn - 8), CORNER - 8);
+    const direction = hover && distance(hover, at) <= CORNER ? directionOf(at, hover) : NaN;
+    for (const { from, turn, joint } of cornersOf(seen, corner)) {
+      const isUnder = turnTo(from, direction) <= turn;
+      const kind = isUnder ? "corner-hover" : "corner";
+      // A corner that has a joint is shown only under the pointer.
+      if (joint < 0 || isUnder) marks[kind] = (marks[kind] ?? "") + sector(at, from + 4, Math.max(1, turn - 8), CORNER - 8);
     }
   }
-  const springs = arm >= 0 && 2 * arm < plan.springs.length ? bar(seen, arm) : "";
-  if (springs) marks.under = springs;
+  if (arm >= 0 && 2 * arm < plan.springs.length) marks.under = bar(seen, arm);
   const joint = turnable();
   if (joint >= 0) {
-    const at = placeOf(seen, plan.joints[4 * joint + 2]);
-    const direction = drag?.kind === "turn" ? drag.angle : restDirection(joint);
-    const knob = off(at, direction, CORNER);
-    marks.rest = lineTo(at, knob);
+    const { tip, knob } = knobOf(seen, joint);
+    marks.rest = line(tip, knob);
     marks.knob = circle(knob, 8);
   }
   return marks;
 }
 
-/** The rest angle beside its knob. @param {Sight} seen */
-function knobText(seen) {
-  const joint = turnable();
-  if (joint < 0) return null;
-  const { drag } = editing;
-  const direction = drag?.kind === "turn" ? drag.angle : restDirection(joint);
-  const at = off(placeOf(seen, seen.plan.joints[4 * joint + 2]), direction, CORNER + 34);
-  return { at, text: `rests at ${degrees(restAt(joint, direction))}` };
+/** Writes the rest angle next to its knob, if there is one. @param {Sight} seen @param {SVGTextElement} words */
+function writeRestAngle(seen, words) {
+  const joint = editing.on ? turnable() : -1;
+  words.textContent = "";
+  if (joint < 0) return;
+  const { tip, direction } = knobOf(seen, joint);
+  const { x, y } = off(tip, direction, CORNER + 34);
+  words.textContent = `rests at ${degrees(restAt(joint, direction))}`;
+  set(words, { x: x.toFixed(1), y: y.toFixed(1) });
 }

@@ -1,4 +1,4 @@
-"""What a page says of the body's parts, and is told of them."""
+"""Messages about the parts of the body and edits of them."""
 
 from __future__ import annotations
 
@@ -12,28 +12,28 @@ from ...wire.messages import Coordinate, Degrees, Event, FromPage, Index, Parts,
 
 
 class Edit(FromPage, frozen=True):
-    """Something that changes the scene; for pages that may edit."""
+    """A change of the scene; for pages that may edit."""
 
 
 class SetTexts(Edit, frozen=True):
-    """The scene is to have another name and another description."""
+    """Change the name and the description of the scene."""
 
     name: Annotated[str, Meta(max_length=200)]
     description: Annotated[str, Meta(max_length=8000)]
 
 
 class Tempo(Edit, frozen=True):
-    """The beat of all muscles is to have another frequency, Hz."""
+    """Change the frequency of the beat of all muscles, Hz."""
 
     frequency: Annotated[float, Meta(ge=0, le=100)]
 
 
 class Gesture(Edit, frozen=True):
-    """Something that is to be done to the body's parts."""
+    """An edit of the parts of the body."""
 
 
 class Select(Gesture, frozen=True):
-    """Some parts are to be selected; with `toggle`, they change sides and the others stay as they are."""
+    """Select these parts only; or with `toggle`, select or deselect them."""
 
     masses: Parts = ()
     springs: Parts = ()
@@ -42,7 +42,7 @@ class Select(Gesture, frozen=True):
 
 
 class Marquee(Gesture, frozen=True):
-    """What lies whole in a rectangle is to be selected, or with `add` selected too."""
+    """Select what lies entirely in a rectangle; with `add`, in addition to the selection."""
 
     x: Point
     y: Point
@@ -50,14 +50,14 @@ class Marquee(Gesture, frozen=True):
 
 
 class Place(Gesture, frozen=True):
-    """A mass is to be put down."""
+    """Add a mass."""
 
     x: Coordinate
     y: Coordinate
 
 
 class Line(Gesture, frozen=True):
-    """Two masses are to be joined by a spring; where one is not named, it is to be put down."""
+    """Add a spring between two masses; a mass that is not given is added, too."""
 
     a: Index | None = None
     b: Index | None = None
@@ -66,29 +66,33 @@ class Line(Gesture, frozen=True):
 
 
 class Hold(Gesture, frozen=True):
-    """An angular spring is to hold two springs at the angle that they have."""
+    """Add an angular spring between two springs, at rest at their present angle."""
 
     a: Index
     b: Index
 
 
 class Turn(Gesture, frozen=True):
-    """A joint is to rest at an angle, degrees, or at the one that it has."""
+    """Set the rest angle of a joint, degrees; by default to its present angle."""
 
     joint: Index
     angle: Degrees | None = None
 
 
 class Stroke(Gesture, frozen=True):
-    """The springs that a stroke crosses are to be cut."""
+    """Cut the springs that a stroke crosses."""
 
     points: Annotated[tuple[Point, ...], Meta(min_length=2, max_length=64)]
 
 
 class Move(Gesture, frozen=True):
-    """What is selected, or else one mass, is to be moved by (x, y), and may rest as it is then.
+    """Move the selection, or else one mass; with `rest`, springs and joints rest as they are then.
 
-    Moves by keys that follow each other are one step of undo.
+    Consecutive moves by keys are one step of undo.
+
+    Attributes:
+        x, y: displacement in the page's world.
+        under: the mass to move without a selection.
     """
 
     x: Coordinate
@@ -99,14 +103,14 @@ class Move(Gesture, frozen=True):
 
 
 class MoveMuscles(Gesture, frozen=True):
-    """The selected muscles are to come to their largest later, and to be larger.
+    """Change phase and amplitude of the selected muscles.
 
-    Those by keys that follow each other are one step of undo; so are all others until the next `Visit`.
+    Consecutive changes by keys are one step of undo; so are all others until the next `Visit`.
 
     Attributes:
-        later: beats.
-        stretch: is added to the amplitudes of springs.
-        turn: degrees that are added to those of joints.
+        later: added to the phases, beats.
+        stretch: added to the amplitudes of springs.
+        turn: added to the amplitudes of joints, degrees.
     """
 
     later: Annotated[float, Meta(ge=-10, le=10)] = 0.0
@@ -116,8 +120,7 @@ class MoveMuscles(Gesture, frozen=True):
 
 
 class ShapeMuscles(Gesture, frozen=True):
-    """The selected muscles are to have another wave, or another number of waves in a beat, or are to be
-    spread over the beat."""
+    """Change the waveform or the waves per beat of the selected muscles, or spread their phases."""
 
     wave: Wave | None = None
     per_beat: Annotated[int, Meta(ge=1, le=16)] | None = None
@@ -125,40 +128,30 @@ class ShapeMuscles(Gesture, frozen=True):
 
 
 class Act(Gesture, frozen=True):
-    """Something that needs no place: to a mass; or to what is selected, else what is under the pointer."""
+    """Apply an action to a mass; or to the selection, or else to the mass under the pointer."""
 
     what: Literal[
-        "remove",
-        "pin",
-        "duplicate",
-        "mirror",
-        "corners",
-        "triangulate",
-        "rest",
-        "keep",
-        "stiffen",
-        "all",
-        "copy",
-    ]
+        "remove", "pin", "duplicate", "mirror", "corners", "triangulate",
+        "rest", "keep", "stiffen", "all", "copy",
+    ]  # fmt: skip
     mass: Index | None = None
     under: Index | None = None
 
 
-class Selected(State, frozen=True, kw_only=True):
-    """What is selected."""
+class Selected(State, frozen=True):
+    """The selection."""
 
     masses: tuple[int, ...] = ()
     springs: tuple[int, ...] = ()
     joints: tuple[int, ...] = ()
 
 
-class Versions(State, frozen=True, kw_only=True):
-    """What undo takes back, and what redo does again; empty for nothing.
+class Versions(State, frozen=True):
+    """Names of the changes that can be undone and redone; empty for none.
 
     Attributes:
-        count: how many changes can be undone.
-        stiffen: the factor of stiffness with which the body could keep the shape that it could not keep
-            without; 0 for none.
+        count: number of changes that can be undone.
+        stiffen: the factor by which a stiffer body could keep the shape that it cannot keep now; 0 for none.
     """
 
     undo: str = ""
@@ -168,12 +161,12 @@ class Versions(State, frozen=True, kw_only=True):
 
 
 class Copied(Event, frozen=True, kw_only=True):
-    """What was to be copied, as text."""
+    """The copied parts, as text."""
 
     text: str
 
 
 class TextsTaken(Event, frozen=True, kw_only=True):
-    """Whether the scene has its new texts: a sentence that says why not, or nothing."""
+    """The result of `SetTexts`: a sentence that says why it was refused, or an empty one."""
 
     refused: str

@@ -1,5 +1,4 @@
-"""The numbers of what is selected, and what can be done to it: a folder above the tabs, there while anything
-is selected."""
+"""The numbers of the selection, in a folder above the tabs that is shown while anything is selected."""
 
 from __future__ import annotations
 
@@ -35,9 +34,9 @@ from ...ui.viser.handlers import on_change
 from ...ui.viser.slider_box import DECIMALS, TOUCHED, Limits, alike, rounded
 
 EVERY = 0.1
-"""Seconds between two looks at the numbers; held arrow keys change some of them all the time."""
+"""Seconds between two updates of the numbers; held arrow keys change some of them continually."""
 
-FIRST = -100.0
+ORDER = -100.0
 """Order of the folder in the panel: above the tabs."""
 
 PIN, LET_GO = "Pin", "Let go"
@@ -45,12 +44,12 @@ PIN, LET_GO = "Pin", "Let go"
 
 @dataclass(frozen=True)
 class Shown:
-    """A number of what is selected.
+    """A number of the selection.
 
     Attributes:
-        of: which.
-        value: that of all, or the largest in size; of places, their middle.
-        note: "mixed" where they differ, "middle" of places.
+        of: what it is.
+        value: the common value, or the one with the largest magnitude; of positions, their middle.
+        note: "mixed" if the values differ, "middle" of positions.
     """
 
     of: Number
@@ -59,7 +58,7 @@ class Shown:
 
 
 def numbers_of(scene: Scene, selection: Selection) -> list[Shown]:
-    """The numbers that any selected part has."""
+    """Return the numbers that any selected part has."""
     masses = selection.masses
     found = [
         Shown(of, middle_of_starts(scene, of, masses), "middle" if len(masses) > 1 else "")
@@ -78,29 +77,29 @@ def numbers_of(scene: Scene, selection: Selection) -> list[Shown]:
 _YIELD_FORCE = number("linear_springs", "yield_force")
 _ALL = (*STARTS, *NUMBERS)
 _OF_MUSCLES = tuple(of for of in NUMBERS if of.field.startswith("muscle."))
-"""Those that get a box only when a muscle is selected for the first time."""
+"""Their boxes are created when a muscle is selected for the first time."""
 
 
 def parts_of(selection: Selection, kind: Kind) -> Collection[int]:
-    """The selected parts of a kind."""
+    """Return the selected parts of a kind."""
     return selection[("masses", "linear_springs", "angular_springs").index(kind)]
 
 
-def described(selection: Selection) -> str:
-    """What is selected, in words, as in "2 masses, 3 springs"."""
+def describe(selection: Selection) -> str:
+    """Describe a selection, as in "2 masses, 3 springs"."""
     kinds = zip(selection, ("mass", "spring", "joint"), strict=True)
     return ", ".join(counted(len(parts), what) for parts, what in kinds if parts)
 
 
-def changed(of: Number, value: float, in_proportion: bool) -> commands.MakeEdit:
-    """Sets a number of what is selected: of all, or of the largest, with the others in proportion."""
+def make_change(of: Number, value: float, in_proportion: bool) -> commands.MakeEdit:
+    """Return an edit that sets a number of all selected parts, or scales it so that the largest has it."""
 
     def make(moment: Moment, selection: Selection) -> Edit:
         parts = parts_of(selection, of.kind)
         if of in STARTS:
             return set_start(moment.scene, of, parts, value) if parts else Edit("", moment.scene)
         scales = in_proportion and len(values_of(moment.scene, of, parts)) > 1
-        if not parts or (scales and value == 0.0):  # 0.5 begins with 0, which would leave no proportions
+        if not parts or (scales and value == 0.0):  # typing 0.5 begins with 0, which has no proportions
             return Edit("", moment.scene)
         change = scale_number if scales else set_number
         return change(moment.scene, of, parts, value, moment.rest_angle_shift)
@@ -109,15 +108,15 @@ def changed(of: Number, value: float, in_proportion: bool) -> commands.MakeEdit:
 
 
 class SelectionPanel:
-    """The folder of one page; it is made when anything is selected for the first time.
+    """The folder of one page; it is created when anything is selected for the first time.
 
     Args:
-        page: whose body it is.
+        page: the page.
     """
 
     def __init__(self, page: Page) -> None:
         self._page, self._client, self._session = page, page.client, page.session
-        self._selection = self._session.selection if not any(self._session.selection) else None
+        self._selection = None if any(self._session.selection) else self._session.selection
         self._scene: Scene | None = None
         self._due = -math.inf
         self._folder: viser.GuiFolderHandle | None = None
@@ -125,10 +124,10 @@ class SelectionPanel:
 
     # --------------------------------------------------------------------- the ticker's
     def tick(self) -> None:
-        """Show what is selected, if that has changed, and its numbers as they are now."""
+        """Show the selection if it has changed, and its present numbers."""
         selection, now = self._session.selection, self._session.now()
-        another = selection is not self._selection
-        if not another and (now < self._due or not any(selection)):
+        is_new = selection is not self._selection
+        if not is_new and (now < self._due or not any(selection)):
             return
         self._due, self._selection = now + EVERY, selection
         if self._folder is None and not any(selection):
@@ -136,13 +135,13 @@ class SelectionPanel:
         with self._client.atomic():
             folder = self._folder = self._folder or self._make_folder()
             if any(selection):
-                self._show(folder, selection, another)
+                self._show(folder, selection, is_new)
             else:
                 folder.visible = False
 
-    def _show(self, folder: viser.GuiFolderHandle, selection: Selection, another: bool) -> None:
+    def _show(self, folder: viser.GuiFolderHandle, selection: Selection, is_new: bool) -> None:
         scene = self._session.scene
-        if another or scene is not self._scene:
+        if is_new or scene is not self._scene:
             self._scene = scene
             shown = {each.of: each for each in numbers_of(scene, selection)}
             known = {row.of for row in self._rows}
@@ -150,37 +149,31 @@ class SelectionPanel:
                 with folder:
                     self._rows += map(self._row, _OF_MUSCLES)
             for row in self._rows:
-                row.take(shown.get(row.of), another)
+                row.take(shown.get(row.of), is_new)
             self._proportions.visible = any(each.note == "mixed" for each in shown.values())
             self._holding.visible = bool(selection.masses)
-            folder.label = described(selection)
+            folder.label = describe(selection)
             folder.visible = True
         for row in self._rows:
             row.show()
 
-    # --------------------------------------------------------------------- made once
+    # --------------------------------------------------------------------- created once
     def _make_folder(self) -> viser.GuiFolderHandle:
         gui, post = self._client.gui, self._session.post
-        folder = gui.add_folder("", order=FIRST)
+        folder = gui.add_folder("", order=ORDER)
         with folder:
             self._rows = [self._row(of) for of in _ALL if of not in _OF_MUSCLES]
             self._proportions = gui.add_checkbox(
                 "Keep proportions",
                 initial_value=False,
-                hint="a number is then that of the largest, and the others change with it",
+                hint="a number then sets the largest value, and the others change in proportion",
             )
             self._holding = gui.add_button_group("Masses", (PIN, LET_GO))
-            self._page.button(
-                "Rest as it is now",
-                viser.Icon.RULER_2,
-                lambda: post(commands.Change(take_as_rest)),
-                hint="rest lengths and rest angles become the present ones",
-            )
-            self._page.button(
-                "Delete",
-                viser.Icon.TRASH,
-                lambda: post(commands.Change(lambda moment, selected: remove(moment.scene, selected))),
-            )
+            rest = commands.Change(take_as_rest)
+            hint = "rest lengths and rest angles become the present ones"
+            self._page.button("Rest as it is now", viser.Icon.RULER_2, lambda: post(rest), hint=hint)
+            delete = commands.Change(lambda moment, selected: remove(moment.scene, selected))
+            self._page.button("Delete", viser.Icon.TRASH, lambda: post(delete))
 
         @self._holding.on_click
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -190,17 +183,17 @@ class SelectionPanel:
         return folder
 
     def _row(self, of: Number) -> _Row:
-        return _Row(self._client, of, self._set, self._page.notify, FIRST + _ALL.index(of))
+        return _Row(self._client, of, self._set, self._page.notify, ORDER + _ALL.index(of))
 
     def _set(self, of: Number, value: float) -> None:
-        """A number was entered; what is entered in a row, for the same parts, is one step of undo."""
-        change = changed(of, value, bool(self._proportions.value))
+        """Set a number; consecutive values of one number of the same parts are one step of undo."""
+        change = make_change(of, value, bool(self._proportions.value))
         key = f"{of.kind}.{of.field}.{of.axis} {hash(self._session.selection)}"
         self._session.post(commands.Change(change, key))
 
 
 class _Row:
-    """A number box for one number; what is out of range is not taken, and its user is told so."""
+    """A box for one number; values out of range are refused with a notice."""
 
     def __init__(
         self,
@@ -229,20 +222,20 @@ class _Row:
 
         on_change(self._box, enter)
 
-    def take(self, shown: Shown | None, another: bool) -> None:
-        """Have other numbers to show, or none; of other parts, whatever is being typed."""
+    def take(self, shown: Shown | None, is_new: bool) -> None:
+        """Set the number to show, or none; that of a new selection replaces what is being typed."""
         self._shown = shown
         self._box.visible = shown is not None
         if shown is None:
             return
         self._box.label = f"{self.of.label} ({shown.note})" if shown.note else self.of.label
-        if another:
+        if is_new:
             self._touched = -math.inf
             size = abs(shown.value)
             self._box.step = 10.0 ** (math.floor(math.log10(size)) - 1) if size > 1e-6 else 0.1
 
     def show(self) -> None:
-        """Show what is set, if that is not what its user is just typing."""
+        """Show the present value, unless the user is typing."""
         if self._shown is None:
             return
         value = self._shown.value

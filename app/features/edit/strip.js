@@ -1,37 +1,41 @@
 // @ts-check
-/** The tools at the left of the canvas, undo and redo, and what can be done to what is selected. */
+/** The strip of tools at the left of the canvas, and the bar with what can be done to the selection. */
 import { onTold, send } from "../../wire/channel.js";
-import { toClipboard, pasteHere } from "./clipboard.js";
+import { copySelection, pasteHere } from "./clipboard.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { stepBack } from "./gestures.js";
 import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { hasWords, larger } from "../../ui/looks.js";
-import { setTakesNew, takesNew } from "./move.js";
+import { setTakesNewLengths, takesNewLengths } from "./move.js";
 import { floorOf, onSight } from "../../stage/overlay.js";
 import { perform } from "../../wire/perform.js";
 import { viser } from "../../ui/viser/viser.js";
 
+/** @typedef {import("../../wire/wire.js").Act["what"]} Action */
+
 /** @type {import("./editing.js").Tool[]} */
 const TOOLS = ["hand", "build", "joint", "select", "cut"];
-/** What can be done to what is selected. @type {import("../../wire/wire.js").Act["what"][]} */
+/** Actions on a selection. @type {Action[]} */
 const ACTIONS = ["pin", "remove", "duplicate", "mirror"];
-/** Also without a selection: then for the whole body. @type {typeof ACTIONS} */
+/** Actions that without a selection are for the whole body. @type {Action[]} */
 const ALWAYS = ["corners", "triangulate", "rest", "keep"];
 
-/** Pixels between the other buttons over the bar of time and what stands beside them. */
+/** Pixels between buttons over the bar of time and what stands next to them. */
 const GAP = 10;
-/** Pixels by which the words above the tools may grow shorter, as when the clock runs, and the tools stay in place. */
-const STAYS = 60;
-/** Pixels of height that a column of tools needs, with the bar below. */
+/** Pixels between the strip and the left edge of the canvas. */
+const MARGIN = 14;
+/** Pixels by which the text above the tools may become shorter, as when the clock runs, while the tools stay in place. */
+const SLACK = 60;
+/** Height that a column of tools needs, pixels, with the bar below. */
 const COLUMN = 480;
-/** Pixels more that it needs where it is twice as large, for a projector. */
-const MORE = 150;
+/** Additional height where everything is twice as large, for a projector, pixels. */
+const LARGER_COLUMN = 150;
 
-/** Pixels that one of them takes. @param {string} name */
-function taken(name) {
-  const width = document.querySelector(name)?.clientWidth;
+/** The width that a button takes with its gap, pixels. @param {string} selector */
+function widthOf(selector) {
+  const width = document.querySelector(selector)?.clientWidth;
   return width ? width + GAP : 0;
 }
 
@@ -41,152 +45,172 @@ function iconButton(name, press) {
   const button = makeButton("", press, "");
   button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icon}"/></svg><span>${word ?? label}</span>`;
   button.title = hint ? withKey(hint, name) : "";
-  button.ariaLabel = word ?? label; // also where its word is left out
+  button.ariaLabel = word ?? label; // also where the word is hidden
   return button;
 }
 
-/** Puts up the tools. @param {{button: HTMLElement, row: HTMLElement, said: HTMLElement}} tracing the picture behind the body */
-export function addEditStrip(tracing) {
-  const strip = make("div", "softrod-edit");
-  strip.setAttribute("role", "toolbar");
-  strip.ariaLabel = "Editing";
-  const lid = iconButton("edit", () => perform("edit"));
-  const tools = make("div", "softrod-edit-tools");
-  const undo = iconButton("undo", () => stepBack("undo"));
-  const redo = iconButton("redo", () => stepBack("redo"));
-  const buttons = TOOLS.map((tool) => {
-    const button = iconButton(tool, () => setTool(tool));
-    tools.append(button);
-    return /** @type {const} */ ([tool, button]);
-  });
-  strip.append(lid, tools, undo, redo);
+/** @param {import("../../wire/wire.js").CommandName} name @param {() => void} press */
+function wordButton(name, press) {
+  const { label, hint = "" } = COMMANDS[name];
+  const button = makeButton(label, press, "");
+  button.title = withKey(hint, name);
+  return button;
+}
 
-  const bar = make("div", "softrod-edit-bar");
-  bar.setAttribute("role", "toolbar");
-  bar.ariaLabel = "What is selected";
-  const count = make("span", "softrod-edit-count");
-  /** @param {import("../../wire/wire.js").Act["what"]} what */
-  const actionButton = (what) => {
-    const { label, hint = "" } = COMMANDS[what];
-    const button = makeButton(label, () => send({ do: "act", what }), "");
-    button.title = withKey(hint, what);
-    return button;
-  };
-  const onSelected = [...ACTIONS.map(actionButton), makeButton("Copy", toClipboard, "")];
-  const muscle = makeButton(COMMANDS.muscle.label, () => perform("muscle"), "");
-  muscle.title = withKey(COMMANDS.muscle.hint ?? "", "muscle");
-  const stiffen = actionButton("stiffen");
-  const paste = makeButton("Paste", pasteHere, "");
-  const rests = makeButton("Moved rest", () => setTakesNew(!takesNew()), "");
-  rests.title = "Springs and joints of what is moved take their new lengths and angles as rest, or keep the old ones";
-  const done = makeButton("Done", () => setEditing(false), "");
-  bar.append(count, ...onSelected, muscle, paste, ...ALWAYS.map(actionButton), stiffen, rests, tracing.button, tracing.said, done, tracing.row);
-  const live = make("div", "softrod-tell");
-  live.setAttribute("role", "status");
-  document.body.append(strip, bar, live);
+/** @param {Action} what */
+const actionButton = (what) => wordButton(what, () => send({ do: "act", what }));
 
-  /** @param {Element} element @param {boolean} on */
-  const showIf = (element, on) => element.toggleAttribute("hidden", !on);
-  /** Where the tools begin. */
-  let above = 0;
-  let before = { undo: "", redo: "", selected: editing.selected };
-  const show = () => {
-    const able = isEditable();
+/** @param {string} name of its class @param {string} label */
+function toolbar(name, label) {
+  const element = make("div", name);
+  element.setAttribute("role", "toolbar");
+  element.ariaLabel = label;
+  return element;
+}
+
+/** @param {Element} element @param {boolean} on */
+const showIf = (element, on) => element.toggleAttribute("hidden", !on);
+
+class EditStrip {
+  /** The top of the tools, pixels; 0 while they are hidden. */
+  top = 0;
+  /** What was announced last. */
+  before = { undo: "", redo: "", selected: editing.selected };
+
+  /** @param {{button: HTMLElement, row: HTMLElement, says: HTMLElement}} tracing controls of the picture behind the body */
+  constructor(tracing) {
+    this.strip = toolbar("softrod-edit", "Editing");
+    this.lid = iconButton("edit", () => perform("edit"));
+    this.tools = make("div", "softrod-edit-tools");
+    this.buttons = TOOLS.map((tool) => ({ tool, button: iconButton(tool, () => setTool(tool)) }));
+    this.tools.append(...this.buttons.map(({ button }) => button));
+    this.undo = iconButton("undo", () => stepBack("undo"));
+    this.redo = iconButton("redo", () => stepBack("redo"));
+    this.strip.append(this.lid, this.tools, this.undo, this.redo);
+
+    this.bar = toolbar("softrod-edit-bar", "What is selected");
+    this.count = make("span", "softrod-edit-count");
+    this.onSelected = [...ACTIONS.map(actionButton), makeButton("Copy", copySelection, "")];
+    this.muscle = wordButton("muscle", () => perform("muscle"));
+    this.stiffen = actionButton("stiffen");
+    this.rests = makeButton("Moved rest", () => setTakesNewLengths(!takesNewLengths()), "");
+    this.rests.title = "Springs and joints of what is moved take their new lengths and angles as rest, or keep the old ones";
+    this.bar.append(
+      this.count, ...this.onSelected, this.muscle, makeButton("Paste", () => pasteHere(), ""), ...ALWAYS.map(actionButton),
+      this.stiffen, this.rests, tracing.button, tracing.says, makeButton("Done", () => setEditing(false), ""), tracing.row,
+    );
+    this.live = make("div", "softrod-tell");
+    this.live.setAttribute("role", "status");
+    document.body.append(this.strip, this.bar, this.live);
+  }
+
+  show() {
+    const isShown = isEditable();
     const focused = document.activeElement;
-    const { on, tool, selected, undo: undoable, redo: redoable } = editing;
-    document.documentElement.dataset.softrodTool = able && on ? tool : "";
-    strip.hidden = !able;
-    bar.hidden = !(able && on);
-    lid.ariaPressed = String(on);
-    showIf(tools, on);
-    for (const [one, button] of buttons) button.ariaPressed = String(tool === one);
-    showIf(undo, on || undoable !== "" || redoable !== "");
-    showIf(redo, on || redoable !== "");
-    undo.disabled = !undoable;
-    redo.disabled = !redoable;
-    undo.title = undoable ? `Undo: ${undoable} (Ctrl Z)` : "Nothing to undo";
-    redo.title = redoable ? `Redo: ${redoable} (Ctrl Y)` : "Nothing to redo";
-    const some = countSelected();
-    for (const button of onSelected) showIf(button, some > 0);
-    showIf(muscle, selected.springs.length + selected.joints.length > 0);
-    const offered = stiffen.hidden && editing.stiffen > 0;
-    showIf(stiffen, editing.stiffen > 0);
-    stiffen.textContent = `Keep it, ${Number(editing.stiffen.toPrecision(3))} times as stiff`;
-    rests.ariaPressed = String(takesNew());
-    if (on && selected !== before.selected) live.textContent = some ? `${named(selected)} selected` : "Nothing selected";
-    else if (undoable !== before.undo || redoable !== before.redo) {
-      const isUndone = redoable !== "" && redoable === before.undo;
-      live.textContent = isUndone ? `Undone: ${redoable}` : undoable;
-    }
-    before = { undo: undoable, redo: redoable, selected };
-    // What had the focus is gone, or cannot be pressed any more.
-    const isIn = focused instanceof HTMLButtonElement && (strip.contains(focused) || bar.contains(focused));
-    if (isIn && (focused.disabled || !focused.checkVisibility())) lid.focus();
-    place();
-    if (offered) stiffen.scrollIntoView({ block: "nearest", inline: "nearest" }); // on a phone the bar is longer than it shows
-  };
-  const place = () => {
+    const { on, tool, selected, undo, redo, stiffen } = editing;
+    const some = countSelected() > 0;
+    document.documentElement.dataset.softrodTool = isShown && on ? tool : "";
+    showIf(this.strip, isShown);
+    showIf(this.bar, isShown && on);
+    this.lid.ariaPressed = String(on);
+    showIf(this.tools, on);
+    for (const each of this.buttons) each.button.ariaPressed = String(tool === each.tool);
+    showIf(this.undo, on || undo !== "" || redo !== "");
+    showIf(this.redo, on || redo !== "");
+    this.undo.disabled = !undo;
+    this.redo.disabled = !redo;
+    this.undo.title = undo ? `Undo: ${undo} (Ctrl Z)` : "Nothing to undo";
+    this.redo.title = redo ? `Redo: ${redo} (Ctrl Y)` : "Nothing to redo";
+    for (const button of this.onSelected) showIf(button, some);
+    showIf(this.muscle, selected.springs.length + selected.joints.length > 0);
+    const isNew = this.stiffen.hidden && stiffen > 0;
+    showIf(this.stiffen, stiffen > 0);
+    this.stiffen.textContent = `Keep it, ${Number(stiffen.toPrecision(3))} times as stiff`;
+    this.rests.ariaPressed = String(takesNewLengths());
+    this.announce();
+    // If the button with the focus is gone or disabled.
+    const isIn = focused instanceof HTMLButtonElement && (this.strip.contains(focused) || this.bar.contains(focused));
+    if (isIn && (focused.disabled || !focused.checkVisibility())) this.lid.focus();
+    this.place();
+    if (isNew) this.stiffen.scrollIntoView({ block: "nearest", inline: "nearest" }); // on a phone the bar is longer than the screen
+  }
+
+  /** Announces a new selection, or what was done or undone. */
+  announce() {
+    const { on, selected, undo, redo } = editing;
+    const { before, live } = this;
+    if (on && selected !== before.selected) live.textContent = countSelected() ? `${nameOf(selected)} selected` : "Nothing selected";
+    else if (undo !== before.undo || redo !== before.redo) live.textContent = redo !== "" && redo === before.undo ? `Undone: ${redo}` : undo;
+    this.before = { undo, redo, selected };
+  }
+
+  place() {
     const canvas = viser()?.canvas?.getBoundingClientRect();
-    if (!canvas || strip.hidden) return;
+    if (!canvas || this.strip.hidden) return;
+    const { on, selected } = editing;
+    const { strip, bar, count } = this;
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
-    const left = canvas.left + 14;
-    const free = Math.max(canvas.top, hud?.bottom ?? 0) + 10;
-    const top = free < above && above < free + STAYS ? above : free;
-    above = editing.on ? top : 0;
-    const bottom = floorOf(canvas);
+    const left = canvas.left + MARGIN;
+    const free = Math.max(canvas.top, hud?.bottom ?? 0) + GAP;
+    const top = free < this.top && this.top < free + SLACK ? this.top : free;
+    this.top = on ? top : 0;
+    const floor = floorOf(canvas);
     // On a phone they stand in a row, without words.
-    const low = bottom - top < COLUMN + (larger() - 1) * MORE;
-    const beside = taken(".softrod-box-lid");
-    strip.classList.toggle("softrod-edit-row", low || !editing.on);
-    strip.classList.toggle("softrod-edit-closed", !editing.on);
-    strip.classList.toggle("softrod-words", !editing.on && hasWords(canvas));
-    bar.classList.toggle("softrod-edit-row", low);
-    const words = inWords(editing.selected);
-    const counted = low && words.includes(",") ? `${countSelected()} parts` : words;
+    const isRow = floor - top < COLUMN + (larger() - 1) * LARGER_COLUMN;
+    strip.classList.toggle("softrod-edit-row", isRow || !on);
+    strip.classList.toggle("softrod-edit-closed", !on);
+    strip.classList.toggle("softrod-words", !on && hasWords(canvas));
+    bar.classList.toggle("softrod-edit-row", isRow);
+    const words = inWords(selected);
+    const counted = isRow && words.includes(",") ? `${countSelected()} parts` : words;
     if (count.textContent !== counted) count.textContent = counted;
-    if (!editing.on) {
-      // Out of the body's way, beside the box of instruments.
-      Object.assign(strip.style, { left: `${left + beside}px`, top: "auto", bottom: `${window.innerHeight - bottom + 10}px` });
+    const right = left + widthOf(".softrod-box-lid"); // of the box of instruments
+    const below = window.innerHeight - floor;
+    if (!on) {
+      Object.assign(strip.style, { left: `${right}px`, top: "auto", bottom: `${below + GAP}px` });
       return;
     }
-    Object.assign(strip.style, { left: `${left}px`, bottom: "auto" });
-    // The row is as wide as a phone, and the scale bar is there, too.
+    // A row is as wide as a phone, where the scale bar is, too.
     const scale = document.querySelector(".softrod-scale")?.getBoundingClientRect();
-    const under = low && scale && scale.left < left + strip.offsetWidth ? scale.bottom : 0;
-    strip.style.top = `${Math.max(top, under + 10)}px`;
+    const under = isRow && scale && scale.left < left + strip.offsetWidth ? scale.bottom : 0;
+    Object.assign(strip.style, { left: `${left}px`, top: `${Math.max(top, under + GAP)}px`, bottom: "auto" });
     // Over the bar of time, between the box of instruments and the View menu.
-    bar.style.left = `${left + beside}px`;
-    bar.style.maxWidth = `${canvas.right - left - beside - taken(".softrod-menu-lid") - 14}px`;
-    bar.style.bottom = `${window.innerHeight - bottom + 8}px`;
-  };
+    const maxWidth = `${canvas.right - right - widthOf(".softrod-menu-lid") - MARGIN}px`;
+    Object.assign(bar.style, { left: `${right}px`, maxWidth, bottom: `${below + 8}px` });
+  }
+}
+
+/** Adds the strip and the bar. @param {{button: HTMLElement, row: HTMLElement, says: HTMLElement}} tracing see `EditStrip` */
+export function addEditStrip(tracing) {
+  const strip = new EditStrip(tracing);
   let shown = "";
   let { selected } = editing;
   onEditing(() => {
     // Not at every move of the pointer.
-    const { on, tool, undo, redo, stiffen: factor } = editing;
-    const now = [on, tool, undo, redo, factor, takesNew()].join("|");
+    const { on, tool, undo, redo, stiffen } = editing;
+    const now = [on, tool, undo, redo, stiffen, takesNewLengths()].join("|");
     if (now === shown && editing.selected === selected) return;
     [shown, selected] = [now, editing.selected];
-    show();
+    strip.show();
   });
   onTold("pageState", () => {
     if (editing.on && !isEditable()) change({ on: false });
-    show();
+    strip.show();
   });
-  onSight(place); // after the scale bar
-  window.addEventListener("resize", place);
-  show();
+  onSight(() => strip.place()); // after the scale bar
+  window.addEventListener("resize", () => strip.place());
+  strip.show();
 }
 
 /** @param {number} count @param {string} one @param {string} several */
-const number = (count, one, several) => (count ? [`${count} ${count === 1 ? one : several}`] : []);
+const counted = (count, one, several) => (count ? [`${count} ${count === 1 ? one : several}`] : []);
 
-/** What is selected, in words. @param {import("./pick.js").Parts} parts */
+/** A selection in words, as in "2 masses, 1 spring". @param {import("./pick.js").Parts} parts */
 const inWords = ({ masses, springs, joints }) =>
-  [...number(masses.length, "mass", "masses"), ...number(springs.length, "spring", "springs"), ...number(joints.length, "joint", "joints")].join(", ");
+  [...counted(masses.length, "mass", "masses"), ...counted(springs.length, "spring", "springs"), ...counted(joints.length, "joint", "joints")].join(", ");
 
-/** As in words; one alone by its number. @param {import("./pick.js").Parts} parts */
-function named(parts) {
+/** The same; a single part by its number. @param {import("./pick.js").Parts} parts */
+function nameOf(parts) {
   const { masses: [mass], springs: [spring], joints: [joint] } = parts;
   if (countSelected() !== 1) return inWords(parts);
   return mass !== undefined ? `mass ${mass}` : spring !== undefined ? `spring ${spring}` : `joint ${joint}`;

@@ -1,95 +1,101 @@
 // @ts-check
 /**
- * The form for the scene's name and description, in the place where the description stands. What a user wrote is text
- * here, never HTML. It stays until the server has taken it.
+ * The form for the scene's name and description, in the place of the description. What a user wrote is shown as text,
+ * never as HTML, and stays in the form until the server has accepted it.
  */
 import { onTold, send, told } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 
-/** What a scene's file may have, see `Scene`. */
-const LONGEST_NAME = 60;
-const LONGEST_DESCRIPTION = 2000;
-/** Milliseconds between two looks whether viser has made the place of the form anew. */
-const LOOK_EVERY = 100;
-/** Milliseconds for which the button gets the focus back, if nothing else took it. */
-const GIVES_BACK = 1000;
+/** Limits of a scene's file, see `Scene`. */
+const MAX_NAME = 60;
+const MAX_DESCRIPTION = 2000;
+/** Milliseconds between two checks whether viser has replaced the description. */
+const CHECK_EVERY = 100;
+/** Milliseconds within which the button that opened the form gets the focus back, unless something else has it. */
+const RETURN_FOCUS_WITHIN = 1000;
 
-/** @param {string} label @param {HTMLInputElement | HTMLTextAreaElement} field @param {number} longest */
-function labelled(label, field, longest) {
-  const row = make("label", "", label);
-  field.maxLength = longest;
-  row.append(field);
-  return row;
+/** @template {HTMLInputElement | HTMLTextAreaElement} T @param {string} text @param {T} field @param {number} max letters */
+function labelled(text, field, max) {
+  const label = make("label", "", text);
+  field.maxLength = max;
+  label.append(field);
+  return label;
 }
 
-/** Which scene is open, as the server counts them. */
-const opening = () => `${told().page}.${told().scene}`;
+/** Identifies the open scene. */
+const openScene = () => `${told().page}.${told().scene}`;
 
-/** Begins to listen to the button below the description. */
-export function addTexts() {
-  const [name, description, refused] = [make("input", ""), make("textarea", ""), make("p", "softrod-refused")];
-  name.type = "text";
-  name.required = true;
-  description.rows = 5;
-  refused.setAttribute("role", "alert");
-  const buttons = make("div", "softrod-texts-buttons");
-  const done = make("button", "softrod-button softrod-first", "Done");
-  buttons.append(done, makeButton("Cancel", () => close()));
-  const form = make("form", "softrod-texts");
-  form.ariaLabel = "Name and description of this scene";
-  form.append(
-    labelled("Name", name, LONGEST_NAME),
-    labelled("What it shows", description, LONGEST_DESCRIPTION),
-    refused,
-    buttons,
-  );
+class TextsForm {
   /** The scene that the form is for; empty while it is closed. */
-  let of = "";
-  /** Until when the button is to have the focus again, which the server makes anew with the text. */
-  let back = 0;
+  scene = "";
+  /** Until when the button may get the focus back: the server replaces it with the text. */
+  returnUntil = 0;
 
-  const close = () => {
-    if (!of) return;
-    of = "";
-    if (form.contains(document.activeElement)) back = performance.now() + GIVES_BACK;
-    form.remove();
-    look();
-  };
-  const look = () => {
+  constructor() {
+    this.name = make("input", "");
+    Object.assign(this.name, { type: "text", required: true });
+    this.description = make("textarea", "");
+    this.description.rows = 5;
+    this.refused = make("p", "softrod-refused");
+    this.refused.setAttribute("role", "alert");
+    const buttons = make("div", "softrod-texts-buttons");
+    buttons.append(make("button", "softrod-button softrod-first", "Done"), makeButton("Cancel", () => this.close()));
+    this.form = make("form", "softrod-texts");
+    this.form.ariaLabel = "Name and description of this scene";
+    this.form.append(labelled("Name", this.name, MAX_NAME), labelled("What it shows", this.description, MAX_DESCRIPTION), this.refused, buttons);
+    this.form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      this.refused.textContent = "";
+      send({ do: "setTexts", name: this.name.value, description: this.description.value });
+    });
+    this.form.addEventListener("keydown", (event) => {
+      if (event.key === "Enter" && event.target === this.description && (event.ctrlKey || event.metaKey)) this.form.requestSubmit();
+      if (event.key !== "Escape") return;
+      event.preventDefault(); // the key is for the form, not for the body
+      this.close();
+    });
+  }
+
+  open() {
+    this.scene = openScene();
+    this.name.value = told().title ?? "";
+    this.description.value = document.querySelector("#softrod-about > p")?.textContent ?? "";
+    this.refused.textContent = "";
+    this.place();
+    this.name.select();
+  }
+
+  close() {
+    if (!this.scene) return;
+    this.scene = "";
+    if (this.form.contains(document.activeElement)) this.returnUntil = performance.now() + RETURN_FOCUS_WITHIN;
+    this.form.remove();
+    this.place();
+  }
+
+  /** Puts the form into its place, which viser may have replaced. */
+  place() {
     const place = document.getElementById("softrod-about");
-    place?.toggleAttribute("data-open", of !== "");
-    if (of && place && form.parentElement !== place) place.append(form);
-    if (!of && performance.now() < back && document.activeElement === document.body) place?.querySelector("button")?.focus();
-  };
-  const open = () => {
-    of = opening();
-    name.value = told().title ?? "";
-    description.value = document.querySelector("#softrod-about > p")?.textContent ?? "";
-    refused.textContent = "";
-    look();
-    name.select();
-  };
+    place?.toggleAttribute("data-open", this.scene !== "");
+    if (this.scene && place && this.form.parentElement !== place) place.append(this.form);
+    if (!this.scene && performance.now() < this.returnUntil && document.activeElement === document.body) place?.querySelector("button")?.focus();
+  }
 
+  /** @param {string} refused why the texts were refused, or empty */
+  take(refused) {
+    this.refused.textContent = refused;
+    if (refused) this.name.focus();
+    else this.close();
+  }
+}
+
+/** Listens to the button below the description. */
+export function addTexts() {
+  const texts = new TextsForm();
   document.addEventListener("click", ({ target }) => {
-    if (target instanceof Element && target.closest(".softrod-edit-texts")) open();
+    if (target instanceof Element && target.closest(".softrod-edit-texts")) texts.open();
   });
-  form.addEventListener("submit", (event) => {
-    event.preventDefault();
-    refused.textContent = "";
-    send({ do: "setTexts", name: name.value, description: description.value });
-  });
-  form.addEventListener("keydown", (event) => {
-    if (event.key === "Enter" && event.target === description && (event.ctrlKey || event.metaKey)) form.requestSubmit();
-    if (event.key !== "Escape") return;
-    // It is the form that is left, and the body runs on.
-    event.preventDefault();
-    close();
-  });
-  onTold("textsTaken", (letter) => {
-    refused.textContent = letter.refused;
-    if (letter.refused) name.focus();
-    else close();
-  });
-  onTold("pageState", () => of && of !== opening() && close());
-  setInterval(look, LOOK_EVERY);
+  onTold("textsTaken", ({ refused }) => texts.take(refused));
+  onTold("pageState", () => texts.scene && texts.scene !== openScene() && texts.close());
+  setInterval(() => texts.place(), CHECK_EVERY);
 }

@@ -1,10 +1,10 @@
 // @ts-check
 /**
- * A picture behind the body, to draw over: of a bridge, or a skeleton. It is read in the browser and stays there, in the
- * tab's own storage; neither the server nor a saved scene has it.
+ * A picture behind the body, to draw over: of a bridge, or a skeleton. It is read in the browser and stays in the tab's
+ * storage; neither the server nor a saved scene contains it.
  *
  * @typedef {{data: string, x: number, y: number, width: number, ratio: number, opacity: number}} Picture
- *   its address, the middle and the width in the world, height over width, and how opaque it is
+ *   data URL, centre and width in the page's world, height over width, opacity
  */
 import { make, makeButton } from "../../ui/dialog.js";
 import { editing, onEditing } from "./editing.js";
@@ -17,50 +17,41 @@ import { onUnderlay } from "../../stage/underlay.js";
 import { viser } from "../../ui/viser/viser.js";
 
 const STORED = "softrod-picture";
-/** Pixels of the longer side that are kept: the storage has room for some megabytes. */
-const LONGEST = 1600;
-/** Characters of the largest picture that is kept. */
-const MOST = 2_500_000;
-/** Width at first, and the range of the slider, in the world: a scene's frame is 6 wide. */
-const [FIRST, NARROWEST, WIDEST] = [5, 0.5, 30];
+/** Pixels of the longer side, at most: the storage has room for some megabytes. */
+const MAX_PIXELS = 1600;
+const MIN_PIXELS = 200;
+/** Characters of a stored picture, at most. */
+const MAX_LETTERS = 2_500_000;
+/** Width of a new picture, in the page's world, where a scene is 6 wide. */
+const FIRST_WIDTH = 5;
+/** Range of the width. */
+const MIN_WIDTH = 0.5;
+const MAX_WIDTH = 30;
 /** Milliseconds without a change after which it is stored. */
 const STORE_AFTER = 300;
-/** What does something else with the arrows. */
-const OWN_ARROWS = '.softrod-body, .softrod-grip, .softrod-own-grip, input, [role="tab"], [role="slider"]:focus-visible';
-/** By how much an arrow moves it, in the world, and with Shift. */
-const [STEP, FINE] = [0.1, 0.01];
+/** Elements that use the arrow keys themselves. */
+const USES_ARROWS = '.softrod-body, .softrod-grip, .softrod-own-grip, input, [role="tab"], [role="slider"]:focus-visible';
+/** Distance by which an arrow key moves it, in the page's world. */
+const STEP = 0.1;
+/** The same with Shift. */
+const FINE_STEP = 0.01;
 
-/** @type {Picture | null} */
-let picture = null;
-/** The timer by which it is stored. */
-let storing = 0;
-/** Whether the pointer and the arrows move it. */
-let moving = false;
-
-/** What was stored. @returns {Picture | null} */
-const restored = () => JSON.parse(kept(STORED) || "null");
-
-/**
- * Reads a file as a picture, not larger than is needed.
- *
- * @param {File} file
- * @returns {Promise<{data: string, ratio: number} | null>} null if it is none
- */
+/** Reads a file as a picture that fits the storage; null if it is none. @param {File} file */
 async function read(file) {
   const address = URL.createObjectURL(file);
   try {
     const image = new Image();
     image.src = address;
     await image.decode();
-    const [wide, high] = [image.naturalWidth || LONGEST, image.naturalHeight || LONGEST];
+    const [width, height] = [image.naturalWidth || MAX_PIXELS, image.naturalHeight || MAX_PIXELS];
     const canvas = document.createElement("canvas");
     const context = canvas.getContext("2d");
-    for (let longest = LONGEST; context && longest > 200; longest *= 0.7) {
-      const part = Math.min(1, longest / Math.max(wide, high));
-      [canvas.width, canvas.height] = [Math.max(1, Math.round(wide * part)), Math.max(1, Math.round(high * part))];
+    for (let longest = MAX_PIXELS; context && longest > MIN_PIXELS; longest *= 0.7) {
+      const part = Math.min(1, longest / Math.max(width, height));
+      [canvas.width, canvas.height] = [Math.max(1, Math.round(width * part)), Math.max(1, Math.round(height * part))];
       context.drawImage(image, 0, 0, canvas.width, canvas.height);
       const data = canvas.toDataURL("image/webp", 0.85);
-      if (data.length < MOST) return { data, ratio: high / wide };
+      if (data.length < MAX_LETTERS) return { data, ratio: height / width };
     }
     return null;
   } catch {
@@ -68,119 +59,6 @@ async function read(file) {
   } finally {
     URL.revokeObjectURL(address);
   }
-}
-
-/**
- * Brings back the picture that there was, and begins to listen: before the pointer and the keys of the body.
- *
- * @returns {{button: HTMLButtonElement, row: HTMLElement, said: HTMLElement}} for the bar of the tools: what brings it,
- *   its controls, and what went wrong
- */
-export function addTracing() {
-  picture = restored();
-  const row = make("div", "softrod-edit-picture");
-  const file = make("input", "");
-  file.type = "file";
-  file.accept = "image/*";
-  file.hidden = true;
-  const said = make("span", "");
-  said.setAttribute("role", "status");
-  const size = slider("Size", Math.log2(NARROWEST), Math.log2(WIDEST), (value) => put({ width: 2 ** value }));
-  const opacity = slider("Opacity", 0.1, 1, (value) => put({ opacity: value }));
-  const move = makeButton("Move it", () => {
-    moving = !moving;
-    show();
-  }, "");
-  move.title = "Drag it, or use the arrow keys, until Esc";
-  const another = makeButton("Another", () => file.click(), "");
-  const remove = makeButton("Take it away", () => {
-    picture = null;
-    moving = false;
-    keep();
-    show();
-  }, "");
-  row.append(size.label, opacity.label, move, another, remove, file);
-  row.hidden = true;
-  const button = makeButton("Picture", () => {
-    if (picture) row.hidden = !row.hidden;
-    else file.click();
-    if (row.hidden) moving = false;
-    show();
-    row.scrollIntoView({ block: "nearest", inline: "start" });
-  }, "");
-  button.title = "A picture behind the body, to draw over; it stays in this browser";
-
-  const storeNow = () => {
-    clearTimeout(storing);
-    storing = 0;
-    store(STORED, picture ? JSON.stringify(picture) : "");
-  };
-  // Not at every move of the pointer: it may be some megabytes.
-  const keep = () => {
-    clearTimeout(storing);
-    storing = setTimeout(storeNow, STORE_AFTER);
-  };
-  window.addEventListener("pagehide", () => storing && storeNow());
-  /** @param {Partial<Picture>} changes */
-  const put = (changes) => {
-    if (!picture) return;
-    Object.assign(picture, changes);
-    keep();
-    viser()?.requestRender();
-  };
-  const show = () => {
-    const focused = row.contains(document.activeElement);
-    if (!picture || !editing.on) row.hidden = true;
-    if (row.hidden && focused) button.focus();
-    if (row.hidden) moving = false;
-    button.ariaPressed = String(!row.hidden);
-    move.ariaPressed = String(moving);
-    if (picture) {
-      size.input.value = String(Math.log2(picture.width));
-      opacity.input.value = String(picture.opacity);
-    }
-    viser()?.requestRender();
-  };
-  file.addEventListener("change", async () => {
-    const [chosen] = file.files ?? [];
-    file.value = "";
-    const found = chosen && (await read(chosen));
-    if (!found) {
-      if (chosen) said.textContent = `${chosen.name} is no picture that this browser can show`;
-      return;
-    }
-    said.textContent = "";
-    picture = { x: 0, y: 0, width: FIRST, opacity: 0.5, ...(picture ?? {}), ...found };
-    keep();
-    row.hidden = false;
-    show();
-    row.scrollIntoView({ block: "nearest", inline: "start" }); // on a phone, the bar is longer than it shows
-  });
-
-  const image = makeSvg("image", "");
-  image.setAttribute("preserveAspectRatio", "none");
-  onUnderlay(({ on }, svg) => {
-    if (!picture) {
-      image.remove();
-      return;
-    }
-    if (svg.firstChild !== image) svg.prepend(image);
-    const wide = picture.width * on.step;
-    const high = wide * picture.ratio;
-    const [x, y] = [on.x + picture.x * on.step - wide / 2, on.y - picture.y * on.step - high / 2];
-    set(image, { href: picture.data, x, y, width: wide, height: high, opacity: picture.opacity });
-  });
-  listen(put, () => {
-    moving = false;
-    show();
-  });
-  let { on } = editing;
-  onEditing(() => {
-    if (editing.on === on) return;
-    ({ on } = editing);
-    show();
-  });
-  return { button, row, said };
 }
 
 /** @param {string} text @param {number} low @param {number} high @param {(value: number) => void} moved */
@@ -193,47 +71,160 @@ function slider(text, low, high, moved) {
   return { label, input };
 }
 
-/**
- * Moves it with the pointer and with arrows, until Esc.
- *
- * @param {(changes: Partial<Picture>) => void} put @param {() => void} stop
- */
-function listen(put, stop) {
-  /** @type {{id: number, x: number, y: number, from: {x: number, y: number}} | null} */
-  let hold = null;
-  window.addEventListener("pointerdown", (event) => {
-    const { canvas } = viser() ?? {};
-    if (!moving || !picture || !canvas || event.target !== canvas || event.button !== 0 || hold) return;
-    swallow(event);
-    canvas.setPointerCapture(event.pointerId);
-    hold = { id: event.pointerId, x: event.clientX, y: event.clientY, from: { ...picture } };
-  }, true);
-  window.addEventListener("pointermove", (event) => {
-    if (!hold || event.pointerId !== hold.id) return;
-    event.stopImmediatePropagation();
-    const step = screen()?.step ?? 1;
-    put({ x: hold.from.x + (event.clientX - hold.x) / step, y: hold.from.y - (event.clientY - hold.y) / step });
-  }, true);
-  for (const kind of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
-    window.addEventListener(kind, (event) => {
-      if (!hold || event.pointerId !== hold.id) return;
-      event.stopImmediatePropagation();
-      hold = null;
-    }, true);
+class Tracing {
+  /** @type {Picture | null} */
+  picture = JSON.parse(kept(STORED) || "null");
+  /** The timer by which it is stored. */
+  storing = 0;
+  /** Whether the pointer and the arrow keys move it. */
+  moving = false;
+
+  constructor() {
+    this.file = make("input", "");
+    Object.assign(this.file, { type: "file", accept: "image/*", hidden: true });
+    this.file.addEventListener("change", () => this.open());
+    this.says = make("span", "");
+    this.says.setAttribute("role", "status");
+    this.size = slider("Size", Math.log2(MIN_WIDTH), Math.log2(MAX_WIDTH), (value) => this.put({ width: 2 ** value }));
+    this.opacity = slider("Opacity", 0.1, 1, (opacity) => this.put({ opacity }));
+    this.move = makeButton("Move it", () => this.show(!this.moving), "");
+    this.move.title = "Drag it, or use the arrow keys, until Esc";
+    this.row = make("div", "softrod-edit-picture");
+    this.row.append(
+      this.size.label, this.opacity.label, this.move,
+      makeButton("Another", () => this.file.click(), ""), makeButton("Take it away", () => this.replace(null), ""), this.file,
+    );
+    this.row.hidden = true;
+    this.button = makeButton("Picture", () => {
+      if (this.picture) this.row.hidden = !this.row.hidden;
+      else this.file.click();
+      this.show();
+      this.scroll();
+    }, "");
+    this.button.title = "A picture behind the body, to draw over; it stays in this browser";
+    this.image = makeSvg("image", "");
+    this.image.setAttribute("preserveAspectRatio", "none");
   }
-  window.addEventListener("keydown", (event) => {
-    const way = ARROWS[event.key];
-    const { target } = event;
-    if (!moving || !picture || !isFree(event)) return;
-    if (event.key === "Escape") {
-      swallow(event);
-      stop();
+
+  /** Reads the chosen file. */
+  async open() {
+    const [file] = this.file.files ?? [];
+    this.file.value = "";
+    if (!file) return;
+    const found = await read(file);
+    this.says.textContent = found ? "" : `${file.name} is not a picture that this browser can show`;
+    if (!found) return;
+    this.row.hidden = false;
+    this.replace({ x: 0, y: 0, width: FIRST_WIDTH, opacity: 0.5, ...this.picture, ...found });
+    this.scroll();
+  }
+
+  /** On a phone, the bar is longer than the screen. */
+  scroll() {
+    this.row.scrollIntoView({ block: "nearest", inline: "start" });
+  }
+
+  /** @param {Picture | null} picture */
+  replace(picture) {
+    this.picture = picture;
+    this.storeSoon();
+    this.show();
+  }
+
+  /** @param {Partial<Picture>} changes */
+  put(changes) {
+    if (!this.picture) return;
+    Object.assign(this.picture, changes);
+    this.storeSoon();
+    viser()?.requestRender();
+  }
+
+  /** Stores it after a pause: it may be some megabytes. */
+  storeSoon() {
+    clearTimeout(this.storing);
+    this.storing = setTimeout(() => this.storeNow(), STORE_AFTER);
+  }
+
+  storeNow() {
+    if (!this.storing) return;
+    clearTimeout(this.storing);
+    this.storing = 0;
+    store(STORED, this.picture ? JSON.stringify(this.picture) : "");
+  }
+
+  /** Shows the controls as they are now. @param {boolean} [moving] whether pointer and arrows move the picture */
+  show(moving = this.moving) {
+    const focused = this.row.contains(document.activeElement);
+    if (!this.picture || !editing.on) this.row.hidden = true;
+    if (this.row.hidden && focused) this.button.focus();
+    this.moving = moving && !this.row.hidden;
+    this.button.ariaPressed = String(!this.row.hidden);
+    this.move.ariaPressed = String(this.moving);
+    if (this.picture) {
+      this.size.input.value = String(Math.log2(this.picture.width));
+      this.opacity.input.value = String(this.picture.opacity);
+    }
+    viser()?.requestRender();
+  }
+
+  /** @param {import("../../stage/screen.js").Screen} on @param {Element} svg */
+  draw(on, svg) {
+    if (!this.picture) {
+      this.image.remove();
       return;
     }
-    if (!way) return;
-    if (target instanceof Element && target.matches(OWN_ARROWS)) return;
-    swallow(event);
-    const step = event.shiftKey ? FINE : STEP;
-    put({ x: picture.x + way[0] * step, y: picture.y + way[1] * step });
-  }, true);
+    if (svg.firstChild !== this.image) svg.prepend(this.image);
+    const { data: href, opacity, ...picture } = this.picture;
+    const width = picture.width * on.step;
+    const height = width * picture.ratio;
+    const [x, y] = [on.x + picture.x * on.step - width / 2, on.y - picture.y * on.step - height / 2];
+    set(this.image, { href, x, y, width, height, opacity });
+  }
+
+  /** Listens to the pointer and the keys that move it. */
+  listen() {
+    /** @type {{id: number, x: number, y: number, from: {x: number, y: number}} | null} */
+    let hold = null;
+    window.addEventListener("pointerdown", (event) => {
+      const { canvas } = viser() ?? {};
+      if (!this.moving || !this.picture || !canvas || event.target !== canvas || event.button !== 0 || hold) return;
+      swallow(event);
+      canvas.setPointerCapture(event.pointerId);
+      hold = { id: event.pointerId, x: event.clientX, y: event.clientY, from: { ...this.picture } };
+    }, true);
+    for (const kind of /** @type {const} */ (["pointermove", "pointerup", "pointercancel", "lostpointercapture"])) {
+      window.addEventListener(kind, (event) => {
+        if (!hold || event.pointerId !== hold.id) return;
+        event.stopImmediatePropagation();
+        const step = screen()?.step ?? 1;
+        if (kind === "pointermove") this.put({ x: hold.from.x + (event.clientX - hold.x) / step, y: hold.from.y - (event.clientY - hold.y) / step });
+        else hold = null;
+      }, true);
+    }
+    window.addEventListener("keydown", (event) => {
+      if (!this.moving || !this.picture || !isFree(event)) return;
+      const arrow = ARROWS[event.key];
+      if (event.key === "Escape") this.show(false);
+      else if (arrow && !(event.target instanceof Element && event.target.matches(USES_ARROWS))) {
+        const step = event.shiftKey ? FINE_STEP : STEP;
+        this.put({ x: this.picture.x + arrow[0] * step, y: this.picture.y + arrow[1] * step });
+      } else return;
+      swallow(event);
+    }, true);
+  }
+}
+
+/** Restores the picture, and begins to listen: before the pointer and the keys of the body. */
+export function addTracing() {
+  const tracing = new Tracing();
+  window.addEventListener("pagehide", () => tracing.storeNow());
+  onUnderlay(({ on }, svg) => tracing.draw(on, svg));
+  tracing.listen();
+  let { on } = editing;
+  onEditing(() => {
+    if (editing.on === on) return;
+    ({ on } = editing);
+    tracing.show();
+  });
+  return tracing;
 }

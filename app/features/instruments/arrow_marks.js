@@ -1,27 +1,31 @@
 // @ts-check
-/** Draws the arrows of forces, velocities and torques over the body, with what their lengths stand for. */
+/** Draws the arrows of forces, velocities and torques over the body, with a sample arrow that shows their scale. */
 import { arrow } from "../../stage/arrow_shapes.js";
 import * as arrows from "./arrows.js";
 import { onTold, told } from "../../wire/channel.js";
-import { onSight, putUp, redrawMarks, SVG } from "../../stage/overlay.js";
+import { makeSvg, onSight, putUp, redrawMarks, set } from "../../stage/overlay.js";
 
-/** Pixels of the longest arrow: a part of the canvas, within bounds. */
-const [PART, LEAST, MOST] = [0.17, 52, 110];
-/** Pixels between the end of the sample and the edge, and between two lines of text, in heights of the text. */
-const [EDGE, LINE] = [18, 1.9];
-/** Milliseconds after which a picture that stays is drawn once more, for a finer scale. */
-const AGAIN = 400;
+/** Length of the longest arrow, as a fraction of the canvas's shorter side. */
+const LENGTH = 0.17;
+/** Bounds of that length, pixels. */
+const MIN_LENGTH = 52;
+const MAX_LENGTH = 110;
+/** Pixels between the end of a sample arrow and the edge of the canvas. */
+const MARGIN = 18;
+/** Distance between two samples, in heights of the text. */
+const LINE = 1.9;
+/** Milliseconds after which a still picture is redrawn, so that its scale can become finer. */
+const REDRAW_AFTER = 400;
 
 /**
  * @typedef {"forces" | "velocities" | "torques"} Kind
  * @typedef {import("../../stage/overlay.js").Sight} Sight
  */
-/** @type {Kind[]} */
-const KINDS = ["forces", "velocities", "torques"];
 /** @type {Record<Kind, string>} */
 const NAMES = { forces: "force", velocities: "speed", torques: "torque" };
+const KINDS = /** @type {Kind[]} */ (Object.keys(NAMES));
 
-/** With metres, forces and torques have units with names. @param {Kind} kind @param {string} unit of length */
+/** The unit of a kind of arrow; with metres, forces and torques have named units. @param {Kind} kind @param {string} unit of length */
 export function unitOf(kind, unit) {
   if (unit === "m") return { forces: "N", velocities: "m/s", torques: "N m" }[kind];
   return { forces: `kg ${unit}/s²`, velocities: `${unit}/s`, torques: `kg ${unit}²/s²` }[kind];
@@ -31,95 +35,87 @@ export function unitOf(kind, unit) {
 export const roundText = (value) =>
   value >= 1e5 || value < 1e-3 ? value.toExponential(0).replace("e+", "e") : String(Number(value.toPrecision(2)));
 
-/** @param {Element} element @param {Record<string, string | number>} attributes */
-function set(element, attributes) {
-  for (const [name, value] of Object.entries(attributes)) {
-    if (element.getAttribute(name) !== String(value)) element.setAttribute(name, String(value));
+/** The arrows of one kind, with their sample. */
+class ArrowMarks {
+  /** @param {Kind} kind @param {SVGSVGElement} svg */
+  constructor(kind, svg) {
+    this.kind = kind;
+    this.scale = new arrows.Scale();
+    // A rim in the background's colour keeps an arrow legible over the body.
+    this.rim = makeSvg("path", "softrod-arrow-rim", svg);
+    this.held = makeSvg("path", `softrod-arrow softrod-${kind} softrod-held`, svg);
+    this.body = makeSvg("path", `softrod-arrow softrod-${kind}`, svg);
+    this.sample = makeSvg("path", `softrod-arrow softrod-${kind}`, svg);
+    this.words = makeSvg("text", `softrod-arrow-words softrod-${kind}`, svg);
+  }
+
+  /**
+   * @param {Sight} seen @param {arrows.Numbers} numbers @param {number} y of the sample @param {number} height of text, pixels
+   * @returns {boolean} whether there are such arrows
+   */
+  draw(seen, numbers, y, height) {
+    const { kind, scale } = this;
+    const values = numbers[kind];
+    const has = values.length > 0;
+    for (const element of [this.rim, this.held, this.body, this.sample, this.words]) element.style.display = has ? "" : "none";
+    if (!has) {
+      scale.full = 0;
+      return false;
+    }
+    const unit = scale.update(arrows.largest(values, kind === "torques" ? 1 : 2), numbers.least[KINDS.indexOf(kind)], performance.now() / 1e3);
+    const end = seen.box.right - MARGIN;
+    if (kind === "torques") this.drawTorques(seen, numbers, unit, end, y, 0.62 * height);
+    else this.drawVectors(kind, seen, numbers, unit, end, y);
+    set(this.rim, { d: (this.body.getAttribute("d") ?? "") + (this.held.getAttribute("d") ?? "") });
+    const text = `${NAMES[kind]} ${roundText(unit)} ${unitOf(kind, told().unit ?? "")}`;
+    if (this.words.textContent !== text) this.words.textContent = text;
+    return true;
+  }
+
+  /** @param {Sight} seen @param {arrows.Numbers} numbers @param {number} unit @param {number} end @param {number} y @param {number} radius of the sample */
+  drawTorques({ plan, on, places, box }, numbers, unit, end, y, radius) {
+    set(this.body, { d: arrows.torqueArrows(plan, numbers, places, unit, on.step, box) });
+    set(this.sample, { d: arrows.turnArrow(end - radius, y, radius, -Math.PI / 2, 1.5 * Math.PI) });
+    set(this.words, { x: end - 2 * radius - 8, y });
+  }
+
+  /** @param {"forces" | "velocities"} kind @param {Sight} seen @param {arrows.Numbers} numbers @param {number} unit @param {number} end @param {number} y */
+  drawVectors(kind, { plan, places, box }, numbers, unit, end, y) {
+    const masses = arrows.massesOf(numbers, plan.radius.length);
+    const held = new Set(kind === "forces" ? numbers.held : []);
+    const full = Math.min(Math.max(LENGTH * Math.min(box.width, box.height), MIN_LENGTH), MAX_LENGTH);
+    const open = kind === "velocities";
+    /** @param {boolean} isHeld */
+    const path = (isHeld) =>
+      arrows.vectorArrows(masses, numbers[kind], places, full / unit, plan.flip, box, { open, only: (mass) => held.has(mass) === isHeld });
+    set(this.body, { d: path(false) });
+    set(this.held, { d: path(true) });
+    set(this.sample, { d: arrow(end - full, y, full, 0, open) });
+    set(this.words, { x: end - full - 8, y });
   }
 }
 
-/** Puts up the marks, which are empty while no switch is on. */
+/** Adds the arrows, which are empty while no switch is on. */
 export function addArrows() {
-  const svg = document.createElementNS(SVG, "svg");
-  svg.classList.add("softrod-marks", "softrod-arrows");
-  svg.setAttribute("aria-hidden", "true");
-  /** @template {keyof SVGElementTagNameMap} K @param {K} tag @param {string[]} names @returns {SVGElementTagNameMap[K]} */
-  const add = (tag, ...names) => {
-    const element = document.createElementNS(SVG, tag);
-    element.classList.add(...names);
-    svg.append(element);
-    return element;
-  };
+  const svg = makeSvg("svg", "softrod-marks softrod-arrows");
   const series = new arrows.Series();
-  const marks = KINDS.map((kind) => ({
-    kind,
-    // A rim in the colour of the paper keeps an arrow legible over the body.
-    rim: add("path", "softrod-arrow-rim"),
-    held: add("path", "softrod-arrow", `softrod-${kind}`, "softrod-held"),
-    body: add("path", "softrod-arrow", `softrod-${kind}`),
-    sample: add("path", "softrod-arrow", `softrod-${kind}`),
-    words: add("text", "softrod-arrow-words", `softrod-${kind}`),
-    scale: new arrows.Scale(),
-  }));
-  let again = 0;
-
-  /** @param {Sight} seen */
-  const draw = ({ plan, frame, on, places, box }) => {
-    const numbers = series.at(frame.time);
-    const some = numbers !== null && numbers.generation === plan.generation;
-    if (some === (svg.parentNode === null)) some ? putUp(svg) : svg.remove();
-    if (!some) return;
-    const full = Math.min(Math.max(PART * Math.min(box.width, box.height), LEAST), MOST);
-    const masses = arrows.massesOf(numbers, plan.radius.length);
-    const held = new Set(numbers.held);
+  const marks = KINDS.map((kind) => new ArrowMarks(kind, svg));
+  let redraw = 0;
+  onSight((seen) => {
+    const numbers = series.at(seen.frame.time);
+    const isShown = numbers !== null && numbers.generation === seen.plan.generation;
+    if (isShown === (svg.parentNode === null)) isShown ? putUp(svg) : svg.remove();
+    if (!isShown) return;
     const height = parseFloat(getComputedStyle(svg).fontSize);
     const bar = document.querySelector(".softrod-scale")?.getBoundingClientRect();
-    let y = (bar?.bottom ?? box.top) + 0.6 * LINE * height;
-    let settling = false;
-    marks.forEach(({ kind, rim, held: dashed, body, sample, words, scale }, i) => {
-      const values = numbers[kind];
-      const has = values.length > 0;
-      for (const element of [rim, dashed, body, sample, words]) element.style.display = has ? "" : "none";
-      if (!has) {
-        scale.full = 0;
-        return;
-      }
-      const width = kind === "torques" ? 1 : 2;
-      const unit = scale.update(arrows.largest(values, width), numbers.least[i], performance.now() / 1e3);
-      settling ||= scale.settling;
-      const end = box.right - EDGE;
-      if (kind === "torques") {
-        set(body, { d: arrows.torqueArrows(plan, numbers, places, unit, on.step, box) });
-        set(dashed, { d: "" });
-        const radius = 0.62 * height;
-        set(sample, { d: arrows.turnArrow(end - radius, y, radius, -Math.PI / 2, 1.5 * Math.PI) });
-        set(words, { x: end - 2 * radius - 8, y });
-      } else {
-        const how = { open: kind === "velocities" };
-        /** @param {boolean} those that are held */
-        const all = (those) =>
-          arrows.vectorArrows(masses, values, places, full / unit, plan.flip, box, {
-            ...how,
-            only: (mass) => (kind === "forces" && held.has(mass)) === those,
-          });
-        set(body, { d: all(false) });
-        set(dashed, { d: kind === "forces" ? all(true) : "" });
-        set(sample, { d: arrow(end - full, y, full, 0, how.open) });
-        set(words, { x: end - full - 8, y });
-      }
-      set(rim, { d: (body.getAttribute("d") ?? "") + (dashed.getAttribute("d") ?? "") });
-      const text = `${NAMES[kind]} ${roundText(unit)} ${unitOf(kind, told().unit ?? "")}`;
-      if (words.textContent !== text) words.textContent = text;
-      y += LINE * height;
-    });
-    clearTimeout(again);
-    if (settling) again = setTimeout(redrawMarks, AGAIN);
-  };
-
+    let y = (bar?.bottom ?? seen.box.top) + 0.6 * LINE * height;
+    for (const mark of marks) if (mark.draw(seen, numbers, y, height)) y += LINE * height;
+    clearTimeout(redraw);
+    if (marks.some(({ scale }) => scale.full > 0 && scale.settling)) redraw = setTimeout(redrawMarks, REDRAW_AFTER);
+  });
   onTold("arrows", ({ numbers }) => {
     if (numbers.length) series.take(arrows.readArrows(numbers));
-    else series.kept = [];
+    else series.clear();
     redrawMarks();
   });
-  onSight(draw);
 }

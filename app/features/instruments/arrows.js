@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * Arrows of forces, velocities and torques: reading their numbers (written by arrows.py), choosing a scale, and their
- * outlines on the screen. Arithmetic only, without a page.
+ * Arrows of forces, velocities and torques: reads their numbers (written by arrows.py), chooses a scale, and computes
+ * their outlines on the screen. Arithmetic only, without a page.
  *
  * @typedef {import("../../stage/plan.js").Plan} Plan
  * @typedef {import("../../stage/edge.js").Box} Box
@@ -10,14 +10,16 @@ import { arrow, head, headOf } from "../../stage/arrow_shapes.js";
 import { roundUp } from "../../stage/overlay.js";
 import { sections } from "../../wire/unpack.js";
 
-/** Sets of numbers that are kept to glide between. */
-const KEPT = 8;
-/** Seconds for which all arrows have to be short before they get a finer scale. */
+/** Sets of numbers that are stored to interpolate between. */
+const MAX_SETS = 8;
+/** Seconds for which all arrows have to be short before the scale becomes finer. */
 const PATIENCE = 1.5;
-/** How many times larger all may become and still fit a finer scale, before there is one. */
-const ROOM = 1.2;
-/** Radians of a full arc, and below which it is not drawn. */
-const [FULL_TURN, MIN_TURN] = [1.5 * Math.PI, 0.2];
+/** The scale becomes finer only if arrows that are so many times longer would still fit it. */
+const HEADROOM = 1.2;
+/** Radians of the longest arc. */
+const FULL_TURN = 1.5 * Math.PI;
+/** Radians below which an arc is not drawn. */
+const MIN_TURN = 0.2;
 /** Pixels between a mass and the arc of its joint. */
 const ARC = 12;
 
@@ -25,9 +27,9 @@ const ARC = 12;
  * @typedef {object} Numbers
  * @property {number} generation of the body
  * @property {number} time simulated seconds
- * @property {number} step every so many masses have arrows, and the held ones
- * @property {number} jointStep every so many joints
- * @property {number[]} least force, speed and torque that are next to nothing
+ * @property {number} step every how manyth mass has an arrow; held ones always have
+ * @property {number} jointStep every how manyth joint
+ * @property {number[]} least negligible force, speed and torque
  * @property {Float32Array} held masses that are held
  * @property {Float32Array} forces x and y of each
  * @property {Float32Array} velocities x and y of each
@@ -49,27 +51,31 @@ export function massesOf({ step, held }, count) {
   return masses;
 }
 
-/** The last few sets of numbers, and what there is between two of them. */
+/** The last few sets of numbers, and interpolation between two of them. */
 export class Series {
   constructor() {
     /** @type {Numbers[]} */
-    this.kept = [];
+    this.sets = [];
   }
 
   /** @param {Numbers} numbers */
   take(numbers) {
-    // Gone back in time, or the same moment with other settings: what was to come is no longer so.
-    this.kept = this.kept.filter(({ generation, time }) => generation === numbers.generation && time < numbers.time);
-    this.kept.push(numbers);
-    if (this.kept.length > KEPT) this.kept.shift();
+    // Time went back, or the settings changed: what came later is void.
+    this.sets = this.sets.filter(({ generation, time }) => generation === numbers.generation && time < numbers.time);
+    this.sets.push(numbers);
+    if (this.sets.length > MAX_SETS) this.sets.shift();
   }
 
-  /** The numbers at a simulated time; the nearest ones where there are none. @param {number} time */
+  clear() {
+    this.sets = [];
+  }
+
+  /** The numbers at a simulated time, or the nearest ones. @param {number} time */
   at(time) {
-    const next = this.kept.findIndex((numbers) => numbers.time >= time);
-    if (next === 0) return this.kept[0];
-    if (next < 0) return this.kept.at(-1) ?? null;
-    const [one, two] = [this.kept[next - 1], this.kept[next]];
+    const next = this.sets.findIndex((numbers) => numbers.time >= time);
+    if (next === 0) return this.sets[0];
+    if (next < 0) return this.sets.at(-1) ?? null;
+    const [one, two] = [this.sets[next - 1], this.sets[next]];
     const part = (time - one.time) / (two.time - one.time);
     /** @param {Float32Array} a @param {Float32Array} b */
     const mixed = (a, b) => (a.length === b.length ? b.map((value, i) => a[i] + (value - a[i]) * part) : b);
@@ -83,24 +89,24 @@ export class Series {
   }
 }
 
-/** What the longest arrow stands for: a round number that grows at once and shrinks only after a while. */
+/** The value of the longest arrow: a round number that grows at once and shrinks only after a while. */
 export class Scale {
   constructor() {
     this.full = 0;
-    /** The largest number since all have been short, and since when. */
+    /** The largest value since all arrows have been short, and since when. */
     this.peak = 0;
     this.since = -Infinity;
   }
 
   /**
-   * @param {number} largest number that is to be drawn
-   * @param {number} least that the longest arrow stands for
+   * @param {number} largest value to draw
+   * @param {number} least value that the longest arrow may have
    * @param {number} now seconds of any clock
    */
   update(largest, least, now) {
     const wanted = Math.max(largest, least);
     if (!(this.full > 0) || wanted > this.full) this.full = roundUp(wanted);
-    if (roundUp(ROOM * wanted) >= this.full) {
+    if (roundUp(HEADROOM * wanted) >= this.full) {
       this.since = now;
       this.peak = 0;
     } else this.peak = Math.max(this.peak, wanted);
@@ -112,13 +118,13 @@ export class Scale {
     return this.full;
   }
 
-  /** Whether it may shrink soon without any new number. */
+  /** Whether it may shrink soon without new numbers. */
   get settling() {
     return this.peak > 0;
   }
 }
 
-/** @param {ArrayLike<number>} values @param {number} width numbers of each */
+/** The largest magnitude. @param {ArrayLike<number>} values @param {number} width numbers per value: 1 or 2 */
 export function largest(values, width) {
   let most = 0;
   for (let i = 0; i < values.length; i += width) {
@@ -134,7 +140,7 @@ const text = (value) => value.toFixed(1);
 /**
  * An arc with a head; nothing if it is too short to be seen.
  *
- * @param {number} x its middle, pixels
+ * @param {number} x centre, pixels
  * @param {number} y
  * @param {number} radius
  * @param {number} from radians on the screen, clockwise from the right
@@ -151,15 +157,15 @@ export function turnArrow(x, y, radius, from, turn) {
   const large = Math.abs(stop - from) > Math.PI ? 1 : 0;
   /** @param {number} way @param {number} to */
   const along = (way, to) => `A${text(radius)} ${text(radius)} 0 ${large} ${way > 0 ? 1 : 0} ${at(to)}`;
-  // There and back: nothing is enclosed, and only the head is filled.
+  // There and back, so that the arc encloses nothing and only the head is filled.
   const arc = `M${at(from)}${along(sense, stop)}${along(-sense, from)}`;
-  // A head is straight: it points along the chord of its part of the arc.
+  // The head is straight: it points along the chord of its part of the arc.
   const pointing = end + (sense * Math.PI) / 2 - (sense * size) / (2 * radius);
   return arc + head(x + radius * Math.cos(end), y + radius * Math.sin(end), pointing, size, false);
 }
 
 /**
- * The arrows of a vector at each mass that is in view.
+ * The arrows of a vector at each mass in view.
  *
  * @param {number[]} masses
  * @param {Float32Array} values x and y of each
@@ -183,7 +189,7 @@ export function vectorArrows(masses, values, places, perUnit, flip, view, { open
 const isIn = (view, x, y) => x >= view.left && x <= view.right && y >= view.top && y <= view.bottom;
 
 /**
- * The arcs of a torque at each joint that is in view. They begin at the first spring and show how it is turned.
+ * The arcs of a torque at each joint in view. They begin at the first spring and show how it is turned.
  *
  * @param {Plan} plan
  * @param {Numbers} numbers

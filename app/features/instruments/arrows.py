@@ -1,4 +1,4 @@
-"""The numbers of the arrows of forces, velocities and torques, sent only while somebody looks at them."""
+"""The numbers of the arrows of forces, velocities and torques, sent only while arrows are shown."""
 
 from __future__ import annotations
 
@@ -19,20 +19,21 @@ from . import messages as to_page
 
 KINDS = ("forces", "velocities", "torques")
 
-MOST = 240
+MAX_ARROWS = 240
 """Arrows of a kind, about: of more masses or joints, every second or third one has an arrow."""
+
 MAX_HELD = 60
 """Held masses that have an arrow in any case."""
 
 EVERY = 1.0 / 30.0
-"""Seconds between two sets of numbers while the body moves; the page glides between them."""
+"""Seconds between two sets of numbers while the body moves; the page interpolates between them."""
 
-STILL = 0.005
-"""Change, as a part of the longest arrow, below which nothing is sent while the body moves."""
+MIN_CHANGE = 0.005
+"""Change, as a fraction of the longest arrow, below which nothing is sent while the body moves."""
 
 
 class Arrows:
-    """What one page is told of forces, velocities and torques.
+    """The arrows of one page.
 
     Args:
         mail: to the page's script.
@@ -45,14 +46,14 @@ class Arrows:
         self._least = -1, (0.0, 0.0, 0.0)  # of the plan with that number
 
     def draw(self, session: Session, kinds: Set[str], plan: int, now: float, exactly: bool) -> None:
-        """Send the numbers of the present moment, as far as they changed.
+        """Send the numbers of the present moment if they changed.
 
         Args:
-            session: whose body it is.
-            kinds: which of KINDS are looked at.
-            plan: number of the plan that the page has of the body.
+            session: the simulation.
+            kinds: which of KINDS are shown.
+            plan: number of the plan of the body that the page has.
             now: wall time, s.
-            exactly: send the smallest change, for a paused picture.
+            exactly: whether to send even the negligible change, for a still picture.
         """
         if not kinds:
             self.clear()
@@ -64,26 +65,26 @@ class Arrows:
         about = plan, frozenset(kinds), frozenset(held)
         numbers = _numbers(simulation, kinds)
         if self._least[0] != plan:
-            self._least = plan, smallest(simulation.scene)
+            self._least = plan, negligible(simulation.scene)
         least = self._least[1]
         if self._sent is not None and self._sent[0] == about:
             size = (0.0, 0.0, 0.0) if exactly else least
-            if all(map(_similar, self._sent[1], numbers, size)):
+            if all(map(_is_similar, self._sent[1], numbers, size)):
                 return
         self._sent = about, numbers
         self._due = now + EVERY - 1e-3
-        told = encode(plan, simulation.time, least, sorted(held), numbers)
-        self._mail.tell(to_page.Arrows(numbers=told))
+        encoded = encode(plan, simulation.time, least, sorted(held), numbers)
+        self._mail.tell(to_page.Arrows(numbers=encoded))
 
     def clear(self) -> None:
-        """Take the numbers out of the page."""
+        """Remove the arrows from the page."""
         if self._sent is not None:
             self._sent = None
             self._mail.tell(to_page.Arrows(numbers=np.zeros(0, np.float32)))
 
 
 def _numbers(simulation: Simulation, kinds: Set[str]) -> list[Floats]:
-    """(n, 2) forces and velocities, and (J,) torques; empty where they are not looked at."""
+    """(n, 2) forces and velocities, and (J,) torques; each is empty unless its kind is shown."""
     loads = simulation.loads if kinds & {"forces", "torques"} else None
     nothing = np.zeros(0)
     return [
@@ -93,9 +94,9 @@ def _numbers(simulation: Simulation, kinds: Set[str]) -> list[Floats]:
     ]
 
 
-def _similar(before: Floats, now: Floats, least: float) -> bool:
-    """Whether the change cannot be seen; where nothing is too small to be seen (0), whether there is none."""
-    size = max(STILL * float(np.abs(before).max(initial=0.0)), 0.02 * least) if least else 0.0
+def _is_similar(before: Floats, now: Floats, least: float) -> bool:
+    """Whether the change is invisible; with `least` 0, whether there is none."""
+    size = max(MIN_CHANGE * float(np.abs(before).max(initial=0.0)), 0.02 * least) if least else 0.0
     return before.shape == now.shape and bool(np.abs(now - before).max(initial=0.0) <= size)
 
 
@@ -109,7 +110,7 @@ def encode(
         time: simulated time, s.
         least: force, speed and torque below which arrows stay shorter than the longest one may be.
         held: masses that an anchor or the hand holds.
-        numbers: forces (n, 2), velocities (n, 2) and torques (J,), each may be empty.
+        numbers: forces (n, 2), velocities (n, 2) and torques (J,); each may be empty.
     """
     masses = max(len(numbers[0]), len(numbers[1]))
     step, joint_step = _step(masses), _step(len(numbers[2]))
@@ -121,12 +122,12 @@ def encode(
 
 
 def _step(count: int) -> int:
-    """So that every so many of them are few enough."""
-    return -(-count // MOST) or 1
+    """Return n such that every n-th of so many items is at most MAX_ARROWS items."""
+    return -(-count // MAX_ARROWS) or 1
 
 
-def smallest(scene: Scene) -> tuple[float, float, float]:
-    """A force, a speed and a torque that are next to nothing in a scene: kg px/s², px/s, kg px²/s².
+def negligible(scene: Scene) -> tuple[float, float, float]:
+    """A negligible force, speed and torque in a scene: kg px/s², px/s, kg px²/s².
 
     Without them the noise of a body at rest would be drawn as large as the forces of one in motion.
     """

@@ -1,43 +1,35 @@
 // @ts-check
-/** Where a mass is and how fast, in a small label beside it: of the one under the pointer, or chosen. */
+/** A small label next to a mass, the one under the pointer or the chosen one: its position and its speed. */
 import { onPicture } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
-import { chosenMass, onSight, putUp, redrawMarks, SVG } from "../../stage/overlay.js";
+import { chosenMass, makeSvg, onSight, putUp, redrawMarks, set } from "../../stage/overlay.js";
+import { digits } from "./shapes.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { onTools, tools } from "./tools.js";
 import { viser } from "../../ui/viser/viser.js";
 
-/** Simulated seconds between two pictures beyond which they do not tell a speed. */
-const NEAR = 0.1;
+/** Simulated seconds between two pictures beyond which they give no speed. */
+const MAX_INTERVAL = 0.1;
 /** Pixels between a mass and its label. */
-const ASIDE = 10;
+const GAP = 10;
 
 /** @typedef {import("../../stage/plan.js").Frame} Frame */
 
-/**
- * The speed of a mass between two pictures, or NaN where they are not of the same motion.
- *
- * @param {Frame | null} before
- * @param {Frame} now
- * @param {number} mass
- */
+/** The speed of a mass between two pictures; NaN unless they belong to one motion. @param {Frame | null} before @param {Frame} now @param {number} mass */
 export function speedOf(before, now, mass) {
   const span = before ? now.time - before.time : 0;
-  if (!before || span === 0 || Math.abs(span) > NEAR || before.positions.length !== now.positions.length) return NaN;
+  if (!before || span === 0 || Math.abs(span) > MAX_INTERVAL || before.positions.length !== now.positions.length) return NaN;
   const [x, y] = [2 * mass, 2 * mass + 1].map((i) => now.positions[i] - before.positions[i]);
   return Math.hypot(x, y) / Math.abs(span);
 }
 
-/** Begins to read out masses, while the switch is on. */
+/** Adds the label, which is shown while its switch is on. */
 export function addCoordinates() {
-  const svg = document.createElementNS(SVG, "svg");
-  svg.classList.add("softrod-marks", "softrod-coordinates");
-  svg.setAttribute("aria-hidden", "true");
-  const ring = document.createElementNS(SVG, "circle");
-  const lines = [0, 1].map(() => document.createElementNS(SVG, "text"));
-  svg.append(ring, ...lines);
+  const svg = makeSvg("svg", "softrod-marks softrod-coordinates");
+  const ring = makeSvg("circle", "", svg);
+  const lines = [0, 1].map(() => makeSvg("text", "", svg));
   let under = -1;
-  /** The picture before the one that is shown, of another time. @type {Frame | null} */
+  /** The last picture of an earlier time. @type {Frame | null} */
   let before = null;
   /** @type {Frame | null} */
   let last = null;
@@ -45,40 +37,31 @@ export function addCoordinates() {
     if (last && last.time !== frame.time) before = last;
     last = frame;
   });
-  window.addEventListener(
-    "pointermove",
-    (event) => {
-      if (!tools().coordinates || event.buttons || event.target !== viser()?.canvas) return;
-      const mass = massAt({ x: event.clientX, y: event.clientY }, event.pointerType);
-      if (mass === under) return;
-      under = mass;
-      redrawMarks();
-    },
-    { capture: true, passive: true },
-  );
+  window.addEventListener("pointermove", (event) => {
+    if (!tools().coordinates || event.buttons || event.target !== viser()?.canvas) return;
+    const mass = massAt({ x: event.clientX, y: event.clientY }, event.pointerType);
+    if (mass === under) return;
+    under = mass;
+    redrawMarks();
+  }, { capture: true, passive: true });
   onSight(({ plan, frame, on, places, box }) => {
     const mass = [under, chosenMass(), tools().chosen].find((each) => each >= 0 && each < plan.radius.length);
-    const has = tools().coordinates && mass !== undefined;
-    if (has === (svg.parentNode === null)) has ? putUp(svg) : svg.remove();
-    if (!has) return;
-    const [x, y] = [places[2 * mass], places[2 * mass + 1]];
+    const isShown = tools().coordinates && mass !== undefined;
+    if (isShown === (svg.parentNode === null)) isShown ? putUp(svg) : svg.remove();
+    if (!isShown) return;
+    const [x, y] = places.subarray(2 * mass, 2 * mass + 2);
     const radius = plan.radius[mass] * on.step;
-    const height = 1.3 * parseFloat(getComputedStyle(svg).fontSize);
     const unit = told().unit ?? "";
-    /** @param {number} value */
-    const digits = (value) => value.toFixed(Math.abs(value) < 10 ? 2 : 1);
     const speed = speedOf(before, frame, mass);
-    const [px, py] = [frame.positions[2 * mass], frame.positions[2 * mass + 1]];
+    const [px, py] = frame.positions.subarray(2 * mass, 2 * mass + 2);
     lines[0].textContent = `mass ${mass}: ${digits(px)}, ${digits(py)} ${unit}`;
     lines[1].textContent = Number.isFinite(speed) ? `${digits(speed)} ${unit}/s` : "";
-    for (const [name, value] of [["cx", x], ["cy", y], ["r", radius + 5]]) ring.setAttribute(String(name), String(value));
+    set(ring, { cx: x, cy: y, r: radius + 5 });
     const width = Math.max(...lines.map((line) => line.getComputedTextLength()));
-    // On the side where there is room for it.
-    const left = x + radius + ASIDE + width > box.right ? x - radius - ASIDE - width : x + radius + ASIDE;
-    lines.forEach((line, i) => {
-      line.setAttribute("x", String(Math.max(left, box.left + 4)));
-      line.setAttribute("y", String(y + (i - 0.5) * height));
-    });
+    const right = x + radius + GAP;
+    const left = Math.max(right + width > box.right ? x - radius - GAP - width : right, box.left + 4);
+    const height = 1.3 * parseFloat(getComputedStyle(svg).fontSize);
+    lines.forEach((line, i) => set(line, { x: left, y: y + (i - 0.5) * height }));
   });
   onTools(redrawMarks);
 }

@@ -1,73 +1,50 @@
 // @ts-check
 /**
- * What instruments look like: SVG above the canvas. Each face has grips, which move a point, and a body, which moves
- * all of it.
+ * How instruments look: SVG over the canvas. A face has grips, which move one point each, and a body, which moves all
+ * points. `draw` returns what the instrument reads.
  *
+ * @typedef {Ruler | Protractor | Stopwatch} Face
  * @typedef {import("./shapes.js").Place} Place
- * @typedef {import("./shapes.js").Kept} Kept
+ * @typedef {import("./shapes.js").Placed} Placed
  * @typedef {import("./shapes.js").Kind} Kind
  * @typedef {import("../../stage/overlay.js").Sight} Sight
- * @typedef {object} Face
- * @property {SVGGElement} group
- * @property {SVGElement} body
- * @property {SVGGElement[]} grips one for each point
- * @property {SVGGElement[]} buttons what is pressed, not moved
- * @property {(kept: Kept, seen: Sight, places: Place[], size: number) => string} draw at the places of its points,
- *   with text of so many pixels; returns what it reads
  */
 import { told } from "../../wire/channel.js";
-import { protractorReading, rulerReading, strokes, watchReading } from "./shapes.js";
-import { SVG } from "../../stage/overlay.js";
+import { digits, protractorReading, rulerReading, ticks, watchReading } from "./shapes.js";
+import { makeSvg, set } from "../../stage/overlay.js";
 import { timeNow } from "../../ui/clock.js";
 
-/** Pixels: between a point and its grip, of a grip, and around it where it can be taken. */
-const [AWAY, GRIP, REACH] = [24, 8, 20];
-/** Pixels: of the strip of a ruler, and of the arc of a protractor at most. */
-const [STRIP, ARC] = [26, 64];
-/** Degrees below which a number does not fit between the sides of a protractor. */
+/** Pixels between a point and its grip. */
+const AWAY = 24;
+/** Radius of a grip, and of the disc around it where it can be grabbed, pixels. */
+const GRIP = 8;
+const REACH = 20;
+/** Width of a ruler, pixels. */
+const WIDTH = 26;
+/** Largest radius of a protractor's arc, pixels. */
+const MAX_ARC = 64;
+/** Degrees below which the reading does not fit between the sides of a protractor. */
 const NARROW = 50;
 
 /** @type {Record<Kind, string>} */
 export const NAMES = { ruler: "Ruler", protractor: "Protractor", stopwatch: "Stopwatch" };
-/** Of the points, for screen readers. @type {Record<Kind, string[]>} */
-const ENDS = { ruler: ["first end", "second end"], protractor: ["first side", "corner", "second side"], stopwatch: [""] };
-
-/** @param {Element} element @param {Record<string, string | number>} attributes */
-export function set(element, attributes) {
-  for (const [name, value] of Object.entries(attributes)) {
-    const text = typeof value === "number" ? value.toFixed(1) : value;
-    if (element.getAttribute(name) !== text) element.setAttribute(name, text);
-  }
-}
-
-/** A number with a true minus sign. @param {number} value */
-export const digits = (value) => value.toFixed(Math.abs(value) < 9.995 ? 2 : 1).replace("-", "−");
-
-/** @template {keyof SVGElementTagNameMap} K @param {Element} parent @param {K} tag @param {string} [names] @returns {SVGElementTagNameMap[K]} */
-function add(parent, tag, names) {
-  const element = document.createElementNS(SVG, tag);
-  if (names) element.setAttribute("class", names);
-  parent.append(element);
-  return element;
-}
 
 /** @param {Element} parent @param {string} names */
-function handle(parent, names) {
-  const element = add(parent, "g", names);
-  element.setAttribute("role", "button");
-  element.setAttribute("tabindex", "0");
+function makeHandle(parent, names) {
+  const element = makeSvg("g", names, parent);
+  set(element, { role: "button", tabindex: 0 });
   return element;
 }
 
-/** A grip: where it can be taken, and what is seen of it. @param {Element} parent */
-function grip(parent) {
-  const element = handle(parent, "softrod-grip");
-  set(add(element, "circle", "softrod-grip-reach"), { r: REACH });
-  set(add(element, "circle", "softrod-grip-disc"), { r: GRIP });
+/** A grip: the disc that is seen, in a larger one that can be grabbed. @param {Element} parent */
+function makeGrip(parent) {
+  const element = makeHandle(parent, "softrod-grip");
+  set(makeSvg("circle", "softrod-grip-reach", element), { r: REACH });
+  set(makeSvg("circle", "softrod-grip-disc", element), { r: GRIP });
   return element;
 }
 
-/** @param {Place} from @param {Place} to @returns {Place} of length 1 */
+/** The direction from one place to another, of length 1. @param {Place} from @param {Place} to @returns {Place} */
 function towards(from, to) {
   const [x, y] = [to.x - from.x, to.y - from.y];
   const length = Math.hypot(x, y);
@@ -80,137 +57,159 @@ const beyond = ({ x, y }, way, far) => ({ x: x + far * way.x, y: y + far * way.y
 const text = ({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 /** @param {SVGGElement} element @param {Place} to */
 const put = (element, to) => set(element, { transform: `translate(${text(to)})` });
+/** @param {SVGTextElement} element @param {string} words */
+const write = (element, words) => {
+  if (element.textContent !== words) element.textContent = words;
+};
 
-/** Lines of text on one side of a place. @param {SVGTextElement[]} lines @param {string[]} words @param {Place} at @param {Place} side @param {number} size */
-function write(lines, words, at, side, size) {
-  const anchor = Math.abs(side.x) < 0.5 ? "middle" : side.x > 0 ? "start" : "end";
-  const down = (side.y * (lines.length - 1) * 1.3 * size) / 2;
-  lines.forEach((line, i) => {
-    line.style.textAnchor = anchor;
-    set(line, { x: at.x, y: at.y + down + (i - (lines.length - 1) / 2) * 1.3 * size });
-    if (line.textContent !== words[i]) line.textContent = words[i];
-  });
+class BaseFace {
+  /** @type {SVGGElement[]} one for each point */
+  grips = [];
+  /** @type {SVGGElement[]} what is pressed, not moved */
+  buttons = [];
+
+  /** @param {Element} parent */
+  constructor(parent) {
+    this.group = makeSvg("g", "softrod-instrument", parent);
+    this.group.setAttribute("role", "group");
+    /** @type {SVGElement} */
+    this.body = this.group;
+  }
 }
 
-/** @param {Kept} kept @param {number} i */
-function named(kept, i) {
-  const { mass } = kept.points[i];
-  const where = mass < 0 ? "Arrows move it, Enter fixes it to a mass" : `At mass ${mass}. Arrows choose another, Enter frees it`;
-  return `${NAMES[kept.kind]}, ${ENDS[kept.kind][i]}. ${where}`;
+/** What a ruler and a protractor have in common: ticks, two lines of text and grips beyond their points. */
+class LineFace extends BaseFace {
+  /** @param {Element} parent @param {string[]} points as a screen reader names them @param {string} second class of the second line */
+  constructor(parent, points, second) {
+    super(parent);
+    this.points = points;
+    this.body = makeSvg("path", "softrod-instrument-body", this.group);
+    this.marks = makeSvg("path", "softrod-instrument-marks", this.group);
+    this.words = [makeSvg("text", "", this.group), makeSvg("text", second, this.group)];
+    this.grips = points.map(() => makeGrip(this.group));
+  }
+
+  /** Places the grips, which also say how they are moved. @param {Placed} placed @param {Place[]} at */
+  putGrips({ kind, points }, at) {
+    this.grips.forEach((grip, i) => {
+      put(grip, at[i]);
+      const { mass } = points[i];
+      const where = mass < 0 ? "Arrows move it, Enter fixes it to a mass" : `At mass ${mass}. Arrows choose another, Enter frees it`;
+      grip.ariaLabel = `${NAMES[kind]}, ${this.points[i]}. ${where}`;
+    });
+  }
+
+  /** Writes the lines on one side of a place. @param {string[]} lines @param {Place} at @param {Place} side @param {number} size */
+  writeLines(lines, at, side, size) {
+    const anchor = Math.abs(side.x) < 0.5 ? "middle" : side.x > 0 ? "start" : "end";
+    this.words.forEach((line, i) => {
+      line.style.textAnchor = anchor;
+      set(line, { x: at.x, y: at.y + 0.65 * size * side.y + (i - 0.5) * 1.3 * size });
+      write(line, lines[i]);
+    });
+  }
 }
 
-/** @param {SVGGElement} group @returns {Face} */
-function ruler(group) {
-  const body = add(group, "path", "softrod-instrument-body");
-  const marks = add(group, "path", "softrod-instrument-marks");
-  const words = [add(group, "text"), add(group, "text")];
-  const grips = [grip(group), grip(group)];
-  return {
-    group, body, grips, buttons: [],
-    draw(kept, { plan, on }, [a, b], size) {
-      const scale = plan.scale * on.step;
-      const way = towards(a, b);
-      const turned = { x: -way.y, y: way.x };
-      const normal = turned.y > 0 || (turned.y === 0 && turned.x > 0) ? turned : { x: way.y, y: -way.x };
-      const [c, d] = [beyond(b, normal, STRIP), beyond(a, normal, STRIP)];
-      set(body, { d: `M${text(a)}L${text(b)}L${text(c)}L${text(d)}Z` });
-      const ticks = strokes(a, b, normal, scale);
-      set(marks, { d: `M${text(beyond(a, way, -AWAY))}L${text(beyond(b, way, AWAY))}${ticks}` });
-      put(grips[0], beyond(a, way, -AWAY));
-      put(grips[1], beyond(b, way, AWAY));
-      const { length, dx, dy } = rulerReading(a, b, scale, plan.flip);
-      const unit = told().unit ?? "";
-      const lines = [`${digits(length)} ${unit}`, `Δx ${digits(dx)}  Δy ${digits(dy)}`];
-      write(words, lines, beyond({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }, normal, STRIP + size), normal, size);
-      grips.forEach((each, i) => set(each, { "aria-label": named(kept, i) }));
-      return `${lines[0]}, ${lines[1].replace("  ", ", ")}`;
-    },
-  };
+class Ruler extends LineFace {
+  /** @param {Element} parent */
+  constructor(parent) {
+    super(parent, ["first end", "second end"], "");
+  }
+
+  /** @param {Placed} placed @param {Sight} seen @param {Place[]} places @param {number} size */
+  draw(placed, { plan, on }, [a, b], size) {
+    const scale = plan.scale * on.step;
+    const way = towards(a, b);
+    const turned = { x: -way.y, y: way.x };
+    const normal = turned.y > 0 || (turned.y === 0 && turned.x > 0) ? turned : { x: way.y, y: -way.x };
+    const ends = [beyond(a, way, -AWAY), beyond(b, way, AWAY)];
+    set(this.body, { d: `M${text(a)}L${text(b)}L${text(beyond(b, normal, WIDTH))}L${text(beyond(a, normal, WIDTH))}Z` });
+    set(this.marks, { d: `M${text(ends[0])}L${text(ends[1])}${ticks(a, b, normal, scale)}` });
+    this.putGrips(placed, ends);
+    const { length, dx, dy } = rulerReading(a, b, scale, plan.flip);
+    const lines = [`${digits(length)} ${told().unit ?? ""}`, `Δx ${digits(dx)}  Δy ${digits(dy)}`];
+    this.writeLines(lines, beyond({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }, normal, WIDTH + size), normal, size);
+    return `${lines[0]}, ${lines[1].replace("  ", ", ")}`;
+  }
 }
 
-/** @param {SVGGElement} group @returns {Face} */
-function protractor(group) {
-  const body = add(group, "path", "softrod-instrument-body");
-  const marks = add(group, "path", "softrod-instrument-marks");
-  const words = [add(group, "text"), add(group, "text", "softrod-instrument-small")];
-  const grips = [grip(group), grip(group), grip(group)];
-  return {
-    group, body, grips, buttons: [],
-    draw(kept, _, [a, vertex, b], size) {
-      const [one, two] = [towards(vertex, a), towards(vertex, b)];
-      const { angle, bend } = protractorReading(a, vertex, b);
-      const sense = one.x * two.y - one.y * two.x >= 0 ? 1 : -1;
-      const from = Math.atan2(one.y, one.x);
-      const turn = (sense * angle * Math.PI) / 180;
-      /** @param {number} t @returns {Place} */
-      const way = (t) => ({ x: Math.cos(from + t), y: Math.sin(from + t) });
-      const middle = way(turn / 2);
-      const far = [a, b].map(({ x, y }) => Math.hypot(x - vertex.x, y - vertex.y));
-      const radius = Math.min(ARC, Math.max(0.8 * Math.min(...far), 24));
-      const [start, end] = [beyond(vertex, one, radius), beyond(vertex, two, radius)];
-      const arc = `A${radius.toFixed(1)} ${radius.toFixed(1)} 0 0 ${sense > 0 ? 1 : 0} ${text(end)}`;
-      set(body, { d: `M${text(vertex)}L${text(start)}${arc}Z` });
-      let ticks = `M${text(beyond(a, one, AWAY))}L${text(vertex)}L${text(beyond(b, two, AWAY))}M${text(start)}${arc}`;
-      for (let degrees = 10; degrees < angle; degrees += 10) {
-        const at = way((sense * degrees * Math.PI) / 180);
-        ticks += `M${text(beyond(vertex, at, radius))}L${text(beyond(vertex, at, radius - (degrees % 30 ? 5 : 9)))}`;
-      }
-      set(marks, { d: ticks });
-      put(grips[0], beyond(a, one, AWAY));
-      put(grips[1], beyond(vertex, middle, -AWAY));
-      put(grips[2], beyond(b, two, AWAY));
-      const lines = [`${angle.toFixed(1)}°`, `bend ${bend.toFixed(1)}°`];
-      // Between the sides, or behind the corner where there is no room.
-      const [side, away] = angle < NARROW ? [-1, AWAY + 2 * GRIP] : [1, radius + size];
-      const outwards = { x: side * middle.x, y: side * middle.y };
-      write(words, lines, beyond(vertex, outwards, away), outwards, size);
-      grips.forEach((each, i) => set(each, { "aria-label": named(kept, i) }));
-      return `${lines[0]}, ${lines[1]}`;
-    },
-  };
+class Protractor extends LineFace {
+  /** @param {Element} parent */
+  constructor(parent) {
+    super(parent, ["first side", "corner", "second side"], "softrod-instrument-small");
+  }
+
+  /** @param {Placed} placed @param {Sight} _ @param {Place[]} places @param {number} size */
+  draw(placed, _, [a, vertex, b], size) {
+    const [one, two] = [towards(vertex, a), towards(vertex, b)];
+    const { angle, bend } = protractorReading(a, vertex, b);
+    const sense = one.x * two.y - one.y * two.x >= 0 ? 1 : -1;
+    const from = Math.atan2(one.y, one.x);
+    /** @param {number} degrees from the first side @returns {Place} */
+    const way = (degrees) => {
+      const t = from + (sense * degrees * Math.PI) / 180;
+      return { x: Math.cos(t), y: Math.sin(t) };
+    };
+    const shorter = Math.min(...[a, b].map(({ x, y }) => Math.hypot(x - vertex.x, y - vertex.y)));
+    const radius = Math.min(MAX_ARC, Math.max(0.8 * shorter, 24));
+    const start = beyond(vertex, one, radius);
+    const arc = `A${radius.toFixed(1)} ${radius.toFixed(1)} 0 0 ${sense > 0 ? 1 : 0} ${text(beyond(vertex, two, radius))}`;
+    set(this.body, { d: `M${text(vertex)}L${text(start)}${arc}Z` });
+    const ends = [beyond(a, one, AWAY), beyond(vertex, way(angle / 2), -AWAY), beyond(b, two, AWAY)];
+    let marks = `M${text(ends[0])}L${text(vertex)}L${text(ends[2])}M${text(start)}${arc}`;
+    for (let degrees = 10; degrees < angle; degrees += 10) {
+      const at = way(degrees);
+      marks += `M${text(beyond(vertex, at, radius))}L${text(beyond(vertex, at, radius - (degrees % 30 ? 5 : 9)))}`;
+    }
+    set(this.marks, { d: marks });
+    this.putGrips(placed, ends);
+    const lines = [`${angle.toFixed(1)}°`, `bend ${bend.toFixed(1)}°`];
+    // Between the sides, or behind the corner where there is no room.
+    const [outwards, far] = angle < NARROW ? [way(angle / 2 + 180), AWAY + 2 * GRIP] : [way(angle / 2), radius + size];
+    this.writeLines(lines, beyond(vertex, outwards, far), outwards, size);
+    return lines.join(", ");
+  }
 }
 
-/** @param {SVGGElement} group @returns {Face} */
-function stopwatch(group) {
-  const card = handle(group, "softrod-grip softrod-watch");
-  const body = add(card, "rect", "softrod-instrument-body");
-  const time = add(card, "text", "softrod-watch-time");
-  const laps = add(card, "text", "softrod-instrument-small");
-  const buttons = [handle(group, "softrod-grip softrod-watch-button"), handle(group, "softrod-grip softrod-watch-button")];
-  const rims = buttons.map((button) => add(button, "rect"));
-  const words = buttons.map((button) => add(button, "text"));
-  return {
-    group, body, grips: [card], buttons,
-    draw({ watch }, _, [{ x, y }], size) {
-      if (!watch) return "";
-      const [width, height] = [11 * size, 6.6 * size];
-      put(group, { x: x - width / 2, y: y - height / 2 });
-      set(body, { width, height, rx: 0.7 * size });
-      const seconds = `${watchReading(watch, timeNow()).toFixed(2)} s`;
-      set(time, { x: width / 2, y: 1.6 * size });
-      if (time.textContent !== seconds) time.textContent = seconds;
-      set(laps, { x: width / 2, y: 3.2 * size });
-      const lap = watch.laps.slice(-3).map((each) => each.toFixed(2)).join("  ");
-      if (laps.textContent !== lap) laps.textContent = lap;
-      const runs = watch.since !== null;
-      [runs ? "Stop" : "Start", runs ? "Lap" : "Zero"].forEach((word, i) => {
-        const [left, wide] = [0.6 * size + i * 5 * size, 4.8 * size];
-        set(rims[i], { x: left, y: 4.1 * size, width: wide, height: 2 * size, rx: 0.5 * size });
-        set(words[i], { x: left + wide / 2, y: 5.1 * size });
-        if (words[i].textContent !== word) words[i].textContent = word;
-        set(buttons[i], { "aria-label": `${word} (${"TL"[i]})` });
-      });
-      set(card, { "aria-label": `Stopwatch, ${seconds}. Arrows move it` });
-      return seconds;
-    },
-  };
+class Stopwatch extends BaseFace {
+  /** @param {Element} parent */
+  constructor(parent) {
+    super(parent);
+    const card = makeHandle(this.group, "softrod-grip softrod-watch");
+    this.grips = [card];
+    this.body = makeSvg("rect", "softrod-instrument-body", card);
+    this.time = makeSvg("text", "softrod-watch-time", card);
+    this.laps = makeSvg("text", "softrod-instrument-small", card);
+    this.buttons = [0, 1].map(() => makeHandle(this.group, "softrod-grip softrod-watch-button"));
+    this.rims = this.buttons.map((button) => makeSvg("rect", "", button));
+    this.words = this.buttons.map((button) => makeSvg("text", "", button));
+  }
+
+  /** @param {Placed} placed @param {Sight} _ @param {Place[]} places @param {number} size */
+  draw({ watch }, _, [{ x, y }], size) {
+    if (!watch) return "";
+    const [width, height] = [11 * size, 6.6 * size];
+    put(this.group, { x: x - width / 2, y: y - height / 2 });
+    set(this.body, { width, height, rx: 0.7 * size });
+    const seconds = `${watchReading(watch, timeNow()).toFixed(2)} s`;
+    set(this.time, { x: width / 2, y: 1.6 * size });
+    write(this.time, seconds);
+    set(this.laps, { x: width / 2, y: 3.2 * size });
+    write(this.laps, watch.laps.slice(-3).map((lap) => lap.toFixed(2)).join("  "));
+    const words = watch.since === null ? ["Start", "Zero"] : ["Stop", "Lap"];
+    words.forEach((word, i) => {
+      const [left, wide] = [(0.6 + 5 * i) * size, 4.8 * size];
+      set(this.rims[i], { x: left, y: 4.1 * size, width: wide, height: 2 * size, rx: 0.5 * size });
+      set(this.words[i], { x: left + wide / 2, y: 5.1 * size });
+      write(this.words[i], word);
+      this.buttons[i].ariaLabel = `${word} (${"TL"[i]})`;
+    });
+    this.grips[0].ariaLabel = `Stopwatch, ${seconds}. Arrows move it`;
+    return seconds;
+  }
 }
 
-const FACES = { ruler, protractor, stopwatch };
+const FACES = { ruler: Ruler, protractor: Protractor, stopwatch: Stopwatch };
 
-/** The face of an instrument, not yet drawn. @param {Element} parent @param {Kind} kind */
-export function newFace(parent, kind) {
-  const group = add(parent, "g", "softrod-instrument");
-  group.setAttribute("role", "group");
-  return FACES[kind](group);
-}
+/** The face of an instrument. @param {Element} parent @param {Kind} kind @returns {Face} */
+export const newFace = (parent, kind) => new FACES[kind](parent);

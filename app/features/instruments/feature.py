@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 
 class InstrumentsFeature(Feature):
-    """The instruments of a page.
+    """The instruments of one page.
 
     Attributes:
-        panel: their switches, if the page has them.
+        panel: their switches, or None without that control.
     """
 
     messages: ClassVar = {Pick: ""}
@@ -42,11 +42,11 @@ class InstrumentsFeature(Feature):
         return self.panel.kinds if self.panel is not None else frozenset()
 
     def show_arrows(self, kinds: Set[str]) -> None:
-        """Have arrows of these kinds, and no others."""
+        """Show arrows of these kinds only."""
         if self.panel is not None:
             self.panel.show_arrows(kinds)
 
-    # --------------------------------------------------------------------- as of `Feature`
+    # --------------------------------------------------------------------- see `Feature`
     def hear(self, said: FromPage) -> None:
         if isinstance(said, Pick):
             self.page.soon(lambda: self.panel is not None and self.panel.choose(said.mass))

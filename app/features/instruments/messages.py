@@ -1,4 +1,4 @@
-"""What a page is told of what is measured on the canvas."""
+"""Messages to a page about what is measured on its canvas."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ class Tools(State, frozen=True, kw_only=True):
     """What is measured on the canvas.
 
     Attributes:
-        traced: masses whose path is drawn.
-        seconds: of a path.
+        traced: masses whose paths are drawn.
+        seconds: length of a path in simulated time, s.
         chosen: the mass that was clicked last, or -1.
-        coordinates: whether a mass is read out beside it.
+        coordinates: whether a label shows position and speed of a mass.
     """
 
     traced: tuple[int, ...] = ()
@@ -22,4 +22,4 @@ class Tools(State, frozen=True, kw_only=True):
 
 
 class Arrows(Numbers, frozen=True, kw_only=True):
-    """Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any."""
+    """Forces, velocities and torques, see `encode` in arrows.py; empty while no arrows are shown."""

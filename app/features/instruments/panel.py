@@ -1,4 +1,4 @@
-"""Switches of what is measured on the canvas: arrows, traces, coordinates. They are in the Measure tab."""
+"""Switches in the Measure tab for what is measured on the canvas: arrows, traces, coordinates."""
 
 from __future__ import annotations
 
@@ -13,27 +13,26 @@ from .arrows import KINDS, Arrows
 from .messages import Tools
 
 MAX_TRACES = 8
-"""Masses whose path is drawn at the same time; the one that was chosen first gives way."""
+"""Masses whose paths are drawn at the same time; the oldest trace gives way to a new one."""
 
-LENGTHS = {"1 s": 1, "2 s": 2, "5 s": 5, "10 s": 10, "30 s": 30}
-"""Simulated seconds of a trace."""
+TRACE_SECONDS = {"1 s": 1, "2 s": 2, "5 s": 5, "10 s": 10, "30 s": 30}
+"""Lengths of a trace, simulated s, by their labels."""
 
-LAST = 1e6
-"""Order of the first control: they stand below the plots, which come and go."""
+ORDER = 1e6
+"""Order of the first control in the panel: below the plots, which come and go."""
 
-LABELS = {"forces": "Forces", "velocities": "Velocities", "torques": "Torques"}
 HINTS = {
-    "forces": "the net force on each mass; on a held one, dashed, what its support bears",
-    "velocities": "of each mass",
-    "torques": "with which each angular spring turns its first spring",
+    "forces": "the net force on each mass; on a held one, dashed, the load on its support",
+    "velocities": "the velocity of each mass",
+    "torques": "the torque by which each angular spring turns its first spring",
 }
 
 
 class ToolsPanel:
-    """The switches of one page; made inside the tab.
+    """The switches of one page, created in the tab that is open.
 
     Args:
-        page: whose body is measured.
+        page: the page.
     """
 
     def __init__(self, page: Page) -> None:
@@ -42,27 +41,20 @@ class ToolsPanel:
         self._chosen: int | None = None
         self._traced: tuple[int, ...] = ()
         gui = page.client.gui
+
+        def switch(label: str, hint: str, order: float) -> viser.GuiCheckboxHandle:
+            return gui.add_checkbox(label, initial_value=False, hint=hint, order=ORDER + order)
+
         self._switches = {
-            kind: gui.add_checkbox(LABELS[kind], initial_value=False, hint=HINTS[kind], order=LAST + i / 10.0)
-            for i, kind in enumerate(KINDS)
+            kind: switch(kind.capitalize(), HINTS[kind], i / 10.0) for i, kind in enumerate(KINDS)
         }
-        self._coordinates = gui.add_checkbox(
-            "Coordinates",
-            initial_value=False,
-            hint="of the mass under the pointer, or clicked last",
-            order=LAST + 1,
-        )
-        self._trace = gui.add_checkbox(
-            "Trace the chosen mass",
-            initial_value=False,
-            hint="click a mass to choose it; several can have one",
-            order=LAST + 2,
-        )
+        self._coordinates = switch("Coordinates", "of the mass under the pointer, or clicked last", 1)
+        self._trace = switch("Trace the chosen mass", "click a mass to choose it; several can have one", 2)
         self._length = gui.add_dropdown(
-            "Length of a trace", tuple(LENGTHS), initial_value="5 s", order=LAST + 3
+            "Length of a trace", tuple(TRACE_SECONDS), initial_value="5 s", order=ORDER + 3
         )
         page.button(
-            "Clear the traces", viser.Icon.ERASER, lambda: page.later(self.clear_traces), order=LAST + 4
+            "Clear the traces", viser.Icon.ERASER, lambda: page.later(self.clear_traces), order=ORDER + 4
         )
         on_change(self._trace, lambda: page.later(partial(self.trace, self._trace.value)))
         for control in (self._coordinates, self._length):
@@ -75,51 +67,51 @@ class ToolsPanel:
         return frozenset(kind for kind, switch in self._switches.items() if switch.value)
 
     def build(self) -> None:
-        """For another body: no mass of the one before is traced."""
+        """Adapt to another body: trace no mass."""
         self._chosen, self._traced = None, ()
         self._switches["torques"].visible = bool(self._session.scene.angular_springs)
         self._show()
 
     def choose(self, mass: int) -> None:
-        """A mass was clicked."""
+        """Choose the mass that was clicked."""
         if mass < len(self._session.scene.masses):
             self._chosen = mass
             self._show()
 
     def show_arrows(self, kinds: Set[str]) -> None:
-        """Have arrows of these kinds, and no others."""
+        """Turn on the arrows of these kinds, and the others off."""
         for kind, switch in self._switches.items():
             switch.value = kind in kinds
 
     def leave(self) -> frozenset[str]:
-        """The panel is taken out of the page: take away the arrows, too, and return their kinds."""
+        """Remove the arrows before the panel is removed from the page, and return their kinds."""
         self._arrows.clear()
         return self.kinds
 
     def trace(self, on: bool) -> None:
-        """Trace the chosen mass, or no longer."""
+        """Trace the chosen mass, or stop."""
         if self._chosen is not None:
             others = tuple(mass for mass in self._traced if mass != self._chosen)
             self._traced = (*others, self._chosen)[-MAX_TRACES:] if on else others
         self._show()
 
     def clear_traces(self) -> None:
-        """Trace nothing any more."""
+        """Stop tracing."""
         self._traced = ()
         self._show()
 
     def draw(self, plan: int, now: float, exactly: bool) -> None:
-        """Send what the arrows need, see `Arrows.draw`."""
+        """Send the numbers of the arrows, see `Arrows.draw`."""
         session = self._session
         kinds = self.kinds if session.scene.angular_springs else self.kinds - {"torques"}
         self._arrows.draw(session, kinds, plan, now, exactly)
 
     def _show(self) -> None:
-        """Show what the controls have come to, in them and to the page's script (tools.js)."""
+        """Show the present state, in the controls and to the page's script (tools.js)."""
         self._trace.value = self._chosen in self._traced
         tools = Tools(
             traced=self._traced,
-            seconds=LENGTHS.get(str(self._length.value), 5),
+            seconds=TRACE_SECONDS.get(str(self._length.value), 5),
             chosen=-1 if self._chosen is None else self._chosen,
             coordinates=bool(self._coordinates.value),
         )

@@ -1,31 +1,36 @@
 // @ts-check
 /**
- * Ruler, protractor and stopwatch: where they are, what they read, and what is kept of them. Arithmetic only, without
- * a page.
+ * Ruler, protractor and stopwatch: where they are, what they read, and how they are stored. Arithmetic only, without a
+ * page.
  *
- * Their points are in the page's world, so that they stay where they are under zoom and pan, and in another scene are
- * still in view. A point on a mass goes where that goes.
+ * Their points are in the page's world, so that they stay in place under zoom and pan and are in view in another scene,
+ * too. A point on a mass moves with it.
  *
+ * @typedef {"ruler" | "protractor" | "stopwatch"} Kind
  * @typedef {{x: number, y: number}} Place pixels of the window
  * @typedef {{x: number, y: number, mass: number}} Point in the world, and the mass that it is on, or -1
+ * @typedef {{since: number | null, before: number, laps: number[]}} Watch a stopwatch of simulated time: when it was
+ *   started last, or null while it is stopped; seconds counted before that; seconds at the end of each of the last laps
+ * @typedef {{kind: Kind, points: Point[], watch?: Watch}} Placed an instrument on the canvas, as it is stored
  * @typedef {import("../../stage/screen.js").Screen} Screen
  */
 import { roundUp } from "../../stage/overlay.js";
 import { nearest, worldAt } from "../../stage/screen.js";
 
-/** @typedef {"ruler" | "protractor" | "stopwatch"} Kind */
-/** Points of each kind. @type {Record<Kind, number>} */
-export const POINTS = { ruler: 2, protractor: 3, stopwatch: 1 };
-/** Pixels within which a point goes onto a mass. */
+/** Number of points. @type {Record<Kind, number>} */
+const POINTS = { ruler: 2, protractor: 3, stopwatch: 1 };
+/** Pixels within which a point snaps to a mass. */
 export const SNAP = 12;
-/** Pixels between the strokes of a ruler, at least, and strokes of it, at most. */
-const [STROKE, STROKES] = [6, 600];
-/** Laps that are kept. */
-const LAPS = 4;
+/** Pixels between the ticks of a ruler, at least. */
+const TICK = 6;
+const MAX_TICKS = 600;
+const MAX_LAPS = 4;
+
+/** A reading, with a typographic minus sign. @param {number} value */
+export const digits = (value) => value.toFixed(Math.abs(value) < 9.995 ? 2 : 1).replace("-", "−");
 
 /**
- * Where points are on the screen. A point on a mass is moved to where the mass is; in a body without such a mass it
- * stays.
+ * Where points are on the screen. A point on a mass is moved to that mass; in a body without such a mass it stays.
  *
  * @param {Point[]} points
  * @param {Float64Array} places of the masses, x and y of each
@@ -42,7 +47,7 @@ export function placesOf(points, places, on) {
 }
 
 /**
- * The point at a place on the screen: on the nearest mass, if one is near enough.
+ * The point at a place on the screen; on the nearest mass, if one is within reach.
  *
  * @param {Place} at
  * @param {Float64Array} places of the masses, x and y of each
@@ -57,7 +62,7 @@ export function pointAt(at, places, on, reach = SNAP) {
 }
 
 /**
- * What a ruler reads, px of the scene.
+ * The reading of a ruler, px of the scene.
  *
  * @param {Place} a
  * @param {Place} b
@@ -70,8 +75,8 @@ export function rulerReading(a, b, scale, flip) {
 }
 
 /**
- * What a protractor reads: the angle at the middle point between the other two, degrees in 0..180, and the turn from
- * going on straight, as a joint's angle is.
+ * The reading of a protractor: the angle at the middle point between the other two, degrees in 0..180, and the bend from
+ * a straight line, which is what a joint's angle is.
  *
  * @param {Place} a
  * @param {Place} vertex
@@ -84,16 +89,16 @@ export function protractorReading(a, vertex, b) {
 }
 
 /**
- * Strokes of a ruler at round lengths, as a path.
+ * The ticks of a ruler at round lengths, as a path.
  *
  * @param {Place} a
  * @param {Place} b
- * @param {Place} normal of length 1, to the side where they are
+ * @param {Place} normal of length 1, towards their side
  * @param {number} scale pixels of a px
  */
-export function strokes(a, b, normal, scale) {
+export function ticks(a, b, normal, scale) {
   const length = Math.hypot(b.x - a.x, b.y - a.y);
-  const every = roundUp(Math.max(STROKE, length / STROKES) / scale) * scale;
+  const every = roundUp(Math.max(TICK, length / MAX_TICKS) / scale) * scale;
   let path = "";
   for (let k = 0; k * every <= length + 1e-6; k++) {
     const part = length ? (k * every) / length : 0;
@@ -104,35 +109,24 @@ export function strokes(a, b, normal, scale) {
   return path;
 }
 
-/**
- * A stopwatch of simulated time.
- *
- * @typedef {object} Watch
- * @property {number | null} since simulated time at which it was started last; null while it is stopped
- * @property {number} before seconds that it had run before
- * @property {number[]} laps seconds of each lap's end, the last ones
- */
-
 /** @returns {Watch} */
 export const newWatch = () => ({ since: null, before: 0, laps: [] });
 
-/** Seconds that it shows; time that was gone back on does not count. @param {Watch} watch @param {number} now */
+/** Seconds that it shows; time that was taken back does not count. @param {Watch} watch @param {number} now */
 export const watchReading = ({ since, before }, now) => before + (since === null ? 0 : Math.max(now - since, 0));
 
 /** @param {Watch} watch @param {number} now @returns {Watch} */
 export const startOrStop = (watch, now) =>
   watch.since === null ? { ...watch, since: now } : { ...watch, since: null, before: watchReading(watch, now) };
 
-/** While it runs a lap, else all back to zero. @param {Watch} watch @param {number} now @returns {Watch} */
+/** Records a lap while it runs; else sets it to zero. @param {Watch} watch @param {number} now @returns {Watch} */
 export const lapOrZero = (watch, now) =>
-  watch.since === null ? newWatch() : { ...watch, laps: [...watch.laps, watchReading(watch, now)].slice(-LAPS) };
+  watch.since === null ? newWatch() : { ...watch, laps: [...watch.laps, watchReading(watch, now)].slice(-MAX_LAPS) };
 
-/** @typedef {{kind: Kind, points: Point[], watch?: Watch}} Kept what is kept of an instrument */
-
-/** What was kept, unless by another version of the page. @param {string | null} text JSON @returns {Kept[]} */
+/** The instruments that were stored; unknown ones, by another version of the page, are dropped. @param {string | null} text JSON @returns {Placed[]} */
 export function restored(text) {
   try {
-    const found = /** @type {Kept[]} */ (JSON.parse(text ?? "[]"));
+    const found = /** @type {Placed[]} */ (JSON.parse(text ?? "[]"));
     return found.filter(({ kind, points }) => points.length === POINTS[kind]);
   } catch {
     return [];

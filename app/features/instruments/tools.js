@@ -1,5 +1,5 @@
 // @ts-check
-/** What is measured on the canvas, as the switches of the Measure tab (panel.py) have it. */
+/** What is measured on the canvas: the state of the switches of the Measure tab (panel.py). */
 import { onTold } from "../../wire/channel.js";
 
 /** @typedef {import("../../wire/wire.js").Tools} Tools */
@@ -9,15 +9,15 @@ let state = { tell: "tools", traced: [], seconds: 5, chosen: -1, coordinates: fa
 /** @type {(() => void)[]} */
 const listeners = [];
 
-/** The switches now. */
+/** The present state. */
 export const tools = () => state;
 
-/** Calls back whenever one was turned. @param {() => void} listener */
+/** Calls back whenever a switch changes. @param {() => void} listener */
 export const onTools = (listener) => listeners.push(listener);
 
-/** Begins to hear of them. */
+/** Begins to receive it. */
 export const hearTools = () =>
-  onTold("tools", (told) => {
-    state = told;
+  onTold("tools", (now) => {
+    state = now;
     for (const call of listeners) call();
   });

@@ -1,23 +1,24 @@
 // @ts-check
-/** The paths of some masses during the last seconds, made of the positions that the page shows anyway. */
+/** The paths of some masses during the last seconds, from the positions that the page receives anyway. */
 import { onTold, told } from "../../wire/channel.js";
 import { onFrame, shown } from "../../stage/canvas.js";
-import { onSight, redrawMarks, SVG } from "../../stage/overlay.js";
+import { makeSvg, onSight, redrawMarks, set } from "../../stage/overlay.js";
 import { onTools, tools } from "./tools.js";
 import { timeNow } from "../../ui/clock.js";
 
-/** Points of a path, at most, about. */
-const MOST = 1200;
-/** Simulated seconds between two pictures beyond which nobody knows the way between them. */
+/** Approximate number of points of a path, at most. */
+const MAX_POINTS = 1200;
+/** Simulated seconds between two frames beyond which the path between them is unknown. */
 const GAP = 0.3;
-/** Parts of a path, each paler than the one after it. */
+/** Parts of a path; the older, the paler. */
 export const BANDS = 6;
-/** Milliseconds between two drawings of the paths while the body is at rest, of which no pictures come. */
+/** Milliseconds between two redraws of the paths while the body is at rest and sends no frames. */
 const FADE_EVERY = 200;
+const COLORS = 4;
 
-/** @typedef {{t: number, x: number, y: number, cut: boolean}} Step a place, px, and whether no line leads to it */
+/** @typedef {{t: number, x: number, y: number, cut: boolean}} Step a time, s, a position, px, and whether the path is broken before it */
 
-/** Where a mass was. */
+/** The path of a mass. */
 export class Trail {
   constructor() {
     /** @type {Step[]} */
@@ -28,17 +29,17 @@ export class Trail {
    * @param {number} t simulated time, s
    * @param {number} x
    * @param {number} y
-   * @param {number} seconds that are kept
+   * @param {number} seconds of the path to keep
    */
   add(t, x, y, seconds) {
     const { steps } = this;
-    // Gone back in time: what came after is no longer so.
+    // Time went back: what came later is void.
     while (steps.length && steps[steps.length - 1].t >= t) steps.pop();
     const before = steps[steps.length - 1];
     const cut = !before || t - before.t > GAP;
     const earlier = steps[steps.length - 2];
-    // Too near to the one before: the newest place takes its room.
-    if (!cut && !before.cut && earlier && t - earlier.t < (2 * seconds) / MOST) steps.pop();
+    // Closer than the path's resolution: the new point replaces the last one.
+    if (!cut && !before.cut && earlier && t - earlier.t < (2 * seconds) / MAX_POINTS) steps.pop();
     steps.push({ t, x, y, cut });
     let old = 0;
     while (old < steps.length && steps[old].t < t - seconds) old++;
@@ -46,12 +47,12 @@ export class Trail {
   }
 
   /**
-   * Lines on the screen, from the oldest place that is not too old to the one that is shown now.
+   * Lines on the screen, from the oldest point within `seconds` to the position that is shown now.
    *
    * @param {number} now simulated time, s
    * @param {number} seconds
-   * @param {{t: number, x: number, y: number}} shown where the mass is shown: frames may have come that are not, yet
-   * @param {(step: {x: number, y: number}) => string} place as a path has it
+   * @param {{t: number, x: number, y: number}} shown what is on the screen: later frames may have arrived already
+   * @param {(step: {x: number, y: number}) => string} place formats a position for a path
    * @returns {string[]} BANDS paths
    */
   bands(now, seconds, shown, place) {
@@ -75,72 +76,64 @@ export class Trail {
   }
 }
 
-/** Begins to keep and to draw the paths of the masses that are traced. */
-export function addTraces() {
-  const svg = document.createElementNS(SVG, "svg");
-  svg.classList.add("softrod-marks", "softrod-traces");
-  svg.setAttribute("aria-hidden", "true");
-  /** @type {Map<number, {trail: Trail, paths: SVGPathElement[]}>} */
-  const traces = new Map();
-  /** @param {number} mass */
-  const begin = (mass) => {
-    const group = document.createElementNS(SVG, "g");
-    // Neighbours in the list of colours, not in the body, are told apart.
-    group.classList.add("softrod-trace", `softrod-trace-${[0, 1, 2, 3].find((i) => !svg.querySelector(`.softrod-trace-${i}`)) ?? 0}`);
-    const paths = Array.from({ length: BANDS }, (_, i) => {
-      const path = document.createElementNS(SVG, "path");
+/** The path of one mass, as it is drawn. */
+class Trace {
+  /** @param {SVGSVGElement} svg */
+  constructor(svg) {
+    this.trail = new Trail();
+    const color = Array.from({ length: COLORS }, (_, i) => i).find((i) => !svg.querySelector(`.softrod-trace-${i}`)) ?? 0;
+    this.group = makeSvg("g", `softrod-trace softrod-trace-${color}`, svg);
+    this.paths = Array.from({ length: BANDS }, (_, i) => {
+      const path = makeSvg("path", "", this.group);
       path.style.strokeOpacity = String((i + 1) / BANDS);
-      group.append(path);
       return path;
     });
-    svg.append(group);
-    traces.set(mass, { trail: new Trail(), paths });
-  };
-  /** @param {number} mass */
-  const end = (mass) => {
-    traces.get(mass)?.paths[0].parentElement?.remove();
-    traces.delete(mass);
-  };
-  /** @param {import("../../stage/plan.js").Frame | null} frame */
-  const take = (frame) => {
-    if (!frame) return;
-    for (const [mass, { trail }] of traces) {
-      if (2 * mass < frame.positions.length) {
-        trail.add(frame.time, frame.positions[2 * mass], frame.positions[2 * mass + 1], tools().seconds);
-      }
-    }
-  };
-  const follow = () => {
-    const { traced } = tools();
-    for (const mass of [...traces.keys()]) if (!traced.includes(mass)) end(mass);
-    for (const mass of traced) if (!traces.has(mass)) begin(mass);
-    if (traces.size && !svg.parentNode) document.querySelector(".softrod-overlay")?.before(svg);
-    if (!traces.size) svg.remove();
-    take(shown().frame);
-    redrawMarks();
-  };
-  /** @param {import("../../stage/overlay.js").Sight} seen */
-  const draw = ({ plan, frame, on }) => {
-    const { seconds } = tools();
+  }
+
+  /** @param {number} mass @param {import("../../stage/overlay.js").Sight} seen */
+  draw(mass, { plan, frame, on }) {
     const scale = plan.scale * on.step;
+    const [x, y] = frame.positions.subarray(2 * mass, 2 * mass + 2);
     /** @param {{x: number, y: number}} step */
     const place = ({ x, y }) =>
       `${(on.x + (x - plan.x) * scale).toFixed(1)} ${(on.y - (y - plan.y) * scale * plan.flip).toFixed(1)}`;
-    for (const [mass, { trail, paths }] of traces) {
-      const [x, y] = frame.positions.subarray(2 * mass, 2 * mass + 2);
-      trail.bands(timeNow(), seconds, { t: frame.time, x, y }, place).forEach((path, i) => {
-        if (paths[i].getAttribute("d") !== path) paths[i].setAttribute("d", path);
-      });
+    this.trail.bands(timeNow(), tools().seconds, { t: frame.time, x, y }, place).forEach((d, i) => set(this.paths[i], { d }));
+  }
+}
+
+/** Records and draws the paths of the masses that are traced. */
+export function addTraces() {
+  const svg = makeSvg("svg", "softrod-marks softrod-traces");
+  /** @type {Map<number, Trace>} */
+  const traces = new Map();
+  /** @param {number} mass */
+  const remove = (mass) => {
+    traces.get(mass)?.group.remove();
+    traces.delete(mass);
+  };
+  /** @param {import("../../stage/plan.js").Frame | null} frame */
+  const record = (frame) => {
+    if (!frame) return;
+    for (const [mass, { trail }] of traces) {
+      if (2 * mass >= frame.positions.length) continue;
+      trail.add(frame.time, frame.positions[2 * mass], frame.positions[2 * mass + 1], tools().seconds);
     }
   };
-  let body = told().scene;
-  onTold("pageState", () => {
-    const now = told().scene;
-    if (now !== body) for (const mass of [...traces.keys()]) end(mass);
-    body = now;
+  onTools(() => {
+    const { traced } = tools();
+    for (const mass of [...traces.keys()]) if (!traced.includes(mass)) remove(mass);
+    for (const mass of traced) if (!traces.has(mass)) traces.set(mass, new Trace(svg));
+    if (traces.size && !svg.parentNode) document.querySelector(".softrod-overlay")?.before(svg);
+    if (!traces.size) svg.remove();
+    record(shown().frame);
+    redrawMarks();
   });
-  onTools(follow);
-  onFrame(take);
-  onSight(draw);
+  let { scene } = told();
+  onTold("pageState", () => {
+    if (told().scene !== scene) [...traces.keys()].forEach(remove);
+    ({ scene } = told());
+  });
+  onFrame(record);
+  onSight((seen) => traces.forEach((trace, mass) => trace.draw(mass, seen)));
   setInterval(() => traces.size && told().rest && redrawMarks(), FADE_EVERY);
 }

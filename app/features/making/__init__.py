@@ -1,1 +1,1 @@
-"""A lesson is made in the page."""
+"""The form in which a lesson is made."""

@@ -1,17 +1,11 @@
 // @ts-check
-/** A quantity is chosen as in the Measure tab: a part of the body, and what of it. */
-import { make } from "../../ui/dialog.js";
-import { makeSelect, refusal, setOptions } from "./fields.js";
+/** A quantity is chosen as in the Measure tab: a part of the body, and one of its quantities. */
+import { box, makeSelect, refusal, setOptions } from "./fields.js";
 
 /** @typedef {import("../../wire/wire.js").LessonOffers} LessonOffers */
-/** @typedef {{quantity: string, of: "value" | "period"}} Reading */
+/** @typedef {import("../../wire/wire.js").ReadingDraft} Reading */
 
-/** @param {string} name */
-const partOf = (name) => name.slice(0, name.indexOf("."));
-/** @param {string} part */
-const kindOf = (part) => part.replace(/\d+$/, "");
-
-/** Two lists by which a quantity is chosen, as in the Measure tab, and one for its value or its period. */
+/** Two lists for a quantity, and one for its value or its period. */
 export class Chooser {
   /** @param {string} label @param {string} name of the field @param {() => void} changed */
   constructor(label, name, changed) {
@@ -19,11 +13,9 @@ export class Chooser {
     this.what = makeSelect(`${label}: quantity`);
     this.of = makeSelect(`${label}: of it`);
     setOptions(this.of, [["value", "value"], ["period", "period"]], "value");
-    this.element = make("div", "softrod-making-row");
-    this.element.append(this.part, this.what, this.of);
-    this.refused = refusal(name);
+    this.element = box("softrod-making-part", box("softrod-making-row", this.part, this.what, this.of), refusal(name));
     this.part.addEventListener("change", () => {
-      this.show({ ...this.reading, quantity: `${this.part.value}.${this.what.value}` });
+      this.show(this.reading);
       changed();
     });
     for (const list of [this.what, this.of]) list.addEventListener("change", changed);
@@ -36,18 +28,22 @@ export class Chooser {
     return { quantity: `${this.part.value}.${this.what.value}`, of: this.of.value === "period" ? "period" : "value" };
   }
 
-  /** @param {Reading | null} reading the one that is chosen, or none yet */
+  /** Shows a reading, or a first choice. @param {Reading | null} reading */
   show(reading) {
     if (!this.offers) return;
     const { parts, quantities } = this.offers;
-    const chosen = reading?.quantity ? partOf(reading.quantity) : (parts.find((part) => part.startsWith("mass")) ?? parts[0] ?? "");
-    const known = parts.includes(chosen) || !chosen ? parts : [chosen, ...parts];
-    setOptions(this.part, known.map((part) => [part, part]), chosen);
-    const units = quantities[kindOf(chosen)] ?? {};
-    const whats = Object.keys(units);
-    const before = reading?.quantity.slice(chosen.length + 1) ?? "";
-    const usual = chosen.startsWith("mass") ? "y" : (whats[0] ?? "");
-    setOptions(this.what, whats.map((what) => [what, `${what.replaceAll("_", " ")}${units[what] && ` (${units[what]})`}`]), whats.includes(before) ? before : usual);
+    const [part, what] = reading?.quantity.split(".") ?? [parts.find((one) => one.startsWith("mass")) ?? parts[0] ?? "", ""];
+    const known = parts.includes(part) || !part ? parts : [part, ...parts];
+    setOptions(this.part, known.map((one) => [one, one]), part);
+    const units = quantities[part.replace(/\d+$/, "")] ?? {};
+    const names = Object.keys(units);
+    const usual = part.startsWith("mass") ? "y" : (names[0] ?? "");
+    setOptions(this.what, names.map((one) => [one, `${one.replaceAll("_", " ")}${units[one] && ` (${units[one]})`}`]), names.includes(what) ? what : usual);
     if (reading) this.of.value = reading.of;
+  }
+
+  /** Shows what can be chosen now. */
+  refresh() {
+    this.show(this.part.value ? this.reading : null);
   }
 }

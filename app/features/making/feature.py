@@ -1,4 +1,4 @@
-"""Making a lesson: a form in the page."""
+"""The form in which a lesson is made."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def _open(_: Session, feature: MakingFeature) -> None:
 
 
 class MakingFeature(Feature):
-    """The form of a page."""
+    """The lesson form of one page."""
 
     messages: ClassVar = {Prepare: "edit"}
     commands: ClassVar = {
@@ -41,9 +41,9 @@ class MakingFeature(Feature):
         self._maker = LessonMaker(page, self._measured)
 
     def open(self) -> None:
-        """Open the form of the scene's lesson."""
+        """Open the form, with the scene's lesson."""
         if self.page.is_in_class:
-            text = "Open softrod by itself, without a class: the lesson that is made there can be held here."
+            text = "Open softrod outside the class and make the lesson there; a class can use it afterwards."
             self.page.notify(Notice("info", "Not in a class", text))
         else:
             self._maker.do(MakeLesson(True))
@@ -59,7 +59,7 @@ class MakingFeature(Feature):
             self._maker.tell()
 
     def _measured(self) -> Measured:
-        """What is measured on the page now."""
+        """Return what is measured on the page now."""
         measure, instruments = self.page.find(MeasureFeature), self.page.find(InstrumentsFeature)
         return Measured(
             measure.parts if measure is not None else (),

@@ -1,5 +1,5 @@
 // @ts-check
-/** What the form of a lesson is made of: fields with a sentence below each that says why it was refused. */
+/** What the lesson form is built of. Below each field there is a line that says why its value was refused. */
 import { make } from "../../ui/dialog.js";
 
 /** @param {string} name of the field, as in "question.choices[1]" */
@@ -10,23 +10,42 @@ export function refusal(name) {
   return line;
 }
 
-/** @param {string} text @param {HTMLElement} field @param {string} name */
+/** A field with its label and its refusal. @param {string} text @param {HTMLElement} field @param {string} name */
 export function labelled(text, field, name) {
-  const box = make("div", "softrod-making-field");
   const label = make("label", "", text);
   label.append(field);
-  box.append(label, refusal(name));
-  return box;
+  return box("softrod-making-field", label, refusal(name));
 }
 
-/** A list to choose from. @param {string} label */
+/** @param {string} name of its class @param {...Node} content */
+export function box(name, ...content) {
+  const element = make("div", name);
+  element.append(...content);
+  return element;
+}
+
+/** A text input. @param {string} value */
+export function makeInput(value = "") {
+  const input = make("input", "");
+  Object.assign(input, { type: "text", value });
+  return input;
+}
+
+/** @param {string} value */
+export function makeArea(value = "") {
+  const area = make("textarea", "");
+  Object.assign(area, { rows: 2, value });
+  return area;
+}
+
+/** @param {string} label */
 export function makeSelect(label) {
   const select = make("select", "");
   select.ariaLabel = label;
   return select;
 }
 
-/** @param {HTMLSelectElement} select @param {[string, string][]} options names and words @param {string} value */
+/** @param {HTMLSelectElement} select @param {[string, string][]} options values and labels @param {string} value */
 export function setOptions(select, options, value) {
   const made = JSON.stringify(options);
   if (select.dataset.made !== made) {
@@ -36,13 +55,13 @@ export function setOptions(select, options, value) {
   select.value = value;
 }
 
-/** @param {string} text @param {string} name @param {() => void} changed */
+/** @param {string} text @param {string} name that finds it again @param {(on: boolean) => void} changed */
 export function makeCheck(text, name, changed) {
   const label = make("label", "softrod-check");
-  const box = make("input", "");
-  box.type = "checkbox";
-  box.dataset.focus = name;
-  box.addEventListener("change", changed);
-  label.append(box, text);
-  return { box, label };
+  const check = make("input", "");
+  check.type = "checkbox";
+  check.dataset.focus = name;
+  check.addEventListener("change", () => changed(check.checked));
+  label.append(check, text);
+  return { check, label };
 }

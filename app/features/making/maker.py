@@ -1,4 +1,4 @@
-"""The form in which a lesson is made: what is typed is a step of undo, or is refused beside its field."""
+"""The form in which a lesson is made: each change is a step of undo, or is refused with a sentence."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ import re
 from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
+
+from msgspec import UNSET, structs
 
 import sim
 from sim.edit import lesson
@@ -25,18 +27,33 @@ from ...ui.page import Page
 from . import messages as asks
 from .messages import LessonControl, LessonForm, LessonOffers, LessonTaken
 
-OFFERED_EVERY = 0.25
-"""Seconds between two looks at what a step could have."""
+OFFERS_EVERY = 0.25
+"""Seconds between two updates of what can be chosen for a step."""
 
-WRITING = 10.0
-"""Seconds between two changes of one text, at most, that are one step of undo."""
+MERGE_WITHIN = 10.0
+"""Seconds within which changes of one field are one step of undo."""
 
-LABELS = {"title": "title", "do": "task", "watch": "what to watch"}
-"""What undo calls the texts of a step."""
+LABELS = {
+    "title": "title",
+    "do": "task",
+    "watch": "what to watch",
+    "question": "question",
+    "predict": "prediction",
+    "goal": "goal",
+    "collect": "what is handed in",
+    "controls": "sliders",
+    "plots": "plots",
+    "arrows": "arrows",
+    "ghost": "second body",
+}
+"""The fields of a step, as the undo button names them."""
 
 ARROWS = ("forces", "velocities", "torques")
 
-_REFUSAL = r"(?:lesson\.steps(?:\[\d+\])?\.?([\w.\[\]]*): )?(.*)"
+_DRAFTS = {"question": Question, "goal": Goal, "collect": Reading}
+"""Fields that arrive as drafts, which may be invalid, and what is made of them."""
+
+_REFUSAL = re.compile(r"(?:lesson\.steps(?:\[\d+\])?\.?([\w.\[\]]*): )?(.*)", re.DOTALL)
 """The field of a step, and what is wrong with it."""
 
 MakeEdit = Callable[[sim.Scene], Edit]
@@ -46,9 +63,9 @@ class Measured(NamedTuple):
     """What is measured on a page.
 
     Attributes:
-        parts: that are offered in the Measure tab.
-        plots: that are open there, by what names them.
-        arrows: kinds of those that are on.
+        parts: the parts in the list of the Measure tab.
+        plots: names of the open plots.
+        arrows: the kinds of arrows that are on.
     """
 
     parts: tuple[str, ...]
@@ -57,14 +74,14 @@ class Measured(NamedTuple):
 
 
 class LessonMaker:
-    """One page's form of the scene's lesson; all of it is the ticker's.
+    """One page's form of the scene's lesson. All methods are for the ticker's thread.
 
     Args:
-        page: whose scene it is.
-        measured: what is measured there now.
+        page: the page.
+        measured: returns what is measured there now.
 
     Attributes:
-        is_told: whether the page has been told of the form.
+        is_told: whether the page knows of the form.
     """
 
     def __init__(self, page: Page, measured: Callable[[], Measured]) -> None:
@@ -72,14 +89,14 @@ class LessonMaker:
         self._measured = measured
         self._open = self.is_told = False
         self._trying = -1
-        self._before: tuple[bytes, Versions] | None = None  # what was there before a step was tried
+        self._before: tuple[bytes, Versions] | None = None  # the page before a step was tried
         self._steps: tuple[Step, ...] = ()
         self._begins: tuple[str, ...] = ()
         self._due = 0.0
 
     def do(self, ask: asks.Prepare) -> None:
-        """Do what the form asks for."""
-        scene = self._session.scene
+        """Carry out a message of the form."""
+        session = self._session
         match ask:
             case asks.MakeLesson(on):
                 self._show(on)
@@ -97,28 +114,35 @@ class LessonMaker:
                 self._change(ask, lambda now: lesson.move_step(now, step, to))
             case asks.DropLesson():
                 self._change(ask, lesson.remove_lesson)
+            case asks.ChangeStep():
+                self._set(ask)
             case asks.TakeInStep(step, "settings"):
-                opened = self._session.opened
+                scene, opened = session.scene, session.opened
                 self._change(ask, lambda now: lesson.begin_as(now, step, scene, opened), "settings")
-            case asks.OfStep():
-                self._change_step(ask)
+            case asks.TakeInStep(step, "plots"):
+                self._change_step(ask, {"plots": self._measured().plots})
+            case asks.TakeInStep(step):
+                self._change_step(ask, {"arrows": self._arrows})
             case _:
                 pass
 
     def tell(self) -> None:
-        """Tell the page what is in the form, and what could be."""
+        """Send the form, and from time to time what can be chosen in it."""
         scene = self._session.scene
         steps = scene.lesson.steps if scene.lesson is not None and self._open else ()
         if steps is not self._steps:
-            self._steps, self._begins = steps, tuple(in_words(scene, step.settings) for step in steps)
+            self._steps, self._begins = (
+                steps,
+                tuple(describe_settings(scene, step.settings) for step in steps),
+            )
         self._mail.tell(LessonForm(open=self._open, trying=self._trying, steps=steps, begins=self._begins))
         if self._page.makes_lesson and self._session.now() >= self._due:
-            self._due = self._session.now() + OFFERED_EVERY
+            self._due = self._session.now() + OFFERS_EVERY
             self._mail.tell(self._offers())
 
     # --------------------------------------------------------------------- inside
     def _show(self, on: bool) -> None:
-        """Have the form open or closed."""
+        """Open or close the form."""
         if on and self._trying >= 0:
             self._end_trying()
         self._open, self._trying, self._before = on, -1, None
@@ -126,12 +150,12 @@ class LessonMaker:
         self._rearrange()
 
     def _rearrange(self) -> None:
-        """Show the lesson's own tab, or no longer: the form takes its place."""
+        """Hide the lesson's own tab while the form is shown, and rebuild the panel."""
         self._page.makes_lesson = self._open and self._trying < 0
         self._session.generation += 1
 
     def _try(self, step: int) -> None:
-        """Begin a step as a pupil sees it; all that was there comes back afterwards."""
+        """Begin a step as a pupil sees it; `_end_trying` restores the page."""
         session, scene = self._session, self._session.scene
         steps = scene.lesson.steps if scene.lesson is not None else ()
         if step >= len(steps) or self._trying >= 0 or not self._open:
@@ -139,7 +163,7 @@ class LessonMaker:
         try:
             scene_of_step(scene, step)
         except SettingError as error:
-            self._taken(asks.TryStep(step), "settings", error)
+            self._report(asks.TryStep(step), "settings", error)
             return
         self._before = session.keepsake(), session.versions.copy()
         self._trying = step
@@ -152,92 +176,76 @@ class LessonMaker:
         self._trying, self._before = -1, None
         self._rearrange()
 
-    def _change_step(self, ask: asks.OfStep) -> None:
-        """Change what is in a step."""
-        match ask:
-            case asks.WriteStep(_, field, text):
-                self._set(
-                    ask, {"title": "title", "do": "task", "watch": "what to watch"}[field], {field: text}
-                )
-            case asks.AskInStep(_, text, choices, answer, because):
-                question = Question(text=text, choices=choices, answer=answer, because=because)
-                self._set(ask, "question", {"question": question})
-            case asks.PredictInStep(_, seconds):
-                self._set(ask, "prediction", {"predict": seconds})
-            case asks.AimInStep(_, name, of, low, high, seconds):
-                goal = Goal(quantity=name, of=of, low=low, high=high, seconds=seconds)
-                self._set(ask, "goal", {"goal": goal})
-            case asks.CollectInStep(_, name, of):
-                self._set(ask, "what is handed in", {"collect": Reading(quantity=name, of=of)})
-            case asks.OfferInStep(_, controls):
-                self._set(ask, "sliders", {"controls": controls})
-            case asks.CompareInStep(_, ghost):
-                if ghost in ("", REFERENCE, *METHODS):
-                    self._set(ask, "second body", {"ghost": ghost or None})
-            case asks.TakeInStep(_, "plots"):
-                self._set(ask, "plots", {"plots": self._measured().plots})
-            case asks.TakeInStep():
-                arrows = tuple(kind for kind in ARROWS if kind in self._measured().arrows)
-                self._set(ask, "arrows", {"arrows": arrows})
-            case asks.DropFromStep(_, what):
-                self._set(ask, what, {what: None})
-            case _:
-                pass
+    def _set(self, ask: asks.ChangeStep) -> None:
+        """Set the fields that a message names."""
+        changes = {name: value for name in LABELS if (value := getattr(ask.changes, name)) is not UNSET}
+        for name in _DRAFTS.keys() & changes.keys():
+            if changes[name] is not None:
+                changes[name] = _DRAFTS[name](**structs.asdict(changes[name]))
+        if "ghost" in changes:
+            if changes["ghost"] not in ("", REFERENCE, *METHODS):
+                return
+            changes["ghost"] = changes["ghost"] or None
+        if changes:
+            self._change_step(ask, changes, f"lesson.{ask.step}.{next(iter(changes))}")
 
-    def _set(self, ask: asks.OfStep, label: str, changes: dict[str, object]) -> None:
-        """Change fields of a step; what is written in one go is one step of undo."""
+    def _change_step(self, ask: asks.OfStep, changes: dict[str, object], key: str = "") -> None:
         part = next(iter(changes))
-        make = partial(lesson.change_step, number=ask.step, label=label, **changes)
-        key = "" if isinstance(ask, (asks.TakeInStep, asks.DropFromStep)) else f"lesson.{ask.step}.{part}"
+        make = partial(lesson.change_step, number=ask.step, label=LABELS[part], **changes)
         self._change(ask, make, part, key)
 
     def _change(self, ask: asks.Prepare, make: MakeEdit, part: str = "", key: str = "") -> None:
-        """Change the lesson, or say beside the field why not."""
+        """Change the lesson, or report why that is impossible."""
         try:
             make(self._session.scene)
         except (SceneError, InputError, SettingError) as error:
-            self._taken(ask, part, error)
+            self._report(ask, part, error)
             return
-        self._session.post(commands.Change(lambda moment, _: make(moment.scene), key, WRITING))
-        self._taken(ask, part)
+        self._session.post(commands.Change(lambda moment, _: make(moment.scene), key, MERGE_WITHIN))
+        self._report(ask, part)
 
-    def _taken(self, ask: asks.Prepare, part: str, error: Exception | None = None) -> None:
+    def _report(self, ask: asks.Prepare, part: str, error: Exception | None = None) -> None:
+        """Report a change to the page: to the form, and if no field is concerned by a notice, too."""
         step = ask.step if isinstance(ask, asks.OfStep) else -1
         field, sentence = "", ""
         if error is not None:
-            match = re.fullmatch(
-                r"(?:lesson\.steps(?:\[\d+\])?\.?([\w.\[\]]*): )?(.*)", str(error), re.DOTALL
-            )
-            assert match is not None, "it takes any text"
+            match = _REFUSAL.fullmatch(str(error))
+            assert match is not None, "it matches any text"
             field = match[1] or part
             sentence = re.sub(r"^[a-z]+ ", lambda first: first[0].capitalize(), f"{match[2]}.")  # no name
             if not part:
                 self._page.notify(Notice("error", "That cannot be done", sentence))
         self._mail.tell(LessonTaken(step=step, part=part, field=field, refused=sentence))
 
+    @property
+    def _arrows(self) -> tuple[str, ...]:
+        """The kinds of arrows that are on, in their usual order."""
+        on = self._measured().arrows
+        return tuple(kind for kind in ARROWS if kind in on)
+
     def _offers(self) -> LessonOffers:
-        session, measured = self._session, self._measured()
-        length = session.scene.view.unit
-        scene = session.scene
+        scene, measured = self._session.scene, self._measured()
         choices = [(key, choice.label) for key, choice in CHOICES.items() if choice.applies(scene)]
         sliders = [(setting.key, setting.label) for setting in settings_of(scene)]
-        wanted = lesson.settings_to_set(scene, scene, session.opened)
+        wanted = lesson.settings_to_set(scene, scene, self._session.opened)
         return LessonOffers(
             parts=tuple(part for part in measured.parts if part.rstrip("0123456789") in PARTS),
             quantities={
-                of: {kind.what: unit_in(kind.unit, length) for kind in KINDS.values() if kind.of == of}
+                of: {
+                    kind.what: unit_in(kind.unit, scene.view.unit) for kind in KINDS.values() if kind.of == of
+                }
                 for of in PARTS
             },
             controls=tuple(LessonControl(*each) for each in (*sliders, *choices)),
             methods={REFERENCE: "Reference", **{name: method.label for name, method in METHODS.items()}},
-            settings=in_words(scene, tuple(f"{key}={value}" for key, value in wanted.items())),
+            settings=describe_settings(scene, tuple(f"{key}={value}" for key, value in wanted.items())),
             plots=measured.plots,
-            arrows=tuple(kind for kind in ARROWS if kind in measured.arrows),
+            arrows=self._arrows,
         )
 
 
-def in_words(scene: sim.Scene, settings: tuple[str, ...]) -> str:
-    """What a step sets, as in "Integrator: RK4, Gravity 980 px/s²", in the order of the panel."""
+def describe_settings(scene: sim.Scene, settings: tuple[str, ...]) -> str:
+    """Describe settings in the order of the panel, as in "Integrator: RK4, Gravity 980 px/s²"."""
     known = {setting.key: setting for setting in settings_of(scene)}
     order = [*CHOICES, *known]
     values = {key: value for key, _, value in (each.partition("=") for each in settings)}

@@ -1,10 +1,10 @@
-"""What a page says of the lesson that is being made, and is told of it."""
+"""Messages about the lesson that is being edited in a page."""
 
 from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from msgspec import Meta, Struct
+from msgspec import UNSET, Meta, Struct, UnsetType
 
 from sim.scene.lesson import Step
 
@@ -12,50 +12,43 @@ from ...wire.messages import Event, FromPage, LongText, Number, QuantityName, St
 
 
 class Prepare(FromPage, frozen=True):
-    """Something about the lesson that is being made; for pages that may edit, and are in no class."""
+    """A change of the lesson in the form; for pages that may edit and are not in a class."""
 
 
 class MakeLesson(Prepare, frozen=True):
-    """The form of the lesson is to be open, or not."""
+    """Open or close the form of the lesson."""
 
     on: bool
 
 
 class AddStep(Prepare, frozen=True):
-    """A new step, which is to have that number, counted from 0."""
+    """Insert a step at a position, counted from 0."""
 
     at: StepNumber
 
 
 class OfStep(Prepare, frozen=True):
-    """Something about one step."""
+    """A change of one step."""
 
     step: StepNumber
 
 
 class CopyStep(OfStep, frozen=True):
-    """A copy of the step is to come after it."""
+    """Insert a copy after a step."""
 
 
 class RemoveStep(OfStep, frozen=True):
-    """The step is to go; with the last one, the lesson goes."""
+    """Remove a step; with the last one, the lesson."""
 
 
 class MoveStep(OfStep, frozen=True):
-    """The step is to have another place."""
+    """Move a step to another position."""
 
     to: StepNumber
 
 
-class WriteStep(OfStep, frozen=True):
-    """A text of the step."""
-
-    field: Literal["title", "do", "watch"]
-    text: LongText
-
-
-class AskInStep(OfStep, frozen=True):
-    """The question of the step."""
+class QuestionDraft(Struct, frozen=True, forbid_unknown_fields=True):
+    """A question as it is written, see `sim.scene.lesson.Question`."""
 
     text: LongText
     choices: Annotated[tuple[LongText, ...], Meta(max_length=10)]
@@ -63,73 +56,73 @@ class AskInStep(OfStep, frozen=True):
     because: LongText
 
 
-class PredictInStep(OfStep, frozen=True):
-    """The time after which the body's place is asked for, s."""
-
-    seconds: Number
-
-
-class AimInStep(OfStep, frozen=True):
-    """The goal of the step, see `sim.scene.lesson.Goal`."""
+class ReadingDraft(Struct, frozen=True, forbid_unknown_fields=True):
+    """A reading as it is chosen, see `sim.scene.lesson.Reading`."""
 
     quantity: QuantityName
     of: Literal["value", "period"]
+
+
+class GoalDraft(ReadingDraft, frozen=True, forbid_unknown_fields=True):
+    """A goal as it is written, see `sim.scene.lesson.Goal`."""
+
     low: Number | None
     high: Number | None
     seconds: Number
 
 
-class CollectInStep(OfStep, frozen=True):
-    """What is handed in of the step."""
+class StepChanges(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, omit_defaults=True):
+    """New values of fields of a step, see `sim.scene.lesson.Step`; null removes one.
 
-    quantity: QuantityName
-    of: Literal["value", "period"]
+    Attributes:
+        ghost: a method, "reference", or "" for none.
+    """
+
+    title: LongText | UnsetType = UNSET
+    do: LongText | UnsetType = UNSET
+    watch: LongText | UnsetType = UNSET
+    question: QuestionDraft | UnsetType | None = UNSET
+    predict: Number | UnsetType | None = UNSET
+    goal: GoalDraft | UnsetType | None = UNSET
+    collect: ReadingDraft | UnsetType | None = UNSET
+    controls: Annotated[tuple[QuantityName, ...], Meta(max_length=40)] | UnsetType = UNSET
+    plots: UnsetType | None = UNSET
+    arrows: UnsetType | None = UNSET
+    ghost: Annotated[str, Meta(max_length=40)] | UnsetType = UNSET
 
 
-class OfferInStep(OfStep, frozen=True):
-    """The sliders and lists that stand below the step, by their keys."""
+class ChangeStep(OfStep, frozen=True):
+    """Change fields of a step."""
 
-    controls: Annotated[tuple[QuantityName, ...], Meta(max_length=40)]
-
-
-class CompareInStep(OfStep, frozen=True):
-    """The method of the second body, "reference", or "" for none."""
-
-    ghost: Annotated[str, Meta(max_length=40)]
+    changes: StepChanges
 
 
 class TakeInStep(OfStep, frozen=True):
-    """The step is to have the settings, the plots or the arrows as they are now."""
+    """Give a step the present settings, plots or arrows."""
 
     what: Literal["settings", "plots", "arrows"]
 
 
-class DropFromStep(OfStep, frozen=True):
-    """The step is to have no such thing any more; without arrows of its own it leaves them as they are."""
-
-    what: Literal["question", "predict", "goal", "collect", "plots", "arrows"]
-
-
 class TryStep(OfStep, frozen=True):
-    """The step is to begin as a pupil sees it."""
+    """Begin a step as a pupil sees it."""
 
 
 class EndTrying(Prepare, frozen=True):
-    """The page goes back to where a step was tried from."""
+    """Return from a step that was begun by `TryStep`."""
 
 
 class DropLesson(Prepare, frozen=True):
-    """The lesson is to go."""
+    """Remove the lesson."""
 
 
 class LessonForm(State, frozen=True, kw_only=True):
-    """The lesson that is being made, which the page shows as a form.
+    """The lesson that is being edited.
 
     Attributes:
-        open: whether it is to be shown.
+        open: whether the form is shown.
         trying: the step that is tried; -1 for none.
-        steps: of the lesson, which may be anyone's: the script shows them as text only.
-        begins: what each of them sets, in words; empty for nothing.
+        steps: of the lesson. Their texts may be anyone's: the script shows them as plain text.
+        begins: the settings of each step, in words.
     """
 
     open: bool = False
@@ -139,22 +132,22 @@ class LessonForm(State, frozen=True, kw_only=True):
 
 
 class LessonControl(Struct, frozen=True):
-    """A slider or a list that a step can have."""
+    """A slider or a list that a step can offer."""
 
     key: str
     label: str
 
 
 class LessonOffers(State, frozen=True, kw_only=True):
-    """What a step of the lesson can have, as things are now.
+    """What the user can choose for a step at present.
 
     Attributes:
-        parts: that can be measured: what is at the mass that was clicked last, and what there is one of.
-        quantities: of each kind of part, with their units.
-        controls: that the scene has a use for.
-        methods: of a second body, by their names for people.
-        settings: what is set otherwise than the steps, or the scene as it was opened, have it; in words.
-        plots, arrows: that are open, and on.
+        parts: measurable parts: those at the mass that was clicked last, and those that exist once.
+        quantities: units of the quantities of each kind of part.
+        controls: those that apply to the scene.
+        methods: labels of the methods of a second body.
+        settings: the settings that `TakeInStep` would store, in words.
+        plots, arrows: open plots, and kinds of arrows that are on.
     """
 
     parts: tuple[str, ...]
@@ -167,13 +160,13 @@ class LessonOffers(State, frozen=True, kw_only=True):
 
 
 class LessonTaken(Event, frozen=True, kw_only=True):
-    """What was done of the lesson that is being made.
+    """The result of a change of the lesson.
 
     Attributes:
-        step: at which.
-        part: of the step: what was to be changed.
-        field: what was refused, as in "question.choices[1]"; empty if nothing was.
-        refused: a sentence that says why, or nothing.
+        step: number of the step; -1 for the whole lesson.
+        part: field of the step.
+        field: the invalid field, as in "question.choices[1]"; empty if the change was made.
+        refused: a sentence that says why it was not made; else empty.
     """
 
     step: int

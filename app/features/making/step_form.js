@@ -1,13 +1,13 @@
 // @ts-check
 /**
- * The fields of one step of the lesson that is being made. What is typed is sent after a pause, or when its field is
- * left; what the server refuses stays in its field, with a sentence below it.
+ * The fields of one step of the lesson. Input is sent after a pause, or when its field loses the focus; a value that the
+ * server refuses stays in its field, with a sentence below it.
  */
 import { send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { readNumber } from "../../ui/viser/numbers.js";
 import { Chooser } from "./chooser.js";
-import { labelled, makeCheck, makeSelect, refusal, setOptions } from "./fields.js";
+import { box, labelled, makeArea, makeCheck, makeInput, makeSelect, refusal, setOptions } from "./fields.js";
 import { QuestionForm } from "./question_form.js";
 
 /** @typedef {import("../../wire/wire.js").Step} Step */
@@ -15,153 +15,123 @@ import { QuestionForm } from "./question_form.js";
 /** @typedef {import("../../wire/wire.js").LessonTaken} LessonTaken */
 /** @typedef {HTMLInputElement | HTMLTextAreaElement} Field */
 
-/** Milliseconds without a key after which what was typed is sent. */
+/** Milliseconds without a key after which input is sent. */
 const PAUSE = 600;
-/** Sliders that a step has at most, see `sim.scene.lesson`. */
+/** Sliders of a step, at most; see `sim.scene.lesson`. */
 const MAX_CONTROLS = 6;
+const TEXTS = /** @type {const} */ (["title", "do", "watch"]);
+
+/** The field that a name begins with, as in "question.choices[1]". @param {string} name */
+const fieldOf = (name) => name.split(/[.[]/)[0];
+
+/** A group of fields. @param {string} title @param {...Node} content */
+function section(title, ...content) {
+  const element = make("fieldset", "");
+  element.append(make("legend", "", title), ...content);
+  return element;
+}
 
 /** The form of one step. */
 export class StepForm {
   constructor() {
     this.element = make("div", "softrod-making-step");
     this.number = -1;
-    /** What waits to be sent. @type {Map<HTMLElement, {timer: ReturnType<typeof setTimeout>, say: () => void}>} */
+    /** What waits to be sent. @type {Map<HTMLElement, {timer: ReturnType<typeof setTimeout>, now: () => void}>} */
     this.waiting = new Map();
-    /** What the server had last of each part. @type {Map<string, string>} */
+    /** The server's last value of each field, as JSON. @type {Map<string, string>} */
     this.known = new Map();
-    /** Whether there is a goal in the form, though the server may have refused it so far. */
-    this.aims = false;
-    this.texts = {
-      title: this.textField("title", make("input", "")),
-      do: this.textField("do", make("textarea", "")),
-      watch: this.textField("watch", make("textarea", "")),
-    };
-    this.question = new QuestionForm(
-      (question) => (question ? send({ do: "askInStep", step: this.number, ...question }) : this.drop("question")),
-      (field, say) => this.sendLater(field, say),
-    );
+    /** Whether the form has a goal, which the server may have refused so far. */
+    this.hasGoal = false;
+    this.texts = { title: this.textField("title", makeInput()), do: this.textField("do", makeArea()), watch: this.textField("watch", makeArea()) };
+    this.question = new QuestionForm((question) => this.change({ question }), (field, change) => this.sendLater(field, change));
     this.begins = make("p", "softrod-making-now");
     this.takeSettings = makeButton("Begin as it is now", () => this.take("settings"));
     this.nowSettings = make("p", "softrod-making-hint");
     this.controlsTitle = make("summary", "");
     this.controls = make("div", "softrod-making-checks");
+    const controls = make("details", "");
+    controls.append(this.controlsTitle, this.controls, refusal("controls"));
     this.plots = make("p", "softrod-making-now");
     this.takePlots = makeButton("Plots as they are open now", () => this.take("plots"));
-    this.dropPlots = makeButton("No plots", () => this.drop("plots"));
+    this.dropPlots = makeButton("No plots", () => this.change({ plots: null }));
     this.arrows = make("p", "softrod-making-now");
-    this.takeArrows = makeButton("Arrows as they are on now", () => this.take("arrows"));
-    this.dropArrows = makeButton("Leave arrows alone", () => this.drop("arrows"));
+    const takeArrows = makeButton("Arrows as they are on now", () => this.take("arrows"));
+    this.dropArrows = makeButton("Leave arrows alone", () => this.change({ arrows: null }));
     this.ghost = makeSelect("A second body to compare with");
-    this.ghost.addEventListener("change", () => send({ do: "compareInStep", step: this.number, ghost: this.ghost.value }));
-    this.predict = this.numberField("Predict where it is after (s)", "predict", () => this.sayPredict());
-    this.aim = makeCheck("A goal to reach", "goal", () => this.toggleGoal());
-    const sayGoal = () => this.sayGoal();
-    this.goal = new Chooser("Goal", "goal.quantity", sayGoal);
-    this.low = this.numberField("from", "goal.low", sayGoal);
-    this.high = this.numberField("to", "goal.high", sayGoal);
-    this.seconds = this.numberField("for (s)", "goal.seconds", sayGoal);
-    this.goalBox = make("div", "softrod-making-part");
-    this.collects = makeCheck("Each one hands in a reading", "collect", () =>
-      this.collects.box.checked ? this.sayCollect() : this.drop("collect"),
-    );
-    this.collect = new Chooser("Hand in", "collect.quantity", () => this.sayCollect());
-    this.collectBox = make("div", "softrod-making-part");
+    this.ghost.addEventListener("change", () => this.change({ ghost: this.ghost.value }));
+    this.predict = this.numberField("Predict where it is after (s)", "predict", () => {
+      const predict = this.read(this.predict);
+      if (predict !== undefined) this.change({ predict });
+    });
+    const changeGoal = () => this.changeGoal();
+    this.aims = makeCheck("A goal to reach", "goal", (on) => this.toggleGoal(on));
+    this.goal = new Chooser("Goal", "goal.quantity", changeGoal);
+    this.low = this.numberField("from", "goal.low", changeGoal);
+    this.high = this.numberField("to", "goal.high", changeGoal);
+    this.seconds = this.numberField("for (s)", "goal.seconds", changeGoal);
+    this.goal.element.append(box("softrod-making-row", this.low.box, this.high.box, this.seconds.box), refusal("goal"));
+    this.collects = makeCheck("Each one hands in a reading", "collect", (on) => this.change({ collect: on ? this.collect.reading : null }));
+    this.collect = new Chooser("Hand in", "collect.quantity", () => this.change({ collect: this.collect.reading }));
     this.element.append(
       labelled("Title", this.texts.title, "title"),
       labelled("What to do", this.texts.do, "do"),
       labelled("What to watch meanwhile (may be empty)", this.texts.watch, "watch"),
       this.question.element,
-      this.beginning(),
-      this.sliders(),
-      this.shown(),
-      this.inClass(),
+      section("Begins with", this.begins, this.takeSettings, this.nowSettings, refusal("settings")),
+      controls,
+      section(
+        "Shows",
+        this.plots, box("softrod-making-row", this.takePlots, this.dropPlots), refusal("plots"),
+        this.arrows, box("softrod-making-row", takeArrows, this.dropArrows), refusal("arrows"),
+        labelled("A second body to compare with", this.ghost, "ghost"),
+      ),
+      section(
+        "In a class",
+        this.predict.box, this.aims.label, this.goal.element, this.collects.label, this.collect.element,
+        make("p", "softrod-making-hint", "Click a mass to choose among its quantities."),
+      ),
     );
   }
 
-  // ------------------------------------------------------------------- what is in it
-  /** @param {string} title */
-  section(title) {
-    const box = make("fieldset", "");
-    box.append(make("legend", "", title));
-    return box;
-  }
-
-  beginning() {
-    const box = this.section("Begins with");
-    box.append(this.begins, this.takeSettings, this.nowSettings, refusal("settings"));
-    return box;
-  }
-
-  sliders() {
-    const box = make("details", "");
-    box.append(this.controlsTitle, this.controls, refusal("controls"));
-    return box;
-  }
-
-  shown() {
-    const box = this.section("Shows");
-    const [one, two] = [make("div", "softrod-making-row"), make("div", "softrod-making-row")];
-    one.append(this.takePlots, this.dropPlots);
-    two.append(this.takeArrows, this.dropArrows);
-    const ghost = labelled("A second body to compare with", this.ghost, "ghost");
-    box.append(this.plots, one, refusal("plots"), this.arrows, two, refusal("arrows"), ghost);
-    return box;
-  }
-
-  inClass() {
-    const box = this.section("In a class");
-    const range = make("div", "softrod-making-row");
-    range.append(this.low.box, this.high.box, this.seconds.box);
-    this.goalBox.append(this.goal.element, this.goal.refused, range, refusal("goal"));
-    this.collectBox.append(this.collect.element, this.collect.refused);
-    const hint = make("p", "softrod-making-hint", "Click a mass to choose among what is at it.");
-    box.append(this.predict.box, this.aim.label, this.goalBox, this.collects.label, this.collectBox, hint);
-    return box;
-  }
-
-  /**
-   * A text of the step.
-   *
-   * @template {Field} T
-   * @param {"title" | "do" | "watch"} field @param {T} input
-   */
-  textField(field, input) {
-    if (input instanceof HTMLTextAreaElement) input.rows = 2;
-    else input.type = "text";
-    this.sendLater(input, () => send({ do: "writeStep", step: this.number, field, text: input.value }));
+  /** @template {Field} T @param {typeof TEXTS[number]} name @param {T} input @returns {T} */
+  textField(name, input) {
+    this.sendLater(input, () => this.change({ [name]: input.value }));
     return input;
   }
 
-  /** @param {string} label @param {string} name @param {() => void} say */
-  numberField(label, name, say) {
-    const input = make("input", "");
-    input.type = "text";
+  /** @param {string} label @param {string} name @param {() => void} change */
+  numberField(label, name, change) {
+    const input = makeInput();
     input.inputMode = "decimal";
     input.autocomplete = "off";
-    this.sendLater(input, say);
+    this.sendLater(input, change);
     return { input, name, box: labelled(label, input, name) };
   }
 
-  // ------------------------------------------------------------------- what is said
-  /** Has a field sent after a pause, and when it is left. @param {Field} field @param {() => void} say */
-  sendLater(field, say) {
+  // ------------------------------------------------------------------- what is sent
+  /** Has a field's input sent after a pause, and when it loses the focus. @param {Field} field @param {() => void} change */
+  sendLater(field, change) {
     const now = () => {
-      const one = this.waiting.get(field);
-      if (!one) return;
-      clearTimeout(one.timer);
+      if (!this.waiting.has(field)) return;
+      clearTimeout(this.waiting.get(field)?.timer);
       this.waiting.delete(field);
-      say();
+      change();
     };
     field.addEventListener("input", () => {
       clearTimeout(this.waiting.get(field)?.timer);
-      this.waiting.set(field, { timer: setTimeout(now, PAUSE), say: now });
+      this.waiting.set(field, { timer: setTimeout(now, PAUSE), now });
     });
     field.addEventListener("change", now);
   }
 
   /** Sends what waits. */
   flush() {
-    for (const { say } of [...this.waiting.values()]) say();
+    for (const { now } of [...this.waiting.values()]) now();
+  }
+
+  /** @param {import("../../wire/wire.js").StepChanges} changes */
+  change(changes) {
+    send({ do: "changeStep", step: this.number, changes });
   }
 
   /** @param {import("../../wire/wire.js").TakeInStep["what"]} what */
@@ -170,37 +140,23 @@ export class StepForm {
     send({ do: "takeInStep", step: this.number, what });
   }
 
-  /** @param {import("../../wire/wire.js").DropFromStep["what"]} what */
-  drop(what) {
-    send({ do: "dropFromStep", step: this.number, what });
-  }
-
-  sayPredict() {
-    const seconds = this.read(this.predict);
-    if (seconds === null) this.drop("predict");
-    else if (seconds !== undefined) send({ do: "predictInStep", step: this.number, seconds });
-  }
-
-  sayGoal() {
+  changeGoal() {
     const [low, high, seconds] = [this.low, this.high, this.seconds].map((field) => this.read(field));
     if (low === undefined || high === undefined || seconds === undefined) return;
-    send({ do: "aimInStep", step: this.number, ...this.goal.reading, low, high, seconds: seconds ?? 0 });
+    this.change({ goal: { ...this.goal.reading, low, high, seconds: seconds ?? 0 } });
   }
 
-  toggleGoal() {
-    this.aims = this.aim.box.checked;
-    this.goalBox.hidden = !this.aims;
+  /** @param {boolean} on */
+  toggleGoal(on) {
+    this.hasGoal = on;
+    this.goal.element.hidden = !on;
     this.refuse("goal", "", "");
-    if (this.aims) this.low.input.focus();
-    else this.drop("goal");
-  }
-
-  sayCollect() {
-    send({ do: "collectInStep", step: this.number, ...this.collect.reading });
+    if (on) this.low.input.focus();
+    else this.change({ goal: null });
   }
 
   /**
-   * The number in a field: null if it is empty, undefined if it is none, which is said.
+   * The number in a field: null if it is empty; undefined if it is invalid, which is shown.
    *
    * @param {{input: HTMLInputElement, name: string}} field
    */
@@ -215,21 +171,20 @@ export class StepForm {
 
   // ------------------------------------------------------------------- what is shown
   /**
-   * Shows a sentence beside the field that it is about, or takes those of a part away.
+   * Shows why a value was refused, instead of earlier refusals of the same part.
    *
-   * @param {string} part @param {string} field @param {string} sentence
+   * @param {string} part @param {string} field @param {string} sentence empty for nothing
    */
   refuse(part, field, sentence) {
     const lines = /** @type {HTMLElement[]} */ ([...this.element.querySelectorAll(".softrod-refused")]);
-    for (const line of lines) if ((line.dataset.field ?? "").split(/[.[]/)[0] === part.split(/[.[]/)[0]) line.textContent = "";
+    for (const line of lines) if (fieldOf(line.dataset.field ?? "") === fieldOf(part)) line.textContent = "";
     if (!sentence) return;
-    // Where the field itself has no place, what it is in has one.
+    // A field without a line of its own is shown at the one that contains it.
     for (let name = field; name; name = name.replace(/[.[]?[^.[]*$/, "")) {
       const line = lines.find(({ dataset }) => dataset.field === name);
-      if (line) {
-        line.textContent = sentence;
-        return;
-      }
+      if (!line) continue;
+      line.textContent = sentence;
+      return;
     }
   }
 
@@ -238,11 +193,7 @@ export class StepForm {
     this.refuse(part, field, refused);
   }
 
-  /**
-   * Whether the server has another value of a part than before.
-   *
-   * @param {string} part @param {unknown} value
-   */
+  /** Whether the server has a new value of a field. @param {string} part @param {unknown} value */
   isNew(part, value) {
     const text = JSON.stringify(value ?? null);
     if (this.known.get(part) === text) return false;
@@ -251,7 +202,7 @@ export class StepForm {
   }
 
   /**
-   * Shows a step. What is typed and not sent yet stays.
+   * Shows a step. Input that waits to be sent stays.
    *
    * @param {Step} step @param {number} number @param {string} begins @param {LessonOffers} offers
    */
@@ -261,10 +212,8 @@ export class StepForm {
       this.known.clear();
       for (const line of this.element.querySelectorAll(".softrod-refused")) line.textContent = "";
     }
-    for (const field of /** @type {const} */ (["title", "do", "watch"])) this.put(this.texts[field], field, step[field]);
-    const { element } = this.question;
-    // What is typed there and not sent yet stays.
-    const typed = [...this.waiting.keys()].some((field) => element.contains(field));
+    for (const name of TEXTS) this.put(this.texts[name], name, step[name]);
+    const typed = [...this.waiting.keys()].some((field) => this.question.element.contains(field));
     if (!typed && this.isNew("question", step.question)) this.question.show(step.question);
     this.begins.textContent = begins || "The scene as it is saved.";
     this.nowSettings.textContent = offers.settings ? `Now: ${offers.settings}.` : "";
@@ -274,17 +223,18 @@ export class StepForm {
     this.plots.textContent = step.plots?.length ? `Plots: ${step.plots.join("; ")}.` : "No plots.";
     this.takePlots.disabled = offers.plots.length === 0;
     this.dropPlots.hidden = !step.plots?.length;
-    const arrows = step.arrows;
+    const { arrows } = step;
     this.arrows.textContent = arrows === null ? "Arrows stay as they are." : arrows.length ? `Arrows: ${arrows.join(", ")}.` : "No arrows.";
     this.dropArrows.hidden = arrows === null;
     setOptions(this.ghost, [["", "none"], ...Object.entries(offers.methods)], step.ghost ?? "");
     this.showClass(step, offers);
   }
 
-  /** @param {Field} field @param {string} part @param {string} value */
+  /** @param {Field} field @param {string} part @param {string | number | null | undefined} value */
   put(field, part, value) {
     if (!this.isNew(part, value) || this.waiting.has(field)) return;
-    if (field.value !== value) field.value = value;
+    const text = String(value ?? "");
+    if (field.value !== text) field.value = text;
     this.refuse(part, "", "");
   }
 
@@ -296,15 +246,14 @@ export class StepForm {
     this.controlsTitle.textContent = chosen.length
       ? `Pupils get: ${chosen.map((key) => labels.get(key) ?? key).join(", ")}`
       : "Pupils get no sliders";
-    const gone = chosen.filter((key) => !labels.has(key)).map((key) => ({ key, label: `${key}, which the scene has no use for` }));
+    const gone = chosen.filter((key) => !labels.has(key)).map((key) => ({ key, label: `${key}, which does not apply to the scene` }));
     this.controls.replaceChildren(
       ...[...gone, ...controls].map(({ key, label }) => {
-        const { box, label: row } = makeCheck(label, `control ${key}`, () => {
-          const now = box.checked ? [...chosen, key] : chosen.filter((one) => one !== key);
-          send({ do: "offerInStep", step: this.number, controls: now });
-        });
-        box.checked = chosen.includes(key);
-        box.disabled = !box.checked && chosen.length >= MAX_CONTROLS;
+        const { check, label: row } = makeCheck(label, `control ${key}`, (on) =>
+          this.change({ controls: on ? [...chosen, key] : chosen.filter((one) => one !== key) }),
+        );
+        check.checked = chosen.includes(key);
+        check.disabled = !check.checked && chosen.length >= MAX_CONTROLS;
         return row;
       }),
     );
@@ -313,20 +262,20 @@ export class StepForm {
 
   /** @param {Step} step @param {LessonOffers} offers */
   showClass({ predict, goal, collect }, offers) {
-    this.put(this.predict.input, "predict", predict === null ? "" : String(predict));
+    this.put(this.predict.input, "predict", predict);
     this.goal.offers = this.collect.offers = offers;
     if (this.isNew("goal", goal)) {
-      this.aims = goal !== null;
-      this.put(this.low.input, "goal.low", goal?.low == null ? "" : String(goal.low));
-      this.put(this.high.input, "goal.high", goal?.high == null ? "" : String(goal.high));
-      this.put(this.seconds.input, "goal.seconds", goal?.seconds ? String(goal.seconds) : "");
+      this.hasGoal = goal !== null;
+      this.put(this.low.input, "goal.low", goal?.low);
+      this.put(this.high.input, "goal.high", goal?.high);
+      this.put(this.seconds.input, "goal.seconds", goal?.seconds || null);
       this.goal.show(goal);
-    } else this.goal.show(this.goal.part.value ? this.goal.reading : null);
-    this.aim.box.checked = this.aims;
-    this.goalBox.hidden = !this.aims;
+    } else this.goal.refresh();
+    this.aims.check.checked = this.hasGoal;
+    this.goal.element.hidden = !this.hasGoal;
     if (this.isNew("collect", collect)) this.collect.show(collect);
-    else this.collect.show(this.collect.part.value ? this.collect.reading : null);
-    this.collects.box.checked = collect !== null;
-    this.collectBox.hidden = collect === null;
+    else this.collect.refresh();
+    this.collects.check.checked = collect !== null;
+    this.collect.element.hidden = collect === null;
   }
 }

@@ -1,4 +1,4 @@
-"""Measuring: the Measure tab, whose plots follow what is chosen."""
+"""The Measure tab, with plots of what is chosen."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ def _plot_angle(_: Session, feature: MeasureFeature) -> None:
 
 
 class MeasureFeature(Feature):
-    """The plots of a page.
+    """The plots of one page.
 
     Attributes:
-        panel: the controls, if the page has them.
+        panel: the Measure tab, or None without that control.
     """
 
     messages: ClassVar = {Pick: "", Seen: ""}
@@ -42,7 +42,7 @@ class MeasureFeature(Feature):
         super().__init__(page)
         self.panel: MeasurePanel | None = None
         self._remembered: tuple[Wish, ...] = ()
-        self._is_looked_at: bool | None = None
+        self._is_visible = True
 
     @property
     def wishes(self) -> tuple[Wish, ...]:
@@ -51,26 +51,26 @@ class MeasureFeature(Feature):
 
     @property
     def is_seen(self) -> bool:
-        """Whether somebody sees the plots."""
+        """Whether the plots are visible."""
         return self.panel is not None and self.panel.plots.looked_at
 
     @property
     def texts_of_plots(self) -> tuple[str, ...]:
-        """The plots, by what names them."""
+        """The names of the plots, see `text_of`."""
         return tuple(map(text_of, self.wishes))
 
     @property
     def parts(self) -> tuple[str, ...]:
-        """The parts of the body that are offered."""
+        """The parts of the body in the list."""
         return self.panel.parts if self.panel is not None else ()
 
     def remember(self, wishes: tuple[Wish, ...]) -> None:
-        """Have these plots, and no others, as soon as there is a scene that has them."""
+        """Replace the plots by these when the next scene is built."""
         self._remembered = wishes
         if self.panel is not None:
             self.panel.plots.remember(wishes)
 
-    # --------------------------------------------------------------------- as of `Feature`
+    # --------------------------------------------------------------------- see `Feature`
     def hear(self, said: FromPage) -> None:
         match said:
             case Pick(mass):
@@ -83,8 +83,7 @@ class MeasureFeature(Feature):
         if "measure" in self.page.controls:
             self.panel = MeasurePanel(self.page, panel.tab("Measure"))
             self.panel.plots.remember(self._remembered)
-            if self._is_looked_at is not None:
-                self.panel.plots.looked_at = self._is_looked_at
+            self.panel.plots.looked_at = self._is_visible
 
     def detach(self) -> None:
         if self.panel is not None:
@@ -104,6 +103,6 @@ class MeasureFeature(Feature):
             self.panel.choose(mass)
 
     def _see(self, on: bool) -> None:
-        self._is_looked_at = on
+        self._is_visible = on
         if self.panel is not None:
             self.panel.plots.looked_at = on

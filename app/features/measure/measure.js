@@ -1,64 +1,65 @@
 // @ts-check
 /**
- * Shows the Measure tab when the server asks for it, since viser has no way to turn to a tab, and tells the server
- * whether anybody sees the plots, which are not sent otherwise.
+ * Shows the Measure tab when the server asks for it, since viser cannot turn to a tab, and reports to the server whether
+ * the plots are visible: they are not sent otherwise.
  */
 import { onTold, send, told } from "../../wire/channel.js";
 import { readPhases } from "./phase.js";
 import { tabOf } from "../../ui/viser/widgets.js";
 
-/** Milliseconds between two looks whether plots can be seen. */
-const LOOK_EVERY = 250;
-/** Milliseconds between two looks whether a new plot is there, and how many. */
-const [SOON, TRIES] = [50, 20];
+/** Milliseconds between two checks whether plots are visible. */
+const CHECK_EVERY = 250;
+/** Milliseconds between two checks for a new plot. */
+const POLL_EVERY = 50;
+const MAX_POLLS = 20;
 
 const titles = () => [...document.querySelectorAll(".softrod-plot-title")];
 
 function begin() {
   readPhases();
-  // Legends of plots then read what is ahead, too.
+  // Legends then read later values, too.
   onTold("pageState", ({ scrubbed = false }) => document.documentElement.toggleAttribute("data-softrod-past", scrubbed));
   onTold("showMeasures", () => {
     const { measuring = "" } = told();
     const count = titles().length;
     const tab = measuring && tabOf(measuring);
     if (!(tab instanceof HTMLElement)) return;
-    // The panel beside the canvas hears of no click, that of a phone of nothing else.
+    // The panel beside the canvas reacts to the key only, that of a phone to the click only.
     tab.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true, cancelable: true }));
     tab.click();
     scrollToNew(count);
   });
-  tellWhetherSeen();
+  reportVisibility();
 }
 
-/** Scrolls to the newest plot, once it is there. @param {number} count of plots before */
+/** Scrolls to the newest plot, once it exists. @param {number} count of plots before */
 function scrollToNew(count) {
   let tries = 0;
-  const look = setInterval(() => {
+  const poll = setInterval(() => {
     const present = titles();
-    if (present.length <= count && ++tries < TRIES) return;
-    clearInterval(look);
+    if (present.length <= count && ++tries < MAX_POLLS) return;
+    clearInterval(poll);
     present.at(-1)?.scrollIntoView({ block: "start" });
-  }, SOON);
+  }, POLL_EVERY);
 }
 
-function tellWhetherSeen() {
+function reportVisibility() {
   /** @type {string | undefined} */
   let page;
   /** @type {"measure" | "lesson" | "" | null} */
-  let said = null;
+  let reported = null;
   setInterval(() => {
     if (told().page !== page) {
       page = told().page;
-      said = null;
+      reported = null;
     }
-    // What is in a tab that is not shown, or in a folded panel, has no place on the screen.
+    // What is in a hidden tab or a folded panel has no box on the screen.
     const seen = document.visibilityState === "visible" && titles().some((title) => title.getClientRects().length);
     const tab = !seen ? "" : document.getElementById("softrod-lesson")?.getClientRects().length ? "lesson" : "measure";
-    if (!page || tab === said) return;
-    said = tab;
+    if (!page || tab === reported) return;
+    reported = tab;
     send({ do: "seen", tab });
-  }, LOOK_EVERY);
+  }, CHECK_EVERY);
 }
 
 /** @type {import("../../ui/feature.js").Feature<"measure">} */

@@ -1,4 +1,4 @@
-"""What a page says of its plots, and what it is sent."""
+"""Messages about plots."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from ...wire.messages import Event, OwnBody
 
 
 class ShowMeasures(Event, frozen=True, kw_only=True):
-    """Turn to the Measure tab, where a plot is about to come."""
+    """Turn to the Measure tab, where a plot is about to appear."""
 
 
 class Melody(Event, frozen=True, kw_only=True):
-    """A plot is to be heard.
+    """Play a plot as a melody.
 
     Attributes:
         name: what is plotted.
         unit: of its values.
-        values: of equal distance in time; None where there is none.
+        values: at equal intervals of time; None for gaps.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""The Measure tab: what is plotted is chosen there, and the plots stand below."""
+"""The Measure tab: lists to choose what to plot, with the plots below."""
 
 from __future__ import annotations
 
@@ -18,23 +18,17 @@ from .messages import ShowMeasures
 from .plot_list import SPANS, PlotList
 
 MAX_PARTS = 24
-"""Joints and springs of the chosen mass that are offered, at most."""
+"""Joints, and springs, of the chosen mass in the list, at most."""
 
-TIME = "time"
+FIRST_PART: tuple[str, ...] = ("mass0",)
+TIME: tuple[str, ...] = ("time",)
 
-ABOUT = (
-    '<div class="softrod-text">Click a mass to choose what is measured: the mass, its joint and its '
-    "springs.</div>"
+TEXT = '<div class="softrod-text">{}</div>'
+ABOUT = TEXT.format("Click a mass to choose what is measured: the mass, its joint and its springs.")
+ABOUT_PLOTS = TEXT.format(
+    "Move the pointer over a plot to read values; drag across it to zoom in, double-click to see all."
 )
-OF_PLOTS = (
-    '<div class="softrod-text">The pointer over a plot reads values; drag across it to look closer, '
-    "double-click to see all.</div>"
-)
-
-
-def none_yet(chosen: str) -> str:
-    """What to do where no plot is open."""
-    return f'<div class="softrod-text">No plot is open. <b>New plot</b> shows {chosen} while it moves.</div>'
+NO_PLOT = TEXT.format("No plot is open. <b>New plot</b> shows {} while it moves.")
 
 
 class MeasurePanel:
@@ -45,7 +39,7 @@ class MeasurePanel:
         tab: where they stand.
 
     Attributes:
-        plots: those that are open.
+        plots: the open plots.
     """
 
     def __init__(self, page: Page, tab: viser.GuiTabHandle) -> None:
@@ -55,13 +49,9 @@ class MeasurePanel:
         gui = page.client.gui
         with tab:
             gui.add_html(ABOUT, order=1)
-            lists: list[viser.GuiDropdownHandle[str]] = [
-                gui.add_dropdown(label, options, order=order)
-                for order, (label, options) in enumerate(
-                    (("Part", ["mass0"]), ("Quantity", [*OFFERED["mass"]]), ("Over", [TIME])), start=2
-                )
-            ]
-            self._part, self._what, self._over = lists
+            self._part = gui.add_dropdown("Part", FIRST_PART, order=2)
+            self._what = gui.add_dropdown("Quantity", OFFERED["mass"], order=3)
+            self._over = gui.add_dropdown("Over", TIME, order=4)
             self.new = gui.add_button("New plot", icon=viser.Icon.CHART_LINE, order=5)
             self._span = gui.add_dropdown("Plots show", tuple(SPANS), initial_value="10 s", order=6)
             self._span.visible = False
@@ -69,26 +59,26 @@ class MeasurePanel:
             self._comma_switch.visible = False
             self._hint = gui.add_html("", order=8)
         self.plots = PlotList(page, tab, lambda: self._chosen, self._changed)
-        on_change(self._part, lambda: page.later(self._offer))
-        on_change(self._what, lambda: page.later(self._offer))
-        on_change(self._span, lambda: page.later(self._respan))
+        for chosen in (self._part, self._what):
+            on_change(chosen, lambda: page.later(self._offer))
+        on_change(self._span, lambda: page.later(self._set_span))
         on_press(self.new, lambda: page.later(self._add_chosen))
 
     # --------------------------------------------------------------------- the ticker's
     def choose(self, mass: int) -> None:
-        """Offer a mass and what is at it; it was clicked."""
+        """Offer a mass that was clicked, with its joints and springs."""
         self._mass = mass
-        self._joint = -1  # what is offered is to be looked at again
+        self._joint = -1  # so that the next tick updates the lists
 
     def build(self) -> None:
-        """Another scene, or other looks, see `PlotList.build`."""
+        """Adapt to another scene or other looks, see `PlotList.build`."""
         self._joint = -1
         if self._mass is not None and self._mass >= len(self._session.scene.masses):
             self._mass = None
         self.plots.build()
 
     def tick(self) -> None:
-        """Offer what can be plotted now, and show the plots."""
+        """Update the lists and the plots."""
         if self._joint != self._session.joint:
             self._joint = self._session.joint
             self._offer()
@@ -96,18 +86,18 @@ class MeasurePanel:
 
     # --------------------------------------------------------------------- what is offered
     def _offer(self) -> None:
-        """Show in the lists what can be chosen now."""
+        """Update the options of the lists."""
         part = _set_options(self._part, self.parts)
         offered = OFFERED[part.rstrip("0123456789")]
         chosen = f"{part}.{_set_options(self._what, offered)}"
-        beside = (f"{part}.{what}" for what in offered)
-        self._hint.content = OF_PLOTS if len(self.plots) else none_yet(self._chosen)
-        others = [name for name in dict.fromkeys((*beside, *self.plots.names)) if name != chosen]
-        _set_options(self._over, (TIME, *others))
+        same_part = (f"{part}.{what}" for what in offered)
+        self._hint.content = ABOUT_PLOTS if len(self.plots) else NO_PLOT.format(self._chosen)
+        others = [name for name in dict.fromkeys((*same_part, *self.plots.names)) if name != chosen]
+        _set_options(self._over, (*TIME, *others))
 
     @property
     def parts(self) -> tuple[str, ...]:
-        """The parts that are offered: what was clicked, and what there is only one of."""
+        """The parts in the list: the clicked mass with its joints and springs, and all that exists once."""
         session = self._session
         scene, joint = session.scene, session.joint
         mass = self._mass
@@ -135,10 +125,10 @@ class MeasurePanel:
     def _add_chosen(self) -> None:
         over = self._over.value
         self._page.mail.tell(ShowMeasures())
-        self.plots.add(Wish((self._chosen,), "" if over == TIME else over))
+        self.plots.add(Wish((self._chosen,), "" if over in TIME else over))
 
     def plot_angle(self) -> None:
-        """Plot the angle of the joint that is read out, and show the tab."""
+        """Plot the angle of the joint whose readout is shown, and show the tab."""
         session = self._session
         if not session.scene.angular_springs:
             self._page.notify(Notice("warning", "Nothing to plot", "This scene has no joints."))
@@ -152,22 +142,21 @@ class MeasurePanel:
         self._span.visible = self._comma_switch.visible = len(self.plots) > 0
         self._offer()
 
-    def _respan(self) -> None:
+    def _set_span(self) -> None:
         self.plots.seconds = SPANS.get(self._span.value, 10.0)
         self.plots.redraw()
 
 
 def _first_free(scene: Scene) -> int:
-    """The first mass that is not held; 0 if all are."""
+    """Return the first mass that is not held; 0 if all are."""
     held = {anchor.mass for anchor in scene.anchors}
     return next((i for i in range(len(scene.masses)) if i not in held), 0)
 
 
 def _set_options(handle: viser.GuiDropdownHandle[str], options: tuple[str, ...]) -> str:
-    """Offer some options; what is chosen stays, if it is among them: a page can send anything, at any time.
+    """Set the options of a list, and return the chosen one.
 
-    Returns:
-        What is chosen now.
+    A value that is not among them, since a page can send any, is replaced by the first option.
     """
     value = handle.value
     if handle.options != options:

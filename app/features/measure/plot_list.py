@@ -1,13 +1,8 @@
-"""Plots in a tab of the panel: they run with the body, with period and damping, and their tables.
-
-Where no plot is open there is nothing to do.
-"""
+"""Plots in a tab of the panel: they follow the body, with a reading of period and damping and a table."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -28,51 +23,99 @@ EVERY = 0.1
 """Seconds between two updates of a plot, at least."""
 
 READ_EVERY = 0.5
-"""Seconds between two readings of period and damping."""
+"""Seconds between two readings of period and damping, at least."""
 
-WIDTH, HEIGHT = 150, 220
-"""Pieces of a curve from left to right, each with its highest and lowest value; pixels of a plot's height."""
+PIECES = 150
+"""Pieces of a curve from left to right, each with its highest and lowest value."""
 
 SPANS = {"5 s": 5.0, "10 s": 10.0, "20 s": 20.0, "60 s": 60.0}
-"""How much time a plot shows."""
+"""How much time a plot shows, s, by its label."""
 
 ADD, TABLE, PICTURE, HEAR, REMOVE = "Add to it", "CSV", "Picture", "Hear", "Remove"
 """Buttons below a plot."""
 
 NOTES = 240
-"""Values of a plot that is heard."""
+"""Values of a melody."""
 
 PICTURE_PIECES = 1000
 """Pieces of a curve in a picture."""
 
-FIRST = 100.0
-"""Order of the first plot: what stands above them has lower numbers."""
+ORDER = 100.0
+"""Order of the first plot in the panel; the controls above have lower ones."""
 
 
-@dataclass
-class _Shown:
-    """A plot in the page. Its chart keeps its number of lines: after a change viser may draw nothing."""
+class _OpenPlot:
+    """A plot in the page.
 
-    plot: Plot
-    title: viser.GuiHtmlHandle
-    reading: viser.GuiHtmlHandle
-    buttons: viser.GuiButtonGroupHandle
-    order: float  # of the chart
-    chart: viser.GuiUplotHandle | viser.GuiHtmlHandle | None = None
-    sent: int = -1  # the version of the plot that the page has
-    looks: tuple[object, ...] = ()  # what its lines and axes are for
+    Attributes:
+        plot: what it shows.
+        chart: its drawing.
+        sent: the version of the plot that `PlotList.tick` sent last; -1 for none. A new chart does not count:
+            its lines are pale until it is updated.
+    """
+
+    def __init__(self, plot: Plot, page: Page, tab: viser.GuiTabHandle, order: float, is_own: bool) -> None:
+        self.plot, self.sent = plot, -1
+        self._page, self._tab, self._is_own = page, tab, is_own
+        gui = page.client.gui
+        self.chart = (plots.PhaseChart if plot.wish.over else plots.TimeChart)(gui, order + 1)
+        with tab:
+            self._title = gui.add_html("", order=order)
+            self._reading = gui.add_html("", order=order + 2)
+            labels = (ADD, TABLE, PICTURE, HEAR, REMOVE) if is_own else (TABLE, PICTURE, HEAR)
+            self.buttons = gui.add_button_group("", labels, order=order + 3)
 
     def remove(self) -> None:
-        """Take it out of the page."""
-        for handle in (self.title, self.reading, self.buttons):
+        """Remove it from the page."""
+        for handle in (self._title, self._reading, self.buttons):
             handle.remove()
-        self.remove_chart()
+        self.chart.remove()
 
-    def remove_chart(self) -> None:
-        """Take its chart out of the page; the next time that it is shown it gets another one."""
-        if self.chart is not None:
-            self.chart.remove()
-        self.chart = None
+    def show(self, seconds: float, reads: bool) -> None:
+        """Send the last seconds; with `reads`, period and damping, too."""
+        page, plot = self._page, self.plot
+        colors = palette(page.session.scene.view.colors, page.looks.dark)
+        with page.client.atomic(), self._tab:
+            self.chart.draw(plot, curve(plot, seconds, PIECES), colors)
+            if reads:
+                self._title.content = plots.title(plot, plots.colors_of(plot, colors))
+                # In a lesson, it is not the user who plots something that does not swing.
+                self._reading.content = plots.reading(
+                    plot, seconds, "no regular swing" if self._is_own else ""
+                )
+
+    # --------------------------------------------------------------------- buttons
+    def download(self, _: float) -> None:
+        """Send all values as a table."""
+        self._send(".csv", self.plot.table(self._page.commas.on).encode())
+
+    def draw_picture(self, seconds: float) -> None:
+        """Send the plot as it is shown, as a picture; in another thread, since matplotlib is slow."""
+        scene, plot = self._page.session.scene, self.plot
+        drawn = curve(plot, seconds, PICTURE_PIECES)
+        colors, title = plots.colors_of(plot, palette(scene.view.colors, dark=False)), shown_name(scene)
+
+        def make() -> None:
+            from ...export.plot_picture import plot_png  # matplotlib does not delay the start
+
+            self._send(".png", plot_png(plot, drawn, colors, title))
+
+        workshop.submit(make)
+
+    def play(self, seconds: float) -> None:
+        """Send the past of the first quantity as a melody."""
+        quantity, rows = self.plot.quantities[0], self.plot.window(seconds)
+        if not len(rows):
+            return
+        times = np.linspace(rows[0, 0], rows[-1, 0], NOTES)
+        # At the nearest later sample: values between two samples are unknown.
+        places = np.minimum(np.searchsorted(rows[:, 0], times), len(rows) - 1)
+        values = tuple(float(v) if np.isfinite(v) else None for v in rows[places, 1])
+        self._page.mail.tell(Melody(name=quantity.name, unit=quantity.unit, values=values))
+
+    def _send(self, suffix: str, data: bytes) -> None:
+        name = f"{self._page.session.scene.name}-{self.plot.wish.names[0]}{suffix}"
+        self._page.client.send_file_download(name, data, save_immediately=True)
 
 
 class PlotList:
@@ -81,13 +124,13 @@ class PlotList:
     Args:
         page: whose body is plotted.
         tab: where they stand.
-        extend: the name of the quantity that the button "Add to it" adds to a plot; None where plots are not
-            the user's own to change.
-        changed: called when plots came or went.
+        extend: returns the name of the quantity that the button "Add to it" adds; None if the user may not
+            change the plots.
+        changed: called when plots are opened or removed.
 
     Attributes:
-        looked_at: whether anybody sees the plots; otherwise they run on, but are not sent.
-        seconds: how much time they show.
+        looked_at: whether the plots are visible; hidden ones record values, but are not sent.
+        seconds: how much time they show, s.
     """
 
     def __init__(
@@ -97,13 +140,13 @@ class PlotList:
         extend: Callable[[], str] | None = None,
         changed: Callable[[], None] = lambda: None,
     ) -> None:
-        self._page, self._client, self._session, self._tab = page, page.client, page.session, tab
+        self._page, self._session, self._tab = page, page.session, tab
         self._extend_by, self._changed = extend, changed
         page.plots.append(self)
-        self._plots: list[_Shown] = []
-        self._kept: tuple[Wish, ...] | None = None  # None for those that are open
+        self._plots: list[_OpenPlot] = []
+        self._pending: tuple[Wish, ...] | None = None  # replace the plots with the next scene
         self._due = self._read_due = 0.0
-        self._numbers = 0
+        self._count = 0
         self.looked_at = True
         self.seconds = 10.0
 
@@ -117,8 +160,8 @@ class PlotList:
 
     @property
     def wishes(self) -> tuple[Wish, ...]:
-        """The plots that are open."""
-        return tuple(shown.plot.wish for shown in self._plots) if self._kept is None else self._kept
+        """What is plotted, or will be with the next scene."""
+        return tuple(shown.plot.wish for shown in self._plots) if self._pending is None else self._pending
 
     @property
     def wants_energy(self) -> bool:
@@ -126,53 +169,54 @@ class PlotList:
         return any(shown.plot.wants_energy for shown in self._plots)
 
     def remember(self, wishes: tuple[Wish, ...]) -> None:
-        """Have these plots, and no others, as soon as the scene is there that they are of."""
-        self._kept = wishes[:MAX_PLOTS]
+        """Replace the plots by these when the next scene is built."""
+        self._pending = wishes[:MAX_PLOTS]
 
     def build(self) -> None:
-        """Another scene, or other looks: plots of what is not there any more go, the others begin anew if
-        their time does."""
-        scene = self._session.scene
-        wishes, self._kept = self._kept, None
+        """Adapt to another scene or other looks: plots of missing parts are removed; the others continue,
+        unless their units or axes change."""
+        wishes, self._pending = self._pending, None
         if wishes is not None:
             for shown in list(self._plots):
                 self._remove(shown)
             for wish in wishes:
                 self.add(wish)
         for shown in list(self._plots):
+            before = shown.plot
             try:
-                plot = Plot(shown.plot.wish, scene)
+                plot = Plot(before.wish, self._session.scene)
             except InputError:
                 self._remove(shown)
                 continue
-            units = [q.unit for q in plot.quantities]
-            if units != [q.unit for q in shown.plot.quantities] or plot.turned != shown.plot.turned:
-                if plot.turned != shown.plot.turned:
-                    shown.remove_chart()
+            is_turned = plot.turned != before.turned
+            if is_turned:
+                shown.chart.remove()
+            if is_turned or [q.unit for q in plot.quantities] != [q.unit for q in before.quantities]:
                 plot.version = shown.sent + 1
                 shown.plot = plot
         self.redraw()
 
     def tick(self) -> None:
-        """Note the present values, and show them when it is time."""
+        """Record the present values, and show them when it is time."""
         if not self._plots:
             return
         session, now = self._session, self._session.now()
         for shown in self._plots:
             shown.plot.sample(session)
-        if now >= self._due and self.looked_at:
-            self._due = now + EVERY
-            reads = now >= self._read_due
-            if reads:
-                self._read_due = now + READ_EVERY
-            for shown in self._plots:
-                if shown.sent != shown.plot.version:
-                    self._show(shown, reads)
-                    if reads:
-                        shown.sent = shown.plot.version
+        if now < self._due or not self.looked_at:
+            return
+        self._due = now + EVERY
+        reads = now >= self._read_due
+        if reads:
+            self._read_due = now + READ_EVERY
+        for shown in self._plots:
+            if shown.sent != shown.plot.version:
+                shown.show(self.seconds, reads)
+                if reads:
+                    shown.sent = shown.plot.version
 
     def add(self, wish: Wish) -> None:
-        """Open a plot, or say why not."""
+        """Open a plot, or notify the user why that is impossible."""
         try:
             if len(self._plots) == MAX_PLOTS:
                 raise InputError(f"a page has room for {MAX_PLOTS} plots; remove one first")
@@ -180,51 +224,42 @@ class PlotList:
         except InputError as error:
             self._page.notify(Notice("error", "That cannot be plotted", f"{error}."))
             return
-        self._numbers += 1
-        order, gui = 10.0 * self._numbers + FIRST, self._client.gui
-        mine = (TABLE, PICTURE, HEAR)
-        if self._extend_by is not None:
-            mine = (ADD, *mine, REMOVE)
-        with self._tab:
-            title = gui.add_html("", order=order)
-            reading = gui.add_html("", order=order + 2)
-            buttons = gui.add_button_group("", mine, order=order + 3)
-        shown = _Shown(plot, title, reading, buttons, order + 1)
+        self._count += 1
+        shown = _OpenPlot(
+            plot, self._page, self._tab, 10.0 * self._count + ORDER, self._extend_by is not None
+        )
         self._plots.append(shown)
+        presses = {
+            TABLE: shown.download, PICTURE: shown.draw_picture, HEAR: shown.play,
+            ADD: lambda _: self._extend(shown), REMOVE: lambda _: self._remove(shown),
+        }  # fmt: skip
 
-        @buttons.on_click
+        @shown.buttons.on_click
         async def _(event: viser.GuiEvent[Any]) -> None:
-            actions = {
-                ADD: self._extend,
-                TABLE: self._download,
-                PICTURE: self._picture,
-                HEAR: self._hear,
-                REMOVE: self._remove,
-            }
-            if event.client_id is not None and event.target.value in mine:
-                self._page.later(partial(actions[event.target.value], shown))
+            label = event.target.value
+            if event.client_id is not None and label in shown.buttons.options:
+                self._page.later(lambda: presses[label](self.seconds))
 
         plot.sample(self._session)
         self._changed()
-        self._show(shown, reads=True)
+        shown.show(self.seconds, reads=True)
 
     def redraw(self) -> None:
         """Send all plots."""
         for shown in self._plots:
-            self._show(shown, reads=True)
+            shown.show(self.seconds, reads=True)
 
-    # --------------------------------------------------------------------- buttons
-    def _remove(self, shown: _Shown) -> None:
+    def _remove(self, shown: _OpenPlot) -> None:
         if shown not in self._plots:
             return
         self._plots.remove(shown)
         shown.remove()
-        if not (self._session.follows_energy or any(plots.wants_energy for plots in self._page.plots)):
+        if not (self._session.follows_energy or any(each.wants_energy for each in self._page.plots)):
             self._session.simulation.track_energy(False)
         self._changed()
 
-    def _extend(self, shown: _Shown) -> None:
-        """Plot what is chosen beside what a plot has."""
+    def _extend(self, shown: _OpenPlot) -> None:
+        """Add the chosen quantity to a plot."""
         assert self._extend_by is not None
         wish, name = shown.plot.wish, self._extend_by()
         if shown not in self._plots or name in wish.names:
@@ -235,66 +270,7 @@ class PlotList:
             self._page.notify(Notice("error", "That cannot be added", f"{error}."))
             return
         plot.take_over(shown.plot)
-        shown.remove_chart()
+        shown.chart.remove()
         shown.plot, shown.sent = plot, -1
         plot.sample(self._session)
-        self._show(shown, reads=True)
-
-    def _download(self, shown: _Shown) -> None:
-        name = f"{self._session.scene.name}-{shown.plot.wish.names[0]}.csv"
-        table = shown.plot.table(self._page.commas.on).encode()
-        self._client.send_file_download(name, table, save_immediately=True)
-
-    def _picture(self, shown: _Shown) -> None:
-        """Send the plot as it is shown, as a picture; matplotlib takes a while to draw it."""
-        scene, plot = self._session.scene, shown.plot
-        drawn = curve(plot, self.seconds, PICTURE_PIECES)
-        colors = plots.colors_of(plot, palette(scene.view.colors, dark=False))
-        title, name = shown_name(scene), f"{scene.name}-{plot.wish.names[0]}.png"
-
-        def make() -> None:
-            from ...export.plot_picture import plot_png  # matplotlib does not delay the start
-
-            self._client.send_file_download(name, plot_png(plot, drawn, colors, title), save_immediately=True)
-
-        workshop.submit(make)
-
-    def _hear(self, shown: _Shown) -> None:
-        """Have the first quantity of a plot heard, as far as it is past."""
-        quantity, rows = shown.plot.quantities[0], shown.plot.window(self.seconds)
-        if not len(rows):
-            return
-        times = np.linspace(rows[0, 0], rows[-1, 0], NOTES)
-        # At the moments that there are: between two of them nobody knows.
-        places = np.minimum(np.searchsorted(rows[:, 0], times), len(rows) - 1)
-        values = tuple(float(v) if np.isfinite(v) else None for v in rows[places, 1])
-        self._page.mail.tell(Melody(name=quantity.name, unit=quantity.unit, values=values))
-
-    # --------------------------------------------------------------------- drawing
-    def _show(self, shown: _Shown, reads: bool) -> None:
-        """Send a plot."""
-        plot, seconds = shown.plot, self.seconds
-        drawn = curve(plot, seconds, WIDTH)
-        colors = palette(self._session.scene.view.colors, self._page.looks.dark)
-        series = plots.colors_of(plot, colors)
-        gui, chart = self._client.gui, shown.chart
-        with self._client.atomic(), self._tab:
-            if plot.wish.over:
-                content = plots.draw_over_another(plot, drawn, series)
-                if isinstance(chart, viser.GuiHtmlHandle):
-                    chart.content = content
-                else:
-                    shown.chart = gui.add_html(content, order=shown.order)
-            else:
-                before = chart if isinstance(chart, viser.GuiUplotHandle) else None
-                # At the right there is an axis, or else room for half of the last number of the time.
-                padding = (8, 4 if len(plot.units) > 1 else 20, 0, 0)
-                add = partial(gui.add_uplot, height=HEIGHT, padding=padding, order=shown.order)
-                shown.chart, shown.looks = plots.draw_over_time(
-                    before, add, plot, drawn, series, colors, shown.looks
-                )
-            if reads:
-                shown.title.content = plots.title(plot, series)
-                # In a lesson, it is not the user who asked for a plot of something that does not swing.
-                none = ("",) if self._extend_by is None else ()
-                shown.reading.content = plots.reading(plot, seconds, *none)
+        shown.show(self.seconds, reads=True)

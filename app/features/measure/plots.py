@@ -1,9 +1,10 @@
-"""How plots are drawn in the page: lines, axes and colours, and what is read off them."""
+"""How plots look in the page: lines, axes, colours, title and reading."""
 
 from __future__ import annotations
 
 import html
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import viser
@@ -19,73 +20,112 @@ from ...ui import readouts
 from .phase import phase_svg
 
 _COLORS = ("brand", "pulled", "torque_plus", "torque_minus", "held")
-_OF = {"joint": "torque_plus", "spring": "pulled", "mass": "brand", "ghost": "held"}
-"""The colours that things have on the canvas; a second one in a plot gets the next that is free."""
+_COLOR_OF = {"joint": "torque_plus", "spring": "pulled", "mass": "brand", "ghost": "held"}
+"""Colours by kind of part, as on the canvas; a second part of a kind gets the next free one of `_COLORS`."""
 
 _FONT = "12px system-ui, sans-serif"
 
-_LONGEST_LABEL = 26
-"""Letters of the label of an axis for which there is room."""
+_MAX_LABEL = 26
+"""Letters of an axis label that fit."""
+
+HEIGHT = 220
+"""Height of a chart, pixels."""
 
 PALE = 0.35
-"""Opacity of what is ahead of the moment that is shown."""
+"""Opacity of values that are later than the moment shown."""
 
 
-def draw_over_time(
-    chart: viser.GuiUplotHandle | None,
-    add: Callable[..., viser.GuiUplotHandle],
-    plot: Plot,
-    drawn: Drawn,
-    series: Sequence[str],
-    colors: Palette,
-    before: tuple[object, ...],
-) -> tuple[viser.GuiUplotHandle, tuple[object, ...]]:
-    """Set the data of a plot over time; and its lines and axes, if these are others than before.
+class TimeChart:
+    """A plot over time, drawn by uPlot.
 
-    What is ahead of the moment that is shown is pale: a line ends there, and a pale one has all values.
+    Values later than the moment shown are pale: one line ends there, and a pale one has all values. After the
+    number of lines has changed, the chart is to be removed: viser may draw nothing.
 
     Args:
-        chart: where; None to make it.
-        add: makes it.
-        plot, drawn: what.
-        series: colours of its lines, as CSS has them.
-        colors: of everything else.
-        before: what this returned the last time.
-
-    Returns:
-        The chart, and what its lines and axes are for.
+        gui: of the page.
+        order: in the panel.
     """
-    # uPlot takes a number for the first value of every line that it goes by in finding its range.
-    values, past = drawn
-    some: NDArray[np.bool_] = np.asarray(np.isfinite(values).any(1))
-    begin = int(np.isfinite(values[some]).all(0).argmax())
-    values, past = values[:, begin:], max(past - begin, 0)
-    ahead = past < values.shape[1]
-    if values.shape[1] == 1:  # a range of no length has no marks
-        values = np.column_stack((values, values))
-        values[0, 1] += 0.1
-    # The line of all values is empty where the other one has all of them: they would be sent twice.
-    until, whole = values, [np.zeros(0)] * len(series)
-    if ahead or chart is None:  # in a new chart viser wants all lines of one length
-        until, whole = values.copy(), list(values[1:])
-        until[1:, past:] = np.nan
-    data = *until, *whole
-    looks = plot.wish, tuple(series), colors.css("text"), tuple(some.tolist()), plot.units, plot.turned
-    lines, axes = _lines(plot, series, some), _axes(plot, colors)
-    if chart is None:
+
+    def __init__(self, gui: viser.GuiApi, order: float) -> None:
+        self._gui, self._order = gui, order
+        self._chart: viser.GuiUplotHandle | None = None
+        self._looks: tuple[object, ...] = ()  # all that its lines and axes depend on
+
+    def remove(self) -> None:
+        """Remove it from the page; `draw` creates it again."""
+        if self._chart is not None:
+            self._chart.remove()
+        self._chart = None
+
+    def draw(self, plot: Plot, drawn: Drawn, colors: Palette) -> None:
+        """Send the values, and lines and axes if they have changed."""
+        series = colors_of(plot, colors)
+        # uPlot takes the first value of a line as a number when it determines ranges, so that must exist.
+        values, past = drawn
+        some: NDArray[np.bool_] = np.asarray(np.isfinite(values).any(1))
+        begin = int(np.isfinite(values[some]).all(0).argmax())
+        values, past = values[:, begin:], max(past - begin, 0)
+        ahead = past < values.shape[1]
+        if values.shape[1] == 1:  # an empty range has no ticks
+            values = np.column_stack((values, values))
+            values[0, 1] += 0.1
+        # Without later values the pale line is left empty: otherwise everything would be sent twice.
+        until, whole = values, [np.zeros(0)] * len(series)
+        if ahead or self._chart is None:  # viser creates charts with lines of equal length only
+            until, whole = values.copy(), list(values[1:])
+            until[1:, past:] = np.nan
+        data = *until, *whole
+        before = self._looks
+        self._looks = plot.wish, *series, colors.css("text"), *some.tolist(), plot.units, plot.turned
+        lines, axes = _lines(plot, series, some), _axes(plot, colors)
+        if self._chart is None:
+            self._chart = self._create(plot, data, lines, axes)
+            return
+        self._chart.data = data
+        if self._looks != before:
+            self._chart.series, self._chart.axes = lines, axes
+
+    def _create(self, plot: Plot, data: Any, lines: Any, axes: Any) -> viser.GuiUplotHandle:
         upwards: dict[str, uplot.Scale] = {
             f"y{i}": {"dir": -1} if turned else {} for i, turned in enumerate(plot.turned)
         }
-        scales: dict[str, uplot.Scale] = {"x": {"time": False}, **upwards}
-        return add(data, lines, scales=scales, axes=axes, cursor={"drag": {"x": True, "y": False}}), looks
-    chart.data = data
-    if looks != before:
-        chart.series, chart.axes = lines, axes
-    return chart, looks
+        return self._gui.add_uplot(
+            data,
+            lines,
+            scales={"x": {"time": False}, **upwards},
+            axes=axes,
+            cursor={"drag": {"x": True, "y": False}},
+            # At the right there is an axis, or else room for half of the last label of the time.
+            padding=(8, 4 if len(plot.units) > 1 else 20, 0, 0),
+            height=HEIGHT,
+            order=self._order,
+        )
+
+
+class PhaseChart:
+    """A plot over another quantity than time, as SVG; arguments and methods are those of `TimeChart`."""
+
+    def __init__(self, gui: viser.GuiApi, order: float) -> None:
+        self._gui, self._order = gui, order
+        self._chart: viser.GuiHtmlHandle | None = None
+
+    def remove(self) -> None:
+        """Remove it from the page."""
+        if self._chart is not None:
+            self._chart.remove()
+        self._chart = None
+
+    def draw(self, plot: Plot, drawn: Drawn, colors: Palette) -> None:
+        """Send the drawing."""
+        content = draw_over_another(plot, drawn, colors_of(plot, colors))
+        if self._chart is None:
+            self._chart = self._gui.add_html(content, order=self._order)
+        else:
+            self._chart.content = content
 
 
 def draw_over_another(plot: Plot, drawn: Drawn, series: Sequence[str]) -> str:
-    """A plot over another quantity than the time, as HTML."""
+    """Return a plot over another quantity than time, as HTML."""
     count, values = len(plot.wish.names), drawn.values
     turned = any(plot.turned)
     labels = _labelled(plot.quantities[-1:]), downwards(_labelled(plot.quantities[:count]), turned)
@@ -105,7 +145,7 @@ def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[
             "auto": bool(has_values),
             "points": {"show": False},
         }
-        # The legend has either this one or that, see page.css.
+        # The legend has one of the two, see page.css.
         until.append({**line, "class": "softrod-until"})
         whole.append({**line, "class": "softrod-whole", "alpha": PALE})
     return {"label": "time, s"}, *until, *whole
@@ -131,9 +171,8 @@ def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
             "side": 1 if i else 3,
             "label": downwards(label, turned),
             "labelSize": 18.0,
-            "size": 76.0
-            if unit.startswith(("kg", "N", "J"))
-            else 50.0,  # forces and energies have many digits
+            # Forces and energies have many digits.
+            "size": 76.0 if unit.startswith(("kg", "N", "J")) else 50.0,
         }
         if i:
             axis["grid"] = {"show": False}
@@ -142,16 +181,16 @@ def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
 
 
 def colors_of(plot: Plot, colors: Palette) -> list[str]:
-    """The colour of each quantity that is plotted upwards."""
+    """Return the CSS colour of each quantity on a vertical axis."""
     taken: list[str] = []
     for quantity in plot.quantities[: len(plot.wish.names)]:
-        first = _OF.get(quantity.kind.of, _COLORS[0])
+        first = _COLOR_OF.get(quantity.kind.of, _COLORS[0])
         taken.append(next(name for name in (first, *_COLORS) if name not in taken))
     return [colors.css(name) for name in taken]
 
 
 def _labelled(quantities: Sequence[sim.Quantity]) -> str:
-    """The label of an axis for some quantities, of one or two units."""
+    """Return the axis label of quantities of one or two units."""
     units = ", ".join(dict.fromkeys(q.unit for q in quantities if q.unit))
     if len(quantities) > 1:
         return _label(quantities, units)
@@ -159,22 +198,22 @@ def _labelled(quantities: Sequence[sim.Quantity]) -> str:
 
 
 def _label(quantities: Sequence[sim.Quantity], unit: str) -> str:
-    """What some quantities are, with their unit; of what they are, where that would be too long."""
+    """Return what the quantities are, with their unit; or the kinds of their parts, if that is too long."""
     for words in ((q.kind.what for q in quantities), (q.kind.of for q in quantities)):
         names = ", ".join(dict.fromkeys(words))
         label = f"{names}, {unit}" if unit else names
-        if len(label) <= _LONGEST_LABEL:
+        if len(label) <= _MAX_LABEL:
             break
     return label
 
 
 def downwards(label: str, turned: bool) -> str:
-    """The label of an axis, which says if its values grow downwards."""
+    """Return an axis label that says whether values grow downwards."""
     return f"{label}, downwards" if turned else label
 
 
 def title(plot: Plot, series: Sequence[str]) -> str:
-    """The names of what is plotted, with their colours."""
+    """Return the names of the quantities in their colours, as HTML."""
     keys = (
         f'<span translate="no"><i style="background:{color}"></i>{html.escape(name)}</span>'
         for name, color in zip(plot.wish.names, series, strict=True)
@@ -184,13 +223,14 @@ def title(plot: Plot, series: Sequence[str]) -> str:
 
 
 def reading(plot: Plot, seconds: float, none: str = "no regular swing") -> str:
-    """Period, amplitude and damping of each quantity, as far as it swings: of all that is in view, or of its
-    last part, where something else went before.
+    """Return period, amplitude and damping of each oscillating quantity, as HTML.
+
+    They are those of the whole window, or of its last half or quarter if the motion was different before.
 
     Args:
-        plot: what it is read off.
-        seconds: of the window.
-        none: what is said if nothing swings.
+        plot: the plot.
+        seconds: length of the window, s.
+        none: text if nothing oscillates.
     """
     rows = plot.window(seconds)
     lines = []
