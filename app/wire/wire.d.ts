@@ -197,7 +197,7 @@ export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
 /** What is measured on the canvas. */
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
-/** Forces, velocities and torques, see `encode` in arrows.py; empty while no arrows are shown. */
+/** Forces, velocities and torques; empty while no arrows are shown. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
 export type Lesson = { tell: "lesson"; steps: LessonStep[] };
@@ -258,6 +258,17 @@ export type Damage = { tell: "damage"; numbers: Float32Array };
 export type ToPage = Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | Plan | SecondPlan | Frame | Damage;
 /** What is in arrays of numbers, by the tags of their messages. */
 export type Layouts = {
+  arrows: {
+    /** of the body */ generation: number;
+    /** simulated seconds */ time: number;
+    /** every how manyth mass has an arrow; held ones always have */ step: number;
+    /** every how manyth joint */ jointStep: number;
+    /** negligible force, speed and torque */ least: Float32Array;
+    /** masses that are held */ held: Float32Array;
+    /** x and y of each */ forces: Float32Array;
+    /** x and y of each */ velocities: Float32Array;
+    /** one each */ torques: Float32Array;
+  };
   plan: {
     /** which body this is; frames carry the same number */ generation: number;
     /** from px to the page's world */ scale: number;

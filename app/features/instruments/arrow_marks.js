@@ -3,6 +3,7 @@
 import { arrow } from "../../stage/arrow_shapes.js";
 import * as arrows from "./arrows.js";
 import { onTold, told } from "../../wire/channel.js";
+import { unpack } from "../../wire/unpack.js";
 import { makeSvg, onSight, putUp, redrawMarks, set } from "../../stage/overlay.js";
 
 /** Length of the longest arrow, as a fraction of the canvas's shorter side. */
@@ -114,7 +115,7 @@ export function addArrows() {
     if (marks.some(({ scale }) => scale.full > 0 && scale.settling)) redraw = setTimeout(redrawMarks, REDRAW_AFTER);
   });
   onTold("arrows", ({ numbers }) => {
-    if (numbers.length) series.take(arrows.readArrows(numbers));
+    if (numbers.length) series.take(unpack("arrows", numbers));
     else series.clear();
     redrawMarks();
   });

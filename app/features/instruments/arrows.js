@@ -8,7 +8,6 @@
  */
 import { arrow, head, headOf } from "../../stage/arrow_shapes.js";
 import { roundUp } from "../../stage/overlay.js";
-import { sections } from "../../wire/unpack.js";
 
 /** Sets of numbers that are stored to interpolate between. */
 const MAX_SETS = 8;
@@ -23,25 +22,7 @@ const MIN_TURN = 0.2;
 /** Pixels between a mass and the arc of its joint. */
 const ARC = 12;
 
-/**
- * @typedef {object} Numbers
- * @property {number} generation of the body
- * @property {number} time simulated seconds
- * @property {number} step every how manyth mass has an arrow; held ones always have
- * @property {number} jointStep every how manyth joint
- * @property {number[]} least negligible force, speed and torque
- * @property {Float32Array} held masses that are held
- * @property {Float32Array} forces x and y of each
- * @property {Float32Array} velocities x and y of each
- * @property {Float32Array} torques one each
- */
-
-/** @param {Float32Array} data sections, each after its length @returns {Numbers} */
-export function readArrows(data) {
-  const take = sections(data);
-  const [generation, time, step, jointStep, ...least] = take();
-  return { generation, time, step, jointStep, least, held: take(), forces: take(), velocities: take(), torques: take() };
-}
+/** @typedef {import("../../wire/wire.js").Layouts["arrows"]} Numbers */
 
 /** The masses that have arrows, in their order. @param {Numbers} numbers @param {number} count of masses */
 export function massesOf({ step, held }, count) {

@@ -14,7 +14,6 @@ from sim import Scene, Simulation
 from ...session.session import Session
 from ...stage.sketch import Floats
 from ...wire.carrier import Mail
-from ...wire.sections import joined
 from . import messages as to_page
 
 KINDS = ("forces", "velocities", "torques")
@@ -117,8 +116,14 @@ def encode(
     held = held[:MAX_HELD]
     chosen = [*range(0, masses, step), *(mass for mass in held if mass % step)]
     forces, velocities = (part[chosen] if len(part) else part for part in numbers[:2])
-    head = plan, time, step, joint_step, *least
-    return joined(head, held, forces, velocities, numbers[2][::joint_step])
+    return to_page.Arrows.pack(
+        head=(plan, time, step, joint_step),
+        least=least,
+        held=held,
+        forces=forces,
+        velocities=velocities,
+        torques=numbers[2][::joint_step],
+    )
 
 
 def _step(count: int) -> int:

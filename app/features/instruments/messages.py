@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...wire.messages import Numbers, State
+from ...wire.sections import Section
 
 
 class Tools(State, frozen=True, kw_only=True):
@@ -22,4 +23,21 @@ class Tools(State, frozen=True, kw_only=True):
 
 
 class Arrows(Numbers, frozen=True, kw_only=True):
-    """Forces, velocities and torques, see `encode` in arrows.py; empty while no arrows are shown."""
+    """Forces, velocities and torques; empty while no arrows are shown."""
+
+    sections = (
+        Section(
+            "head",
+            numbers={
+                "generation": "of the body",
+                "time": "simulated seconds",
+                "step": "every how manyth mass has an arrow; held ones always have",
+                "joint_step": "every how manyth joint",
+            },
+        ),
+        Section("least", "negligible force, speed and torque"),
+        Section("held", "masses that are held"),
+        Section("forces", "x and y of each"),
+        Section("velocities", "x and y of each"),
+        Section("torques", "one each"),
+    )
