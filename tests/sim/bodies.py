@@ -7,8 +7,8 @@ import math
 from collections.abc import Collection
 from typing import get_args
 
-import msgspec
 import numpy as np
+from msgspec.structs import replace
 
 from sim import Anchor, AngularSpring, Beat, JointMuscle, LinearSpring, Mass, Scene, SpringMuscle
 from sim.edit.build import in_turn
@@ -168,8 +168,8 @@ def body(
 def tangle(seed: int, held: tuple[int, ...] = ()) -> Scene:
     """A body with no order to it and weak joints under the tutorial's law, which nothing pulls at."""
     scene = body("tangle", "tutorial", seed, twist=0.0, air=0.0, gravity=(0.0, 0.0), held=held)
-    weak = tuple(msgspec.structs.replace(j, stiffness=0.1 * j.stiffness) for j in scene.angular_springs)
-    return msgspec.structs.replace(scene, angular_springs=weak)
+    weak = tuple(replace(j, stiffness=0.1 * j.stiffness) for j in scene.angular_springs)
+    return replace(scene, angular_springs=weak)
 
 
 def with_muscles(scene: Scene, stretch: float = 0.08, turn: float = 8.0) -> Scene:
@@ -180,12 +180,12 @@ def with_muscles(scene: Scene, stretch: float = 0.08, turn: float = 8.0) -> Scen
         stretch: amplitude of springs, as a fraction.
         turn: of joints, degrees.
     """
-    return msgspec.structs.replace(
+    return replace(
         scene,
         bodies=(),
         beat=Beat(frequency=1.7, phase=40.0),
         linear_springs=tuple(
-            msgspec.structs.replace(
+            replace(
                 spring,
                 muscle=SpringMuscle(
                     amplitude=stretch if s % 3 else -stretch,
@@ -197,9 +197,7 @@ def with_muscles(scene: Scene, stretch: float = 0.08, turn: float = 8.0) -> Scen
             for s, spring in enumerate(scene.linear_springs)
         ),
         angular_springs=tuple(
-            msgspec.structs.replace(
-                joint, muscle=JointMuscle(amplitude=turn, phase=35.0 * j % 360.0, wave="sine")
-            )
+            replace(joint, muscle=JointMuscle(amplitude=turn, phase=35.0 * j % 360.0, wave="sine"))
             for j, joint in enumerate(scene.angular_springs)
         ),
     )
@@ -208,16 +206,13 @@ def with_muscles(scene: Scene, stretch: float = 0.08, turn: float = 8.0) -> Scen
 def flipped(scene: Scene, springs: Collection[int]) -> Scene:
     """The scene whose springs of these indices go from b to a. Angles with one of them are 180° larger."""
     angular = tuple(
-        msgspec.structs.replace(j, rest_angle=in_turn(j.rest_angle + 180.0))
-        if (j.a in springs) != (j.b in springs)
-        else j
+        replace(j, rest_angle=in_turn(j.rest_angle + 180.0)) if (j.a in springs) != (j.b in springs) else j
         for j in scene.angular_springs
     )
     linear = tuple(
-        msgspec.structs.replace(s, a=s.b, b=s.a) if i in springs else s
-        for i, s in enumerate(scene.linear_springs)
+        replace(s, a=s.b, b=s.a) if i in springs else s for i, s in enumerate(scene.linear_springs)
     )
-    return msgspec.structs.replace(scene, linear_springs=linear, angular_springs=angular)
+    return replace(scene, linear_springs=linear, angular_springs=angular)
 
 
 def some_flipped(scene: Scene, seed: int) -> Scene:

@@ -6,6 +6,7 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from msgspec.structs import replace
 
 from sim import Integrator, Scene, Simulation
 from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
@@ -65,7 +66,7 @@ def surrounded(kind: str, shape: str = "girder", seed: int = 0, **changes: Any) 
     """A body of `tests.sim.bodies` in surroundings of a kind; `changes` are arguments of `body`."""
     # Not an explicit method with a fixed step: for that, walls are softened.
     exact = Integrator(method="generalized_alpha", dt=1e-4)
-    return msgspec.structs.replace(body(shape, seed=seed, **changes), integrator=exact, **KINDS[kind])
+    return replace(body(shape, seed=seed, **changes), integrator=exact, **KINDS[kind])
 
 
 TOUCHING = {
@@ -90,7 +91,7 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
 def bare(scene: Scene) -> Scene:
     """The scene without anything that surrounds or touches the body."""
     nothing = {"medium": msgspec.UNSET, "ground": msgspec.UNSET}
-    return msgspec.structs.replace(scene, walls=(), wind=None, fillings=(), contact=None, **nothing)
+    return replace(scene, walls=(), wind=None, fillings=(), contact=None, **nothing)
 
 
 def force_around(scene: Scene) -> tuple[Floats, Floats]:
@@ -115,10 +116,10 @@ def with_everything() -> Scene:
     """A tangle in gusts, among walls, with fillings, some of whose springs break or yield."""
     scene = tangle(4)
     springs = list(scene.linear_springs)
-    springs[0] = msgspec.structs.replace(springs[0], strength=800.0)
-    springs[1] = msgspec.structs.replace(springs[1], strength=400.0)
-    springs[2] = msgspec.structs.replace(springs[2], yield_force=300.0)
-    return msgspec.structs.replace(
+    springs[0] = replace(springs[0], strength=800.0)
+    springs[1] = replace(springs[1], strength=400.0)
+    springs[2] = replace(springs[2], yield_force=300.0)
+    return replace(
         scene,
         linear_springs=tuple(springs),
         air_friction=0.01,
@@ -141,6 +142,6 @@ def with_everything() -> Scene:
 def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
     """The simulation of a scene after a while, by a method; `numbers` are of its integrator."""
     integrator = Integrator(**{"method": method, "dt": 1e-3, "tolerance": 1e-6, **numbers})
-    simulation = Simulation(msgspec.structs.replace(scene, integrator=integrator))
+    simulation = Simulation(replace(scene, integrator=integrator))
     simulation.advance(seconds)
     return simulation

@@ -5,9 +5,9 @@ from __future__ import annotations
 import itertools
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim.analysis.advice import Advice, Tried, compare_methods, recommended
@@ -26,8 +26,8 @@ def advice() -> Advice:
 def end(method: str, value: float) -> np.ndarray:
     """Where the masses of the rope are after a second."""
     given = {"tolerance": value, "dt": 1.0 / 60.0} if METHODS[method].adaptive else {"dt": value}
-    integrator = msgspec.structs.replace(ROPE.integrator, method=METHODS[method].name, **given)
-    simulation = sim.Simulation(msgspec.structs.replace(ROPE, integrator=integrator))
+    integrator = replace(ROPE.integrator, method=METHODS[method].name, **given)
+    simulation = sim.Simulation(replace(ROPE, integrator=integrator))
     simulation.step(round(1.0 / integrator.dt))
     assert simulation.time == pytest.approx(1.0)
     return simulation.positions

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Simulation
@@ -21,7 +21,7 @@ def test_far_from_its_limit_verlet_leaves_most_of_the_tolerance_to_what_may_come
     """All steps of a rope that swings calmly are limited by their errors, which must not add up to it."""
     ends = []
     for integrator in (Integrator(dt=1.0), Integrator(method="adams", dt=1.0, tolerance=1e-6)):
-        scene = msgspec.structs.replace(sim.load_scene("study-w1"), integrator=integrator)
+        scene = replace(sim.load_scene("study-w1"), integrator=integrator)
         simulation = Simulation(scene)
         assert simulation.step() == 1
         ends.append(simulation.positions)
@@ -31,7 +31,7 @@ def test_far_from_its_limit_verlet_leaves_most_of_the_tolerance_to_what_may_come
 def effort_of(name: str, tolerance: float) -> SolverStats:
     """What a second of a scene takes, in one call."""
     integrator = Integrator(tolerance=tolerance, dt=1.0)
-    simulation = Simulation(msgspec.structs.replace(sim.load_scene(name), integrator=integrator))
+    simulation = Simulation(replace(sim.load_scene(name), integrator=integrator))
     assert simulation.step() == 1
     return simulation.stats()
 
@@ -64,7 +64,7 @@ def test_long_steps_of_stiff_bodies_keep_to_large_tolerances(tolerance: float) -
         Integrator(dt=1.0, tolerance=tolerance),
         Integrator(method="adams", dt=1.0, tolerance=1e-6),
     ):
-        simulation = Simulation(msgspec.structs.replace(sim.load_scene("study-w3"), integrator=integrator))
+        simulation = Simulation(replace(sim.load_scene("study-w3"), integrator=integrator))
         assert simulation.step() == 1
         ends.append(simulation.positions)
     assert np.hypot(*(ends[0] - ends[1]).T).max() < 0.5 * tolerance
@@ -86,9 +86,9 @@ def test_steps_of_damped_bodies_are_longer_than_textbook_verlet_bears(tolerance:
 def test_frame_by_frame_implicit_steps_are_judged_by_what_they_do_now(tolerance: float) -> None:
     """Each frame cuts one short; going by the first frame, Verlet would be gone on with for ever."""
     scene = sim.load_scene("study-w3")
-    springs = tuple(msgspec.structs.replace(s, stiffness=100.0 * s.stiffness) for s in scene.linear_springs)
+    springs = tuple(replace(s, stiffness=100.0 * s.stiffness) for s in scene.linear_springs)
     integrator = Integrator(dt=1.0 / 60.0, tolerance=tolerance)
-    scene = msgspec.structs.replace(scene, bodies=(), linear_springs=springs, integrator=integrator)
+    scene = replace(scene, bodies=(), linear_springs=springs, integrator=integrator)
     simulation = Simulation(scene)
     assert simulation.step(60) == 60
     whole = simulation.stats()
@@ -111,12 +111,10 @@ def test_where_stability_limits_all_steps_hardly_more_is_done_than_by_the_longes
             columns=10, rows=10, width=270.0, height=270.0, diagonals=False, stiffness=2e7, damping=300.0,
             mass=0.2, air_friction=0.0,
         )  # fmt: skip
-        scene = msgspec.structs.replace(scene, bodies=(), angular_springs=())
+        scene = replace(scene, bodies=(), angular_springs=())
     else:
         scene = fine_rope(60, circle=Circle(radius=20.0, frequency=1.0, ramp=0.1), joints=False)
-    simulation = Simulation(
-        msgspec.structs.replace(scene, integrator=Integrator(dt=1.0, tolerance=tolerance))
-    )
+    simulation = Simulation(replace(scene, integrator=Integrator(dt=1.0, tolerance=tolerance)))
     assert simulation.step() == 1
     assert simulation.stats().work < 1.3 / largest_step(scene, "symplectic_euler")
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Pose, Scene, Simulation
@@ -17,8 +17,6 @@ from sim.physics import Physics
 from sim.scene.types import Damage, Method
 from tests.sim.builders import hoop
 
-REPLACE = msgspec.structs.replace
-
 
 def burst(method: Method = "auto", filling: Any = None, weak: int = 5, joined: bool = True) -> Scene:
     """A blown-up ring of 12 masses, of which one spring is weaker than the others."""
@@ -28,8 +26,8 @@ def burst(method: Method = "auto", filling: Any = None, weak: int = 5, joined: b
         fillings=(filling or sim.Gas(masses=rim, pressure=400.0, outside=100.0),),
         integrator=Integrator(method=method, dt=1e-4, tolerance=1e-3),
     )  # fmt: skip
-    springs = [REPLACE(s, strength=8000.0 if i == weak else 1e9) for i, s in enumerate(scene.linear_springs)]
-    return REPLACE(scene, linear_springs=tuple(springs if joined else springs[:-1]))
+    springs = [replace(s, strength=8000.0 if i == weak else 1e9) for i, s in enumerate(scene.linear_springs)]
+    return replace(scene, linear_springs=tuple(springs if joined else springs[:-1]))
 
 
 FILLINGS = {
@@ -58,8 +56,8 @@ def test_a_filling_gets_out_of_a_burst_skin(method: Method, kind: str) -> None:
         abs(start), balance.kinetic
     )
     # From then on it moves as a body without it.
-    empty = REPLACE(scene, fillings=(), pose=simulation.pose())
-    other, again = Simulation(empty), Simulation(REPLACE(scene, pose=simulation.pose()))
+    empty = replace(scene, fillings=(), pose=simulation.pose())
+    other, again = Simulation(empty), Simulation(replace(scene, pose=simulation.pose()))
     for each in (simulation, other, again):
         each.advance(0.05)
     for each in (simulation, again):
@@ -82,13 +80,13 @@ def test_numpy_moves_a_burst_balloon_without_its_filling() -> None:
         velocities=((0.0, 0.0),) * 12,
         damage=Damage(broken=(5,)),
     )
-    system, state = start_of(REPLACE(scene, pose=pose), build_system(REPLACE(scene, pose=pose)))
+    system, state = start_of(replace(scene, pose=pose), build_system(replace(scene, pose=pose)))
     x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
-    empty = REPLACE(scene, pose=pose, fillings=())
+    empty = replace(scene, pose=pose, fillings=())
     without, other = start_of(empty, build_system(empty))
     forces = Physics(system.body, state).forces(x, v)[system.mass_index]
     assert forces == pytest.approx(Physics(without.body, other).forces(x, v)[without.mass_index])
-    assert sim.equilibrium(REPLACE(scene, pose=pose)).damage == Damage(broken=(5,))
+    assert sim.equilibrium(replace(scene, pose=pose)).damage == Damage(broken=(5,))
 
 
 def test_a_loop_leaks_where_a_spring_of_it_is_broken_and_only_there() -> None:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, ArrowKeys, Circle, Integrator, Scene, Simulation
@@ -19,7 +19,6 @@ from tests.sim.inside import solver_of
 from tests.sim.surrounded import KINDS, around, surrounded
 from tests.sim.touching import crumpled
 
-REPLACE = msgspec.structs.replace
 FIXED = [name for name, info in METHODS.items() if not info.adaptive]
 ADAPTIVE = [name for name, info in METHODS.items() if info.adaptive]
 
@@ -33,15 +32,15 @@ def bits(simulation: Simulation) -> bytes:
 
 def restless(**fields: object) -> Scene:
     """A body that time drives, by gusts and an anchor that goes round, and that breaks, yields and sticks."""
-    scene = REPLACE(around("girder that sticks to itself", 8), **KINDS["all"])
+    scene = replace(around("girder that sticks to itself", 8), **KINDS["all"])
     circle = Circle(radius=20.0, frequency=3.0, ramp=0.1)
     limits = ({"strength": 2e4}, {"strength": 5e4, "yield_force": 2e4})
-    return REPLACE(
+    return replace(
         scene,
         anchors=(Anchor(mass=0, driven=True, circle=circle),),
         arrow_keys=ArrowKeys(),
-        linear_springs=tuple(REPLACE(s, **limits[i % 2]) for i, s in enumerate(scene.linear_springs)),
-        walls=tuple(REPLACE(wall, tangential_hardness=40.0) for wall in scene.walls),
+        linear_springs=tuple(replace(s, **limits[i % 2]) for i, s in enumerate(scene.linear_springs)),
+        walls=tuple(replace(wall, tangential_hardness=40.0) for wall in scene.walls),
         **fields,
     )
 
@@ -71,7 +70,7 @@ def test_steps_of_a_fixed_length_are_the_same_bits_however_they_are_called(metho
 
 @pytest.mark.parametrize("method", FIXED)
 def test_no_step_is_lost_to_rounding_however_late_it_is(method: Method) -> None:
-    scene = REPLACE(body("chain", "conservative", 1), integrator=Integrator(method=method, dt=1e-6))
+    scene = replace(body("chain", "conservative", 1), integrator=Integrator(method=method, dt=1e-6))
     simulation = Simulation(scene)
     simulation.restore(dataclasses.replace(simulation.capture(), time=1e5))
     assert [simulation.step() for _ in range(50)] == [1] * 50
@@ -83,7 +82,7 @@ def test_no_step_is_lost_to_rounding_however_late_it_is(method: Method) -> None:
 def test_steps_that_a_method_chooses_agree_to_the_tolerance(method: Method) -> None:
     # They are cut at the ends of calls. The first steps of a jelly on a floor try to be far too long.
     scene = sim.load_scene("jelly")
-    scene = REPLACE(scene, integrator=Integrator(method=method, dt=0.0025, tolerance=0.1))
+    scene = replace(scene, integrator=Integrator(method=method, dt=0.0025, tolerance=0.1))
     ends = []
     for every in (80, 640, 1):
         simulation = Simulation(scene)
@@ -120,7 +119,7 @@ def spoil(*tables: Table) -> None:
 @pytest.mark.parametrize("kind", ["chain", "ring", "tree", "everything"])
 def test_a_reset_or_restored_simulation_depends_on_nothing_before(kind: str, method: Method) -> None:
     scene = restless() if kind == "everything" else body(kind, "conservative", 1)
-    scene = REPLACE(scene, integrator=Integrator(method=method, dt=3e-4))
+    scene = replace(scene, integrator=Integrator(method=method, dt=3e-4))
     simulation, fresh = Simulation(scene), Simulation(scene)
     fresh.step(20)
     simulation.keys = {"up", "right"}
@@ -159,7 +158,7 @@ def test_a_mass_that_was_led_before_a_reset_starts_with_its_own_velocity() -> No
 # ------------------------------------------------------------------------- steps that are refused
 @pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet", "rk4"])
 def test_the_last_good_state_has_the_keys_of_its_own_steps(method: Method) -> None:
-    scene = REPLACE(
+    scene = replace(
         body("girder", "conservative", 1),
         integrator=Integrator(method=method, dt=0.02),
         arrow_keys=ArrowKeys(),

@@ -5,15 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, Integrator, Mass, Scene, Simulation
 from sim.scene.types import Circle, ForceLaw, Method
 
-REPLACE = msgspec.structs.replace
 METHODS: tuple[Method, ...] = ("symplectic_euler", "velocity_verlet", "generalized_alpha", "rodas4", "auto")
 CIRCLE = Circle(radius=35.0, frequency=1.7, ramp=0.15)
 DT = 0.004
@@ -75,7 +74,7 @@ def test_it_goes_by_its_formula(circle: Circle, method: Method) -> None:
 def test_several_anchors_go_their_own_ways_though_nothing_else_is_free(method: Method) -> None:
     other = Circle(radius=10.0, frequency=-0.9, ramp=0.5)
     held = (Anchor(mass=4, circle=other), *(Anchor(mass=i) for i in range(1, 4)))
-    simulation = Simulation(REPLACE(rope(method), bodies=(), anchors=(*held, Anchor(mass=0, circle=CIRCLE))))
+    simulation = Simulation(replace(rope(method), bodies=(), anchors=(*held, Anchor(mass=0, circle=CIRCLE))))
     before = simulation.positions
     simulation.step(80)
     assert away(simulation) <= 1e-10

@@ -6,11 +6,11 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, Integrator, Pose, Scene, SceneError, Simulation
@@ -22,7 +22,6 @@ from tests.sim.bodies import LAWS, body
 from tests.sim.builders import built, row
 from tests.sim.inside import solver_of
 
-REPLACE = msgspec.structs.replace
 ADAPTIVE = [name for name, method in METHODS.items() if method.adaptive]
 
 
@@ -73,10 +72,10 @@ def test_a_spring_that_is_strong_enough_does_not_break(method: Method) -> None:
 @pytest.mark.parametrize("law", LAWS)
 def test_joints_break_with_their_springs(law: ForceLaw) -> None:
     scene = body("girder", law, 2)
-    strong = tuple(REPLACE(spring, strength=1e12) for spring in scene.linear_springs)
-    weak = (REPLACE(strong[0], strength=1.0), *strong[1:])
+    strong = tuple(replace(spring, strength=1e12) for spring in scene.linear_springs)
+    weak = (replace(strong[0], strength=1.0), *strong[1:])
     integrator = Integrator(method="rodas5p", dt=1e-3, tolerance=1e-6)
-    broken = Simulation(REPLACE(scene, linear_springs=weak, integrator=integrator))
+    broken = Simulation(replace(scene, linear_springs=weak, integrator=integrator))
     broken.energy()
     broken.advance(0.1)
     assert broken.damage is not None and broken.damage.broken == (0,)
@@ -84,15 +83,15 @@ def test_joints_break_with_their_springs(law: ForceLaw) -> None:
     # From where it broke it moves as a body that never had them. A spring without stiffness is still one.
     gone = [j for j, joint in enumerate(scene.angular_springs) if 0 in (joint.a, joint.b)]
     assert gone
-    without = REPLACE(
+    without = replace(
         scene,
-        linear_springs=(REPLACE(strong[0], stiffness=0.0, damping=0.0), *strong[1:]),
+        linear_springs=(replace(strong[0], stiffness=0.0, damping=0.0), *strong[1:]),
         angular_springs=tuple(
-            REPLACE(joint, stiffness=0.0, damping=0.0) if j in gone else joint
+            replace(joint, stiffness=0.0, damping=0.0) if j in gone else joint
             for j, joint in enumerate(scene.angular_springs)
         ),
         integrator=integrator,
-        pose=REPLACE(broken.pose(), damage=None),
+        pose=replace(broken.pose(), damage=None),
     )
     other = Simulation(without)
     for simulation in (broken, other):
@@ -134,7 +133,7 @@ def test_yielding_is_of_second_order_and_its_balance_is_too(method: Method) -> N
         for k in range(5):
             scene = flung(method=method, yield_force=10_000.0 + 200.0 * k)
             way = (1e9 - (10_000.0 + 200.0 * k) ** 2) / 2000.0 / (10_000.0 + 200.0 * k)
-            simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=dt)))
+            simulation = Simulation(replace(scene, integrator=Integrator(method=method, dt=dt)))
             simulation.energy()
             simulation.advance(0.12)
             assert simulation.damage is not None
@@ -150,8 +149,8 @@ def test_yielding_is_of_second_order_and_its_balance_is_too(method: Method) -> N
 def test_what_is_beyond_its_limit_where_it_is_put_yields_or_breaks_at_once(method: Method) -> None:
     # Stretched by 20 px, of which 10 are elastic; from there it swings as a spring of 110 px.
     scene = flung(speed=0.0, method=method, yield_force=10_000.0)
-    far = (scene.masses[0], REPLACE(scene.masses[1], position=(120.0, 0.0)))
-    simulation = Simulation(REPLACE(scene, masses=far))
+    far = (scene.masses[0], replace(scene.masses[1], position=(120.0, 0.0)))
+    simulation = Simulation(replace(scene, masses=far))
     simulation.energy()
     simulation.advance(0.05)
     assert simulation.damage is not None
@@ -160,7 +159,7 @@ def test_what_is_beyond_its_limit_where_it_is_put_yields_or_breaks_at_once(metho
     balance = simulation.energy()
     assert balance.plastic == pytest.approx(-150_000.0, rel=1e-9)
     assert abs(balance.residual) <= (0.05 if METHODS[method].order == 1 else 2e-3) * 50_000.0
-    broken = Simulation(REPLACE(scene, masses=far, linear_springs=flung(strength=1e4).linear_springs))
+    broken = Simulation(replace(scene, masses=far, linear_springs=flung(strength=1e4).linear_springs))
     broken.advance(0.05)
     assert broken.positions[1, 0] == pytest.approx(120.0, abs=1e-9)
 
@@ -169,7 +168,7 @@ def test_what_is_beyond_its_limit_where_it_is_put_yields_or_breaks_at_once(metho
 def test_a_spring_that_cannot_yield_any_further_does_not_shorten_steps(method: Method) -> None:
     # Squeezed to the least rest length there is, by a mass that comes back from the other side.
     scene = flung(speed=-1500.0, yield_force=100.0)
-    simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=0.1, tolerance=0.1)))
+    simulation = Simulation(replace(scene, integrator=Integrator(method=method, dt=0.1, tolerance=0.1)))
     assert simulation.step(attempts=20_000) == 1
     assert simulation.damage is not None and -99.0 <= simulation.damage.set_lengths[0] <= 1e4
 
@@ -187,7 +186,7 @@ def test_errors_fall_with_the_tolerance_where_a_led_body_yields(method: Method, 
     runs: list[tuple[Method, float]] = [("adams", 1e-8), (method, 0.01), (method, 1e-4)]
     ends = []
     for by, tolerance in runs:
-        simulation = Simulation(REPLACE(scene, integrator=Integrator(method=by, dt=0.5, tolerance=tolerance)))
+        simulation = Simulation(replace(scene, integrator=Integrator(method=by, dt=0.5, tolerance=tolerance)))
         assert simulation.step(attempts=100_000) == 1
         damage = simulation.damage
         assert damage is not None and any(damage.set_lengths if part == "springs" else damage.set_angles)
@@ -231,7 +230,7 @@ def test_a_joint_that_is_led_round_and_round_yields_behind_it(law: ForceLaw) -> 
         assert simulation.damage is not None
         (set_angle,) = simulation.damage.set_angles
         assert 20.0 < math.remainder(angle - set_angle, 360.0) < 60.0
-        sim.validate(REPLACE(simulation.scene, pose=simulation.pose()))  # which a file may have
+        sim.validate(replace(simulation.scene, pose=simulation.pose()))  # which a file may have
     other = Simulation(simulation.scene)
     other.restore(simulation.capture())
     for one in (simulation, other):
@@ -267,7 +266,7 @@ def fragile(seed: int = 0, method: Method = "auto") -> Scene:
     """A body of which some springs break, and some yield, soon."""
     scene = body("girder", seed=seed, air=0.0)
     springs = tuple(
-        REPLACE(
+        replace(
             spring,
             strength=6e4 if s % 3 else None,
             yield_force=2e4 if s % 2 else None,
@@ -275,8 +274,8 @@ def fragile(seed: int = 0, method: Method = "auto") -> Scene:
         )
         for s, spring in enumerate(scene.linear_springs)
     )
-    joints = tuple(REPLACE(joint, yield_torque=3e5) for joint in scene.angular_springs)
-    return REPLACE(
+    joints = tuple(replace(joint, yield_torque=3e5) for joint in scene.angular_springs)
+    return replace(
         scene,
         linear_springs=springs,
         angular_springs=joints,
@@ -287,14 +286,14 @@ def fragile(seed: int = 0, method: Method = "auto") -> Scene:
 def test_a_saved_pose_has_the_damage_and_settings_keep_it(tmp_path: Any) -> None:
     simulation = Simulation(fragile())
     simulation.advance(0.3)
-    saved = REPLACE(simulation.scene, pose=simulation.pose())
+    saved = replace(simulation.scene, pose=simulation.pose())
     sim.save_scene(saved, tmp_path / "worn.json")
     opened = Simulation(sim.load_scene(tmp_path / "worn.json"))
     assert opened.damage == simulation.damage
     assert np.array_equal(
         solver_of(opened).system.body.stiffness, solver_of(simulation).system.body.stiffness
     )
-    simulation.replace(REPLACE(simulation.scene, gravity=(0.0, 100.0)))
+    simulation.replace(replace(simulation.scene, gravity=(0.0, 100.0)))
     assert simulation.damage == opened.damage
     other = Simulation(simulation.scene)
     other.take_state(simulation)
@@ -313,7 +312,7 @@ def test_a_saved_pose_has_the_damage_and_settings_keep_it(tmp_path: Any) -> None
 def test_damage_that_does_not_fit_is_refused(damage: Damage, sentence: str) -> None:
     pose = Pose(positions=((0.0, 0.0), (100.0, 0.0)), velocities=((0.0, 0.0),) * 2, damage=damage)
     with pytest.raises(SceneError, match=sentence):
-        sim.validate(REPLACE(flung(), pose=pose))
+        sim.validate(replace(flung(), pose=pose))
 
 
 @given(seed=st.integers(0, 10_000), method=st.sampled_from(sorted(METHODS)), strength=st.floats(0.0, 1e5))
@@ -321,10 +320,10 @@ def test_damage_that_does_not_fit_is_refused(damage: Damage, sentence: str) -> N
 def test_whatever_breaks_and_yields_numbers_stay_good(seed: int, method: Method, strength: float) -> None:
     scene = fragile(seed % 7, method)
     springs = tuple(
-        REPLACE(spring, strength=strength, yield_force=0.3 * strength) for spring in scene.linear_springs
+        replace(spring, strength=strength, yield_force=0.3 * strength) for spring in scene.linear_springs
     )
     integrator = Integrator(method=method, dt=1e-3, tolerance=1.0)
-    simulation = Simulation(REPLACE(scene, linear_springs=springs, integrator=integrator))
+    simulation = Simulation(replace(scene, linear_springs=springs, integrator=integrator))
     simulation.energy()
     for _ in range(5):
         simulation.step(20, attempts=2000)
@@ -344,7 +343,7 @@ def test_the_energy_of_what_touches_a_spring_goes_with_it(method: Method) -> Non
         integrator=Integrator(method=method, dt=1e-5, tolerance=1e-6),
     )  # fmt: skip
     weak, other = scene.linear_springs
-    scene = REPLACE(scene, linear_springs=(REPLACE(weak, strength=50.0), other))
+    scene = replace(scene, linear_springs=(replace(weak, strength=50.0), other))
     simulation = Simulation(scene)
     before = simulation.energy()
     assert before.contact == pytest.approx(300.0 * 7.0**3 / 3.0)
@@ -363,7 +362,7 @@ def test_the_moment_of_a_break_is_found_to_the_tolerance(method: Method) -> None
     turns = math.asin(omega * 20_000.0 / (1000.0 * speed))
     for tolerance, dt in ((0.1, 0.1), (1e-2, 0.1), (1e-3, 0.1), (1e-3, 1e-3)):  # whatever the frames
         integrator = Integrator(method=method, dt=dt, tolerance=tolerance)
-        simulation = Simulation(REPLACE(flung(strength=20_000.0), integrator=integrator))
+        simulation = Simulation(replace(flung(strength=20_000.0), integrator=integrator))
         simulation.step(round(1.0 / dt))
         flown = 20.0 + speed * math.cos(turns) * (1.0 - turns / omega)
         assert simulation.positions[1, 0] - 100.0 == pytest.approx(flown, abs=10.0 * tolerance)
@@ -372,12 +371,12 @@ def test_the_moment_of_a_break_is_found_to_the_tolerance(method: Method) -> None
 # ------------------------------------------------------------------------- what outlasts its limits
 def without_limits(scene: Scene) -> Scene:
     """The scene with nothing that could still break or yield."""
-    return REPLACE(
+    return replace(
         scene,
         linear_springs=tuple(
-            REPLACE(s, strength=None, yield_force=None, hardening=0.0) for s in scene.linear_springs
+            replace(s, strength=None, yield_force=None, hardening=0.0) for s in scene.linear_springs
         ),
-        angular_springs=tuple(REPLACE(j, yield_torque=None) for j in scene.angular_springs),
+        angular_springs=tuple(replace(j, yield_torque=None) for j in scene.angular_springs),
     )
 
 
@@ -395,7 +394,7 @@ def test_damage_stays_when_the_last_strength_is_taken_away() -> None:
     assert fresh.damage is None
     restored.restore(moment)
     taken.take_state(simulation)
-    posed = Simulation(REPLACE(scene, pose=simulation.pose()))
+    posed = Simulation(replace(scene, pose=simulation.pose()))
     for each in (restored, taken, posed):
         assert each.damage == before
         each.advance(0.05)
@@ -430,7 +429,7 @@ def hung(**spring: Any) -> Scene:
 
 def with_damage(scene: Scene, damage: Damage) -> Scene:
     places = tuple(mass.position for mass in scene.masses)
-    return REPLACE(scene, pose=Pose(positions=places, velocities=((0.0, 0.0),) * len(places), damage=damage))
+    return replace(scene, pose=Pose(positions=places, velocities=((0.0, 0.0),) * len(places), damage=damage))
 
 
 def test_equilibrium_vibrations_and_tuning_go_by_the_damage_of_the_pose() -> None:
@@ -439,7 +438,7 @@ def test_equilibrium_vibrations_and_tuning_go_by_the_damage_of_the_pose() -> Non
     # It hangs on the one that is left, which 500 stretch by half a px.
     assert pose.positions[1] == pytest.approx((0.0, 10.5), abs=1e-6)
     assert pose.damage == Damage(broken=(1,))
-    resting = REPLACE(broken, pose=pose)
+    resting = replace(broken, pose=pose)
     slow, fast = sim.vibrations(resting, 2).omega
     assert slow == pytest.approx(math.sqrt(500.0 / 10.5), rel=1e-6)  # a pendulum
     assert fast == pytest.approx(math.sqrt(1000.0), rel=1e-6)
@@ -451,15 +450,15 @@ def test_equilibrium_vibrations_and_tuning_go_by_the_damage_of_the_pose() -> Non
     # Yielding, too: 3 px longer.
     longer = sim.equilibrium(with_damage(hung(yield_force=1e6), Damage(set_lengths=(3.0, 3.0))))
     plain = sim.equilibrium(
-        REPLACE(hung(), linear_springs=tuple(REPLACE(s, rest_length=13.0) for s in hung().linear_springs))
+        replace(hung(), linear_springs=tuple(replace(s, rest_length=13.0) for s in hung().linear_springs))
     )
     assert np.array(longer.positions) == pytest.approx(np.array(plain.positions), abs=1e-6)
 
 
 def test_make_stable_lowers_nothing_for_a_broken_spring() -> None:
     scene = hung(strength=1e12)
-    stiff = (scene.linear_springs[0], REPLACE(scene.linear_springs[1], stiffness=1e9))
-    scene = REPLACE(scene, linear_springs=stiff)
+    stiff = (scene.linear_springs[0], replace(scene.linear_springs[1], stiffness=1e9))
+    scene = replace(scene, linear_springs=stiff)
     assert sim.make_stable(scene).linear_springs[1].stiffness < 1e7
     broken = with_damage(scene, Damage(broken=(1,)))
     assert sim.make_stable(broken) is broken
@@ -475,7 +474,7 @@ def test_an_equilibrium_that_would_break_or_yield_something_says_so() -> None:
         notes = sim.tuning(hung(**{limit: 600.0})).notes
         assert any(words[1] + " of 600" in note for note in notes)
         assert not any(words[1] in note for note in sim.tuning(hung(**{limit: 710.0})).notes)
-    scene = REPLACE(bent("conservative", yield_torque=1e3), gravity=(0.0, 2000.0))
+    scene = replace(bent("conservative", yield_torque=1e3), gravity=(0.0, 2000.0))
     with pytest.warns(
         UserWarning, match=r"joint 0 would yield .* kg px²/s² is more than its yield torque of"
     ):

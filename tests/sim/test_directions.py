@@ -8,6 +8,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Scene, Simulation
@@ -25,11 +26,9 @@ from sim.scene.types import ForceLaw, Method
 from tests.sim.bodies import LAWS, SHAPES, body, flipped, some_flipped
 from tests.sim.builders import chain, row
 
-REPLACE = msgspec.structs.replace
-
 
 def by(scene: Scene, method: Method, dt: float = 1e-3) -> Scene:
-    return REPLACE(scene, integrator=Integrator(method=method, dt=dt, tolerance=1e-3))
+    return replace(scene, integrator=Integrator(method=method, dt=dt, tolerance=1e-3))
 
 
 def close(one: Any, other: Any, rel: float = 1e-9) -> None:
@@ -86,7 +85,7 @@ def test_tuning_equilibrium_and_vibrations() -> None:
     scene = of_parts(sim.rod(masses=8, damping=5.0))
     other = some_flipped(scene, 5)
     close(sim.equilibrium(scene).positions, sim.equilibrium(other).positions, 1e-8)
-    resting = [REPLACE(each, pose=sim.equilibrium(each)) for each in (scene, other)]
+    resting = [replace(each, pose=sim.equilibrium(each)) for each in (scene, other)]
     one, two = (sim.vibrations(each, 5).omega for each in resting)
     close(one, two, 1e-6)
     told, same = sim.tuning(scene), sim.tuning(other)
@@ -137,7 +136,7 @@ EDITS: dict[str, Any] = {
 def test_edits(name: str, shape: str) -> None:
     scene = body(shape, "conservative", 4)
     if name in ("corners", "triangulate", "extend"):
-        scene = REPLACE(scene, angular_springs=scene.angular_springs[:2])
+        scene = replace(scene, angular_springs=scene.angular_springs[:2])
     edited = []
     for each in (scene, some_flipped(scene, 7)):
         moment = Simulation(each).capture()
@@ -161,12 +160,12 @@ def test_edits(name: str, shape: str) -> None:
 @pytest.mark.parametrize("law", LAWS)
 def test_yielding_and_breaking(law: ForceLaw) -> None:
     scene = by(body("girder", law, 2, air=0.0), "rk4", 1e-4)
-    scene = REPLACE(
+    scene = replace(
         scene,
         linear_springs=tuple(
-            REPLACE(s, strength=5e4, yield_force=2e4, hardening=5.0) for s in scene.linear_springs
+            replace(s, strength=5e4, yield_force=2e4, hardening=5.0) for s in scene.linear_springs
         ),
-        angular_springs=tuple(REPLACE(j, yield_torque=3e5) for j in scene.angular_springs),
+        angular_springs=tuple(replace(j, yield_torque=3e5) for j in scene.angular_springs),
     )
     one, other = Simulation(scene), Simulation(some_flipped(scene, 8))
     for simulation in (one, other):

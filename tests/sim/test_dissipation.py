@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import msgspec
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Scene, Simulation
@@ -14,7 +14,6 @@ from sim.methods.registry import METHODS
 from sim.scene.types import Method
 from tests.sim.builders import built, row
 
-REPLACE = msgspec.structs.replace
 STRENGTHS = [0.1, 1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6]
 
 MASSES, SPEED = (1.0, 3.0), 100.0
@@ -62,7 +61,7 @@ def test_a_damper_of_a_joint_takes_no_more_than_there_is(damping: float) -> None
 @pytest.mark.parametrize("name", ["tutorial-3.3", "ring", "flag-pole", "study-cloth"])
 def test_the_balance_closes_at_any_damping(name: str, key: str) -> None:
     scene = sim.load_scene(name)
-    scene = REPLACE(scene, force_law="conservative", integrator=sim.Integrator())
+    scene = replace(scene, force_law="conservative", integrator=sim.Integrator())
     for damping in (1e1, 1e2, 1e3, 1e4, 1e5):
         simulation = Simulation(sim.set_value(scene, key, damping))
         first = simulation.energy()

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Scene, Simulation
@@ -14,17 +14,15 @@ from tests.sim.builders import chain, row, tutorial_rope
 from tests.sim.inside import general, put
 from tests.sim.laws import Laws, complexes, points
 
-REPLACE = msgspec.structs.replace
-
 
 def too_stiff(stiffness: float = 60_000.0) -> Scene:
     """The tutorial's rope, with angular springs too stiff for its step, hung askew so that it bends."""
     scene = sim.set_value(sim.load_scene("tutorial-3.3"), "angular_stiffness", stiffness)
-    return REPLACE(
+    return replace(
         scene,
         bodies=(),
         masses=tuple(
-            REPLACE(mass, position=(mass.position[0] + i % 2, mass.position[1]))
+            replace(mass, position=(mass.position[0] + i % 2, mass.position[1]))
             for i, mass in enumerate(scene.masses)
         ),
     )
@@ -65,7 +63,7 @@ def test_stops_at_the_last_good_state(batch: int) -> None:
 def test_names_the_mass_and_the_limit(path: str) -> None:
     scene = too_stiff()
     if path == "general":
-        scene = REPLACE(
+        scene = replace(
             scene, linear_springs=scene.linear_springs[:-1], angular_springs=scene.angular_springs[:-1]
         )
     simulation = Simulation(scene)
@@ -86,11 +84,11 @@ def test_names_the_mass_of_the_scene_when_masses_are_listed_in_any_order() -> No
     scene = too_stiff()
     count = len(scene.masses)
     # The scene's mass i becomes mass count - 1 - i; the solver still visits them from the anchor on.
-    shuffled = REPLACE(
+    shuffled = replace(
         scene,
         masses=scene.masses[::-1],
-        linear_springs=tuple(REPLACE(s, a=count - 1 - s.a, b=count - 1 - s.b) for s in scene.linear_springs),
-        anchors=tuple(REPLACE(a, mass=count - 1 - a.mass) for a in scene.anchors),
+        linear_springs=tuple(replace(s, a=count - 1 - s.a, b=count - 1 - s.b) for s in scene.linear_springs),
+        anchors=tuple(replace(a, mass=count - 1 - a.mass) for a in scene.anchors),
     )
     one, other = Simulation(scene), Simulation(shuffled)
     one.step(5000)
@@ -172,7 +170,7 @@ def test_no_steps_until_replaced() -> None:
     simulation = Simulation(too_stiff())
     simulation.step(5000)
     with pytest.raises(sim.SceneError):
-        simulation.replace(REPLACE(too_stiff(), name=""))
+        simulation.replace(replace(too_stiff(), name=""))
     assert simulation.divergence is not None
     simulation.replace(sim.load_scene("ring"))
     assert simulation.divergence is None

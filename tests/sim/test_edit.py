@@ -7,11 +7,11 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 import sim
 from sim.edit.build import add_joints, add_mass, add_springs, extend, pin, positions_of, remove
@@ -161,7 +161,7 @@ def test_a_mass_that_extends_a_moving_body_starts_where_it_is_seen_from_the_othe
 
 
 def test_a_new_spring_is_at_rest_under_any_scale_of_rest_lengths() -> None:
-    scene = msgspec.structs.replace(square(), rest_length_scale=2.0)
+    scene = replace(square(), rest_length_scale=2.0)
     edit = add_springs(scene, [(0, 2)], starts(scene))
     assert edit.scene.linear_springs[4].rest_length * 2.0 == pytest.approx(math.hypot(100.0, 100.0))
     for edit in (
@@ -194,7 +194,7 @@ def test_a_filling_gets_out_where_its_skin_is_cut() -> None:
     assert not remove(balloon, Selection(springs=frozenset({around}))).scene.fillings
     assert not remove(balloon, Selection(masses=frozenset({rim[4]}))).scene.fillings
     # What is not of the skin may go.
-    inside = msgspec.structs.replace(
+    inside = replace(
         balloon,
         bodies=(),
         masses=(*balloon.masses, sim.Mass(position=balloon.masses[0].position, mass=1.0)),
@@ -340,8 +340,8 @@ def test_numbers_of_single_parts() -> None:
 
 def test_what_is_broken_stays_broken_when_others_go() -> None:
     scene = square()
-    springs = tuple(msgspec.structs.replace(s, strength=1e9) for s in scene.linear_springs)
-    scene = msgspec.structs.replace(scene, linear_springs=springs)
+    springs = tuple(replace(s, strength=1e9) for s in scene.linear_springs)
+    scene = replace(scene, linear_springs=springs)
     simulation = sim.Simulation(scene)
     moment = simulation.capture()
     broken = sim.Moment(scene, 1.0, 0.0, moment.rows, 0.0, 0, Damage(broken=(2,)))

@@ -15,6 +15,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import ArrowKeys, Scene, SceneError, Simulation, list_scenes, load_scene, save_scene
@@ -32,8 +33,6 @@ from sim.store.own_scenes import trash_user_scene
 from tests.sim.bodies import tangle
 from tests.sim.builders import PRESETS, star
 from tests.sim.fuzzing import with_muscles
-
-REPLACE = msgspec.structs.replace
 
 
 def refused(data: bytes | dict[str, Any]) -> str:
@@ -92,13 +91,13 @@ SCENES = [
         force_law="angle",
         integrator=sim.Integrator(method="rodas5p", tolerance=1e-7),
     ),
-    REPLACE(star(5), anchors=(sim.Anchor(mass=2, circle=Circle(radius=0.1 + 0.2)),)),
+    replace(star(5), anchors=(sim.Anchor(mass=2, circle=Circle(radius=0.1 + 0.2)),)),
     tangle(1, held=(2,)),
     star(7),
     with_muscles(star(6), np.random.default_rng(1)),
     with_muscles(sim.rope(), np.random.default_rng(2)),
-    REPLACE(with_muscles(star(6), np.random.default_rng(1)), beat=msgspec.UNSET),
-    REPLACE(star(4), name='"quoted" \\ ü 中 \x00', description="two\nlines\tand a tab"),
+    replace(with_muscles(star(6), np.random.default_rng(1)), beat=msgspec.UNSET),
+    replace(star(4), name='"quoted" \\ ü 中 \x00', description="two\nlines\tand a tab"),
 ]
 
 
@@ -138,14 +137,14 @@ def test_files_are_readable_json_with_vectors_on_one_line() -> None:
 def test_invalid_scenes_are_not_written(tmp_path: Path) -> None:
     path = tmp_path / "scene.json"
     with pytest.raises(SceneError, match="air_friction"):
-        save_scene(REPLACE(star(3), air_friction=-1.0), path)
+        save_scene(replace(star(3), air_friction=-1.0), path)
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_name_that_no_file_can_hold_is_refused(tmp_path: Path) -> None:
     # Half of a surrogate pair: Python has such texts, UTF-8 does not.
     with pytest.raises(SceneError):
-        save_scene(REPLACE(star(3), name="\ud800"), tmp_path / "scene.json")
+        save_scene(replace(star(3), name="\ud800"), tmp_path / "scene.json")
 
 
 # ------------------------------------------------------------------------- what is no scene
@@ -329,7 +328,7 @@ def test_files_that_are_too_large_are_refused_unread(tmp_path: Path) -> None:
         load_scene(path)
     assert "are more than" in refused(b" " * (MAX_FILE_BYTES + 1))
     with pytest.raises(SceneError, match="more than"):
-        save_scene(REPLACE(sim.rope(masses=20_000, joints=False), bodies=()), tmp_path / "out.json")
+        save_scene(replace(sim.rope(masses=20_000, joints=False), bodies=()), tmp_path / "out.json")
     assert not (tmp_path / "out.json").exists()
 
 
@@ -470,11 +469,11 @@ def test_names_that_cannot_be_used(name: str, home: Path) -> None:
 
 def test_saving_listing_loading_and_deleting(home: Path) -> None:
     assert all(info.built_in for info in list_scenes())
-    assert save_user_scene(REPLACE(star(5), description="mine"), "../My: star") == "My- star"
+    assert save_user_scene(replace(star(5), description="mine"), "../My: star") == "My- star"
     assert [path.name for path in home.iterdir()] == ["My- star.json"]
     info = list_scenes()[-1]
     assert (info.name, info.description, info.built_in, info.path.parent) == ("My- star", "mine", False, home)
-    assert load_scene("My- star") == REPLACE(star(5), name="My- star", description="mine")
+    assert load_scene("My- star") == replace(star(5), name="My- star", description="mine")
     save_user_scene(star(6), "My- star")
     assert len(load_scene("My- star").masses) == 7
     trash_user_scene("My- star")

@@ -7,9 +7,9 @@ import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim.design.combinations import candidates
@@ -21,8 +21,6 @@ from sim.settings import set_value
 from tests.amount import NIGHT, part_of
 from tests.sim.indistinguishable import KINDS, bending_that_never_moves, weightless
 from tests.sim.measured import any_case, measure, spring_pendulum, swing
-
-REPLACE = msgspec.structs.replace
 
 
 def random(seed: int = 1) -> np.random.Generator:
@@ -158,8 +156,8 @@ def test_what_brakes_may_be_one_or_the_other(case: int) -> None:
     holds the truth, also where the best fit has nothing of the air."""
     draw = random(case)
     damping, air = draw.uniform(0.4, 0.7), draw.uniform(1.5e-3, 2.5e-3)
-    hidden = REPLACE(weightless(spring_pendulum(damping=damping)), air_friction=air)
-    guess = REPLACE(weightless(spring_pendulum(damping=0.5)), air_friction=2e-3)
+    hidden = replace(weightless(spring_pendulum(damping=damping)), air_friction=air)
+    guess = replace(weightless(spring_pendulum(damping=0.5)), air_friction=2e-3)
     found = sim.fit(guess, measure(hidden, ["mass1.y"], 1.2, 0.03, draw), ["linear_damping", "air_friction"])
     for name, truth in (("linear_damping", damping), ("air_friction", air)):
         each = found.values[name]
@@ -335,10 +333,10 @@ def test_residuals_that_hang_together_count_as_fewer() -> None:
 
 def test_a_scene_that_lacks_something_is_told_and_widens_the_intervals() -> None:
     """The air is in what was measured, but not in what is sought."""
-    airy = REPLACE(swing(), air_friction=2e-4)
+    airy = replace(swing(), air_friction=2e-4)
     data = measure(airy, ["mass1.x"], 2.0, 0.005, random())
     lacking = sim.fit(swing(), data, ["gravity"])
-    whole = sim.fit(REPLACE(swing(), air_friction=1e-4), data, ["gravity", "air_friction"])
+    whole = sim.fit(replace(swing(), air_friction=1e-4), data, ["gravity", "air_friction"])
     assert "is no mere noise" in lacking.sentences[0]
     assert not whole.sentences
     width = {fit: fit.values["gravity"].high - fit.values["gravity"].low for fit in (lacking, whole)}
@@ -366,7 +364,7 @@ def test_a_far_start_does_not_mistake_one_swing_for_the_next() -> None:
 
 def test_methods_with_steps_of_their_own_fit_what_they_made() -> None:
     """A table of times between the steps; the tutorial's Euler has the period that it has."""
-    euler = REPLACE(spring_pendulum(), integrator=sim.Integrator(method="symplectic_euler", dt=0.02))
+    euler = replace(spring_pendulum(), integrator=sim.Integrator(method="symplectic_euler", dt=0.02))
     run = sim.Simulation(euler).record(1.0, "mass1.y")
     data = Measurement("euler.csv", run.time, (Column("mass1.y", "px", run["mass1.y"]),))
     found = sim.fit(set_value(euler, "linear_stiffness", 100.0), data, ["linear_stiffness"])
@@ -409,7 +407,7 @@ def test_what_cannot_be_compared_is_refused() -> None:
     with pytest.raises(sim.InputError, match=r"nowhere\.csv: it cannot be read"):
         sim.fit(swing(), "nowhere.csv", ["gravity"])
     late = Measurement("late.csv", data.time * 1e5, data.columns)
-    euler = REPLACE(swing(), integrator=sim.Integrator(method="symplectic_euler"))
+    euler = replace(swing(), integrator=sim.Integrator(method="symplectic_euler"))
     with pytest.raises(sim.InputError, match="steps, more than 200000"):
         sim.fit(euler, late, ["gravity"])
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Simulation
@@ -19,7 +19,6 @@ from tests.amount import examples
 from tests.sim.builders import led_rod, rod
 from tests.sim.inside import same_state
 
-REPLACE = msgspec.structs.replace
 WAVE = 300.0 / 11.0 * 100.0
 """px/s: how fast a pull goes through the tutorial's rope, in however many pieces."""
 
@@ -148,7 +147,7 @@ def test_it_comes_to_its_goal_and_stays() -> None:
 
 
 def test_one_long_call_leads_as_far_as_many_short_ones() -> None:
-    one = Simulation(REPLACE(rod(60), integrator=Integrator(method="auto", dt=1.0)))
+    one = Simulation(replace(rod(60), integrator=Integrator(method="auto", dt=1.0)))
     many = Simulation(rod(60))
     for simulation in (one, many):
         simulation.follow(0, (300.0, 100.0))
@@ -177,7 +176,7 @@ def test_a_hand_waits_when_attempts_run_out() -> None:
 def test_the_balance_of_a_gentle_hand_closes() -> None:
     laws: tuple[ForceLaw, ...] = ("tutorial", "conservative")
     for law in laws:
-        scene = REPLACE(rod(60, law=law), integrator=Integrator(tolerance=1e-3))
+        scene = replace(rod(60, law=law), integrator=Integrator(tolerance=1e-3))
         simulation = Simulation(scene)
         simulation.energy()
         for frame in range(60):

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from sim import Anchor, Integrator, Scene, Simulation, polygon
 from sim.methods.registry import METHODS
@@ -16,7 +16,6 @@ from sim.scene.types import Method
 from tests.sim.builders import built
 from tests.sim.surrounded import surrounded
 
-REPLACE = msgspec.structs.replace
 FLOOR = Wall(point=(0.0, 0.0), normal=(0.0, -1.0))
 
 
@@ -36,7 +35,7 @@ def jelly(y: float, **fields: Any) -> Scene:
 def frames(scene: Scene, method: Method, count: int = 60, dt: float = 1e-3) -> Simulation:
     """Sixty frames, each of which may try 1500 steps, as the page grants them."""
     integrator = Integrator(method=method, dt=dt if not METHODS[method].adaptive else 1.0 / 60.0)
-    simulation = Simulation(REPLACE(scene, integrator=integrator))
+    simulation = Simulation(replace(scene, integrator=integrator))
     simulation.energy()
     last = 0.0
     for _ in range(count):
@@ -57,9 +56,9 @@ def frames(scene: Scene, method: Method, count: int = 60, dt: float = 1e-3) -> S
 def test_dropped_from_the_highest_place_there_is(method: Method) -> None:
     # It arrives with 63 000 px/s.
     falling = tuple(
-        REPLACE(mass, velocity=(0.0, math.sqrt(2.0 * 2000.0 * 9.9e5))) for mass in jelly(0.0).masses
+        replace(mass, velocity=(0.0, math.sqrt(2.0 * 2000.0 * 9.9e5))) for mass in jelly(0.0).masses
     )
-    simulation = frames(REPLACE(jelly(-400.0), masses=falling, walls=(FLOOR,)), method)
+    simulation = frames(replace(jelly(-400.0), masses=falling, walls=(FLOOR,)), method)
     if METHODS[method].adaptive:
         assert simulation.time >= 0.3
         assert simulation.positions[:, 1].min() < 0.0
@@ -78,9 +77,9 @@ def test_a_floor_through_the_middle_of_the_body_at_the_start(method: Method) -> 
 
 @pytest.mark.parametrize("method", ["auto", "adams", "rodas5p", "symplectic_euler", "velocity_verlet"])
 def test_friction_of_ten(method: Method) -> None:
-    scene = jelly(-20.0, walls=(REPLACE(FLOOR, friction=10.0),))
-    sliding = tuple(REPLACE(mass, velocity=(800.0, 0.0)) for mass in scene.masses)
-    simulation = frames(REPLACE(scene, masses=sliding), method, 120)
+    scene = jelly(-20.0, walls=(replace(FLOOR, friction=10.0),))
+    sliding = tuple(replace(mass, velocity=(800.0, 0.0)) for mass in scene.masses)
+    simulation = frames(replace(scene, masses=sliding), method, 120)
     assert simulation.divergence is None
     assert abs(simulation.velocities[:, 0].mean()) <= 300.0  # it tumbles over its lowest corner
     assert simulation.energy().friction < 0.0
@@ -89,16 +88,16 @@ def test_friction_of_ten(method: Method) -> None:
 @pytest.mark.parametrize("method", METHODS)
 def test_a_girder_that_snaps_in_the_middle_of_a_step(method: Method) -> None:
     scene = jelly(0.0)
-    springs = tuple(REPLACE(spring, strength=3000.0) for spring in scene.linear_springs)
+    springs = tuple(replace(spring, strength=3000.0) for spring in scene.linear_springs)
     simulation = frames(
-        REPLACE(scene, linear_springs=springs, anchors=(Anchor(mass=12), Anchor(mass=15))), method
+        replace(scene, linear_springs=springs, anchors=(Anchor(mass=12), Anchor(mass=15))), method
     )
     assert simulation.damage is not None and simulation.damage.broken
     assert simulation.divergence is None
 
 
 def test_walls_that_leave_no_room() -> None:
-    walls = (FLOOR, REPLACE(FLOOR, point=(0.0, -40.0), normal=(0.0, 1.0)))  # the jelly is 90 px high
+    walls = (FLOOR, replace(FLOOR, point=(0.0, -40.0), normal=(0.0, 1.0)))  # the jelly is 90 px high
     simulation = frames(jelly(0.0, walls=walls), "auto")
     assert simulation.time == pytest.approx(1.0)
     assert np.ptp(simulation.positions[:, 1]) <= 60.0
@@ -106,7 +105,7 @@ def test_walls_that_leave_no_room() -> None:
 
 def test_a_gale() -> None:
     scene = jelly(0.0, wind=Wind(velocity=(1e5, 0.0), turbulence=5.0, length_scale=50.0), air_friction=1.0)
-    frames(REPLACE(scene, anchors=(Anchor(mass=0),)), "auto")
+    frames(replace(scene, anchors=(Anchor(mass=0),)), "auto")
 
 
 def test_a_filling_of_a_loop_that_crosses_itself() -> None:
@@ -118,8 +117,8 @@ def test_a_filling_of_a_loop_that_crosses_itself() -> None:
 @pytest.mark.parametrize("method", METHODS)
 def test_everything_at_once(method: Method) -> None:
     scene = surrounded("all", seed=8)
-    springs = tuple(REPLACE(spring, strength=5e4, yield_force=2e4) for spring in scene.linear_springs)
-    frames(REPLACE(scene, linear_springs=springs), method, 30, 1e-4)
+    springs = tuple(replace(spring, strength=5e4, yield_force=2e4) for spring in scene.linear_springs)
+    frames(replace(scene, linear_springs=springs), method, 30, 1e-4)
 
 
 @pytest.mark.parametrize("method", ["auto", "adams", "rodas5p"])
@@ -130,12 +129,12 @@ def test_a_gas_in_a_flat_loop_gets_no_energy_from_nowhere(method: Method) -> Non
         angular_stiffness=100.0, gravity=(0.0, 0.0), air_friction=0.0,
     )  # fmt: skip
     flat = tuple(
-        REPLACE(mass, position=(mass.position[0], 300.0 + 2e-10 * (mass.position[1] - 300.0)))
+        replace(mass, position=(mass.position[0], 300.0 + 2e-10 * (mass.position[1] - 300.0)))
         for mass in ring.masses
     )
     gas = Gas(masses=tuple(range(12)), pressure=300.0, outside=100.0)
     integrator = Integrator(method=method, dt=0.01, tolerance=0.1)
-    simulation = Simulation(REPLACE(ring, bodies=(), masses=flat, fillings=(gas,), integrator=integrator))
+    simulation = Simulation(replace(ring, bodies=(), masses=flat, fillings=(gas,), integrator=integrator))
     largest = simulation.energy().linear
     for _ in range(30):
         assert simulation.step(1, attempts=20_000) == 1

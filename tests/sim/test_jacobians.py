@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 import sim
 from sim import AngularSpring, LinearSpring, Mass, Scene
@@ -21,7 +21,6 @@ from tests.sim.arrays import Arrays, Floats, off
 from tests.sim.bodies import LAWS, SHAPES, body
 from tests.sim.builders import built, chain, row
 
-REPLACE = msgspec.structs.replace
 PATHS = [pytest.param(shape, False, id=shape) for shape in SHAPES] + [
     pytest.param("chain", True, id="chain, general")
 ]
@@ -59,7 +58,7 @@ def test_the_matrix_is_that_of_forces_that_yield(shape: str, law: ForceLaw) -> N
     scene = body(shape, law, 1, held=(0,))
     at = np.array([mass.position for mass in scene.masses])
     springs = tuple(
-        REPLACE(
+        replace(
             s,
             yield_force=0.6 * s.stiffness * abs(float(np.hypot(*(at[s.b] - at[s.a]))) - s.rest_length),
             hardening=0.3 * s.stiffness * (i % 4),
@@ -72,12 +71,12 @@ def test_the_matrix_is_that_of_forces_that_yield(shape: str, law: ForceLaw) -> N
     system, still = Arrays(scene).system, np.zeros(Arrays(scene).slots, complex)
     torques = np.abs(twin.torques(Arrays(scene).state.x + 1j * Arrays(scene).state.y, still))
     joints = tuple(
-        REPLACE(joint, yield_torque=0.6 * torque) if i % 2 else joint
+        replace(joint, yield_torque=0.6 * torque) if i % 2 else joint
         for i, (joint, torque) in enumerate(
             zip(scene.angular_springs, torques[system.joint_order].tolist(), strict=True)
         )
     )
-    arrays = Arrays(REPLACE(scene, linear_springs=springs, angular_springs=joints))
+    arrays = Arrays(replace(scene, linear_springs=springs, angular_springs=joints))
     expected, elastic = (each.by_differences(2e4, 150.0, speeds=0.1) for each in (arrays, Arrays(scene)))
     assert off(elastic, expected) >= 1e-2
     assert off(arrays.matrix_of(2e4, 150.0), expected) <= 1e-7
@@ -133,15 +132,15 @@ def test_the_definite_matrix_at_rest(shape: str, joints: bool, law: ForceLaw) ->
     scene = body(shape, law, 7, air=0.0, joints=joints)
     angles = sim.Simulation(scene).angles
     positions = np.array([mass.position for mass in scene.masses])
-    scene = REPLACE(
+    scene = replace(
         scene,
-        masses=tuple(REPLACE(mass, velocity=(0.0, 0.0)) for mass in scene.masses),
+        masses=tuple(replace(mass, velocity=(0.0, 0.0)) for mass in scene.masses),
         linear_springs=tuple(
-            REPLACE(spring, rest_length=float(np.hypot(*(positions[spring.a] - positions[spring.b]))))
+            replace(spring, rest_length=float(np.hypot(*(positions[spring.a] - positions[spring.b]))))
             for spring in scene.linear_springs
         ),
         angular_springs=tuple(
-            REPLACE(joint, rest_angle=float(angle))
+            replace(joint, rest_angle=float(angle))
             for joint, angle in zip(scene.angular_springs, angles, strict=True)
         ),
     )
@@ -174,7 +173,7 @@ def test_a_chain_of_any_length_is_solved_like_any_other_body(law: ForceLaw, orig
             velocities=list(map(tuple, rng.normal(0.0, 50.0, (count, 2)).tolist())),
             held=(count // 2,) if count > 3 else (),
         )
-        scene = REPLACE(scene, force_law=law, air_friction=0.01)
+        scene = replace(scene, force_law=law, air_friction=0.01)
         one, other = Arrays(scene), Arrays(scene, general=True)
         assert one.body.chain
         assert not other.body.chain
@@ -244,7 +243,7 @@ def test_a_forest_hangs_on_what_is_held() -> None:
     scene = body("cloth", held=(5, 10))
     lone = (Mass(position=(900.0, 0.0)), Mass(position=(950.0, 0.0)), Mass(position=(999.0, 0.0)))
     spring = LinearSpring(a=17, b=16, stiffness=1.0, rest_length=1.0)
-    scene = REPLACE(scene, masses=(*scene.masses, *lone), linear_springs=(*scene.linear_springs, spring))
+    scene = replace(scene, masses=(*scene.masses, *lone), linear_springs=(*scene.linear_springs, spring))
     arrays = Arrays(scene)
     matrix, tables = arrays.matrix, arrays.body
     joined = set(zip(tables.spring_a.tolist(), tables.spring_b.tolist(), strict=True))

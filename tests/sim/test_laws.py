@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from sim import Integrator, Scene, Simulation
 from sim.scene.types import ForceLaw
@@ -18,7 +18,6 @@ from tests.sim.builders import built
 from tests.sim.inside import forces_of, general, put, spring_forces, system_of
 from tests.sim.laws import Laws, complexes, points
 
-REPLACE = msgspec.structs.replace
 WITH_ENERGY = ("conservative", "angle")
 DAMPINGS = [
     pytest.param({"damping": 0.0, "twist": 0.0}, id="undamped"),
@@ -73,7 +72,7 @@ def test_accelerations_are_those_of_the_equations(shape: str, law: ForceLaw, dam
         assert off(found, points(laws.accelerations(positions, speeds))) <= 1e-13
         assert not found[list(held)].any()
         assert arrays.potential(arrays.q) == pytest.approx(
-            Laws(REPLACE(scene, force_law="conservative") if law == "tutorial" else scene).potential(
+            Laws(replace(scene, force_law="conservative") if law == "tutorial" else scene).potential(
                 positions
             ),
             rel=1e-12,
@@ -166,10 +165,10 @@ def test_only_the_tutorials_law_does_work_on_a_closed_path(shape: str) -> None:
     # Rest angles near the present ones, so that the path keeps off the angle law's jump.
     scene = body(shape, seed=6)
     angles = Simulation(scene).angles
-    scene = REPLACE(
+    scene = replace(
         scene,
         angular_springs=tuple(
-            REPLACE(joint, rest_angle=float((angle + 25.0 + 180.0) % 360.0 - 180.0))
+            replace(joint, rest_angle=float((angle + 25.0 + 180.0) % 360.0 - 180.0))
             for joint, angle in zip(scene.angular_springs, angles, strict=True)
         ),
     )
@@ -180,7 +179,7 @@ def test_only_the_tutorials_law_does_work_on_a_closed_path(shape: str) -> None:
     def loop(s: float) -> Points:
         return positions + math.sin(s) * one + (1.0 - math.cos(s)) * other
 
-    work = {law: work_on_a_loop(REPLACE(scene, force_law=law), loop, 200) for law in LAWS}
+    work = {law: work_on_a_loop(replace(scene, force_law=law), loop, 200) for law in LAWS}
     assert abs(work["tutorial"]) > 300.0
     assert abs(work["conservative"]) <= 1e-6 * abs(work["tutorial"])
     assert abs(work["angle"]) <= 1e-6 * abs(work["tutorial"])

@@ -6,9 +6,9 @@ import itertools
 import math
 from collections.abc import Iterator
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from scipy.special import ellipk
 
 import sim
@@ -95,8 +95,8 @@ def test_a_period_does_not_know_the_amplitude() -> None:
     for pull in (30.0, 60.0):
         scene = step_of("lesson-hooke", 1)
         masses = list(scene.masses)
-        masses[1] = msgspec.structs.replace(masses[1], position=(150.0, 270.0 + pull))
-        simulation = sim.Simulation(msgspec.structs.replace(scene, masses=tuple(masses)))
+        masses[1] = replace(masses[1], position=(150.0, 270.0 + pull))
+        simulation = sim.Simulation(replace(scene, masses=tuple(masses)))
         assert period(simulation, 1, 1, 6.0) == pytest.approx(1.405, abs=0.01)
     assert is_answer("lesson-hooke", 1, "Just as long")
 
@@ -171,8 +171,8 @@ def let_go(number: int, tolerance: float, higher: float = 0.0) -> np.ndarray:
     scene = step_of("lesson-chaos", number, f"tolerance={tolerance}")
     *masses, lower = scene.masses
     x, y = lower.position
-    masses.append(msgspec.structs.replace(lower, position=(x, y - higher)))
-    simulation = sim.Simulation(msgspec.structs.replace(scene, masses=tuple(masses)))
+    masses.append(replace(lower, position=(x, y - higher)))
+    simulation = sim.Simulation(replace(scene, masses=tuple(masses)))
     places = []
     for _ in range(150):
         simulation.advance(0.1)
@@ -217,10 +217,8 @@ def test_laws() -> None:
         """Speed of the arm's end just after it was let go at an angle."""
         scene = step_of("lesson-laws", number)
         t, masses = math.radians(degrees), list(scene.masses)
-        masses[2] = msgspec.structs.replace(
-            masses[2], position=(300.0 + 120.0 * math.cos(t), 300.0 + 120.0 * math.sin(t))
-        )
-        simulation = sim.Simulation(msgspec.structs.replace(scene, masses=tuple(masses)))
+        masses[2] = replace(masses[2], position=(300.0 + 120.0 * math.cos(t), 300.0 + 120.0 * math.sin(t)))
+        simulation = sim.Simulation(replace(scene, masses=tuple(masses)))
         start = simulation.positions[2].copy()
         simulation.advance(0.05)
         return float(np.hypot(*(simulation.positions[2] - start)))
@@ -245,7 +243,7 @@ def test_backwards() -> None:
     springs, joints = kept.linear_springs, kept.angular_springs
     assert {spring.stiffness for spring in springs} == {2e4}
     assert {joint.stiffness for joint in joints} == {4000.0}
-    one_held = msgspec.structs.replace(kept, anchors=kept.anchors[:1])
+    one_held = replace(kept, anchors=kept.anchors[:1])
     with pytest.raises(sim.DesignError, match="nothing keeps it from turning about mass 0"):
         sim.keep_shape(one_held)
     soft = step_of("lesson-backwards", 2)

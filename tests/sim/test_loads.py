@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, Circle, Integrator, Scene, Simulation
@@ -16,7 +16,6 @@ from tests.sim.builders import built
 from tests.sim.surrounded import surrounded, with_everything
 from tests.sim.touching import crumpled
 
-REPLACE = msgspec.structs.replace
 H = 1e-5
 """Step of the differences, s."""
 
@@ -26,7 +25,7 @@ def by_differences(scene: Scene, steps: int = 400) -> tuple[Simulation, np.ndarr
 
     A held mass has none of the latter.
     """
-    scene = REPLACE(scene, integrator=Integrator(method="rk4", dt=H))
+    scene = replace(scene, integrator=Integrator(method="rk4", dt=H))
     simulation = Simulation(scene)
     simulation.step(steps - 1)
     before = simulation.velocities
@@ -63,7 +62,7 @@ def test_forces_of_walls_wind_and_fillings_are_in_them() -> None:
     scene = surrounded("all")
     _, forces, differences = by_differences(scene, steps=100)
     for part in ("walls", "wind", "fillings"):
-        without = REPLACE(scene, **{part: None if part == "wind" else ()})
+        without = replace(scene, **{part: None if part == "wind" else ()})
         assert np.abs(Simulation(scene).loads.forces - Simulation(without).loads.forces).max() > 1.0, part
     assert forces == pytest.approx(differences, rel=1e-4, abs=1e-4 * np.abs(differences).max())
 
@@ -71,7 +70,7 @@ def test_forces_of_walls_wind_and_fillings_are_in_them() -> None:
 def test_forces_of_contact_are_in_them() -> None:
     scene = crumpled("girder")
     _, forces, differences = by_differences(scene, steps=20)
-    without = Simulation(REPLACE(scene, contact=None)).loads.forces
+    without = Simulation(replace(scene, contact=None)).loads.forces
     assert np.abs(Simulation(scene).loads.forces - without).max() > 1e3
     assert forces == pytest.approx(differences, rel=1e-4, abs=1e-4 * np.abs(differences).max())
 
@@ -86,8 +85,8 @@ def test_what_has_yielded_and_broken_pulls_no_more_than_it_does() -> None:
 
 def test_a_joint_whose_spring_is_broken_has_no_torque() -> None:
     scene = body("tree", damping=0.0)
-    springs = (REPLACE(scene.linear_springs[0], strength=1.0), *scene.linear_springs[1:])
-    simulation = Simulation(REPLACE(scene, linear_springs=springs))
+    springs = (replace(scene.linear_springs[0], strength=1.0), *scene.linear_springs[1:])
+    simulation = Simulation(replace(scene, linear_springs=springs))
     assert np.abs(simulation.loads.torques).min() > 0.0
     simulation.step(400)
     assert simulation.damage is not None and simulation.damage.broken == (0,)
@@ -99,7 +98,7 @@ def test_a_joint_whose_spring_is_broken_has_no_torque() -> None:
 
 def test_supports_bear_the_weight_of_a_body_at_rest() -> None:
     scene = sim.load_scene("cloth")
-    simulation = Simulation(REPLACE(scene, pose=sim.equilibrium(scene)))
+    simulation = Simulation(replace(scene, pose=sim.equilibrium(scene)))
     forces, held = simulation.loads.forces, [anchor.mass for anchor in scene.anchors]
     weight = sum(m.mass for m in scene.masses) * np.array(scene.gravity)
     assert forces[held].sum(axis=0) == pytest.approx(weight, rel=1e-6, abs=1e-6 * np.abs(weight).max())
@@ -107,7 +106,7 @@ def test_supports_bear_the_weight_of_a_body_at_rest() -> None:
 
 
 def test_a_hand_bears_what_hangs_on_it() -> None:
-    scene = REPLACE(oscillator(damping=50.0), gravity=(0.0, 500.0), air_friction=1.0)
+    scene = replace(oscillator(damping=50.0), gravity=(0.0, 500.0), air_friction=1.0)
     simulation = Simulation(scene)
     simulation.step(20)
     simulation.grab(1)
@@ -144,7 +143,7 @@ def test_torques_are_those_of_the_law(law: ForceLaw) -> None:
 
 def test_a_mass_that_is_led_in_a_circle_has_no_inertia_in_what_its_support_bears() -> None:
     circle = (Anchor(mass=0, circle=Circle(radius=50.0, frequency=1.0)),)
-    simulation = Simulation(REPLACE(oscillator(), anchors=circle))
+    simulation = Simulation(replace(oscillator(), anchors=circle))
     simulation.step(100)
     support, force = simulation.loads.forces
     assert np.abs(force).max() > 1e3

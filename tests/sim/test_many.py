@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 import sim
 from sim import InputError, Integrator, Run, Scene, SceneError, Simulation
@@ -21,7 +21,6 @@ from tests.amount import examples
 from tests.sim.builders import tutorial_rope
 from tests.sim.fuzzing import wild_scene
 
-REPLACE = msgspec.structs.replace
 LANED = ("symplectic_euler", "velocity_verlet", "rk4")
 STEPS = 24
 
@@ -32,11 +31,11 @@ def varied(scene: Scene, rng: np.random.Generator) -> Scene:
     def other(number: float) -> float:
         return number * float(rng.uniform(0.5, 1.0))
 
-    return REPLACE(
+    return replace(
         scene,
         bodies=(),
         masses=tuple(
-            REPLACE(
+            replace(
                 m,
                 mass=min(2.0 * m.mass, 1e6),
                 velocity=(other(m.velocity[0]), other(m.velocity[1])),
@@ -45,10 +44,10 @@ def varied(scene: Scene, rng: np.random.Generator) -> Scene:
             for i, m in enumerate(scene.masses)
         ),
         linear_springs=tuple(
-            REPLACE(s, stiffness=other(s.stiffness), damping=other(s.damping)) for s in scene.linear_springs
+            replace(s, stiffness=other(s.stiffness), damping=other(s.damping)) for s in scene.linear_springs
         ),
         angular_springs=tuple(
-            REPLACE(j, stiffness=other(j.stiffness), rest_angle=other(j.rest_angle))
+            replace(j, stiffness=other(j.stiffness), rest_angle=other(j.rest_angle))
             for j in scene.angular_springs
         ),
         gravity=(other(100.0), -30.0),
@@ -80,10 +79,10 @@ def last_digits_changed(scene: Scene) -> Scene:
     """The scene with other last digits in its positions."""
     off = 1.0 + 2.0**-48 * np.random.default_rng(1).choice((-1.0, 1.0), (len(scene.masses), 2))
     masses = tuple(
-        REPLACE(mass, position=tuple((off_by * mass.position).tolist()))
+        replace(mass, position=tuple((off_by * mass.position).tolist()))
         for mass, off_by in zip(scene.masses, off, strict=True)
     )
-    return REPLACE(scene, bodies=(), masses=masses)
+    return replace(scene, bodies=(), masses=masses)
 
 
 def same(one: Run, other: Run) -> bool:
@@ -105,7 +104,7 @@ def test_bodies_side_by_side_do_what_a_simulation_of_each_does(seed: int, method
     limit = damped_limit(build_system(scene))
     dt = 0.2 * limit if math.isfinite(limit) else 1e-3
     assume(dt >= 1e-6)
-    scene = REPLACE(scene, integrator=Integrator(method=method, dt=min(dt, 0.01)))
+    scene = replace(scene, integrator=Integrator(method=method, dt=min(dt, 0.01)))
     scenes = [scene, *(varied(scene, rng) for _ in range(count - 1))]
     assume(is_laned(scene))
     dt = scene.integrator.dt
@@ -143,11 +142,11 @@ ALONE: dict[str, Scene] = {
     "angle law": tutorial_rope(force_law="angle"),
     "circle": tutorial_rope(circle=Circle(radius=20.0, frequency=1.0)),
     "stable spring": tutorial_rope(integrator=Integrator(method="stable_spring")),
-    "muscles": REPLACE(sim.worm(), integrator=Integrator(method="symplectic_euler", dt=1e-3)),
-    "breaking": REPLACE(
+    "muscles": replace(sim.worm(), integrator=Integrator(method="symplectic_euler", dt=1e-3)),
+    "breaking": replace(
         tutorial_rope(gravity=(0.0, 3000.0)),
         linear_springs=tuple(
-            REPLACE(s, strength=4000.0) for s in tutorial_rope(gravity=(0.0, 3000.0)).linear_springs
+            replace(s, strength=4000.0) for s in tutorial_rope(gravity=(0.0, 3000.0)).linear_springs
         ),
         bodies=(),
     ),
@@ -227,9 +226,9 @@ def test_steps_between_samples_that_are_none_are_refused(every: Any) -> None:
 
 def test_a_scene_that_is_not_valid_is_named() -> None:
     rope = tutorial_rope()
-    wrong = REPLACE(rope, gravity=(0.0, math.nan))
+    wrong = replace(rope, gravity=(0.0, math.nan))
     with pytest.raises(SceneError, match=r"^scenes\[1\]: gravity"):
         sim.run_many([rope, wrong], 1.0)
-    twice = REPLACE(rope, bodies=(), linear_springs=(*rope.linear_springs, rope.linear_springs[0]))
+    twice = replace(rope, bodies=(), linear_springs=(*rope.linear_springs, rope.linear_springs[0]))
     with pytest.raises(SceneError, match=r"^scenes\[0\]: linear_springs\[11\]"):
         sim.run_many([twice], 1.0)

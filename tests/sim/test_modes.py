@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
 import scipy.sparse
 import scipy.sparse.linalg
+from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Moment, Scene, Simulation
@@ -17,21 +17,20 @@ from sim.analysis.modes import Excitation, Modes
 from sim.errors import InputError
 from tests.sim.builders import chain, rod, row
 
-REPLACE = msgspec.structs.replace
 Floats = np.ndarray[Any, np.dtype[np.float64]]
 
 
 def exact(scene: Scene, dt: float = 1.0 / 240.0) -> Scene:
     """Solved so well that errors of steps are none."""
-    return REPLACE(scene, integrator=Integrator(method="adams", dt=dt, tolerance=1e-9))
+    return replace(scene, integrator=Integrator(method="adams", dt=dt, tolerance=1e-9))
 
 
 def undamped(scene: Scene) -> Scene:
     """Without anything that takes energy."""
-    return REPLACE(
+    return replace(
         scene,
-        linear_springs=tuple(REPLACE(s, damping=0.0) for s in scene.linear_springs),
-        angular_springs=tuple(REPLACE(j, damping=0.0) for j in scene.angular_springs),
+        linear_springs=tuple(replace(s, damping=0.0) for s in scene.linear_springs),
+        angular_springs=tuple(replace(j, damping=0.0) for j in scene.angular_springs),
         bodies=(),
         links=(),
         air_friction=0.0,
@@ -46,7 +45,7 @@ def expanded(scene: Scene) -> Scene:
 
 def start(modes: Modes, scene: Scene) -> Simulation:
     """A body at rest in the pose that the modes are about."""
-    return Simulation(REPLACE(scene, pose=modes.scene.pose))
+    return Simulation(replace(scene, pose=modes.scene.pose))
 
 
 def looked(modes: Modes, simulation: Simulation) -> Excitation:
@@ -281,8 +280,8 @@ def test_a_body_that_flies_and_turns_has_its_vibrations_beside_that() -> None:
 
 
 def test_a_pendulum_without_gravity_turns_as_a_whole() -> None:
-    scene = exact(REPLACE(rod(5), gravity=(0.0, 0.0)))
-    hinged = REPLACE(scene, anchors=scene.anchors[:1], masses=scene.masses)
+    scene = exact(replace(rod(5), gravity=(0.0, 0.0)))
+    hinged = replace(scene, anchors=scene.anchors[:1], masses=scene.masses)
     modes = Modes(hinged, 2)
     moment = Simulation(hinged).capture()
     pin = moment.positions[hinged.anchors[0].mass]

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import ArrowKeys, InputError, Integrator, Scene, Simulation
 from sim.scene.types import Method
 from tests.sim.builders import tutorial_preset, tutorial_rope
-
-REPLACE = msgspec.structs.replace
 
 
 def with_keys(scene: Scene, *keys: str, dt: float | None = None) -> Simulation:
@@ -97,7 +95,7 @@ def test_the_scene_folds_the_keys_in(preset: str) -> None:
     assert again.rest_length_scale == simulation.rest_length_scale
     assert again.rest_angles == pytest.approx(simulation.rest_angles, abs=1e-9)
     # It also moves on in the same way.
-    again = Simulation(REPLACE(scene, pose=simulation.pose()))
+    again = Simulation(replace(scene, pose=simulation.pose()))
     again.keys = simulation.keys
     simulation.step(200)
     again.step(200)
@@ -106,13 +104,13 @@ def test_the_scene_folds_the_keys_in(preset: str) -> None:
 
 def test_a_template_scene_that_keys_have_turned_keeps_its_stiffness() -> None:
     scene = sim.set_value(sim.load_scene("tutorial-3.2"), "template", 45)
-    simulation = with_keys(REPLACE(scene, arrow_keys=ArrowKeys()), "right")
+    simulation = with_keys(replace(scene, arrow_keys=ArrowKeys()), "right")
     simulation.step(100)
     folded = sim.validate(simulation.scene)
     assert folded.template is None
     assert folded.angular_springs[0].rest_angle == pytest.approx(55.0)
     assert folded.angular_springs[0].stiffness == pytest.approx(math.sqrt(2.0) * 10_000.0)
-    again = Simulation(REPLACE(folded, pose=simulation.pose()))
+    again = Simulation(replace(folded, pose=simulation.pose()))
     simulation.keys = ()
     simulation.step(100)
     again.step(100)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import dataclasses
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 import sim
 from sim import AngularSpring, LinearSpring, Scene
@@ -18,7 +18,6 @@ from sim.forces.nets import NO_NET
 from sim.kernels.core.tables import Scratch, State
 from sim.scene.types import ForceLaw
 
-REPLACE = msgspec.structs.replace
 Points = np.ndarray
 
 
@@ -63,7 +62,7 @@ def torn(scene: Scene, seed: int) -> Scene:
         for a, b in (rng.choice(len(order), 2, replace=False).tolist() for _ in range(2 if joints else 0))
     ]
     numbered = [
-        REPLACE(
+        replace(
             joint,
             a=index[joint.a],
             b=index[joint.b],
@@ -73,12 +72,12 @@ def torn(scene: Scene, seed: int) -> Scene:
         for joint in kept
     ]
     rng.shuffle(numbered)
-    return REPLACE(
+    return replace(
         scene,
         bodies=(),
         linear_springs=(
             *(
-                REPLACE(
+                replace(
                     springs[s], stiffness=float(rng.uniform(500.0, 5000.0)), damping=float(rng.uniform(1, 9))
                 )
                 for s in order
@@ -107,7 +106,7 @@ GRIDS = {
 def test_a_net_accelerates_like_any_other_body(
     grid: str, law: ForceLaw, columns: int, rows: int, seed: int
 ) -> None:
-    scene = REPLACE(torn(GRIDS[grid](columns, rows), seed), force_law=law)
+    scene = replace(torn(GRIDS[grid](columns, rows), seed), force_law=law)
     system, state = moving(scene, columns)
     found = accelerations_of(system, state)
     expected = accelerations_of(by_the_general_path(system), state)
@@ -119,9 +118,9 @@ def test_a_net_accelerates_like_any_other_body(
 def test_other_bodies_that_are_nets(name: str) -> None:
     """In some, springs in no run are held by joints in one, or not all of one distance are held."""
     near = sim.Contact(distance=1.0)
-    for scene in (sim.load_scene(name), REPLACE(sim.load_scene(name), contact=near)):
+    for scene in (sim.load_scene(name), replace(sim.load_scene(name), contact=near)):
         for law in ("tutorial", "conservative"):
-            system, state = moving(REPLACE(scene, force_law=law), 3)
+            system, state = moving(replace(scene, force_law=law), 3)
             expected = accelerations_of(by_the_general_path(system), state)
             size = np.abs(expected).max()
             assert accelerations_of(system, state) == pytest.approx(expected, abs=1e-13 * size)
@@ -142,14 +141,14 @@ def test_what_a_state_leaves_behind_does_not_show_in_the_next() -> None:
 
 
 def test_grids_are_nets_however_they_are_listed() -> None:
-    cloth = REPLACE(sim.cloth(), bodies=())
+    cloth = replace(sim.cloth(), bodies=())
     rng = np.random.default_rng(0)
     order = rng.permutation(len(cloth.linear_springs)).tolist()
-    shuffled = REPLACE(
+    shuffled = replace(
         cloth,
         linear_springs=tuple(cloth.linear_springs[s] for s in order),
         angular_springs=tuple(
-            REPLACE(joint, a=order.index(joint.a), b=order.index(joint.b))
+            replace(joint, a=order.index(joint.a), b=order.index(joint.b))
             for joint in rng.permutation(np.array(cloth.angular_springs, object))
         ),
     )

@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass
 from functools import cache
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, ArrowKeys, Integrator, Scene, Simulation, Wind
@@ -21,7 +21,6 @@ from tests.sim.bodies import body, with_muscles
 from tests.sim.inside import run_in_steps
 from tests.sim.laws import Laws, Path
 
-REPLACE = msgspec.structs.replace
 DURATION = 0.4
 TO = (25.0, -15.0)
 """px, where a mass that is led goes in that time, from where it is."""
@@ -65,14 +64,14 @@ class Motion:
         )
         circle = Circle(radius=10.0, frequency=1.5, ramp=0.2) if self.anchor == "circle" else None
         scene = with_muscles(scene) if self.muscles else scene
-        return REPLACE(
+        return replace(
             scene,
             linear_springs=tuple(
-                REPLACE(spring, stiffness=50.0 + 0.01 * spring.stiffness) for spring in scene.linear_springs
+                replace(spring, stiffness=50.0 + 0.01 * spring.stiffness) for spring in scene.linear_springs
             ),
             angular_springs=tuple(
                 # Small rest angles keep off the jump of the angle law.
-                REPLACE(joint, stiffness=0.003 * joint.stiffness, rest_angle=0.2 * joint.rest_angle)
+                replace(joint, stiffness=0.003 * joint.stiffness, rest_angle=0.2 * joint.rest_angle)
                 for joint in scene.angular_springs
             ),
             anchors=(Anchor(mass=0, circle=circle),),
@@ -116,7 +115,7 @@ def solved(problem: Motion, method: Method, steps: int) -> np.ndarray:
     x, y = scene.masses[0].position
     target = (x + TO[0], y + TO[1])
     if not info.adaptive:
-        simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=DURATION / steps)))
+        simulation = Simulation(replace(scene, integrator=Integrator(method=method, dt=DURATION / steps)))
         simulation.keys = problem.keys
         if problem.anchor == "led":
             simulation.lead(0, target)
@@ -201,7 +200,7 @@ def test_order_of_adams() -> None:
     counts, sizes = [], []
     for tolerance in (1e-2, 1e-4, 1e-6, 1e-8):
         integrator = Integrator(method="adams", dt=duration, tolerance=tolerance)
-        simulation = Simulation(REPLACE(scene, integrator=integrator))
+        simulation = Simulation(replace(scene, integrator=integrator))
         simulation.step()
         counts.append(simulation.stats().steps)
         sizes.append(float(np.abs(simulation.positions - expected).max()))
@@ -270,7 +269,7 @@ def controlled(name: str) -> tuple[Scene, float, np.ndarray]:
 def controlled_error(name: str, method: Method, tolerance: float) -> float:
     scene, duration, expected = controlled(name)
     integrator = Integrator(method=method, dt=duration / 10.0, tolerance=tolerance)
-    simulation = Simulation(REPLACE(scene, integrator=integrator))
+    simulation = Simulation(replace(scene, integrator=integrator))
     assert simulation.step(10) == 10
     return float(np.abs(simulation.positions - expected).max())
 

@@ -8,6 +8,7 @@ from typing import get_args
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, Circle, Integrator, Scene, Simulation
@@ -18,7 +19,6 @@ from tests.sim.bodies import SHAPES, body
 from tests.sim.fuzzing import with_muscles
 from tests.sim.inside import by_numpy, general
 
-REPLACE = msgspec.structs.replace
 LAWS: tuple[ForceLaw, ...] = get_args(ForceLaw)
 
 
@@ -30,7 +30,7 @@ def lively(shape: str, law: ForceLaw, method: Method, seed: int) -> Scene:
     """A body with damping everywhere, air, an anchor that goes round and keys that do something."""
     scene = body(shape, law, seed)
     circle = Circle(radius=5.0, frequency=20.0, ramp=1e-3)
-    return REPLACE(
+    return replace(
         scene,
         anchors=(sim.Anchor(mass=0, circle=circle),),
         arrow_keys=sim.ArrowKeys(),
@@ -69,7 +69,7 @@ def test_a_run_by_numpy_is_that_of_the_kernels(method: Method, shape: str, law: 
 @pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet"])
 def test_muscles_by_numpy_are_those_of_the_kernels(method: Method) -> None:
     scene = with_muscles(lively("tangle", "conservative", method, seed=3), np.random.default_rng(1))
-    still = REPLACE(scene, beat=msgspec.UNSET)
+    still = replace(scene, beat=msgspec.UNSET)
     one, other, resting = plain(scene), Simulation(scene), Simulation(still)
     for simulation in (one, other, resting):
         simulation.step(200)
@@ -82,7 +82,7 @@ def test_muscles_by_numpy_are_those_of_the_kernels(method: Method) -> None:
 @pytest.mark.parametrize("law", ["conservative", "angle"])
 @pytest.mark.parametrize("shape", SHAPES)
 def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) -> None:
-    simulation = Simulation(REPLACE(body(shape, law, 5), integrator=Integrator(method="symplectic_euler")))
+    simulation = Simulation(replace(body(shape, law, 5), integrator=Integrator(method="symplectic_euler")))
     system, state = simulation.tables
     physics = Physics(system.body, state)
     x, still = state.x + 1j * state.y, np.zeros(state.slots, complex)

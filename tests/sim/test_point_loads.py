@@ -8,6 +8,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Scene, SceneError, Simulation
@@ -19,8 +20,6 @@ from sim.store.files import decode_link, decode_scene, encode_scene
 from sim.store.link import pack_scene
 from tests.sim.builders import built
 from tests.sim.inside import by_numpy
-
-replace = msgspec.structs.replace
 
 
 def hung(force: tuple[float, float] | None, **changes: Any) -> Scene:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, InputError, Integrator, Simulation
@@ -14,8 +14,6 @@ from sim.methods.registry import METHODS
 from sim.scene.types import ForceLaw, Method
 from tests.sim.builders import askew, chain, row, tutorial_rope, undisturbed
 from tests.sim.inside import same_state
-
-REPLACE = msgspec.structs.replace
 
 
 # ------------------------------------------------------------------------- pointer and grabs
@@ -55,7 +53,7 @@ def test_lead_goes_in_a_straight_line_and_arrives_with_the_last_step() -> None:
 @pytest.mark.parametrize("law", ["tutorial", "conservative"])
 @pytest.mark.parametrize("method", METHODS)
 def test_what_is_led_arrives_and_stays_there(method: Method, law: ForceLaw) -> None:
-    scene = REPLACE(
+    scene = replace(
         askew(), bodies=(), anchors=(Anchor(mass=0), Anchor(mass=11)), force_law=law,
         integrator=Integrator(method=method, dt=5e-4),
     )  # fmt: skip
@@ -154,7 +152,7 @@ def test_only_held_masses_that_exist_are_moved(rope: Simulation) -> None:
 @pytest.mark.parametrize("law", ["tutorial", "conservative"])
 @pytest.mark.parametrize("method", METHODS)
 def test_a_mass_let_go_on_its_way_is_at_rest_at_once(method: Method, law: ForceLaw) -> None:
-    scene = REPLACE(askew(), force_law=law, integrator=Integrator(method=method, dt=1e-5))
+    scene = replace(askew(), force_law=law, integrator=Integrator(method=method, dt=1e-5))
     simulation, other = Simulation(scene), Simulation(scene)
     for body in (simulation, other):
         body.grab(5)
@@ -208,7 +206,7 @@ def test_a_body_that_is_held_everywhere_only_follows_the_pointer_and_keys() -> N
 @pytest.mark.parametrize("dt", [0.001, 0.0037, 0.008817065458705083, 0.0123])
 @pytest.mark.parametrize("edge", [(0.0, 1e6), (-1e6, 1e6), (1e6, -3.3)])
 def test_a_mass_may_be_led_to_the_very_edge(dt: float, edge: tuple[float, float]) -> None:
-    scene = REPLACE(chain(row(1)), integrator=Integrator(method="auto", dt=dt, tolerance=1.0))
+    scene = replace(chain(row(1)), integrator=Integrator(method="auto", dt=dt, tolerance=1.0))
     simulation = Simulation(scene)
     simulation.grab(0)
     # Not a rounding error beyond it, which would be out of range.
@@ -220,7 +218,7 @@ def test_a_mass_may_be_led_to_the_very_edge(dt: float, edge: tuple[float, float]
 
 def test_what_is_let_go_at_the_edge_does_not_pass_it() -> None:
     # Friction that turns within a step moves the mass once more, after the method has corrected its step.
-    scene = REPLACE(
+    scene = replace(
         chain(row(1), held=()), gravity=(55.0, 0.0), air_friction=27.0,
         integrator=Integrator(method="adams", dt=0.0078125, tolerance=4.0),
     )  # fmt: skip

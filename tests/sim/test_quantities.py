@@ -6,9 +6,9 @@ import csv
 import math
 from pathlib import Path
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import InputError, Simulation, quantity
@@ -17,8 +17,6 @@ from sim.motion.energy import ENERGY_FIELDS
 from sim.physics import Physics
 from tests.sim.bodies import tangle
 from tests.sim.builders import built, chain, rod
-
-REPLACE = msgspec.structs.replace
 
 
 def read(simulation: Simulation, name: str) -> float:
@@ -30,7 +28,7 @@ def oscillator(damping: float = 0.0, stiffness: float = 100.0) -> Simulation:
     scene = chain(
         [(0.0, 0.0), (55.0, 0.0)], stiffness=stiffness, damping=damping, rest_length=50.0, held=(0,), mass=2.0
     )
-    return Simulation(REPLACE(scene, integrator=sim.Integrator(method="rk4", dt=1e-3)))
+    return Simulation(replace(scene, integrator=sim.Integrator(method="rk4", dt=1e-3)))
 
 
 def pendulum(degrees: float = 3.0) -> Simulation:
@@ -40,7 +38,7 @@ def pendulum(degrees: float = 3.0) -> Simulation:
     scene = chain(ends, stiffness=1e8, rest_length=100.0, held=(0, 1), gravity=(0.0, 1000.0))
     joint = sim.AngularSpring(a=0, b=1, stiffness=0.0)
     tight = sim.Integrator(method="rodas5p", tolerance=1e-6, dt=1e-3)
-    return Simulation(REPLACE(scene, angular_springs=(joint,), integrator=tight))
+    return Simulation(replace(scene, angular_springs=(joint,), integrator=tight))
 
 
 # ------------------------------------------------------------------------- angles beyond half a turn
@@ -51,7 +49,7 @@ def simple_pendulum(degrees: float) -> Simulation:
         [(0.0, 0.0), (math.sin(angle), math.cos(angle))], stiffness=1e5, rest_length=1.0, held=(0,),
         gravity=(0.0, 9.8),
     )  # fmt: skip
-    return Simulation(REPLACE(scene, integrator=sim.Integrator(method="rk4", dt=1e-3)))
+    return Simulation(replace(scene, integrator=sim.Integrator(method="rk4", dt=1e-3)))
 
 
 @pytest.mark.parametrize(("degrees", "period"), [(100.0, 2.4732), (120.0, 2.7555), (150.0, 3.5369)])
@@ -75,7 +73,7 @@ def test_a_joint_that_spins_counts_its_turns_however_seldom_it_is_noted(every: i
     scene = built(
         places, velocities=moving, stiffness=1e7, rest_length=100.0, held=(0, 1), joint={"stiffness": 0.0}
     )
-    simulation = Simulation(REPLACE(scene, integrator=sim.Integrator(method="rk4", dt=1e-4)))
+    simulation = Simulation(replace(scene, integrator=sim.Integrator(method="rk4", dt=1e-4)))
     angles = simulation.record(2.1, "joint0.angle", every=every)
     right = math.degrees(10.0) * angles.time
     assert angles["joint0.angle"] == pytest.approx(right, rel=1e-3, abs=1e-2)
@@ -86,8 +84,8 @@ def test_a_joint_that_spins_counts_its_turns_however_seldom_it_is_noted(every: i
 @pytest.mark.parametrize("seed", [1, 2])
 def test_forces_and_torques_are_those_that_move_the_masses(seed: int) -> None:
     scene = tangle(seed)
-    joints = tuple(REPLACE(joint, damping=3.0 + j) for j, joint in enumerate(scene.angular_springs))
-    simulation = Simulation(REPLACE(scene, angular_springs=joints))
+    joints = tuple(replace(joint, damping=3.0 + j) for j, joint in enumerate(scene.angular_springs))
+    simulation = Simulation(replace(scene, angular_springs=joints))
     simulation.step(20)
     x, forces = simulation.positions @ (1.0, 1j), np.zeros(len(scene.masses), complex)
     for s, spring in enumerate(scene.linear_springs):
@@ -126,9 +124,9 @@ def test_masses_and_rates_are_what_the_simulation_says() -> None:
 def test_what_has_yielded_and_broken_is_read_as_it_is_now() -> None:
     scene = chain([(0.0, 0.0), (-50.0, 0.0), (50.0, 0.0)], stiffness=100.0, rest_length=50.0, held=(1, 2))
     soft, weak = scene.linear_springs
-    springs = (REPLACE(soft, yield_force=800.0), REPLACE(weak, a=0, strength=500.0))
+    springs = (replace(soft, yield_force=800.0), replace(weak, a=0, strength=500.0))
     integrator = sim.Integrator(method="rk4", dt=1e-3)
-    scene = REPLACE(scene, linear_springs=springs, integrator=integrator)
+    scene = replace(scene, linear_springs=springs, integrator=integrator)
     simulation = Simulation(scene)
     simulation.lead(1, (-70.0, 0.0))
     simulation.lead(2, (70.0, 0.0))
@@ -162,15 +160,15 @@ def test_every_entry_of_the_balance_is_there_and_the_meter() -> None:
         assert read(simulation, f"energy.{name}") == getattr(balance, name)
     ratios = [read(simulation, "stability.dt_over_limit") for _ in range(5)]
     assert ratios[-1] == pytest.approx(1e-3 / simulation.stability().limit, rel=1e-3)
-    free = REPLACE(simulation.scene, integrator=sim.Integrator(method="auto"))
+    free = replace(simulation.scene, integrator=sim.Integrator(method="auto"))
     assert read(Simulation(free), "stability.dt_over_limit") == 0.0
 
 
 def test_units_are_the_scene_s() -> None:
-    scene = REPLACE(rod(5), view=sim.View(unit="mm"))
+    scene = replace(rod(5), view=sim.View(unit="mm"))
     assert {name: quantity(name, scene).unit for name in UNITS} == UNITS
     # In metres, those that have a name are called by it.
-    metres = REPLACE(scene, view=sim.View(unit="m"))
+    metres = replace(scene, view=sim.View(unit="m"))
     named = {"joint0.torque": "N m", "spring0.force": "N", "energy.kinetic": "J", "mass0.x": "m"}
     assert {name: quantity(name, metres).unit for name in named} == named
 

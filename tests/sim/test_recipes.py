@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 import sim
 from sim import LinearSpring, Scene, SceneError, Simulation, validate
@@ -24,7 +25,6 @@ from sim.store.files import decode_scene, encode_scene
 from tests.amount import examples
 from tests.sim.inside import forces_of
 
-REPLACE = msgspec.structs.replace
 RECIPES: tuple[type[AnyRecipe], ...] = get_args(AnyRecipe)
 MAKERS = (
     sim.rope, sim.rod, sim.box, sim.polygon, sim.hair_tuft, sim.flag_pole, sim.tree, sim.air_balloon,
@@ -81,7 +81,7 @@ def test_one_move_of_a_slider_makes_the_body_once(monkeypatch: pytest.MonkeyPatc
     simulation.replace(sim.set_value(simulation.scene, "gravity", 7.0))
     assert len(made) == 2
     link = LinearSpring(a=0, b=1, stiffness=5.0, rest_length=9.0)
-    linked = REPLACE(simulation.scene, masses=(), linear_springs=(), links=(link,))
+    linked = replace(simulation.scene, masses=(), linear_springs=(), links=(link,))
     assert len(made) == 3
     assert linked.linear_springs[-1] == link
 
@@ -182,12 +182,12 @@ def test_no_spring_pulls_in_the_shape_that_is_made(kind: type[AnyRecipe]) -> Non
     scene = scene_of(kind(), beat=msgspec.UNSET if kind is sim.Heart else sim.Beat())
     stiffest = max(spring.stiffness for spring in scene.linear_springs)
     exact = sim.Integrator(method="symplectic_euler")  # whose forces are the law's to the last digit
-    assert np.abs(forces_of(REPLACE(scene, integrator=exact))).max() < 1e-10 * stiffest
+    assert np.abs(forces_of(replace(scene, integrator=exact))).max() < 1e-10 * stiffest
 
 
 @pytest.mark.parametrize("kind", [k for k in RECIPES if "bend" in k.__struct_fields__])
 def test_a_bend_shifts_every_rest_angle(kind: type[AnyRecipe]) -> None:
-    straight, bent = scene_of(kind()), validate(scene_of(REPLACE(kind(), bend=100.0)))
+    straight, bent = scene_of(kind()), validate(scene_of(replace(kind(), bend=100.0)))
     for before, after in zip(straight.angular_springs, bent.angular_springs, strict=True):
         assert math.cos(math.radians(after.rest_angle - before.rest_angle - 100.0)) == pytest.approx(1.0)
         assert -180.0 < after.rest_angle <= 180.0
@@ -325,8 +325,8 @@ def test_bodies_come_one_after_the_other_and_links_join_them() -> None:
         (scene_of(sim.Cloth(columns=10_000, rows=10_000)), f"bodies: they have more than {MAX_MASSES}"),
         (scene_of(*[sim.Rope(masses=9000)] * 5000), f"bodies: they have more than {MAX_MASSES} masses"),
         (scene_of(sim.Mass(position=(0.0, 0.0))), "bodies[0]: one of Rope, Rod, Box, "),  # type: ignore[arg-type]
-        (REPLACE(scene_of(*TWO), masses=TWO[0].expand().masses), "bodies: a scene has either recipes or"),
-        (REPLACE(sim.air_balloon(), fillings=()), "bodies: a scene has either recipes or masses"),
+        (replace(scene_of(*TWO), masses=TWO[0].expand().masses), "bodies: a scene has either recipes or"),
+        (replace(sim.air_balloon(), fillings=()), "bodies: a scene has either recipes or masses"),
         (sim.rod, "a Scene is expected, not function"),
     ],
     ids=range(11),
@@ -352,7 +352,7 @@ def test_members_of_a_girder_have_one_cross_section() -> None:
 def test_members_that_cannot_yield_do_not_so_that_no_slider_is_stuck(change: dict[str, Any]) -> None:
     tough = sim.Girder(strength=300.0, yield_force=200.0, hardening=50.0)
     assert {spring.yield_force for spring in tough.expand().linear_springs} == {200.0}
-    scene = validate(scene_of(msgspec.structs.replace(tough, **change)))
+    scene = validate(scene_of(replace(tough, **change)))
     assert {spring.yield_force for spring in scene.linear_springs} == {None}
     assert "hardening" in refused(scene_of(sim.Girder(hardening=50.0)))
 

@@ -11,6 +11,7 @@ from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import (
@@ -32,7 +33,6 @@ from sim.scene.types import Circle
 from sim.scene.validate import number_range
 from sim.store.files import decode_scene, encode_scene
 
-REPLACE = msgspec.structs.replace
 WRONG: dict[str, Any] = {"masses": [0], "pressure": 1.0}
 
 BODY = Scene(
@@ -56,7 +56,7 @@ BODY = Scene(
 ROPE = Scene(name="rope", bodies=(Rope(masses=4, driven=0, circle=Circle(radius=5.0)),))
 
 
-AROUND = REPLACE(
+AROUND = replace(
     BODY,
     fillings=(
         sim.Gas(masses=(0, 1, 2), pressure=5.0, area=3.0),
@@ -66,9 +66,9 @@ AROUND = REPLACE(
     walls=(sim.Wall(point=(0.0, 50.0), normal=(0.0, -1.0)),),
     contact=sim.Contact(distance=2.0),
     linear_springs=tuple(
-        REPLACE(spring, strength=9.0, yield_force=8.0, hardening=1.0) for spring in BODY.linear_springs
+        replace(spring, strength=9.0, yield_force=8.0, hardening=1.0) for spring in BODY.linear_springs
     ),
-    angular_springs=(REPLACE(BODY.angular_springs[0], yield_torque=50.0),),
+    angular_springs=(replace(BODY.angular_springs[0], yield_torque=50.0),),
 )
 """A scene with surroundings, and with springs that break and yield."""
 
@@ -109,7 +109,7 @@ def with_value(whole: Any, route: Route, value: Any) -> Any:
     step, rest = route[0], route[1:]
     if isinstance(step, int):
         return (*whole[:step], with_value(whole[step], rest, value), *whole[step + 1 :])
-    return msgspec.structs.replace(whole, **{step: with_value(getattr(whole, step), rest, value)})
+    return replace(whole, **{step: with_value(getattr(whole, step), rest, value)})
 
 
 def spelled(route: Route) -> str:
@@ -155,42 +155,42 @@ RULES: list[tuple[Scene, str]] = [
     (changed("linear_springs.0.strength", 7.0, AROUND), r"linear_springs\[0\]\.strength: 7 is below .* 8,"),
     (changed("linear_springs.0.yield_force", None, AROUND), r"linear_springs\[0\]\.hardening: .*no effect"),
     (changed("angular_springs.0.stiffness", 0.0, AROUND), r"angular_springs\[0\]\.yield_torque: .*never"),
-    (REPLACE(BODY, format=4), r"format: .*version 4, newer than 3"),
+    (replace(BODY, format=4), r"format: .*version 4, newer than 3"),
     (Scene(name="none"), r"masses: a scene needs at least one mass, or a recipe in bodies"),
     (changed("linear_springs.1.b", 3), r"linear_springs\[1\]\.b: mass 3 does not exist \(0\.\.2\)"),
     (changed("linear_springs.0.a", 7), r"linear_springs\[0\]\.a: mass 7 does not exist"),
     (changed("linear_springs.1.b", 1), r"linear_springs\[1\]\.b: .*mass 1 with itself"),
     (
-        REPLACE(BODY, linear_springs=(*BODY.linear_springs, REPLACE(BODY.linear_springs[0], a=1, b=0))),
+        replace(BODY, linear_springs=(*BODY.linear_springs, replace(BODY.linear_springs[0], a=1, b=0))),
         r"linear_springs\[2\]: it joins masses 1 and 0, as spring 0 does",
     ),
     (
-        REPLACE(changed("masses.1.position", (0.0, 0.0)), pose=None),
+        replace(changed("masses.1.position", (0.0, 0.0)), pose=None),
         r"linear_springs\[0\]: masses 0 and 1 start in the same place",
     ),
     (changed("pose.positions.1", (0.0, 0.0)), r"linear_springs\[0\]: pose\.positions 0 and 1 start"),
     (changed("angular_springs.0.a", 2), r"angular_springs\[0\]\.a: spring 2 does not exist \(0\.\.1\)"),
     (changed("angular_springs.0.b", 9), r"angular_springs\[0\]\.b: spring 9 does not exist"),
-    (REPLACE(BODY, linear_springs=()), r"angular_springs\[0\]\.a: .* exist \(there are none\)"),
+    (replace(BODY, linear_springs=()), r"angular_springs\[0\]\.a: .* exist \(there are none\)"),
     (changed("angular_springs.0.b", 0), r"angular_springs\[0\]\.b: .*two different springs"),
     (
-        REPLACE(
+        replace(
             BODY,
             masses=(*BODY.masses, Mass(position=(50.0, 0.0))),
-            linear_springs=(BODY.linear_springs[0], REPLACE(BODY.linear_springs[1], a=2, b=3)),
+            linear_springs=(BODY.linear_springs[0], replace(BODY.linear_springs[1], a=2, b=3)),
             pose=None,
         ),
         r"angular_springs\[0\]: springs 0 and 1 share no mass",
     ),
     (
-        REPLACE(BODY, angular_springs=(*BODY.angular_springs, AngularSpring(a=1, b=0, stiffness=1.0))),
+        replace(BODY, angular_springs=(*BODY.angular_springs, AngularSpring(a=1, b=0, stiffness=1.0))),
         r"angular_springs\[1\]: it holds springs 1 and 0, as spring 0 does",
     ),
-    (REPLACE(BODY, template=45), r"angular_springs\[0\]\.rest_angle: 90 is not the scene's template, 45"),
+    (replace(BODY, template=45), r"angular_springs\[0\]\.rest_angle: 90 is not the scene's template, 45"),
     (changed("anchors.0.mass", 3), r"anchors\[0\]\.mass: mass 3 does not exist"),
-    (REPLACE(BODY, anchors=(Anchor(mass=1), Anchor(mass=1))), r"anchors\[1\]\.mass: .*held by anchor 0"),
+    (replace(BODY, anchors=(Anchor(mass=1), Anchor(mass=1))), r"anchors\[1\]\.mass: .*held by anchor 0"),
     (
-        REPLACE(BODY, anchors=(Anchor(mass=1, driven=True), Anchor(mass=0, driven=True))),
+        replace(BODY, anchors=(Anchor(mass=1, driven=True), Anchor(mass=0, driven=True))),
         r"anchors\[1\]\.driven: anchor 0 is driven already",
     ),
     (changed("view.frame", (0.0, 0.0, 0.0, 600.0)), r"view\.frame: "),
@@ -201,8 +201,8 @@ RULES: list[tuple[Scene, str]] = [
     (rope_with(masses=1), r"bodies\[0\]\.masses: 1 is not in the range 2\.\.20000"),
     (rope_with(masses=20_001), r"bodies\[0\]\.masses: 20001 is not in the range"),
     (rope_with(length=0.0), r"bodies\[0\]\.length: 0 is not in the range 0\.001\.\."),
-    (REPLACE(ROPE, masses=BODY.masses), r"bodies: .*either recipes or masses"),
-    (REPLACE(ROPE, anchors=()), r"bodies: .*either recipes or masses"),
+    (replace(ROPE, masses=BODY.masses), r"bodies: .*either recipes or masses"),
+    (replace(ROPE, anchors=()), r"bodies: .*either recipes or masses"),
 ]  # fmt: skip
 
 
@@ -216,7 +216,7 @@ def test_too_many_masses_and_springs() -> None:
     assert refused(Scene(name="many", masses=masses)).startswith("masses: 20001 masses are more than 20000")
     springs = (BODY.linear_springs[0],) * (MAX_SPRINGS + 1)
     assert "linear_springs: 100001 springs" in refused(
-        REPLACE(BODY, linear_springs=springs, angular_springs=())
+        replace(BODY, linear_springs=springs, angular_springs=())
     )
 
 
@@ -376,7 +376,7 @@ def owner(scene: Any, route: Route) -> type:
 
 
 def test_whole_numbers_may_stand_for_decimal_ones() -> None:
-    scene = validate(REPLACE(BODY, gravity=(0, 2000), air_friction=0))
+    scene = validate(replace(BODY, gravity=(0, 2000), air_friction=0))
     sim.Simulation(scene).step(3)
 
 

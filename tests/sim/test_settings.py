@@ -9,6 +9,7 @@ from functools import partial
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
@@ -30,8 +31,6 @@ from tests.sim.bodies import tangle
 from tests.sim.builders import PRESETS, chain, row, star
 from tests.sim.fuzzing import with_muscles
 from tests.sim.surrounded import OF_STRENGTH, OF_SURROUNDINGS, with_everything
-
-REPLACE = msgspec.structs.replace
 
 DYNAMIC = {
     "linear_stiffness", "linear_damping", "angular_stiffness", "angular_damping", "rest_length_scale",
@@ -158,7 +157,7 @@ def test_whole_numbers_and_templates() -> None:
 def test_a_choice_is_made_and_read_back() -> None:
     contact = Contact(distance=12.0, stiffness=4000.0)
     wall = Wall(point=(0.0, 900.0), normal=(0.0, -1.0))
-    scene = REPLACE(load_scene("ring"), contact=contact, walls=(wall,))
+    scene = replace(load_scene("ring"), contact=contact, walls=(wall,))
     for key, choice in CHOICES.items():
         assert choice.read(scene) in choice.options
         for value in choice.options:
@@ -169,10 +168,10 @@ def test_a_choice_is_made_and_read_back() -> None:
             # Nothing else is touched.
             assert set_choice(changed, key, choice.read(scene)) == scene
     assert set_choice(scene, "force_law", "angle").force_law == "angle"
-    assert set_choice(scene, "method", "rk4").integrator == REPLACE(scene.integrator, method="rk4")
+    assert set_choice(scene, "method", "rk4").integrator == replace(scene.integrator, method="rk4")
     constant = set_choice(scene, "restitution", "constant")
-    assert constant.walls == (REPLACE(wall, restitution="constant"),)
-    assert constant.contact == REPLACE(contact, restitution="constant")
+    assert constant.walls == (replace(wall, restitution="constant"),)
+    assert constant.contact == replace(contact, restitution="constant")
 
 
 def test_what_is_touched_has_choices_of_its_own() -> None:
@@ -201,8 +200,8 @@ def test_wrong_choices_are_refused() -> None:
 # ------------------------------------------------------------------------- scenes of unequal springs
 def joint_damped(scene: Scene) -> Scene:
     """The scene with a different angular damping at every joint."""
-    joints = tuple(REPLACE(joint, damping=0.5 + 0.1 * j) for j, joint in enumerate(scene.angular_springs))
-    return REPLACE(scene, angular_springs=joints)
+    joints = tuple(replace(joint, damping=0.5 + 0.1 * j) for j, joint in enumerate(scene.angular_springs))
+    return replace(scene, angular_springs=joints)
 
 
 def test_different_stiffnesses_keep_their_proportion() -> None:
@@ -237,17 +236,17 @@ def test_rest_angle_turns_every_joint_by_as_much() -> None:
 
 
 def test_gravity_keeps_its_direction_and_is_down_the_screen_otherwise() -> None:
-    slanted = REPLACE(star(3), gravity=(30.0, 40.0))
+    slanted = replace(star(3), gravity=(30.0, 40.0))
     assert SETTINGS["gravity"].read(slanted) == 50.0
     assert set_value(slanted, "gravity", 5.0).gravity == pytest.approx((3.0, 4.0))
     assert set_value(star(3), "gravity", 5.0).gravity == (0.0, 5.0)
-    upwards = REPLACE(star(3), view=sim.View(y_down=False))
+    upwards = replace(star(3), view=sim.View(y_down=False))
     assert set_value(upwards, "gravity", 5.0).gravity == (0.0, -5.0)
     assert SETTINGS["gravity"].read(set_value(upwards, "gravity", 5.0)) == 5.0
 
 
 def test_gravity_may_point_up_in_any_scene() -> None:
-    slanted = REPLACE(star(3), gravity=(30.0, 40.0))
+    slanted = replace(star(3), gravity=(30.0, 40.0))
     for scene in (star(3), slanted):
         changed = set_value(scene, "gravity", -5.0)
         assert SETTINGS["gravity"].read(changed) == -5.0
@@ -273,7 +272,7 @@ def test_numbers_of_several_bodies_have_the_place_of_their_body() -> None:
     assert label == "FlagPole 2: Length of the flag"
     # Links refer to masses by index, so without them only may the number of masses change.
     assert "bodies[0].masses" not in keys
-    scene = REPLACE(scene, links=(), masses=())
+    scene = replace(scene, links=(), masses=())
     changed = apply_assignments(scene, ["bodies[1].length=50", "bodies[0].masses=4"])
     assert changed.bodies == (sim.Rod(masses=4), sim.FlagPole(driven=None, length=50.0), sim.Girder())
     assert len(changed.masses) == len(scene.masses) - 6
@@ -286,7 +285,7 @@ def test_what_stays_of_a_panel_is_the_same_setting() -> None:
     # The page keeps a slider as long as its setting is equal to that before.
     scene = several()
     assert settings_of(scene) == settings_of(set_value(scene, "bodies[0].length", 99.0))
-    assert settings_of(scene) != settings_of(REPLACE(scene, bodies=scene.bodies[:1], masses=(), links=()))
+    assert settings_of(scene) != settings_of(replace(scene, bodies=scene.bodies[:1], masses=(), links=()))
 
 
 def test_all_springs_of_all_recipes_keep_their_proportion() -> None:
@@ -304,10 +303,10 @@ def test_all_springs_of_all_recipes_keep_their_proportion() -> None:
 
 
 def test_keys_bend_recipes() -> None:
-    scene = REPLACE(several(), arrow_keys=ArrowKeys())
+    scene = replace(several(), arrow_keys=ArrowKeys())
     turned = validate(shift_rest_angles(scene, 100.0))
     assert [getattr(body, "bend", None) for body in turned.bodies] == [100.0, 100.0, None]
-    assert shift_rest_angles(turned, 100.0).bodies[0] == REPLACE(sim.Rod(), bend=-160.0)
+    assert shift_rest_angles(turned, 100.0).bodies[0] == replace(sim.Rod(), bend=-160.0)
 
 
 def test_masses_rebuild_the_rope() -> None:
@@ -325,7 +324,7 @@ def test_masses_rebuild_the_rope() -> None:
 def test_masses_drop_a_pose_that_no_longer_fits() -> None:
     simulation = Simulation(load_scene("tutorial-3.3"))
     simulation.step(5)
-    scene = REPLACE(simulation.scene, pose=simulation.pose())
+    scene = replace(simulation.scene, pose=simulation.pose())
     assert set_value(scene, "masses", 12).pose == scene.pose
     assert set_value(scene, "masses", 9).pose is None
     assert set_value(scene, "angular_stiffness", 9.0).pose == scene.pose
@@ -339,7 +338,7 @@ def test_a_template_sets_the_angle_and_its_stiffness(template: int) -> None:
     assert {j.stiffness for j in scene.angular_springs} == {10_000.0}
     factor = math.sqrt(2.0) if template in (135, 45, -45, -135) else 1.0
     assert joint_stiffness(scene) == [pytest.approx(factor * 10_000.0)] * 6
-    plain = REPLACE(scene, bodies=())
+    plain = replace(scene, bodies=())
     assert set_value(plain, "template", 45).angular_springs[2].rest_angle == 45.0
 
 
@@ -347,7 +346,7 @@ def test_a_template_sets_the_angle_and_its_stiffness(template: int) -> None:
 @pytest.mark.parametrize("template", TEMPLATES)
 def test_turning_a_template_scene_keeps_its_strength(template: int, as_recipe: bool) -> None:
     scene = set_value(load_scene("tutorial-3.2"), "template", template)
-    scene = scene if as_recipe else REPLACE(scene, bodies=())
+    scene = scene if as_recipe else replace(scene, bodies=())
     turned = validate(shift_rest_angles(scene, 30.0))
     assert turned.template is None
     assert joint_stiffness(turned) == pytest.approx(joint_stiffness(scene))
@@ -360,7 +359,7 @@ def test_turning_a_template_scene_keeps_its_strength(template: int, as_recipe: b
 
 @pytest.mark.parametrize("degrees", [-360.0, -180.0, -0.1, 0.1, 180.0, 359.0, 360.0])
 def test_turned_angles_stay_in_range(degrees: float) -> None:
-    scene = REPLACE(star(5), arrow_keys=ArrowKeys())
+    scene = replace(star(5), arrow_keys=ArrowKeys())
     turned = validate(shift_rest_angles(scene, degrees))
     for old, new in zip(scene.angular_springs, turned.angular_springs, strict=True):
         assert -180.0 < new.rest_angle <= 180.0
@@ -441,15 +440,15 @@ def test_a_setting_knows_whether_its_parts_differ(key: str, parts: str, field: s
     two = [*has, *has][: max(2, len(has))]
 
     def valued(*values: float) -> Scene:
-        changed = [REPLACE(every[i], **{field: value}) for i, value in zip(two, values, strict=False)]
-        return REPLACE(scene, **{parts: tuple(changed)})
+        changed = [replace(every[i], **{field: value}) for i, value in zip(two, values, strict=False)]
+        return replace(scene, **{parts: tuple(changed)})
 
     same = valued(*[0.5] * len(two))
     assert not setting.differs(same)
     assert setting.differs(valued(0.5, *[0.25] * (len(two) - 1)))
     # Rounding is no difference, and nothing at all has none.
     assert not setting.differs(valued(0.5, *[math.nextafter(0.5, 1.0)] * (len(two) - 1)))
-    assert not setting.differs(REPLACE(scene, **{parts: ()}))
+    assert not setting.differs(replace(scene, **{parts: ()}))
 
 
 def test_what_a_scene_has_but_once_never_differs() -> None:
@@ -463,7 +462,7 @@ def test_what_surrounds_a_body_and_what_breaks_has_settings_only_where_it_is() -
     whole = with_everything()
     assert keys_of(whole) - keys_of(tangle(4)) == OF_SURROUNDINGS | OF_STRENGTH
     absent = {"wind": None, "medium": msgspec.UNSET, "ground": msgspec.UNSET, "walls": (), "contact": None}
-    gone = {part: keys_of(whole) - keys_of(REPLACE(whole, **{part: no})) for part, no in absent.items()}
+    gone = {part: keys_of(whole) - keys_of(replace(whole, **{part: no})) for part, no in absent.items()}
     assert gone == {
         "wind": {"wind_speed", "wind_direction", "turbulence"},
         "medium": {"drag_across", "drag_along"},
@@ -471,8 +470,8 @@ def test_what_surrounds_a_body_and_what_breaks_has_settings_only_where_it_is() -
         "walls": {"wall_friction", "bounciness"},
         "contact": {"contact_distance", "contact_stiffness", "contact_friction"},
     }
-    assert keys_of(whole) - keys_of(REPLACE(whole, fillings=whole.fillings[:2])) == {"liquid_stiffness"}
-    assert keys_of(whole) - keys_of(REPLACE(whole, fillings=whole.fillings[2:])) == {"gas_pressure"}
+    assert keys_of(whole) - keys_of(replace(whole, fillings=whole.fillings[:2])) == {"liquid_stiffness"}
+    assert keys_of(whole) - keys_of(replace(whole, fillings=whole.fillings[2:])) == {"gas_pressure"}
 
 
 def test_proportions_of_walls_fillings_and_strengths_are_kept() -> None:
@@ -498,7 +497,7 @@ def test_wind_keeps_its_direction_in_a_calm() -> None:
 @pytest.mark.parametrize("y_down", [True, False])
 def test_wind_of_ninety_degrees_blows_up_the_screen(y_down: bool) -> None:
     scene = with_everything()
-    scene = REPLACE(scene, view=REPLACE(scene.view, y_down=y_down))
+    scene = replace(scene, view=replace(scene.view, y_down=y_down))
     wind = set_value(scene, "wind_direction", 90.0).wind
     assert wind is not None
     assert wind.velocity == pytest.approx((0.0, -500.0 if y_down else 500.0))
@@ -510,7 +509,7 @@ def test_a_change_of_the_surroundings_lets_the_motion_go_on() -> None:
     simulation = Simulation(scene)
     simulation.step(40)
     moment = simulation.capture()
-    worn = REPLACE(scene, pose=REPLACE(simulation.pose(), damage=Damage(broken=(1,))))
+    worn = replace(scene, pose=replace(simulation.pose(), damage=Damage(broken=(1,))))
     simulation = Simulation(worn)
     for key, value in (
         ("wall_friction", 0.1),

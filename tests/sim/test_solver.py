@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
@@ -17,8 +17,6 @@ from sim.scene.types import Circle, Method
 from tests.sim.bodies import body
 from tests.sim.builders import built
 from tests.sim.inside import drive, solver_of
-
-REPLACE = msgspec.structs.replace
 
 
 def test_methods_and_tracking_may_be_changed_on_the_way() -> None:
@@ -42,7 +40,7 @@ def test_methods_and_tracking_may_be_changed_on_the_way() -> None:
 @pytest.mark.parametrize("masses", [7, 8, 9, 15, 16, 17, LONG])
 def test_the_balance_sees_the_hand_at_the_end_of_a_rope_of_any_length(masses: int) -> None:
     scene = sim.rope(masses, driven=None, integrator=Integrator(tolerance=1e-5))
-    scene = REPLACE(scene, bodies=(), anchors=(Anchor(mass=0), Anchor(mass=masses - 1, driven=True)))
+    scene = replace(scene, bodies=(), anchors=(Anchor(mass=0), Anchor(mass=masses - 1, driven=True)))
     simulation = Simulation(scene)
     simulation.energy()
     x, y = simulation.positions[masses - 1]
@@ -55,7 +53,7 @@ def test_the_balance_sees_the_hand_at_the_end_of_a_rope_of_any_length(masses: in
 
 def test_lengths_are_softened_far_below_the_tolerance_and_not_at_all_for_the_tutorial() -> None:
     def softened(**integrator: object) -> float:
-        scene = REPLACE(body("chain", "conservative", 1), integrator=Integrator(**integrator))  # type: ignore[arg-type]
+        scene = replace(body("chain", "conservative", 1), integrator=Integrator(**integrator))  # type: ignore[arg-type]
         return math.sqrt(build_system(scene).body.softening)
 
     for tolerance in (0.1, 1e-3, 1e-6):
@@ -73,7 +71,7 @@ def collapsing() -> Scene:
 
 @pytest.mark.parametrize("method", ["auto", "adams", "rodas4", "rodas5p"])
 def test_a_spring_that_passes_through_a_point_keeps_its_energy(method: Method) -> None:
-    simulation = Simulation(REPLACE(collapsing(), integrator=Integrator(method=method, dt=0.005)))
+    simulation = Simulation(replace(collapsing(), integrator=Integrator(method=method, dt=0.005)))
     before = simulation.energy()
     simulation.step()
     after = simulation.energy()
@@ -86,7 +84,7 @@ def test_a_spring_that_passes_through_a_point_keeps_its_energy(method: Method) -
 def test_a_step_of_last_resort_keeps_within_bounds() -> None:
     # An anchor that goes round beyond the edge of what a scene may have.
     circle = Circle(radius=10.0, frequency=20.0, ramp=0.001)
-    scene = REPLACE(
+    scene = replace(
         collapsing(),
         masses=(Mass(position=(0.0, 1e6)), Mass(position=(0.0, 1e6 - 10.0))),
         anchors=(Anchor(mass=0, driven=True, circle=circle),),
@@ -106,7 +104,7 @@ def test_a_step_of_last_resort_keeps_within_bounds() -> None:
 @pytest.mark.parametrize("method", ["auto", "rodas4", "rodas5p"])
 def test_attempts_that_end_in_a_dead_end_only_delay(method: Method, attempts: int) -> None:
     # So stiff and light that no step is short enough; fallback steps take its energy away.
-    scene = REPLACE(
+    scene = replace(
         collapsing(),
         masses=(
             Mass(position=(0.0, 0.0), mass=1e-6, velocity=(70.0, 300.0)),
@@ -132,7 +130,7 @@ def test_attempts_that_end_in_a_dead_end_only_delay(method: Method, attempts: in
 @pytest.mark.parametrize("method", [name for name, info in METHODS.items() if info.adaptive])
 def test_a_short_call_after_long_steps(method: Method) -> None:
     # Of a body at rest, steps grow and grow; a call may then be a millionth of one.
-    scene = REPLACE(sim.rope(5), gravity=(0.0, 0.0), integrator=Integrator(method=method, dt=1.0))
+    scene = replace(sim.rope(5), gravity=(0.0, 0.0), integrator=Integrator(method=method, dt=1.0))
     simulation = Simulation(scene)
     simulation.step(20)
     solver, start = solver_of(simulation), simulation.time

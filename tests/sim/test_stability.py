@@ -6,9 +6,9 @@ import dataclasses
 import itertools
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Scene, Simulation
@@ -24,13 +24,12 @@ from tests.sim.builders import chain, euler, row, tutorial_preset
 from tests.sim.inside import put
 from tests.sim.whole_step import hold
 
-REPLACE = msgspec.structs.replace
 SMALL = 1e-6
 """px, the motion that is watched: small enough for every force to be linear in it."""
 
 
 def by(scene: Scene, method: Method, dt: float = 0.001) -> Scene:
-    return REPLACE(scene, integrator=Integrator(method=method, dt=dt))
+    return replace(scene, integrator=Integrator(method=method, dt=dt))
 
 
 def growth(scene: Scene, dt: float, axis: int, steps: int = 3000) -> float:
@@ -134,7 +133,7 @@ def test_nothing_that_pulls_has_no_limit() -> None:
 
 def test_air_friction_limits_the_step_of_a_fast_mass() -> None:
     # F = -air v²; linearised at v the rate is 2 air v / m, and symplectic Euler bears dt < 2 / rate.
-    scene = REPLACE(chain([(0.0, 0.0)], velocities=[(300.0, 0.0)], mass=2.0), air_friction=0.5)
+    scene = replace(chain([(0.0, 0.0)], velocities=[(300.0, 0.0)], mass=2.0), air_friction=0.5)
     estimate = Simulation(scene).stability()
     assert estimate.limit == pytest.approx(2.0 * 2.0 / (2.0 * 0.5 * 300.0), rel=1e-6)
     assert estimate.cause == "air friction"
@@ -164,7 +163,7 @@ def test_quick_limit_by_hand() -> None:
 
 @pytest.mark.parametrize("preset", ["ring", "box", "hair-tuft", "flag-pole", "study-cloth", "study-tree"])
 def test_quick_limit_of_presets(preset: str) -> None:
-    scene = REPLACE(sim.load_scene(preset), integrator=euler())
+    scene = replace(sim.load_scene(preset), integrator=euler())
     exact = Simulation(scene).stability().limit
     assert 0.4 * exact < quick(scene) < 1.2 * exact
 
@@ -184,7 +183,7 @@ PRESETS_AND_LAWS = [
 
 @pytest.mark.parametrize(("preset", "law"), part_of(PRESETS_AND_LAWS, 3))
 def test_meter_on_presets(preset: str, law: ForceLaw) -> None:
-    hold(Simulation(REPLACE(sim.load_scene(preset), force_law=law, integrator=euler())))
+    hold(Simulation(replace(sim.load_scene(preset), force_law=law, integrator=euler())))
 
 
 @pytest.mark.parametrize("damping", [0.5, 1.5, 5.0])
@@ -200,7 +199,7 @@ def test_the_meter_sees_when_another_body_gets_stiffer() -> None:
     loop = tuple(sim.Mass(position=corner) for corner in corners)
     gas = sim.Gas(masses=(2, 3, 4, 5), pressure=1.0, outside=1.0)
     integrator = sim.Integrator(method="velocity_verlet", dt=1e-4)
-    scene = REPLACE(hanging, masses=(*hanging.masses, *loop), fillings=(gas,), integrator=integrator)
+    scene = replace(hanging, masses=(*hanging.masses, *loop), fillings=(gas,), integrator=integrator)
     simulation = Simulation(scene)
     assert simulation.stability().limit == pytest.approx(2.0 / math.sqrt(100.0), rel=1e-3)
     squeezed = [(x, min(y, 0.5)) for x, y in corners]
@@ -213,7 +212,7 @@ def test_the_meter_sees_when_another_body_gets_stiffer() -> None:
 
 @pytest.mark.parametrize(("preset", "law"), part_of(PRESETS_AND_LAWS, 4))
 def test_meter_follows_a_body_in_motion(preset: str, law: ForceLaw) -> None:
-    scene = REPLACE(sim.load_scene(preset), force_law=law, integrator=euler())
+    scene = replace(sim.load_scene(preset), force_law=law, integrator=euler())
     simulation = Simulation(scene)
     driven = next(a.mass for a in scene.anchors if a.driven)
     x, y = scene.masses[driven].position
@@ -225,7 +224,7 @@ def test_meter_follows_a_body_in_motion(preset: str, law: ForceLaw) -> None:
 
 @pytest.mark.parametrize("seed", range(8))
 def test_meter_on_random_bodies(seed: int) -> None:
-    scene = REPLACE(tangle(seed, held=(0, 3)), air_friction=0.01)
+    scene = replace(tangle(seed, held=(0, 3)), air_friction=0.01)
     hold(Simulation(scene))
 
 
@@ -272,13 +271,13 @@ def test_the_stiffness_that_sets_the_limit_is_named_under_every_law(law: ForceLa
     # Under the laws with an energy, joints also pull along the springs.
     for linear, angular, cause in ((100.0, 1e6, "angular stiffness"), (1e6, 100.0, "linear stiffness")):
         scene = sim.rope(masses=8, stiffness=linear, angular_stiffness=angular, damping=0.0, force_law=law)
-        scene = msgspec.structs.replace(scene, integrator=Integrator(method="symplectic_euler"))
+        scene = replace(scene, integrator=Integrator(method="symplectic_euler"))
         assert Simulation(scene).stability().cause == cause
 
 
 def test_strong_dampers_of_joints_are_named() -> None:
     scene = sim.rope(masses=8, angular_damping=5000.0, damping=0.0)
-    scene = msgspec.structs.replace(scene, integrator=Integrator(method="velocity_verlet"))
+    scene = replace(scene, integrator=Integrator(method="velocity_verlet"))
     assert Simulation(scene).stability().cause == "angular damping"
 
 
@@ -287,7 +286,7 @@ def test_a_row_brings_its_own_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     table = explicit(rows=((), (2 / 3,)), weights=(1 / 4, 3 / 4), times=(0.0, 2 / 3))
     row = dataclasses.replace(METHODS["rk4"], order=2, limit=limits.runge_kutta(table), table=table)
     monkeypatch.setitem(METHODS, "rk4", row)
-    scene = msgspec.structs.replace(
+    scene = replace(
         sim.rope(masses=6, damping=0.0, air_friction=0.0, rest_angle=20.0),
         integrator=Integrator(method="rk4", dt=2e-4),
     )
@@ -306,7 +305,7 @@ def test_a_row_brings_its_own_limit(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_look_in_parts_finds_the_same() -> None:
     """It is about the state with which it began, though the body goes on meanwhile."""
-    whole, other = (Simulation(REPLACE(sim.load_scene("ring"), integrator=euler())) for _ in range(2))
+    whole, other = (Simulation(replace(sim.load_scene("ring"), integrator=euler())) for _ in range(2))
     at_once = whole.stability()
     look, parts = other.stability_in_parts(), 0
     while True:
@@ -326,7 +325,7 @@ def test_a_look_in_parts_finds_the_same() -> None:
 def test_no_step_is_too_long(method: Method, damping: float) -> None:
     scene = chain(row(6), stiffness=1e5, angular_stiffness=1e5, damping=damping, held=(0,))
     positions = np.array(row(6)) + SMALL * np.random.default_rng(3).normal(size=(6, 2))
-    off = REPLACE(
+    off = replace(
         scene, pose=sim.Pose(positions=tuple(map(tuple, positions.tolist())), velocities=((0.0, 0.0),) * 6)
     )
     assert largest_step(scene, method) == math.inf

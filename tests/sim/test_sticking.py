@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 import sim
@@ -30,7 +31,7 @@ from studies.bench.heap import heap
 from tests.sim.arrays import Arrays, off
 from tests.sim.builders import built
 from tests.sim.inside import begin_anew, system_of
-from tests.sim.touching import HELD, REPLACE, crumpled, joined, line
+from tests.sim.touching import HELD, crumpled, joined, line
 
 G, TURN = 1000.0, math.radians(30.0)
 DOWN = np.array((math.cos(TURN), math.sin(TURN)))
@@ -88,7 +89,7 @@ def test_a_block_does_not_move_in_an_hour_where_friction_without_springs_creeps(
     before = along(held)
     held.advance(3600.0)
     assert abs(along(held) - before) < 1e-9
-    creeping = Simulation(REPLACE(scene, walls=(REPLACE(scene.walls[0], tangential_hardness=0.0),)))
+    creeping = Simulation(replace(scene, walls=(replace(scene.walls[0], tangential_hardness=0.0),)))
     creeping.advance(5.0)
     before = along(creeping)
     creeping.advance(10.0)
@@ -115,7 +116,7 @@ def test_analyses_know_the_friction_that_holds_a_block() -> None:
     assert np.abs(np.array(pose.positions) - simulation.positions).max() < 0.05
     assert pose.grips is not None
     assert len(pose.grips.walls) == 2
-    resting = REPLACE(scene, pose=pose)
+    resting = replace(scene, pose=pose)
     stays = Simulation(resting)
     stays.advance(2.0)
     assert np.abs(stays.positions - pose.positions).max() < 1e-3
@@ -125,7 +126,7 @@ def test_analyses_know_the_friction_that_holds_a_block() -> None:
     # Both masses along the slope together: by the walls' springs alone, of 5000 1/s².
     assert told.slowest.frequency == pytest.approx(math.sqrt(5000.0) / math.tau, rel=1e-6)
     assert not told.notes
-    kept = sim.keep_shape(REPLACE(scene, pose=REPLACE(pose, grips=None)))
+    kept = sim.keep_shape(replace(scene, pose=replace(pose, grips=None)))
     assert kept.pose is not None
     assert kept.pose.grips is not None
     here = Simulation(kept)
@@ -143,7 +144,7 @@ def test_analyses_know_where_friction_does_not_hold() -> None:
 def test_a_mass_on_a_floor_that_holds_is_as_stiff_along_it_as_it_says() -> None:
     floor = Wall(point=(0.0, 0.0), normal=(0.0, -1.0), friction=0.5, hardness=8000.0, tangential_hardness=1e4)
     scene = Scene(name="one", masses=(sim.Mass(position=(0.0, 0.0)),), walls=(floor,), gravity=(0.0, G))
-    resting = REPLACE(scene, pose=sim.equilibrium(scene))
+    resting = replace(scene, pose=sim.equilibrium(scene))
     squares = sim.vibrations(resting, 2).omega ** 2
     assert squares == pytest.approx([2.0 * math.sqrt(G * 8000.0), 1e4], rel=1e-6)
 
@@ -178,19 +179,19 @@ def test_what_sticks_goes_on_sticking_after_it_was_saved_and_restored() -> None:
     held.advance(1.0)
     assert np.abs(held.positions - at).max() < 1e-9
     # As a file.
-    again = Simulation(decode_scene(encode_scene(REPLACE(scene, pose=moment_pose(held))), "block"))
+    again = Simulation(decode_scene(encode_scene(replace(scene, pose=moment_pose(held))), "block"))
     again.advance(1.0)
     assert np.abs(again.positions - at).max() < 1e-9
     # With other numbers, and in another simulation.
-    held.replace(REPLACE(scene, air_friction=0.001))
+    held.replace(replace(scene, air_friction=0.001))
     held.advance(1.0)
     other = Simulation(scene)
     other.take_state(held)
     other.advance(1.0)
     assert np.abs(other.positions - at).max() < 1e-9
     # Without its grips, it slides until they hold again.
-    pose = REPLACE(moment_pose(held), grips=None)
-    lost = Simulation(REPLACE(scene, pose=pose))
+    pose = replace(moment_pose(held), grips=None)
+    lost = Simulation(replace(scene, pose=pose))
     lost.advance(1.0)
     assert np.abs(lost.positions - at).max() > 0.01
 
@@ -206,7 +207,7 @@ def test_a_wall_that_is_moved_holds_nothing_any_more() -> None:
     held = Simulation(scene)
     held.advance(1.0)
     wall = scene.walls[0]
-    held.replace(REPLACE(scene, walls=(REPLACE(wall, point=(3.0, 0.0)),)))
+    held.replace(replace(scene, walls=(replace(wall, point=(3.0, 0.0)),)))
     assert held.capture().grips is None
 
 
@@ -230,19 +231,19 @@ def test_grips_of_what_does_not_exist_are_refused() -> None:
         (Grips(springs=((0, 5, 0.1),)), r"pose.grips.springs\[0\]: mass 5 does not exist \(0..1\)"),
     ):
         with pytest.raises(SceneError, match=said):
-            Simulation(REPLACE(held.scene, pose=REPLACE(pose, grips=grips)))
+            Simulation(replace(held.scene, pose=replace(pose, grips=grips)))
 
 
 # ------------------------------------------------------------------------- where it is kept
 def on_slope(shape: str, seed: int) -> Scene:
     """A crumpled body parts of which get stuck to each other, and to a slope."""
-    wall = REPLACE(block(0.7).walls[0], point=(0.0, 10.0), hardness=50.0, tangential_hardness=40.0)
-    return REPLACE(crumpled(shape, seed, HELD), walls=(wall,))
+    wall = replace(block(0.7).walls[0], point=(0.0, 10.0), hardness=50.0, tangential_hardness=40.0)
+    return replace(crumpled(shape, seed, HELD), walls=(wall,))
 
 
 def begun(method: Method, dt: float = 5e-4) -> Simulation:
     """Such a body, once some of it is stuck."""
-    simulation = Simulation(REPLACE(on_slope("cloth", 6), integrator=Integrator(method=method, dt=dt)))
+    simulation = Simulation(replace(on_slope("cloth", 6), integrator=Integrator(method=method, dt=dt)))
     simulation.advance(0.03)
     grips = simulation.capture().grips
     assert grips is not None
@@ -270,7 +271,7 @@ def test_no_step_writes_to_the_tables_of_the_body(
 ) -> None:
     if plain:
         monkeypatch.setattr("sim.motion.simulation.is_ready", lambda names: False)
-    scene = REPLACE(on_slope("cloth", 6), integrator=Integrator(method=method, dt=5e-4))
+    scene = replace(on_slope("cloth", 6), integrator=Integrator(method=method, dt=5e-4))
     simulation = Simulation(scene, wait=not plain)
     body = system_of(simulation).body
     before = {name: array.copy() for name, array in constants(body)}
@@ -303,7 +304,7 @@ def test_an_estimate_of_the_stable_step_is_about_the_state_in_which_it_began() -
         simulation.advance(1.0)
     look = one.stability_in_parts()
     next(look)
-    loose = Simulation(REPLACE(scene, pose=REPLACE(moment_pose(one), grips=None)))
+    loose = Simulation(replace(scene, pose=replace(moment_pose(one), grips=None)))
     one.restore(loose.capture())
     found = finished(look)
     assert found == other.stability()
@@ -330,7 +331,7 @@ def stuck(method: Method = "generalized_alpha") -> Arrays:
     """A crumpled body some of whose parts stick to each other, and to a slope."""
     simulation = begun("rk4")
     return Arrays(
-        REPLACE(simulation.scene, pose=moment_pose(simulation), integrator=Integrator(method=method, dt=1e-3))
+        replace(simulation.scene, pose=moment_pose(simulation), integrator=Integrator(method=method, dt=1e-3))
     )
 
 
@@ -350,7 +351,7 @@ def test_the_kernels_do_what_the_physics_in_numpy_says(method: Method) -> None:
 
 def test_numpy_moves_what_sticks_as_the_kernels_do(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sim.motion.simulation.is_ready", lambda names: False)
-    scene = REPLACE(on_slope("girder", 3), integrator=Integrator(method="symplectic_euler", dt=2e-4))
+    scene = replace(on_slope("girder", 3), integrator=Integrator(method="symplectic_euler", dt=2e-4))
     plain = Simulation(scene, wait=False)
     plain.step(50)
     assert plain.plain
@@ -384,11 +385,11 @@ def test_no_stretch_is_more_than_friction_bears_and_no_step_makes_energy(
     friction: float, hardness: float, speed: float, dt: float, method: Method
 ) -> None:
     scene = block(friction, method, dt, speed)
-    scene = REPLACE(
-        scene, gravity=(0.0, 0.0), linear_springs=(REPLACE(scene.linear_springs[0], stiffness=0.0),)
+    scene = replace(
+        scene, gravity=(0.0, 0.0), linear_springs=(replace(scene.linear_springs[0], stiffness=0.0),)
     )
-    scene = REPLACE(
-        scene, walls=(REPLACE(scene.walls[0], tangential_hardness=hardness, restitution="constant"),)
+    scene = replace(
+        scene, walls=(replace(scene.walls[0], tangential_hardness=hardness, restitution="constant"),)
     )
     simulation = Simulation(scene)
     start = 0.5 * speed**2 + 8000.0 * math.sqrt(G * math.cos(TURN) / 8000.0) ** 3 / 3.0
@@ -413,8 +414,8 @@ def test_a_mass_stays_on_a_tilted_rope_of_another_body() -> None:
     )
     scene = joined(rope, body, contact=contact, gravity=(0.0, G), air_friction=0.0)
     for friction, least, most in ((0.8, 0.0, 1e-4), (0.2, 30.0, 1e9)):
-        moving = REPLACE(scene, contact=REPLACE(contact, friction=friction))
-        simulation = Simulation(REPLACE(moving, integrator=Integrator(method="velocity_verlet", dt=5e-4)))
+        moving = replace(scene, contact=replace(contact, friction=friction))
+        simulation = Simulation(replace(moving, integrator=Integrator(method="velocity_verlet", dt=5e-4)))
         simulation.advance(2.0 if friction > 0.5 else 0.3)
         before = simulation.positions
         simulation.advance(0.4)
@@ -422,8 +423,8 @@ def test_a_mass_stays_on_a_tilted_rope_of_another_body() -> None:
 
 
 def test_a_heap_of_rings_comes_to_rest() -> None:
-    scene = REPLACE(heap(10), bodies=())
-    simulation = Simulation(REPLACE(scene, integrator=Integrator(method="velocity_verlet", dt=1.0 / 3840.0)))
+    scene = replace(heap(10), bodies=())
+    simulation = Simulation(replace(scene, integrator=Integrator(method="velocity_verlet", dt=1.0 / 3840.0)))
     simulation.advance(5.0)
     assert float(np.sqrt((simulation.velocities**2).sum(1).mean())) < 0.1
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import msgspec
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim.edit.build import add_mass, pin
@@ -22,7 +22,7 @@ def test_a_scene_gets_one_name_and_a_text_and_nothing_else_changes() -> None:
     assert (scene.name, scene.title) == ("Newton's cradle & more", "")
     assert scene.description == "One line.\n\nAnother <b>one</b>."
     texts = {"name": rope.name, "title": rope.title, "description": rope.description}
-    assert msgspec.structs.replace(scene, **texts) == rope
+    assert replace(scene, **texts) == rope
     assert not edit.moves_parts
     assert inverse(edit, rope).scene is rope
     # The name that is shown is that of its file.

@@ -6,9 +6,9 @@ import math
 from itertools import product
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Scene, Simulation
@@ -19,12 +19,11 @@ from tests.sim.bodies import body
 from tests.sim.builders import chain
 from tests.sim.whole_step import hold
 
-REPLACE = msgspec.structs.replace
 METHODS_WITH_LIMIT: tuple[Method, ...] = ("symplectic_euler", "velocity_verlet", "rk4")
 
 
 def by(scene: Scene, method: Method, dt: float = 2e-4) -> Scene:
-    return REPLACE(scene, integrator=Integrator(method=method, dt=dt))
+    return replace(scene, integrator=Integrator(method=method, dt=dt))
 
 
 def turning(scene: Scene, rate: float) -> Scene:
@@ -34,9 +33,9 @@ def turning(scene: Scene, rate: float) -> Scene:
     x, y = (positions - positions.mean(0)).T
     velocities = rate * np.column_stack((-y, x))
     masses = tuple(
-        REPLACE(m, velocity=tuple(v)) for m, v in zip(scene.masses, velocities.tolist(), strict=True)
+        replace(m, velocity=tuple(v)) for m, v in zip(scene.masses, velocities.tolist(), strict=True)
     )
-    return REPLACE(scene, masses=masses, anchors=(), gravity=(0.0, 0.0))
+    return replace(scene, masses=masses, anchors=(), gravity=(0.0, 0.0))
 
 
 SHAPES = (("chain", 0), ("ring", 0), ("hub", 0), ("girder", 3))
@@ -47,7 +46,7 @@ RESTING = [*product(SHAPES, (0.0, 30.0, 300.0), METHODS_WITH_LIMIT)]
 def test_bodies_of_any_shape_at_rest(shape: tuple[str, int], damping: float, method: Method) -> None:
     name, seed = shape
     scene = by(body(name, "conservative", seed, damping=damping, held=(1,)), method)
-    hold(Simulation(REPLACE(scene, pose=sim.equilibrium(scene))))
+    hold(Simulation(replace(scene, pose=sim.equilibrium(scene))))
 
 
 @pytest.mark.parametrize(("rate", "method"), part_of([*product((0.0, 0.5, 3.0), METHODS_WITH_LIMIT)], 3))
@@ -91,7 +90,7 @@ def test_presets_in_motion(preset: tuple[str, float], method: Method) -> None:
 @pytest.mark.parametrize("method", METHODS_WITH_LIMIT)
 @pytest.mark.parametrize("law", ["tutorial", "angle"])
 def test_turning_under_every_law(law: Any, method: Method) -> None:
-    hold(Simulation(by(REPLACE(turning(sim.polygon(sides=6, damping=20.0), 2.0), force_law=law), method)))
+    hold(Simulation(by(replace(turning(sim.polygon(sides=6, damping=20.0), 2.0), force_law=law), method)))
 
 
 @pytest.fixture(scope="module")
@@ -100,7 +99,7 @@ def lying() -> Scene:
     top = of_parts(sim.polygon(sides=5, damping=20.0))
     low = max(m.position[1] for m in top.masses) + 15.0
     n = len(top.masses)
-    scene = REPLACE(
+    scene = replace(
         top,
         masses=(*top.masses, sim.Mass(position=(-500.0, low)), sim.Mass(position=(1500.0, low))),
         linear_springs=(
@@ -114,13 +113,13 @@ def lying() -> Scene:
     )
     simulation = Simulation(scene)
     simulation.advance(3.0)
-    return REPLACE(simulation.scene, pose=simulation.pose())
+    return replace(simulation.scene, pose=simulation.pose())
 
 
 @pytest.mark.parametrize("method", METHODS_WITH_LIMIT)
 def test_a_body_that_lies_on_another(lying: Scene, method: Method) -> None:
     simulation = Simulation(by(lying, method))
-    apart = Simulation(by(REPLACE(lying, contact=None), method))
+    apart = Simulation(by(replace(lying, contact=None), method))
     if method == "velocity_verlet":  # friction at rest damps strongly
         assert simulation.stability().limit < 0.9 * apart.stability().limit
     hold(simulation, 0.02)  # it still creeps
@@ -130,13 +129,13 @@ def test_a_body_that_lies_on_another(lying: Scene, method: Method) -> None:
 def test_what_has_yielded_counts(method: Method) -> None:
     # Two springs of 10 px that have yielded to 300 px and are at rest there, at a right angle.
     scene = chain([(10.0, 0.0), (0.0, 0.0), (0.0, 10.0)], stiffness=10000.0, mass=1.0, held=(0, 2))
-    springs = tuple(REPLACE(spring, yield_force=1e6) for spring in scene.linear_springs)
+    springs = tuple(replace(spring, yield_force=1e6) for spring in scene.linear_springs)
     pose = Pose(
         positions=((300.0, 0.0), (0.0, 0.0), (0.0, 300.0)),
         velocities=((0.0, 0.0),) * 3,
         damage=Damage(set_lengths=(290.0, 290.0)),
     )
-    simulation = Simulation(by(REPLACE(scene, linear_springs=springs, pose=pose), method))
+    simulation = Simulation(by(replace(scene, linear_springs=springs, pose=pose), method))
     unit = {"symplectic_euler": 2.0, "velocity_verlet": 2.0, "rk4": math.sqrt(8.0)}[method]
     assert simulation.stability().limit == pytest.approx(unit / math.sqrt(10000.0), rel=1e-3)
     hold(simulation)
@@ -145,7 +144,7 @@ def test_what_has_yielded_counts(method: Method) -> None:
 def test_walls_that_soften_with_the_step_do_not_limit_it() -> None:
     stone = chain([(0.0, 103.0)], mass=1.0)
     floor = sim.Wall(point=(0.0, 100.0), normal=(0.0, -1.0), hardness=1e6, friction=0.0, bounciness=0.5)
-    scene = by(REPLACE(stone, walls=(floor,)), "symplectic_euler", 1e-3)
+    scene = by(replace(stone, walls=(floor,)), "symplectic_euler", 1e-3)
     assert Simulation(scene).stability().limit == math.inf
     other = Simulation(by(scene, "velocity_verlet")).stability()
     assert other.limit > 50.0 * math.sqrt(4.0 / (2.0 * 1e6 * 3.0)), "many times that of the wall as it is"

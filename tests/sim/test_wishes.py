@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from scipy.integrate import trapezoid
 
 import sim
@@ -18,7 +18,6 @@ from sim.scene.types import ForceLaw
 from sim.settings import SETTINGS
 from tests.amount import part_of
 
-REPLACE = msgspec.structs.replace
 G = (0.0, 1000.0)
 RECIPES = {
     "rope": lambda: sim.rope(masses=8, driven=0, gravity=G),
@@ -39,7 +38,7 @@ RECIPES = {
 
 def recipe(name: str) -> sim.Scene:
     scene = RECIPES[name]()
-    return REPLACE(scene, air_friction=0.0, wind=None, walls=(), contact=None)
+    return replace(scene, air_friction=0.0, wind=None, walls=(), contact=None)
 
 
 def measured(scene: sim.Scene, calms: bool) -> dict[str, float]:
@@ -63,7 +62,7 @@ def measured(scene: sim.Scene, calms: bool) -> dict[str, float]:
     fine = sim.Integrator(method="auto", tolerance=max(1e-8 * span, 1e-9), dt=about / 100.0)
 
     def curve(of: sim.Scene) -> Swings:
-        simulation = sim.Simulation(REPLACE(of, pose=pose, integrator=fine))
+        simulation = sim.Simulation(replace(of, pose=pose, integrator=fine))
         values = []
         for _ in range(700):
             values.append(float((weights * shape * (simulation.positions - places)).sum()))
@@ -75,7 +74,7 @@ def measured(scene: sim.Scene, calms: bool) -> dict[str, float]:
 
     def rate(of: sim.Scene) -> float:
         """1/s, by the energy of all vibrations after a blow in the shape of this one."""
-        simulation, energies = sim.Simulation(REPLACE(of, pose=blow, integrator=fine)), []
+        simulation, energies = sim.Simulation(replace(of, pose=blow, integrator=fine)), []
         modal = weights * found.shapes / np.sqrt((weights * found.shapes**2).sum((1, 2)))[:, None, None]
         for _ in range(701):
             q, v = ((modal * d).sum((1, 2)) for d in (simulation.positions - places, simulation.velocities))
@@ -92,7 +91,7 @@ def measured(scene: sim.Scene, calms: bool) -> dict[str, float]:
     frequency, calm = 1.0 / curve(undamped).period, math.nan
     if calms:
         calm = math.log(10.0) / rate(rest)
-    still = sim.Simulation(REPLACE(rest, integrator=fine))
+    still = sim.Simulation(replace(rest, integrator=fine))
     still.advance(0.5)
     sag = float((still.positions - [mass.position for mass in scene.masses])[:, 1].max())
     return {"frequency": frequency, "calm_after": calm, "sag": sag}
@@ -149,7 +148,7 @@ def test_of_a_body_whose_damping_couples_its_vibrations_there_is_one_answer() ->
 
 
 def test_a_blow_fades_as_the_tuning_says_where_damping_couples() -> None:
-    jelly = REPLACE(sim.load_scene("jelly"), air_friction=0.0)
+    jelly = replace(sim.load_scene("jelly"), air_friction=0.0)
     rest, _, _ = at_rest(jelly, [])
     assert rest.pose is not None
     found, elastic = elastic_vibration(rest, Dampers(rest))
@@ -162,7 +161,7 @@ def test_a_blow_fades_as_the_tuning_says_where_damping_couples() -> None:
     struck = 1e-3 * omega[elastic] * found.shapes[elastic]
     pose = sim.Pose(positions=rest.pose.positions, velocities=tuple(map(tuple, struck.tolist())))
     fine = sim.Integrator(method="auto", tolerance=1e-7, dt=0.005)
-    simulation, energies = sim.Simulation(REPLACE(jelly, pose=pose, integrator=fine)), []
+    simulation, energies = sim.Simulation(replace(jelly, pose=pose, integrator=fine)), []
     for _ in range(1600):
         q, v = ((modal * d).sum((1, 2)) for d in (simulation.positions - places, simulation.velocities))
         energies.append(float(((omega * q) ** 2 + v**2).sum()))
@@ -224,7 +223,7 @@ IMPOSSIBLE = [
 def test_wishes_that_cannot_be_had_together_are_named(case: int) -> None:
     make, name = IMPOSSIBLE[case % len(IMPOSSIBLE)]
     # A rope is made hanging; pulled aside, it has a way to go.
-    scene = REPLACE(recipe(name), integrator=EULER, gravity=(1000.0, 0.0) if make is hanging else G)
+    scene = replace(recipe(name), integrator=EULER, gravity=(1000.0, 0.0) if make is hanging else G)
     wishes, against = make(scene, np.random.default_rng(case))
     design = sim.set_wishes(scene, **wishes)  # type: ignore[arg-type]
     assert set(design.against) == against, design.conflict
@@ -246,8 +245,8 @@ def test_what_is_not_wished_changes_as_little_as_it_may() -> None:
     assert design.scene.masses == scene.masses
     same = sim.set_wishes(scene, frequency=told.elastic.frequency)
     assert same.scene == scene
-    step = sim.tuning(REPLACE(scene, integrator=EULER)).stable_steps["symplectic_euler"]
-    assert sim.set_wishes(REPLACE(scene, integrator=EULER), dt=0.5 * step).factors == same.factors
+    step = sim.tuning(replace(scene, integrator=EULER)).stable_steps["symplectic_euler"]
+    assert sim.set_wishes(replace(scene, integrator=EULER), dt=0.5 * step).factors == same.factors
 
 
 def test_an_absurd_wish_leaves_the_body_within_bounds_and_says_so() -> None:
@@ -270,14 +269,14 @@ def test_wishes_that_take_the_steepest_taper_are_found() -> None:
 
 
 def test_a_time_step_is_borne_in_a_run() -> None:
-    scene = REPLACE(recipe("girder"), integrator=sim.Integrator(method="symplectic_euler", dt=2e-3))
+    scene = replace(recipe("girder"), integrator=sim.Integrator(method="symplectic_euler", dt=2e-3))
     step = 2.0 * sim.tuning(scene).stable_steps["symplectic_euler"]
     design = sim.set_wishes(scene, dt=step)
     assert not design.conflict
     assert design.reached["dt"] >= step
     coarse = sim.Integrator(method="symplectic_euler", dt=step)
     for body, bears in ((design.scene, True), (scene, False)):
-        simulation = sim.Simulation(REPLACE(body, integrator=coarse))
+        simulation = sim.Simulation(replace(body, integrator=coarse))
         simulation.step(3000)
         assert (simulation.divergence is None) == bears
 
@@ -307,7 +306,7 @@ def test_senseless_wishes_are_refused_in_a_sentence(
     change: dict[str, object], wishes: dict[str, float], said: str
 ) -> None:
     with pytest.raises(sim.InputError, match=said):
-        sim.set_wishes(REPLACE(recipe("rod"), **change), **wishes)  # type: ignore[arg-type]
+        sim.set_wishes(replace(recipe("rod"), **change), **wishes)  # type: ignore[arg-type]
 
 
 def test_what_no_stiffness_has_to_do_with_is_refused() -> None:
@@ -329,7 +328,7 @@ def test_what_no_stiffness_has_to_do_with_is_refused() -> None:
     ],
 )
 def test_sensitivities_are_the_limits_of_differences(name: str, law: ForceLaw) -> None:
-    scene = REPLACE(recipe(name), force_law=law)
+    scene = replace(recipe(name), force_law=law)
     told = {one.key: one for one in sim.sensitivities(scene)}
     assert set(told) == {"linear_stiffness", "gravity"} | (
         {"angular_stiffness"} if scene.angular_springs else set()
