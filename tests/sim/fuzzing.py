@@ -28,6 +28,8 @@ from sim import (
 from sim.scene.surroundings import Gas, Ground, Liquid, Medium, Wall, Wind
 from sim.scene.types import ArrowKeys, ForceLaw
 from sim.settings import settings_of
+from tests.sim.bodies import sharing
+from tests.sim.changes import with_joints
 
 Positions = list[tuple[float, float]]
 Pairs = list[tuple[int, int]]
@@ -97,9 +99,7 @@ _SHAPES: dict[str, Callable[[Random, int, float], tuple[Positions, Pairs]]] = {
 
 def _joints(rng: Random, pairs: Pairs, most: int) -> Pairs:
     """Springs that meet in a mass."""
-    meeting = [
-        (i, k) for i, k in itertools.combinations(range(len(pairs)), 2) if set(pairs[i]) & set(pairs[k])
-    ]
+    meeting = sharing(pairs)
     kept = sorted(rng.choice(len(meeting), min(len(meeting), most), replace=False)) if meeting else []
     return [meeting[i] for i in kept]
 
@@ -206,9 +206,7 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
             replace(spring, **_limits(rng, strength * _ten_to(rng, -1.0, 1.0)))
             for spring in scene.linear_springs
         )
-        fields["angular_springs"] = tuple(
-            replace(joint, yield_torque=_ten_to(rng, 3.0, 8.0)) for joint in scene.angular_springs
-        )
+        scene = with_joints(scene, yield_torque=lambda *_: _ten_to(rng, 3.0, 8.0))
     if rng.random() < 0.5:
         fields["medium"] = Medium(across=_ten_to(rng, -3.0, 1.0), along=_ten_to(rng, -3.0, 1.0))
     if rng.random() < 0.5:

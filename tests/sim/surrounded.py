@@ -8,11 +8,12 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from sim import Integrator, Scene, Simulation
+from sim import Scene, Simulation
 from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 from sim.scene.types import Method
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import body, tangle
+from tests.sim.changes import by, with_springs
 from tests.sim.touching import CONSTANT, HELD, SOFT, crumpled
 
 KINDS: dict[str, dict[str, Any]] = {
@@ -65,8 +66,7 @@ KINDS["all"] = {**KINDS["walls"], **KINDS["current"], **KINDS["ground"], **KINDS
 def surrounded(kind: str, shape: str = "girder", seed: int = 0, **changes: Any) -> Scene:
     """A body of `tests.sim.bodies` in surroundings of a kind; `changes` are arguments of `body`."""
     # Not an explicit method with a fixed step: for that, walls are softened.
-    exact = Integrator(method="generalized_alpha", dt=1e-4)
-    return replace(body(shape, seed=seed, **changes), integrator=exact, **KINDS[kind])
+    return replace(by(body(shape, seed=seed, **changes), "generalized_alpha", dt=1e-4), **KINDS[kind])
 
 
 TOUCHING = {
@@ -114,14 +114,11 @@ OF_STRENGTH = {"strength", "yield_force"}
 
 def with_everything() -> Scene:
     """A tangle in gusts, among walls, with fillings, some of whose springs break or yield."""
-    scene = tangle(4)
-    springs = list(scene.linear_springs)
-    springs[0] = replace(springs[0], strength=800.0)
-    springs[1] = replace(springs[1], strength=400.0)
-    springs[2] = replace(springs[2], yield_force=300.0)
+    strengths, yields = {0: 800.0, 1: 400.0}, {2: 300.0}
     return replace(
-        scene,
-        linear_springs=tuple(springs),
+        with_springs(
+            tangle(4), strength=lambda s, _: strengths.get(s), yield_force=lambda s, _: yields.get(s)
+        ),
         air_friction=0.01,
         wind=Wind(velocity=(300.0, -400.0), turbulence=0.2),
         medium=Medium(),
@@ -141,7 +138,6 @@ def with_everything() -> Scene:
 
 def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
     """The simulation of a scene after a while, by a method; `numbers` are of its integrator."""
-    integrator = Integrator(**{"method": method, "dt": 1e-3, "tolerance": 1e-6, **numbers})
-    simulation = Simulation(replace(scene, integrator=integrator))
+    simulation = Simulation(by(scene, method, **{"dt": 1e-3, "tolerance": 1e-6, **numbers}))
     simulation.advance(seconds)
     return simulation

@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 from msgspec.structs import replace
 
-from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
+from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
 from sim.scene.surroundings import Contact
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import body
 from tests.sim.builders import built
+from tests.sim.changes import by, posed
 
 SOFT = Contact(distance=12.0, stiffness=50.0, friction=0.7, slip_speed=80.0, bounciness=0.6)
 SMOOTH = replace(SOFT, friction=0.0, bounciness=1.0)
@@ -29,10 +30,8 @@ def crumpled(shape: str, seed: int = 0, contact: Contact = SOFT, **changes: Any)
     rng = np.random.default_rng(seed)
     at = np.array([mass.position for mass in scene.masses])
     at, speed = 0.5 * at + rng.uniform(-25.0, 25.0, at.shape), rng.normal(0.0, 100.0, at.shape)
-    pose = Pose(positions=tuple(map(tuple, at.tolist())), velocities=tuple(map(tuple, speed.tolist())))
     # Not an explicit method with a fixed step: for that, contact is softened.
-    exact = Integrator(method="generalized_alpha", dt=1e-4)
-    return replace(scene, integrator=exact, contact=contact, pose=pose)
+    return posed(replace(by(scene, "generalized_alpha", dt=1e-4), contact=contact), at, speed)
 
 
 def joined(*scenes: Scene, **fields: Any) -> Scene:
