@@ -9,8 +9,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from sim import SceneError
-
 T = TypeVar("T")
 Floats = NDArray[np.float64]
 
@@ -21,10 +19,10 @@ def known(value: T | None) -> T:
     return value
 
 
-def refusal(act: Callable[[], object], error: type[Exception] = SceneError) -> str:
-    """The one line that an action is refused with."""
+def refusal(error: type[Exception], act: Callable[..., object], *arguments: Any, **named: Any) -> str:
+    """The one line with which a call is refused."""
     with pytest.raises(error) as caught:
-        act()
+        act(*arguments, **named)
     said = str(caught.value)
     assert said
     assert "\n" not in said
