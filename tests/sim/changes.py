@@ -1,4 +1,4 @@
-"""A scene with something else in it: numbers of all parts of a kind, a pose, or a method."""
+"""Scenes with something else in them, as other numbers of all parts, a pose or a method; and their runs."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from msgspec.structs import replace
 
-from sim import Integrator, Pose, Scene
+from sim import Integrator, Pose, Scene, Simulation
 from sim.scene.types import Damage, Method
 
 
@@ -64,3 +64,16 @@ def with_broken(scene: Scene, springs: Iterable[int]) -> Scene:
 def by(scene: Scene, method: Method = "auto", **numbers: float) -> Scene:
     """The scene, moved by a method; `numbers` are of its integrator."""
     return replace(scene, integrator=Integrator(**{"method": method, **numbers}))
+
+
+def after(scene: Scene, seconds: float) -> Simulation:
+    """A simulation of the scene after a while; the energy is in balance from the start."""
+    simulation = Simulation(scene)
+    simulation.energy()
+    simulation.advance(seconds)
+    return simulation
+
+
+def apart(one: Simulation, other: Simulation) -> float:
+    """The largest difference of a coordinate of two simulations, px."""
+    return float(np.abs(one.positions - other.positions).max())

@@ -13,7 +13,7 @@ from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, W
 from sim.scene.types import Method
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import body, tangle
-from tests.sim.changes import by, with_springs
+from tests.sim.changes import after, by, with_springs
 from tests.sim.touching import CONSTANT, HELD, SOFT, crumpled
 
 KINDS: dict[str, dict[str, Any]] = {
@@ -138,6 +138,4 @@ def with_everything() -> Scene:
 
 def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
     """The simulation of a scene after a while, by a method; `numbers` are of its integrator."""
-    simulation = Simulation(by(scene, method, **{"dt": 1e-3, "tolerance": 1e-6, **numbers}))
-    simulation.advance(seconds)
-    return simulation
+    return after(by(scene, method, **{"dt": 1e-3, "tolerance": 1e-6, **numbers}), seconds)

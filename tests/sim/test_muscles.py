@@ -170,26 +170,6 @@ def test_analyses_let_muscles_rest() -> None:
     assert np.array_equal(one.omega, other.omega)
 
 
-# ------------------------------------------------------------------------- files
-
-
-@pytest.mark.parametrize(
-    ("muscle", "message"),
-    [
-        ({"amplitude": 1.0}, "amplitude"),
-        ({"amplitude": math.nan}, "amplitude"),
-        ({"phase": 361.0}, "phase"),
-        ({"per_beat": 0}, "per_beat"),
-        ({"wave": "square"}, "wave"),
-    ],
-)
-def test_a_muscle_out_of_range_is_refused_by_one_sentence(muscle: dict, message: str) -> None:
-    scene = driven("auto")
-    spring = replace(scene.linear_springs[0], muscle=SpringMuscle(**muscle))
-    with pytest.raises(sim.SceneError, match=rf"linear_springs\[0\]\.muscle\.{message}"):
-        Simulation(replace(scene, linear_springs=(spring,)))
-
-
 def test_a_beat_at_the_start_is_where_its_phase_says() -> None:
     scene = replace(driven("rk4"), beat=Beat(phase=60.0))
     _, state = start_of(scene, build_system(scene))
