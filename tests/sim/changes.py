@@ -77,3 +77,9 @@ def after(scene: Scene, seconds: float) -> Simulation:
 def apart(one: Simulation, other: Simulation) -> float:
     """The largest difference of a coordinate of two simulations, px."""
     return float(np.abs(one.positions - other.positions).max())
+
+
+def step_all(steps: int, *simulations: Simulation) -> None:
+    """Do so many steps of each."""
+    for simulation in simulations:
+        simulation.step(steps)

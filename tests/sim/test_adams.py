@@ -8,10 +8,11 @@ from msgspec.structs import replace
 from numpy.polynomial import Polynomial
 
 import sim
-from sim import Integrator, Scene, Simulation
+from sim import Scene, Simulation
 from sim.kernels.core.tables import PAST
 from sim.methods.adams import adams
 from tests.sim.builders import folded_rope
+from tests.sim.changes import by
 from tests.sim.inside import STEADY, adams_degree, spaced
 
 PARTS = 100
@@ -19,8 +20,7 @@ PARTS = 100
 
 def moved(scene: Scene, tolerance: float) -> tuple[Simulation, list[int]]:
     """A scene after a second of `adams`, and the degrees on the way."""
-    integrator = Integrator(method="adams", tolerance=tolerance, dt=1.0 / PARTS)
-    simulation = Simulation(replace(scene, integrator=integrator))
+    simulation = Simulation(by(scene, "adams", tolerance=tolerance, dt=1.0 / PARTS))
     degrees = []
     for _ in range(PARTS):
         assert simulation.step() == 1

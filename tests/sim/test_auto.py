@@ -30,8 +30,7 @@ def test_far_from_its_limit_verlet_leaves_most_of_the_tolerance_to_what_may_come
 
 def effort_of(name: str, tolerance: float) -> SolverStats:
     """What a second of a scene takes, in one call."""
-    integrator = Integrator(tolerance=tolerance, dt=1.0)
-    simulation = Simulation(replace(sim.load_scene(name), integrator=integrator))
+    simulation = Simulation(replace(sim.load_scene(name), integrator=Integrator(tolerance=tolerance, dt=1.0)))
     assert simulation.step() == 1
     return simulation.stats()
 
@@ -87,8 +86,9 @@ def test_frame_by_frame_implicit_steps_are_judged_by_what_they_do_now(tolerance:
     """Each frame cuts one short; going by the first frame, Verlet would be gone on with for ever."""
     scene = sim.load_scene("study-w3")
     springs = tuple(replace(s, stiffness=100.0 * s.stiffness) for s in scene.linear_springs)
-    integrator = Integrator(dt=1.0 / 60.0, tolerance=tolerance)
-    scene = replace(scene, bodies=(), linear_springs=springs, integrator=integrator)
+    scene = replace(
+        scene, bodies=(), linear_springs=springs, integrator=Integrator(dt=1.0 / 60.0, tolerance=tolerance)
+    )
     simulation = Simulation(scene)
     assert simulation.step(60) == 60
     whole = simulation.stats()

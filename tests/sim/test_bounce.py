@@ -15,6 +15,7 @@ from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Method
 from sim.settings import SETTINGS
 from tests.sim.builders import built
+from tests.sim.changes import after, by
 
 FIXED = [name for name, info in METHODS.items() if not info.adaptive]
 FLOOR = Wall(point=(0.0, 0.0), normal=(0.0, -1.0))
@@ -95,8 +96,7 @@ def test_with_a_constant_restitution_a_mass_comes_to_rest() -> None:
     for restitution in ("viscous", "constant"):
         wall = replace(FLOOR, bounciness=0.5, restitution=restitution)
         scene = replace(falling(30.0, 0.0, wall, "velocity_verlet", 2e-4), gravity=(0.0, 1000.0))
-        simulation = Simulation(scene)
-        simulation.advance(3.0)
+        simulation = after(scene, 3.0)
         speeds.append(float(np.abs(simulation.velocities).max()))
     assert speeds[0] > 5.0
     assert speeds[1] < 1e-4
@@ -120,8 +120,7 @@ def test_nor_does_another_body(method: Method, stiffness: float, bounciness: flo
 
 def test_a_body_at_rest_on_a_floor_needs_no_shorter_steps() -> None:
     scene = falling(0.0, 0.0, FLOOR, "generalized_alpha", 1.0 / 60.0)
-    simulation = Simulation(replace(scene, gravity=(0.0, 2000.0), air_friction=0.1))
-    simulation.advance(20.0)
+    simulation = after(replace(scene, gravity=(0.0, 2000.0), air_friction=0.1), 20.0)
     simulation.stats()
     simulation.step(20)
     assert simulation.stats().steps == 20
@@ -171,4 +170,4 @@ def test_whoever_sets_the_bounciness_is_told_what_a_fixed_step_takes() -> None:
     bounciness = SETTINGS["bounciness"]
     scene = falling(100.0, 0.0, FLOOR, "velocity_verlet", 0.0025)
     assert "fast bounces lose more" in bounciness.remark(scene)
-    assert bounciness.remark(replace(scene, integrator=Integrator(method="auto"))) == ""
+    assert bounciness.remark(by(scene, "auto")) == ""

@@ -16,6 +16,7 @@ from sim.methods.registry import METHODS
 from sim.physics import Physics
 from sim.scene.types import Damage, Method
 from tests.sim.builders import hoop
+from tests.sim.changes import after, apart
 
 
 def burst(method: Method = "auto", filling: Any = None, weak: int = 5, joined: bool = True) -> Scene:
@@ -61,7 +62,7 @@ def test_a_filling_gets_out_of_a_burst_skin(method: Method, kind: str) -> None:
     for each in (simulation, other, again):
         each.advance(0.05)
     for each in (simulation, again):
-        assert np.abs(each.positions - other.positions).max() <= 2e-2
+        assert apart(each, other) <= 2e-2
     # Going back makes the skin tight again, and so does a reset.
     simulation.restore(whole)
     assert simulation.energy().fillings == pytest.approx(start - simulation.energy().linear, rel=1e-9)
@@ -70,7 +71,7 @@ def test_a_filling_gets_out_of_a_burst_skin(method: Method, kind: str) -> None:
     simulation.reset()
     for each in (simulation, first):
         each.advance(0.02)
-    assert np.abs(simulation.positions - first.positions).max() <= 1e-6
+    assert apart(simulation, first) <= 1e-6
 
 
 def test_numpy_moves_a_burst_balloon_without_its_filling() -> None:
@@ -102,6 +103,5 @@ def test_a_loop_leaks_where_a_spring_of_it_is_broken_and_only_there() -> None:
 
 
 def test_a_loop_with_a_gap_from_the_start_is_tight() -> None:
-    simulation = Simulation(burst(joined=False))
-    simulation.advance(0.02)
+    simulation = after(burst(joined=False), 0.02)
     assert simulation.damage is None and simulation.energy().fillings != 0.0

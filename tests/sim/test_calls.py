@@ -15,6 +15,7 @@ from sim.methods.registry import METHODS
 from sim.scene.types import Method
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import body
+from tests.sim.changes import step_all
 from tests.sim.inside import solver_of
 from tests.sim.surrounded import KINDS, around, surrounded
 from tests.sim.touching import crumpled
@@ -150,8 +151,7 @@ def test_a_mass_that_was_led_before_a_reset_starts_with_its_own_velocity() -> No
     simulation.lead(3, (100.0, 50.0))
     simulation.step(4)
     simulation.reset()
-    simulation.step(4)
-    fresh.step(4)
+    step_all(4, simulation, fresh)
     assert bits(simulation) == bits(fresh)
 
 

@@ -14,6 +14,7 @@ from sim.methods.registry import METHODS
 from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Damage, Method
 from tests.sim.arrays import Arrays, Floats, off
+from tests.sim.changes import apart, by
 from tests.sim.inside import KRYLOV, solver_of
 from tests.sim.surrounded import force_around, run
 from tests.sim.touching import (
@@ -88,7 +89,7 @@ def test_friction_is_still_where_everything_turns_as_a_whole() -> None:
     masses = tuple(Mass(position=(x, y), velocity=(-3.0 * y, 3.0 * x)) for x, y in at.tolist())
     body = line((0.0, 0.0), (100.0, 0.0), 2, ())
     scene = replace(body, masses=masses, contact=replace(SOFT, friction=10.0, bounciness=0.0))
-    scene = replace(scene, integrator=Integrator(method="generalized_alpha"))
+    scene = by(scene, "generalized_alpha")
     _, rough = force_around(scene)
     _, smooth = force_around(replace(scene, contact=SMOOTH))
     assert np.abs(smooth).max() > 100.0
@@ -113,7 +114,7 @@ def test_steps_go_on_where_iterations_do_not_converge(monkeypatch: pytest.Monkey
     monkeypatch.setattr(KRYLOV, 1)
     short = run(scene, 0.05, "rodas4", tolerance=1e-3)
     assert solver_of(short).stats().rejected > solver_of(expected).stats().rejected
-    assert np.abs(short.positions - expected.positions).max() <= 1e-2
+    assert apart(short, expected) <= 1e-2
 
 
 # ------------------------------------------------------------------------- motion
@@ -130,7 +131,7 @@ def test_nothing_that_falls_passes_a_held_spring(method: Method) -> None:
         Scene(name="masses", masses=falling),
         contact=replace(HARD, stiffness=5000.0, friction=0.0),
     )
-    simulation = Simulation(replace(scene, integrator=Integrator(method=method, dt=1 / 60, tolerance=1.0)))
+    simulation = Simulation(by(scene, method, dt=1 / 60, tolerance=1.0))
     simulation.step(60)
     assert simulation.divergence is None
     assert (simulation.velocities[2:, 1] < 0.0).all()
@@ -169,7 +170,7 @@ def test_a_rope_that_falls_on_itself_lies_on_itself() -> None:
 def test_a_ring_inside_another_bounces_off_and_stays_in(method: Method) -> None:
     inner, outer = ring((0.0, 0.0), 15.0, 10, (400.0, 130.0)), ring((0.0, 0.0), 60.0, 24)
     scene = joined(inner, outer, contact=replace(HARD, friction=0.1, bounciness=0.9))
-    simulation = Simulation(replace(scene, integrator=Integrator(method=method, dt=2e-4, tolerance=0.01)))
+    simulation = Simulation(by(scene, method, dt=2e-4, tolerance=0.01))
     simulation.energy()
     approaching = []
     for _ in range(100):

@@ -19,7 +19,7 @@ from sim.scene.types import Circle, Damage, ForceLaw, Method
 from tests.amount import examples
 from tests.sim.bodies import LAWS, body
 from tests.sim.builders import built, row
-from tests.sim.changes import after, apart, by, posed, with_joints, with_springs
+from tests.sim.changes import after, apart, by, posed, step_all, with_joints, with_springs
 from tests.sim.checks import known, order
 from tests.sim.inside import solver_of
 
@@ -202,8 +202,7 @@ def test_a_joint_that_is_led_round_and_round_yields_behind_it(law: ForceLaw) -> 
         sim.validate(replace(simulation.scene, pose=simulation.pose()))  # which a file may have
     other = Simulation(simulation.scene)
     other.restore(simulation.capture())
-    for one in (simulation, other):
-        one.step(100)
+    step_all(100, simulation, other)
     assert other.positions == pytest.approx(simulation.positions, abs=1e-9)
 
 

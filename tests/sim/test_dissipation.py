@@ -13,6 +13,7 @@ from sim import Scene, Simulation
 from sim.methods.registry import METHODS
 from sim.scene.types import Method
 from tests.sim.builders import built, row
+from tests.sim.changes import after
 
 STRENGTHS = [0.1, 1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6]
 
@@ -83,9 +84,7 @@ def test_strong_friction_takes_what_there_is(method: Any, friction: float) -> No
         gravity=(0.0, 1000.0), walls=(floor,),
         integrator=sim.Integrator(method=method, dt=dt, tolerance=0.1),
     )  # fmt: skip
-    simulation = sim.Simulation(scene)
-    simulation.energy()
-    simulation.advance(1.5)
+    simulation = after(scene, 1.5)
     balance = simulation.energy()
     assert abs(balance.residual) < 0.015 * abs(balance.friction)
     assert -2.0e5 < balance.friction < -1.5e5

@@ -24,6 +24,7 @@ from sim.scene.types import Damage
 from sim.scene.validate import validate
 from tests.amount import examples
 from tests.sim.builders import built
+from tests.sim.changes import after, step_all
 
 SCENES = ("tutorial-3.2", "tutorial-3.3", "ring", "box", "girder", "air-balloon", "pile", "hair-tuft")
 Positions = list[tuple[float, float]]
@@ -127,8 +128,7 @@ def test_the_first_edit_takes_recipes_apart_without_changing_the_body() -> None:
     assert parts.masses == scene.masses
     template = sim.load_scene("tutorial-3.2")
     one, two = sim.Simulation(template), sim.Simulation(of_parts(template))
-    for simulation in (one, two):
-        simulation.step(200)
+    step_all(200, one, two)
     np.testing.assert_allclose(two.positions, one.positions, atol=1e-9)
 
 
@@ -230,8 +230,7 @@ def test_a_filling_in_a_loop_without_a_skin_goes_with_the_last_of_it() -> None:
 def test_corners_are_held_as_they_are() -> None:
     scene = square(joints=True)
     assert sorted(abs(joint.rest_angle) for joint in scene.angular_springs) == [90.0] * 4
-    simulation = sim.Simulation(scene)
-    simulation.advance(1.0)
+    simulation = after(scene, 1.0)
     np.testing.assert_allclose(simulation.positions, starts(scene), atol=1e-4)
     assert add_corners(scene, range(4), starts(scene)).joints is None  # there are no others
 
@@ -269,8 +268,7 @@ def test_a_mirror_keeps_a_bent_body_at_rest() -> None:
     edit = mirror(bent, range(4), starts(scene))
     assert starts(edit.scene) == [(100.0, 0.0), (0.0, 0.0), (0.0, 100.0), (100.0, 100.0)]
     assert edit.scene.angular_springs[0].rest_angle == -90.0
-    simulation = sim.Simulation(edit.scene)
-    simulation.advance(0.5)
+    simulation = after(edit.scene, 0.5)
     np.testing.assert_allclose(simulation.positions, starts(edit.scene), atol=1e-4)
 
 
@@ -279,8 +277,7 @@ def test_moved_masses_keep_their_rest_lengths_or_take_the_new_ones() -> None:
     moved = move(scene, [2], (40.0, 30.0)).scene
     assert moved.linear_springs == scene.linear_springs
     resting = take_as_rest(sim.Simulation(moved).capture(), Selection(masses=frozenset({2}))).scene
-    simulation = sim.Simulation(resting)
-    simulation.advance(0.5)
+    simulation = after(resting, 0.5)
     np.testing.assert_allclose(simulation.positions, starts(moved), atol=1e-4)
     with pytest.raises(SceneError, match="in the same place"):
         move(scene, [1], (-100.0, 0.0))

@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from msgspec.structs import replace
 
 import sim
-from sim import Integrator, Simulation
+from sim import Simulation
 from sim.methods.registry import METHODS
 from sim.motion.drag import LONGEST_PART, Hand
 from sim.scene.types import ForceLaw
 from tests.amount import examples
 from tests.sim.builders import led_rod, rod
+from tests.sim.changes import by, step_all
 from tests.sim.inside import same_state
 
 WAVE = 300.0 / 11.0 * 100.0
@@ -100,8 +100,7 @@ def test_other_bodies_are_led_at_once() -> None:
     one.follow(0, (400.0, 50.0))
     other.lead(0, (400.0, 50.0))
     assert not one.behind
-    one.step(7)
-    other.step(7)
+    step_all(7, one, other)
     assert same_state(one, other)
 
 
@@ -147,7 +146,7 @@ def test_it_comes_to_its_goal_and_stays() -> None:
 
 
 def test_one_long_call_leads_as_far_as_many_short_ones() -> None:
-    one = Simulation(replace(rod(60), integrator=Integrator(method="auto", dt=1.0)))
+    one = Simulation(by(rod(60), "auto", dt=1.0))
     many = Simulation(rod(60))
     for simulation in (one, many):
         simulation.follow(0, (300.0, 100.0))
@@ -176,7 +175,7 @@ def test_a_hand_waits_when_attempts_run_out() -> None:
 def test_the_balance_of_a_gentle_hand_closes() -> None:
     laws: tuple[ForceLaw, ...] = ("tutorial", "conservative")
     for law in laws:
-        scene = replace(rod(60, law=law), integrator=Integrator(tolerance=1e-3))
+        scene = by(rod(60, law=law), tolerance=1e-3)
         simulation = Simulation(scene)
         simulation.energy()
         for frame in range(60):
@@ -231,8 +230,7 @@ def test_a_slider_and_another_body_take_the_hand_over_and_a_reset_does_not() -> 
     assert other.behind == simulation.behind != {}
     simulation.replace(sim.set_value(simulation.scene, "gravity", 500.0))
     assert other.behind == simulation.behind
-    simulation.step(40)
-    other.step(40)
+    step_all(40, simulation, other)
     assert simulation.positions[0] == pytest.approx(other.positions[0])
     simulation.reset()
     assert not simulation.behind

@@ -14,6 +14,7 @@ from sim.methods.registry import METHODS
 from sim.scene.surroundings import Gas, Wall, Wind
 from sim.scene.types import Method
 from tests.sim.builders import built
+from tests.sim.changes import by
 from tests.sim.surrounded import surrounded
 
 FLOOR = Wall(point=(0.0, 0.0), normal=(0.0, -1.0))
@@ -34,8 +35,7 @@ def jelly(y: float, **fields: Any) -> Scene:
 
 def frames(scene: Scene, method: Method, count: int = 60, dt: float = 1e-3) -> Simulation:
     """Sixty frames, each of which may try 1500 steps, as the page grants them."""
-    integrator = Integrator(method=method, dt=dt if not METHODS[method].adaptive else 1.0 / 60.0)
-    simulation = Simulation(replace(scene, integrator=integrator))
+    simulation = Simulation(by(scene, method, dt=dt if not METHODS[method].adaptive else 1.0 / 60.0))
     simulation.energy()
     last = 0.0
     for _ in range(count):
@@ -133,8 +133,15 @@ def test_a_gas_in_a_flat_loop_gets_no_energy_from_nowhere(method: Method) -> Non
         for mass in ring.masses
     )
     gas = Gas(masses=tuple(range(12)), pressure=300.0, outside=100.0)
-    integrator = Integrator(method=method, dt=0.01, tolerance=0.1)
-    simulation = Simulation(replace(ring, bodies=(), masses=flat, fillings=(gas,), integrator=integrator))
+    simulation = Simulation(
+        replace(
+            ring,
+            bodies=(),
+            masses=flat,
+            fillings=(gas,),
+            integrator=Integrator(method=method, dt=0.01, tolerance=0.1),
+        )
+    )
     largest = simulation.energy().linear
     for _ in range(30):
         assert simulation.step(1, attempts=20_000) == 1

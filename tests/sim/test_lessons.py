@@ -16,6 +16,8 @@ from sim.edit.edit import Selection
 from sim.edit.muscles import move_muscles, take_muscles
 from sim.settings import apply_assignments, scene_of_step, set_value
 from sim.store.files import built_in_folder
+from tests.sim.changes import after
+from tests.sim.checks import known
 from tests.sim.measured import measure
 
 NAMES = sorted(path.stem for path in (built_in_folder() / "lessons").glob("*.json"))
@@ -27,10 +29,8 @@ def step_of(name: str, number: int, *more: str) -> sim.Scene:
 
 
 def is_answer(name: str, number: int, words: str) -> bool:
-    lesson = sim.load_scene(name).lesson
-    assert lesson is not None
-    question = lesson.steps[number].question
-    assert question is not None
+    lesson = known(sim.load_scene(name).lesson)
+    question = known(lesson.steps[number].question)
     return question.choices[question.answer] == words
 
 
@@ -74,8 +74,7 @@ def test_there_are_twelve() -> None:
 
 
 def test_hooke() -> None:
-    simulation = sim.Simulation(step_of("lesson-hooke", 0))
-    simulation.advance(8.0)
+    simulation = after(step_of("lesson-hooke", 0), 8.0)
     assert abs(simulation.velocities[[1, 4]]).max() < 2.0, "both come to rest while one waits"
     swing = sim.Simulation(step_of("lesson-hooke", 1))
     swings = swing.record(14.0, "mass1.y")["mass1.y"]
@@ -134,8 +133,7 @@ def test_catenary() -> None:
             (at[:, 1].max() - 110.0) * ((px - 300.0) / 150.0) ** 2, abs=1.0
         )
     # It comes to rest while one waits.
-    simulation = sim.Simulation(step_of("lesson-catenary", 0))
-    simulation.advance(15.0)
+    simulation = after(step_of("lesson-catenary", 0), 15.0)
     assert np.abs(simulation.positions[:chain] - at).max() < 2.0
 
 
@@ -161,8 +159,7 @@ def test_explosion() -> None:
     assert limits[0] == pytest.approx(0.009, abs=0.0005)
     assert limits[1] / limits[0] == pytest.approx(0.5, abs=0.05)
     for number, dt, survives in ((0, 0.0025, True), (0, 0.02, False), (2, 0.02, True)):
-        simulation = sim.Simulation(step_of("lesson-explosion", number, f"dt={dt}"))
-        simulation.advance(3.0)
+        simulation = after(step_of("lesson-explosion", number, f"dt={dt}"), 3.0)
         assert (simulation.divergence is None) is survives
 
 
@@ -307,8 +304,7 @@ def test_a_worm_creeps_with_its_waves() -> None:
 def test_a_worm_gets_on_by_what_an_arch_hides() -> None:
     for swing, reach, hidden in ((45, 205.0, 18.0), (60, 180.0, 30.0)):
         scene = step_of("lesson-worm", 2, f"swing={swing}")
-        simulation = sim.Simulation(scene)
-        simulation.advance(2.0)
+        simulation = after(scene, 2.0)
         assert np.ptp(simulation.positions[:, 0]) == pytest.approx(reach, abs=3.0)
         assert (240.0 - reach) / 2.0 == pytest.approx(hidden, abs=0.6)
         assert creep(scene) == pytest.approx(hidden, abs=2.5)
@@ -322,8 +318,7 @@ def test_a_worm_gets_on_by_what_an_arch_hides() -> None:
 def test_a_worm_gets_nowhere_on_ice_and_needs_little_friction() -> None:
     rough = creep(step_of("lesson-worm", 0))
     assert abs(creep(step_of("lesson-worm", 4))) < 0.01
-    simulation = sim.Simulation(step_of("lesson-worm", 4))
-    simulation.advance(1.0)
+    simulation = after(step_of("lesson-worm", 4), 1.0)
     assert np.abs(simulation.velocities[:, 0]).max() > 10.0, "though its masses move"
     assert creep(step_of("lesson-worm", 5)) / rough == pytest.approx(1.05, abs=0.05)
     assert creep(step_of("lesson-worm", 5, "wall_friction=2")) < rough
@@ -369,10 +364,8 @@ def test_what_walks_better() -> None:
 
     assert thrown() < 1.0
     assert thrown("waves=1", "swing=60", "tempo=2") > 20.0
-    lesson = sim.load_scene("lesson-worm").lesson
-    assert lesson is not None
-    goal = lesson.steps[8].goal
-    assert goal is not None
+    lesson = known(sim.load_scene("lesson-worm").lesson)
+    goal = known(lesson.steps[8].goal)
     simulation = sim.Simulation(step_of("lesson-worm", 8, "swing=70", "tempo=2"))
     reached = simulation.record(4.0, goal.quantity)[goal.quantity]
     assert goal.low is not None
@@ -412,8 +405,7 @@ def test_the_lesson_says_how_much_slower_the_sine_law_swings() -> None:
     """From 10 degrees, over the angle law's 2 pi: the complete elliptic integral over pi / 2."""
     slower = ellipk(math.sin(math.radians(5.0)) ** 2) / (0.5 * math.pi) - 1.0
     assert slower == pytest.approx(0.00190719, rel=1e-5)
-    lesson = sim.load_scene("lesson-laws").lesson
-    assert lesson is not None
+    lesson = known(sim.load_scene("lesson-laws").lesson)
     (because,) = (
         step.question.because for step in lesson.steps if step.question and "from 10°" in step.question.text
     )

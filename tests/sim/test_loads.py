@@ -13,6 +13,8 @@ from sim import Anchor, Circle, Integrator, Scene, Simulation
 from sim.scene.types import ForceLaw
 from tests.sim.bodies import SHAPES, body
 from tests.sim.builders import built
+from tests.sim.changes import by
+from tests.sim.checks import known
 from tests.sim.surrounded import surrounded, with_everything
 from tests.sim.touching import crumpled
 
@@ -25,7 +27,7 @@ def by_differences(scene: Scene, steps: int = 400) -> tuple[Simulation, np.ndarr
 
     A held mass has none of the latter.
     """
-    scene = replace(scene, integrator=Integrator(method="rk4", dt=H))
+    scene = by(scene, "rk4", dt=H)
     simulation = Simulation(scene)
     simulation.step(steps - 1)
     before = simulation.velocities
@@ -77,8 +79,8 @@ def test_forces_of_contact_are_in_them() -> None:
 
 def test_what_has_yielded_and_broken_pulls_no_more_than_it_does() -> None:
     simulation, forces, differences = by_differences(with_everything(), steps=3000)
-    damage = simulation.damage
-    assert damage is not None and damage.broken and any(damage.set_lengths)
+    damage = known(simulation.damage)
+    assert damage.broken and any(damage.set_lengths)
     # The masses of what yields are pulled by a changing rest length, which the differences lag behind.
     assert forces == pytest.approx(differences, rel=1e-3, abs=1e-3 * np.abs(differences).max())
 

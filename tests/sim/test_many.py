@@ -19,6 +19,7 @@ from sim.motion.stability import damped_limit
 from sim.scene.types import Circle
 from tests.amount import examples
 from tests.sim.builders import tutorial_rope
+from tests.sim.changes import by
 from tests.sim.fuzzing import wild_scene
 
 LANED = ("symplectic_euler", "velocity_verlet", "rk4")
@@ -104,7 +105,7 @@ def test_bodies_side_by_side_do_what_a_simulation_of_each_does(seed: int, method
     limit = damped_limit(build_system(scene))
     dt = 0.2 * limit if math.isfinite(limit) else 1e-3
     assume(dt >= 1e-6)
-    scene = replace(scene, integrator=Integrator(method=method, dt=min(dt, 0.01)))
+    scene = by(scene, method, dt=min(dt, 0.01))
     scenes = [scene, *(varied(scene, rng) for _ in range(count - 1))]
     assume(is_laned(scene))
     dt = scene.integrator.dt
@@ -142,7 +143,7 @@ ALONE: dict[str, Scene] = {
     "angle law": tutorial_rope(force_law="angle"),
     "circle": tutorial_rope(circle=Circle(radius=20.0, frequency=1.0)),
     "stable spring": tutorial_rope(integrator=Integrator(method="stable_spring")),
-    "muscles": replace(sim.worm(), integrator=Integrator(method="symplectic_euler", dt=1e-3)),
+    "muscles": by(sim.worm(), "symplectic_euler", dt=1e-3),
     "breaking": replace(
         tutorial_rope(gravity=(0.0, 3000.0)),
         linear_springs=tuple(

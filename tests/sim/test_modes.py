@@ -12,17 +12,19 @@ import scipy.sparse.linalg
 from msgspec.structs import replace
 
 import sim
-from sim import Integrator, Moment, Scene, Simulation
+from sim import Moment, Scene, Simulation
 from sim.analysis.modes import Excitation, Modes
 from sim.errors import InputError
 from tests.sim.builders import chain, rod, row
+from tests.sim.changes import by
+from tests.sim.checks import known
 
 Floats = np.ndarray[Any, np.dtype[np.float64]]
 
 
 def exact(scene: Scene, dt: float = 1.0 / 240.0) -> Scene:
     """Solved so well that errors of steps are none."""
-    return replace(scene, integrator=Integrator(method="adams", dt=dt, tolerance=1e-9))
+    return by(scene, "adams", dt=dt, tolerance=1e-9)
 
 
 def undamped(scene: Scene) -> Scene:
@@ -310,8 +312,7 @@ def test_supports_that_move_together_drive_a_mode(mode: int) -> None:
     scene = expanded(sim.load_scene("bridge"))
     modes = Modes(scene, 3)
     simulation = start(modes, scene)
-    supports = modes.supports(mode)
-    assert supports is not None
+    supports = known(modes.supports(mode))
     masses, ways, felt = supports
     assert masses.tolist() == sorted(anchor.mass for anchor in scene.anchors)
     places = simulation.positions[masses]

@@ -12,6 +12,7 @@ import sim
 from sim import ArrowKeys, InputError, Integrator, Scene, Simulation
 from sim.scene.types import Method
 from tests.sim.builders import tutorial_preset, tutorial_rope
+from tests.sim.changes import apart, step_all
 
 
 def with_keys(scene: Scene, *keys: str, dt: float | None = None) -> Simulation:
@@ -97,9 +98,8 @@ def test_the_scene_folds_the_keys_in(preset: str) -> None:
     # It also moves on in the same way.
     again = Simulation(replace(scene, pose=simulation.pose()))
     again.keys = simulation.keys
-    simulation.step(200)
-    again.step(200)
-    assert np.abs(again.positions - simulation.positions).max() <= 1e-7
+    step_all(200, simulation, again)
+    assert apart(again, simulation) <= 1e-7
 
 
 def test_a_template_scene_that_keys_have_turned_keeps_its_stiffness() -> None:
@@ -112,9 +112,8 @@ def test_a_template_scene_that_keys_have_turned_keeps_its_stiffness() -> None:
     assert folded.angular_springs[0].stiffness == pytest.approx(math.sqrt(2.0) * 10_000.0)
     again = Simulation(replace(folded, pose=simulation.pose()))
     simulation.keys = ()
-    simulation.step(100)
-    again.step(100)
-    assert np.abs(again.positions - simulation.positions).max() <= 1e-7
+    step_all(100, simulation, again)
+    assert apart(again, simulation) <= 1e-7
 
 
 @pytest.mark.parametrize("rates", [{"rest_length_factor": 2.0}, {"rest_angle_step": 90.0}])

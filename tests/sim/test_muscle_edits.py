@@ -27,6 +27,7 @@ from sim.edit.values import number, set_number, take_as_rest, values_of
 from sim.forces.muscles import swings
 from sim.scene.parts import Beat, JointMuscle, SpringMuscle, Wave
 from sim.settings import set_value, settings_of
+from tests.sim.changes import after, step_all
 
 NONE: frozenset[int] = frozenset()
 SOME = Selection(springs=frozenset({0, 2}), joints=frozenset({1}))
@@ -138,8 +139,7 @@ def test_a_mirrored_body_moves_as_a_mirror_shows_it() -> None:
     assert turned.linear_springs[0].muscle == SpringMuscle()
     xs = [x for x, _ in places]
     one, other = sim.Simulation(scene), sim.Simulation(turned)
-    one.step(300)
-    other.step(300)
+    step_all(300, one, other)
     seen = other.positions * (-1.0, 1.0) + (min(xs) + max(xs), 0.0)
     np.testing.assert_allclose(seen, one.positions, atol=1e-8)
     assert np.abs(one.positions - places).max() > 1.0
@@ -175,8 +175,7 @@ def test_what_is_left_of_a_cut_body_keeps_its_muscles() -> None:
 
 def test_what_rests_as_it_is_feels_no_force_then() -> None:
     scene = replace(worm(), gravity=(0.0, 0.0))
-    simulation = sim.Simulation(scene)
-    simulation.advance(0.3)
+    simulation = after(scene, 0.3)
     every = Selection(springs=frozenset(range(4)), joints=frozenset(range(3)))
     moment = simulation.capture()
     rests = take_as_rest(moment, every).scene

@@ -28,6 +28,7 @@ from sim.motion.stability import limit_at_start
 from sim.scene.types import ForceLaw, Method
 from tests.sim.bodies import body, with_muscles
 from tests.sim.builders import built, row
+from tests.sim.changes import after, by, step_all
 from tests.sim.inside import same_state
 from tests.sim.laws import Laws
 
@@ -85,7 +86,7 @@ def test_the_balance_closes_at_the_order_of_the_method(method: Method, shape: st
     scene = with_muscles(body(shape, law, 1, held=(0,), damping=5.0, twist=0.0, air=0.0))
     left = []
     for steps in (400, 800):
-        simulation = Simulation(replace(scene, integrator=Integrator(method=method, dt=0.1 / steps)))
+        simulation = Simulation(by(scene, method, dt=0.1 / steps))
         simulation.energy()
         simulation.step(steps)
         balance = simulation.energy()
@@ -99,9 +100,7 @@ def test_the_balance_closes_at_the_order_of_the_method(method: Method, shape: st
 @pytest.mark.parametrize("method", ADAPTIVE)
 def test_the_balance_of_a_method_with_error_control_closes(method: Method) -> None:
     scene = with_muscles(body("chain", "conservative", 1, held=(0,), damping=5.0, air=0.0))
-    simulation = Simulation(replace(scene, integrator=Integrator(method=method, dt=0.01, tolerance=1e-8)))
-    simulation.energy()
-    simulation.advance(2.0)
+    simulation = after(by(scene, method, dt=0.01, tolerance=1e-8), 2.0)
     balance = simulation.energy()
     assert abs(balance.residual) < 1e-6 * abs(balance.muscles)
 
@@ -111,7 +110,7 @@ def test_the_balance_of_a_method_with_error_control_closes(method: Method) -> No
 def test_the_kernels_and_numpy_let_them_move_alike(shape: str) -> None:
     scene = with_muscles(body(shape, "conservative", 3, held=(0,)))
     reference = Laws(scene)
-    simulation = Simulation(replace(scene, integrator=Integrator(method="rk4", dt=1e-3)))
+    simulation = Simulation(by(scene, "rk4", dt=1e-3))
     for _ in range(5):
         simulation.step(37)
         system, state = simulation.tables
@@ -145,7 +144,7 @@ def test_the_stability_limit_is_that_of_the_worst_moment_of_a_beat(method: Metho
 
 
 def test_a_moving_body_is_looked_at_over_a_beat_too() -> None:
-    simulation = Simulation(replace(hinged(60.0), integrator=Integrator(method="rk4", dt=1e-3)))
+    simulation = Simulation(by(hinged(60.0), "rk4", dt=1e-3))
     first = simulation.stability().limit
     assert simulation.stability().limit == pytest.approx(first, rel=1e-6)
 
@@ -155,8 +154,7 @@ def test_muscles_rest_without_a_beat() -> None:
     scene = body("cloth", "angle", 4, held=(0,))
     resting = replace(with_muscles(scene), beat=msgspec.UNSET)
     one, other = Simulation(scene), Simulation(resting)
-    for simulation in (one, other):
-        simulation.step(100)
+    step_all(100, one, other)
     assert same_state(one, other)
     assert not build_system(resting).body.muscles.present
 

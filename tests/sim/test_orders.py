@@ -199,8 +199,9 @@ def test_order_of_adams() -> None:
     scene, duration, expected = controlled("undamped")
     counts, sizes = [], []
     for tolerance in (1e-2, 1e-4, 1e-6, 1e-8):
-        integrator = Integrator(method="adams", dt=duration, tolerance=tolerance)
-        simulation = Simulation(replace(scene, integrator=integrator))
+        simulation = Simulation(
+            replace(scene, integrator=Integrator(method="adams", dt=duration, tolerance=tolerance))
+        )
         simulation.step()
         counts.append(simulation.stats().steps)
         sizes.append(float(np.abs(simulation.positions - expected).max()))
@@ -268,8 +269,9 @@ def controlled(name: str) -> tuple[Scene, float, np.ndarray]:
 
 def controlled_error(name: str, method: Method, tolerance: float) -> float:
     scene, duration, expected = controlled(name)
-    integrator = Integrator(method=method, dt=duration / 10.0, tolerance=tolerance)
-    simulation = Simulation(replace(scene, integrator=integrator))
+    simulation = Simulation(
+        replace(scene, integrator=Integrator(method=method, dt=duration / 10.0, tolerance=tolerance))
+    )
     assert simulation.step(10) == 10
     return float(np.abs(simulation.positions - expected).max())
 

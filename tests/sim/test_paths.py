@@ -14,6 +14,7 @@ from sim.forces.all import accelerations
 from sim.scene.types import ForceLaw, Method
 from tests.sim.arrays import Arrays
 from tests.sim.builders import built, chain, row
+from tests.sim.changes import by, step_all
 from tests.sim.inside import general, is_chain, is_ring
 
 
@@ -53,7 +54,7 @@ def some_chain() -> Scene:
 @pytest.mark.parametrize("kind", ["chain", "ring"])
 def test_a_chain_or_ring_is_one_in_whatever_order_it_is_listed(kind: str, seed: int) -> None:
     scene = some_chain() if kind == "chain" else ring(11)
-    scene = replace(scene, integrator=Integrator(method="adams", tolerance=1e-7))
+    scene = by(scene, "adams", tolerance=1e-7)
     changed, new_index = shuffled(scene, seed)
     one, other = Simulation(scene), Simulation(changed)
     assert (
@@ -61,8 +62,7 @@ def test_a_chain_or_ring_is_one_in_whatever_order_it_is_listed(kind: str, seed: 
         == (is_chain(one), is_ring(one))
         == (kind == "chain", kind == "ring")
     )
-    one.step(20)
-    other.step(20)
+    step_all(20, one, other)
     # Where it begins decides in which order numbers are added.
     assert one.positions == pytest.approx(other.positions[new_index], abs=1e-6)
     found = dict(zip(joint_masses(changed), other.angles, strict=True))

@@ -16,6 +16,7 @@ from sim.physics import Physics
 from sim.scene.types import ForceLaw, Method
 from tests.amount import NIGHT, part_of
 from tests.sim.bodies import SHAPES, body
+from tests.sim.changes import apart, by, step_all
 from tests.sim.fuzzing import with_muscles
 from tests.sim.inside import by_numpy, general
 
@@ -71,10 +72,9 @@ def test_muscles_by_numpy_are_those_of_the_kernels(method: Method) -> None:
     scene = with_muscles(lively("tangle", "conservative", method, seed=3), np.random.default_rng(1))
     still = replace(scene, beat=msgspec.UNSET)
     one, other, resting = plain(scene), Simulation(scene), Simulation(still)
-    for simulation in (one, other, resting):
-        simulation.step(200)
+    step_all(200, one, other, resting)
     assert one.plain
-    assert np.abs(one.positions - resting.positions).max() > 1e-3
+    assert apart(one, resting) > 1e-3
     assert one.positions == pytest.approx(other.positions, abs=1e-9)
     assert one.rest_angles == pytest.approx(other.rest_angles, abs=1e-9)
 
@@ -82,7 +82,7 @@ def test_muscles_by_numpy_are_those_of_the_kernels(method: Method) -> None:
 @pytest.mark.parametrize("law", ["conservative", "angle"])
 @pytest.mark.parametrize("shape", SHAPES)
 def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) -> None:
-    simulation = Simulation(replace(body(shape, law, 5), integrator=Integrator(method="symplectic_euler")))
+    simulation = Simulation(by(body(shape, law, 5), "symplectic_euler"))
     system, state = simulation.tables
     physics = Physics(system.body, state)
     x, still = state.x + 1j * state.y, np.zeros(state.slots, complex)

@@ -19,6 +19,7 @@ from sim.scene.types import Integrator
 from sim.store.files import decode_link, decode_scene, encode_scene
 from sim.store.link import pack_scene
 from tests.sim.builders import built
+from tests.sim.changes import step_all
 from tests.sim.inside import by_numpy
 
 
@@ -56,8 +57,7 @@ def test_gravity_and_the_same_weight_as_forces_move_a_body_alike(name: str) -> N
         masses=tuple(replace(m, force=(300.0 * m.mass, 2000.0 * m.mass)) for m in heavy.masses),
     )
     one, other = Simulation(heavy), Simulation(light)
-    one.step(200)
-    other.step(200)
+    step_all(200, one, other)
     np.testing.assert_allclose(other.positions, one.positions, atol=1e-6)
     assert other.energy().gravity == pytest.approx(one.energy().gravity, rel=1e-9)
     np.testing.assert_allclose(other.loads.forces, one.loads.forces, atol=1e-4)
@@ -66,8 +66,7 @@ def test_gravity_and_the_same_weight_as_forces_move_a_body_alike(name: str) -> N
 def test_without_compiled_kernels_it_is_the_same() -> None:
     scene = hung((40.0, 1000.0), integrator=method("symplectic_euler"))
     compiled, plain = Simulation(scene), by_numpy(Simulation(scene))
-    compiled.step(300)
-    plain.step(300)
+    step_all(300, compiled, plain)
     np.testing.assert_allclose(plain.positions, compiled.positions, rtol=1e-12)
 
 

@@ -13,6 +13,7 @@ from sim import Anchor, InputError, Integrator, Simulation
 from sim.methods.registry import METHODS
 from sim.scene.types import ForceLaw, Method
 from tests.sim.builders import askew, chain, row, tutorial_rope, undisturbed
+from tests.sim.changes import apart, by, step_all
 from tests.sim.inside import same_state
 
 
@@ -46,7 +47,7 @@ def test_lead_goes_in_a_straight_line_and_arrives_with_the_last_step() -> None:
         x, y = (end - start) * i / 10
         pieces.move(0, (x, y))
         pieces.step()
-    assert np.abs(line.positions - pieces.positions).max() <= 1e-12
+    assert apart(line, pieces) <= 1e-12
     assert np.abs(line.velocities - pieces.velocities).max() <= 1e-12
 
 
@@ -118,7 +119,7 @@ def test_a_lead_starts_where_a_move_has_put_the_mass() -> None:
         one_by_one.move(0, (250.0, 170.0 + i))
         one_by_one.step()
     simulation.step(10)
-    assert np.abs(simulation.positions - one_by_one.positions).max() <= 1e-9
+    assert apart(simulation, one_by_one) <= 1e-9
 
 
 @pytest.mark.parametrize(
@@ -164,8 +165,7 @@ def test_a_mass_let_go_on_its_way_is_at_rest_at_once(method: Method, law: ForceL
     # As it would be if it had first been held for a while.
     other.move(5, tuple(other.positions[5].tolist()))
     other.release(5)
-    for body in (simulation, other):
-        body.step(50)
+    step_all(50, simulation, other)
     assert same_state(simulation, other)
 
 
@@ -206,7 +206,7 @@ def test_a_body_that_is_held_everywhere_only_follows_the_pointer_and_keys() -> N
 @pytest.mark.parametrize("dt", [0.001, 0.0037, 0.008817065458705083, 0.0123])
 @pytest.mark.parametrize("edge", [(0.0, 1e6), (-1e6, 1e6), (1e6, -3.3)])
 def test_a_mass_may_be_led_to_the_very_edge(dt: float, edge: tuple[float, float]) -> None:
-    scene = replace(chain(row(1)), integrator=Integrator(method="auto", dt=dt, tolerance=1.0))
+    scene = by(chain(row(1)), "auto", dt=dt, tolerance=1.0)
     simulation = Simulation(scene)
     simulation.grab(0)
     # Not a rounding error beyond it, which would be out of range.

@@ -17,6 +17,8 @@ from sim.motion.energy import ENERGY_FIELDS
 from sim.physics import Physics
 from tests.sim.bodies import tangle
 from tests.sim.builders import built, chain, rod
+from tests.sim.changes import by
+from tests.sim.checks import known
 
 
 def read(simulation: Simulation, name: str) -> float:
@@ -28,7 +30,7 @@ def oscillator(damping: float = 0.0, stiffness: float = 100.0) -> Simulation:
     scene = chain(
         [(0.0, 0.0), (55.0, 0.0)], stiffness=stiffness, damping=damping, rest_length=50.0, held=(0,), mass=2.0
     )
-    return Simulation(replace(scene, integrator=sim.Integrator(method="rk4", dt=1e-3)))
+    return Simulation(by(scene, "rk4", dt=1e-3))
 
 
 def pendulum(degrees: float = 3.0) -> Simulation:
@@ -49,7 +51,7 @@ def simple_pendulum(degrees: float) -> Simulation:
         [(0.0, 0.0), (math.sin(angle), math.cos(angle))], stiffness=1e5, rest_length=1.0, held=(0,),
         gravity=(0.0, 9.8),
     )  # fmt: skip
-    return Simulation(replace(scene, integrator=sim.Integrator(method="rk4", dt=1e-3)))
+    return Simulation(by(scene, "rk4", dt=1e-3))
 
 
 @pytest.mark.parametrize(("degrees", "period"), [(100.0, 2.4732), (120.0, 2.7555), (150.0, 3.5369)])
@@ -57,8 +59,7 @@ def test_a_pendulum_that_swings_beyond_half_a_turn_has_its_period_and_reach(
     degrees: float, period: float
 ) -> None:
     recording = simple_pendulum(degrees).record(12.0, "spring0.direction", "spring0.wrapped_direction")
-    found = swings(recording.time, recording["spring0.direction"])
-    assert found is not None
+    found = known(swings(recording.time, recording["spring0.direction"]))
     assert found.period == pytest.approx(period, abs=1e-3)
     assert recording["spring0.direction"].max() == pytest.approx(90.0 + degrees, abs=0.2)
     assert recording["spring0.direction"].min() == pytest.approx(90.0 - degrees, abs=0.2)
@@ -73,7 +74,7 @@ def test_a_joint_that_spins_counts_its_turns_however_seldom_it_is_noted(every: i
     scene = built(
         places, velocities=moving, stiffness=1e7, rest_length=100.0, held=(0, 1), joint={"stiffness": 0.0}
     )
-    simulation = Simulation(replace(scene, integrator=sim.Integrator(method="rk4", dt=1e-4)))
+    simulation = Simulation(by(scene, "rk4", dt=1e-4))
     angles = simulation.record(2.1, "joint0.angle", every=every)
     right = math.degrees(10.0) * angles.time
     assert angles["joint0.angle"] == pytest.approx(right, rel=1e-3, abs=1e-2)
@@ -125,14 +126,13 @@ def test_what_has_yielded_and_broken_is_read_as_it_is_now() -> None:
     scene = chain([(0.0, 0.0), (-50.0, 0.0), (50.0, 0.0)], stiffness=100.0, rest_length=50.0, held=(1, 2))
     soft, weak = scene.linear_springs
     springs = (replace(soft, yield_force=800.0), replace(weak, a=0, strength=500.0))
-    integrator = sim.Integrator(method="rk4", dt=1e-3)
-    scene = replace(scene, linear_springs=springs, integrator=integrator)
+    scene = replace(scene, linear_springs=springs, integrator=sim.Integrator(method="rk4", dt=1e-3))
     simulation = Simulation(scene)
     simulation.lead(1, (-70.0, 0.0))
     simulation.lead(2, (70.0, 0.0))
     simulation.step(10)
-    damage = simulation.damage
-    assert damage is not None and damage.broken == (1,)
+    damage = known(simulation.damage)
+    assert damage.broken == (1,)
     assert read(simulation, "spring1.force") == 0.0
     elongation, moved = read(simulation, "spring0.elongation"), damage.set_lengths[0]
     assert moved > 5.0
@@ -160,7 +160,7 @@ def test_every_entry_of_the_balance_is_there_and_the_meter() -> None:
         assert read(simulation, f"energy.{name}") == getattr(balance, name)
     ratios = [read(simulation, "stability.dt_over_limit") for _ in range(5)]
     assert ratios[-1] == pytest.approx(1e-3 / simulation.stability().limit, rel=1e-3)
-    free = replace(simulation.scene, integrator=sim.Integrator(method="auto"))
+    free = by(simulation.scene, "auto")
     assert read(Simulation(free), "stability.dt_over_limit") == 0.0
 
 
@@ -289,8 +289,7 @@ def test_what_cannot_be_recorded_is_refused_before_anything_moves(tmp_path: Path
 # ------------------------------------------------------------------------- period, amplitude, damping
 def test_the_period_of_a_mass_on_a_spring() -> None:
     recording = oscillator().record(10.0, "spring0.elongation", every=16)  # as coarse as the page's frames
-    found = swings(recording.time, recording["spring0.elongation"])
-    assert found is not None
+    found = known(swings(recording.time, recording["spring0.elongation"]))
     assert found.period == pytest.approx(2.0 * math.pi / math.sqrt(50.0), rel=1e-5)
     assert found.amplitude == pytest.approx(5.0, rel=1e-3)
     assert found.centre == pytest.approx(0.0, abs=1e-3)
@@ -302,8 +301,7 @@ def test_the_damping_of_a_mass_on_a_spring(damping: float) -> None:
     decay = damping / (2.0 * 2.0)
     swing = math.sqrt(50.0 - decay**2)
     recording = oscillator(damping).record(6.0, "mass1.x", every=16)
-    found = swings(recording.time, recording["mass1.x"])
-    assert found is not None
+    found = known(swings(recording.time, recording["mass1.x"]))
     assert found.period == pytest.approx(2.0 * math.pi / swing, rel=2e-3)
     assert found.centre == pytest.approx(50.0, abs=0.01)
     assert found.decrement == pytest.approx(decay * found.period, rel=0.01)
@@ -315,8 +313,7 @@ def test_ripples_noise_and_a_late_begin_do_not_matter() -> None:
     swing = np.cos(2.0 * math.pi * t / 1.3)
     noise = np.random.default_rng(1).normal(0.0, 0.003, t.size)
     for curve in (swing + 0.01 * np.sin(60.0 * t), swing + noise, np.where(t < 2.0, 1.0, swing)):
-        found = swings(t, 300.0 + 2.0 * curve)
-        assert found is not None
+        found = known(swings(t, 300.0 + 2.0 * curve))
         assert found.period == pytest.approx(1.3, rel=0.01)
         assert found.amplitude == pytest.approx(2.0, rel=0.02)
 

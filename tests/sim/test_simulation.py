@@ -20,6 +20,7 @@ from tests.sim.inside import same_state
 # ------------------------------------------------------------------------- stepping
 TRAJECTORY = """
 import hashlib, sim
+from tests.sim.changes import step_all
 digest = hashlib.sha256()
 for preset in ("tutorial-3.3", "hair-tuft"):
     simulation = sim.Simulation(sim.load_scene(preset))
@@ -107,8 +108,7 @@ def test_a_pose_carries_the_state_to_another_simulation(rope: Simulation) -> Non
     rope.step(100)
     other = Simulation(replace(rope.scene, pose=rope.pose()))
     assert same_state(rope, other)
-    rope.step(50)
-    other.step(50)
+    step_all(50, rope, other)
     assert same_state(rope, other)
 
 
@@ -177,8 +177,7 @@ def test_replace_restarts_where_the_topology_is_another(rope: Simulation) -> Non
     fresh = Simulation(scene)
     assert (rope.time, rope.step_count) == (0.0, 0)
     assert same_state(rope, fresh)
-    rope.step(30)
-    fresh.step(30)
+    step_all(30, rope, fresh)
     assert same_state(rope, fresh)
 
 
@@ -188,6 +187,5 @@ def test_replace_with_an_invalid_scene_changes_nothing(rope: Simulation) -> None
     other.step(10)
     with pytest.raises(sim.SceneError, match="air_friction"):
         rope.replace(replace(rope.scene, air_friction=-1.0))
-    rope.step(10)
-    other.step(10)
+    step_all(10, rope, other)
     assert same_state(rope, other)

@@ -16,6 +16,7 @@ from sim.motion.auto_costs import LONG
 from sim.scene.types import Circle, Method
 from tests.sim.bodies import body
 from tests.sim.builders import built
+from tests.sim.changes import by
 from tests.sim.inside import drive, solver_of
 
 
@@ -65,13 +66,12 @@ def test_lengths_are_softened_far_below_the_tolerance_and_not_at_all_for_the_tut
 def collapsing() -> Scene:
     """Two masses that fly through each other, a hair off the middle."""
     places, speeds = [(0.0, 0.0), (10.0, 0.003)], [(1500.0, 0.0), (-1500.0, 0.0)]
-    integrator = Integrator(dt=0.005)
-    return built(places, velocities=speeds, stiffness=1e4, rest_length=10.0, integrator=integrator)
+    return built(places, velocities=speeds, stiffness=1e4, rest_length=10.0, integrator=Integrator(dt=0.005))
 
 
 @pytest.mark.parametrize("method", ["auto", "adams", "rodas4", "rodas5p"])
 def test_a_spring_that_passes_through_a_point_keeps_its_energy(method: Method) -> None:
-    simulation = Simulation(replace(collapsing(), integrator=Integrator(method=method, dt=0.005)))
+    simulation = Simulation(by(collapsing(), method, dt=0.005))
     before = simulation.energy()
     simulation.step()
     after = simulation.energy()

@@ -198,8 +198,12 @@ def test_the_meter_sees_when_another_body_gets_stiffer() -> None:
     corners = ((50.0, 0.0), (90.0, 0.0), (90.0, 40.0), (50.0, 40.0))
     loop = tuple(sim.Mass(position=corner) for corner in corners)
     gas = sim.Gas(masses=(2, 3, 4, 5), pressure=1.0, outside=1.0)
-    integrator = sim.Integrator(method="velocity_verlet", dt=1e-4)
-    scene = replace(hanging, masses=(*hanging.masses, *loop), fillings=(gas,), integrator=integrator)
+    scene = replace(
+        hanging,
+        masses=(*hanging.masses, *loop),
+        fillings=(gas,),
+        integrator=sim.Integrator(method="velocity_verlet", dt=1e-4),
+    )
     simulation = Simulation(scene)
     assert simulation.stability().limit == pytest.approx(2.0 / math.sqrt(100.0), rel=1e-3)
     squeezed = [(x, min(y, 0.5)) for x, y in corners]

@@ -13,6 +13,7 @@ from sim import Integrator, Scene, Simulation
 from sim.scene.types import ForceLaw
 from tests.amount import part_of
 from tests.sim.builders import chain, euler, row
+from tests.sim.changes import step_all
 from tests.sim.inside import same_state, system_of
 
 SHAPES = ("tutorial-3.3", "ring", "box")
@@ -121,13 +122,11 @@ def test_symplectic_euler_explodes_where_it_does_not() -> None:
 def test_it_is_symplectic_euler_where_the_step_is_short_enough(preset: str, law: ForceLaw) -> None:
     scene = replace(sim.load_scene(preset), force_law=law)
     one, other = (Simulation(replace(scene, integrator=method(2e-4))) for method in (euler, stable))
-    one.step(500)
-    other.step(500)
+    step_all(500, one, other)
     assert same_state(one, other)
     # At a longer one, it is not.
     one, other = (Simulation(replace(scene, integrator=method(2e-2))) for method in (euler, stable))
-    one.step(3)
-    other.step(3)
+    step_all(3, one, other)
     assert not same_state(one, other)
 
 

@@ -26,6 +26,7 @@ from sim.scene.types import Damage, Method
 from tests.amount import part_of
 from tests.sim.arrays import Arrays, Floats, off
 from tests.sim.builders import built, hoop
+from tests.sim.changes import apart
 from tests.sim.inside import problem_of, solver_of
 from tests.sim.surrounded import AROUND, KINDS, TOUCHING, around, bare, force_around, run, surrounded
 from tests.sim.touching import SOFT
@@ -149,7 +150,7 @@ def test_still_wind_is_still_air() -> None:
     still = replace(scene, wind=Wind(velocity=(0.0, 0.0)))
     none = replace(scene, wind=None)
     one, other = (run(each, 0.2, "adams", tolerance=1e-8) for each in (still, none))
-    assert np.abs(one.positions - other.positions).max() <= 1e-4
+    assert apart(one, other) <= 1e-4
 
 
 # ------------------------------------------------------------------------- a medium, and the ground
@@ -249,8 +250,9 @@ def test_a_gas_whose_area_is_tiny_makes_no_energy(method: Method) -> None:
     gas = Gas(masses=tuple(range(12)), pressure=400.0, outside=3.0, area=1e-6)
     ring = hoop(12, 50.0, mass=0.5, stiffness=2000.0, damping=1.0, fillings=(gas,))
     masses = tuple(replace(m, velocity=(-12.0 * m.position[0], 6.0 * m.position[1])) for m in ring.masses)
-    integrator = Integrator(method=method, dt=1e-3, tolerance=0.1)
-    simulation = Simulation(replace(ring, masses=masses, integrator=integrator))
+    simulation = Simulation(
+        replace(ring, masses=masses, integrator=Integrator(method=method, dt=1e-3, tolerance=0.1))
+    )
     largest = simulation.energy().kinetic
     for _ in range(20):
         assert simulation.step(25) == 25

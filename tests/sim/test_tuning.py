@@ -20,6 +20,7 @@ from sim.motion.stability import largest_step
 from sim.scene.types import Method
 from tests.amount import examples, part_of
 from tests.sim.builders import built, euler
+from tests.sim.checks import known
 
 EULER, VERLET = euler(), sim.Integrator(method="velocity_verlet")
 
@@ -48,8 +49,7 @@ def test_a_weight_on_a_spring_is_that_of_the_textbook() -> None:
     k, c, mass, gravity = 500.0, 3.0, 2.0, 90.0
     found = sim.tuning(weight(k, c, mass, gravity))
     omega, zeta = math.sqrt(k / mass), c / (2.0 * math.sqrt(k * mass))
-    fastest = found.fastest
-    assert fastest is not None
+    fastest = known(found.fastest)
     assert fastest.frequency == pytest.approx(omega / math.tau, rel=1e-6)
     assert fastest.damping_ratio == pytest.approx(zeta, rel=1e-6)
     assert fastest.period == pytest.approx(math.tau / omega, rel=1e-6)
@@ -321,8 +321,7 @@ def test_dampings_of_the_other_kind_stay_unless_they_are_too_much_alone() -> Non
     made = sim.damp_vibration(corner)
     assert [s.damping for s in made.linear_springs] == [0.0, 0.0]
     assert 0.0 < made.angular_springs[0].damping < 900.0
-    found = sim.tuning(made).elastic
-    assert found is not None
+    found = known(sim.tuning(made).elastic)
     assert found.damping_ratio == pytest.approx(1.0, rel=1e-6)
 
 
@@ -365,8 +364,7 @@ def test_friction_damps_a_small_vibration_as_at_a_creep(slip: float) -> None:
     places = [(0.0, depth), (50.0, depth)]
     fields: dict[str, Any] = {"gravity": (0.0, 1000.0), "walls": (floor,)}
     scene = built(places, mass=(1.0, 2.0), stiffness=100.0, held=(0,), **fields)
-    found = sim.tuning(scene).slowest
-    assert found is not None
+    found = known(sim.tuning(scene).slowest)
     omega = math.tau * found.frequency
     assert found.damping_ratio == pytest.approx(0.02 * 1000.0 / slip / (2.0 * omega), rel=0.01)
 

@@ -17,6 +17,7 @@ from sim.scene.types import Damage, Method, Pose
 from tests.amount import part_of
 from tests.sim.bodies import body
 from tests.sim.builders import chain
+from tests.sim.changes import after
 from tests.sim.whole_step import hold
 
 METHODS_WITH_LIMIT: tuple[Method, ...] = ("symplectic_euler", "velocity_verlet", "rk4")
@@ -81,8 +82,7 @@ MOVING = (
 @pytest.mark.parametrize(("preset", "method"), part_of([*product(MOVING, METHODS_WITH_LIMIT)], 5))
 def test_presets_in_motion(preset: tuple[str, float], method: Method) -> None:
     name, time = preset
-    simulation = Simulation(by(sim.load_scene(name), method))
-    simulation.advance(time)
+    simulation = after(by(sim.load_scene(name), method), time)
     # The meter leaves out that a mass comes further into a wall in the course of the step.
     hold(simulation, 0.02 if simulation.scene.walls else 0.01)
 
@@ -111,8 +111,7 @@ def lying() -> Scene:
         contact=sim.Contact(distance=12.0, stiffness=500.0, friction=0.9, bounciness=0.3),
         integrator=Integrator(method="auto", dt=1 / 60, tolerance=1e-3),
     )
-    simulation = Simulation(scene)
-    simulation.advance(3.0)
+    simulation = after(scene, 3.0)
     return replace(simulation.scene, pose=simulation.pose())
 
 

@@ -17,6 +17,8 @@ from sim.design.wishes import tapered
 from sim.scene.types import ForceLaw
 from sim.settings import SETTINGS
 from tests.amount import part_of
+from tests.sim.changes import after
+from tests.sim.checks import known
 
 G = (0.0, 1000.0)
 RECIPES = {
@@ -68,9 +70,7 @@ def measured(scene: sim.Scene, calms: bool) -> dict[str, float]:
             values.append(float((weights * shape * (simulation.positions - places)).sum()))
             simulation.step(1)
         # What damping brings along of other vibrations has passed after a while.
-        found = swings(np.arange(600.0) * (about / 100.0), np.array(values[100:]))
-        assert found is not None
-        return found
+        return known(swings(np.arange(600.0) * (about / 100.0), np.array(values[100:])))
 
     def rate(of: sim.Scene) -> float:
         """1/s, by the energy of all vibrations after a blow in the shape of this one."""
@@ -91,8 +91,7 @@ def measured(scene: sim.Scene, calms: bool) -> dict[str, float]:
     frequency, calm = 1.0 / curve(undamped).period, math.nan
     if calms:
         calm = math.log(10.0) / rate(rest)
-    still = sim.Simulation(replace(rest, integrator=fine))
-    still.advance(0.5)
+    still = after(replace(rest, integrator=fine), 0.5)
     sag = float((still.positions - [mass.position for mass in scene.masses])[:, 1].max())
     return {"frequency": frequency, "calm_after": calm, "sag": sag}
 
@@ -136,8 +135,7 @@ def test_wishes_made_from_hidden_numbers_are_fulfilled_in_a_run() -> None:
 def test_of_a_body_whose_damping_couples_its_vibrations_there_is_one_answer() -> None:
     """Alone its slowest elastic vibration would be calm after .26 s; with the others it takes tenfold."""
     jelly = sim.load_scene("jelly")
-    elastic = sim.tuning(jelly).elastic
-    assert elastic is not None
+    elastic = known(sim.tuning(jelly).elastic)
     assert elastic.frequency == pytest.approx(2.549, rel=1e-3)
     assert elastic.calm_after == pytest.approx(3.05, rel=0.02)
     assert math.log(10.0) / (math.tau * elastic.frequency * elastic.damping_ratio) == elastic.calm_after
@@ -153,8 +151,7 @@ def test_a_blow_fades_as_the_tuning_says_where_damping_couples() -> None:
     assert rest.pose is not None
     found, elastic = elastic_vibration(rest, Dampers(rest))
     assert elastic is not None
-    told = sim.tuning(jelly).elastic
-    assert told is not None
+    told = known(sim.tuning(jelly).elastic)
     weights = np.array([[mass.mass] for mass in jelly.masses])
     modal = weights * found.shapes / np.sqrt((weights * found.shapes**2).sum((1, 2)))[:, None, None]
     places, omega = np.array(rest.pose.positions), found.omega
@@ -284,8 +281,7 @@ def test_a_time_step_is_borne_in_a_run() -> None:
 def test_the_sag_of_a_mass() -> None:
     scene = recipe("girder")
     rest = AtRest(scene)
-    before = rest.sag_of(2)
-    assert before is not None
+    before = known(rest.sag_of(2))
     design = sim.set_wishes(scene, sag=0.5 * before, mass=2)
     after = AtRest(design.scene).sag_of(2)
     assert after == pytest.approx(0.5 * before, rel=1e-3)
@@ -333,8 +329,7 @@ def test_sensitivities_are_the_limits_of_differences(name: str, law: ForceLaw) -
     assert set(told) == {"linear_stiffness", "gravity"} | (
         {"angular_stiffness"} if scene.angular_springs else set()
     )
-    mass = AtRest(scene).sag_mass
-    assert mass is not None
+    mass = known(AtRest(scene).sag_mass)
     largest = max(abs(one.sag or 0.0) for one in told.values())
     for key, one in told.items():
         there = [AtRest(by_setting(key)(scene, step)) for step in (-4e-3, -2e-3, 2e-3, 4e-3)]
@@ -372,6 +367,5 @@ def test_a_vibration_that_shares_its_frequency_with_others_is_calmed() -> None:
     scene = sim.load_scene("lesson-resonance")
     design = sim.set_wishes(scene, calm_after=2.0)
     assert not design.conflict
-    elastic = sim.tuning(design.scene).elastic
-    assert elastic is not None
+    elastic = known(sim.tuning(design.scene).elastic)
     assert elastic.calm_after == pytest.approx(2.0, rel=1e-3)
