@@ -15,12 +15,12 @@ from msgspec.structs import replace
 import sim
 from sim import Anchor, InputError, Simulation
 from tests.sim.builders import askew, chain, row, undisturbed
+from tests.sim.changes import step_all
 from tests.sim.inside import same_state
 
 # ------------------------------------------------------------------------- stepping
 TRAJECTORY = """
 import hashlib, sim
-from tests.sim.changes import step_all
 digest = hashlib.sha256()
 for preset in ("tutorial-3.3", "hair-tuft"):
     simulation = sim.Simulation(sim.load_scene(preset))
