@@ -10,10 +10,11 @@ from msgspec.structs import replace
 
 from sim import Scene, Simulation
 from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
-from sim.scene.types import Method
+from sim.scene.types import Damage, Method
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import body, tangle
-from tests.sim.changes import after, by, with_springs
+from tests.sim.changes import by, with_springs
+from tests.sim.checks import known
 from tests.sim.touching import CONSTANT, HELD, SOFT, crumpled
 
 KINDS: dict[str, dict[str, Any]] = {
@@ -76,6 +77,8 @@ TOUCHING = {
 }
 """Shapes that are crumpled so that they touch themselves, and their contact."""
 TOUCHING["girder that sticks to itself"] = ("girder", HELD)
+BROKEN = "girder in contact, partly broken"
+TOUCHING[BROKEN] = ("girder", SOFT)
 
 AROUND = [*KINDS, *TOUCHING]
 
@@ -85,7 +88,11 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
     if kind not in TOUCHING:
         return surrounded(kind, seed=seed, **changes)
     shape, contact = TOUCHING[kind]
-    return crumpled(shape, seed, contact, **changes)
+    scene = crumpled(shape, seed, contact, **changes)
+    if kind == BROKEN:
+        pose = replace(known(scene.pose), damage=Damage(broken=(0, 1, 2, 3)))
+        return replace(with_springs(scene, strength=1e9), pose=pose)
+    return scene
 
 
 def bare(scene: Scene) -> Scene:
@@ -138,4 +145,6 @@ def with_everything() -> Scene:
 
 def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
     """The simulation of a scene after a while, by a method; `numbers` are of its integrator."""
-    return after(by(scene, method, **{"dt": 1e-3, "tolerance": 1e-6, **numbers}), seconds)
+    simulation = Simulation(by(scene, method, **{"dt": 1e-3, "tolerance": 1e-6, **numbers}))
+    simulation.advance(seconds)
+    return simulation

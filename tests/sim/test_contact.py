@@ -12,7 +12,7 @@ from sim.forces.contact import no_tunnelling
 from sim.forces.contact_batch import BATCH
 from sim.methods.registry import METHODS
 from sim.scene.surroundings import Contact, Wall
-from sim.scene.types import Damage, Method
+from sim.scene.types import Method
 from tests.sim.arrays import Arrays, Floats, off
 from tests.sim.changes import apart, by
 from tests.sim.inside import KRYLOV, solver_of
@@ -32,17 +32,6 @@ from tests.sim.touching import (
 
 
 # ------------------------------------------------------------------------- forces
-def test_a_broken_spring_touches_nothing() -> None:
-    scene = crumpled("girder")
-    weak = tuple(replace(spring, strength=1e9) for spring in scene.linear_springs)
-    pose = replace(scene.pose, damage=Damage(broken=(0, 1, 2, 3))) if scene.pose else None
-    arrays = Arrays(replace(scene, linear_springs=weak, pose=pose))
-    found = arrays.accelerations(arrays.q, arrays.v)
-    assert off(found, arrays.by_numpy()) <= 1e-12
-    whole = Arrays(replace(scene, linear_springs=weak))
-    assert np.abs(found - whole.accelerations(whole.q, whole.v)).max() > 1.0
-
-
 @pytest.mark.parametrize("contact", [CONSTANT, replace(CONSTANT, tangential_stiffness=2000.0)])
 @pytest.mark.parametrize("rings", [10, 47])
 @pytest.mark.parametrize("method", ["rk4", "symplectic_euler"])

@@ -20,7 +20,6 @@ from sim.store.files import decode_link, decode_scene, encode_scene
 from sim.store.link import pack_scene
 from tests.sim.builders import built
 from tests.sim.changes import step_all
-from tests.sim.inside import by_numpy
 
 
 def hung(force: tuple[float, float] | None, **changes: Any) -> Scene:
@@ -61,13 +60,6 @@ def test_gravity_and_the_same_weight_as_forces_move_a_body_alike(name: str) -> N
     np.testing.assert_allclose(other.positions, one.positions, atol=1e-6)
     assert other.energy().gravity == pytest.approx(one.energy().gravity, rel=1e-9)
     np.testing.assert_allclose(other.loads.forces, one.loads.forces, atol=1e-4)
-
-
-def test_without_compiled_kernels_it_is_the_same() -> None:
-    scene = hung((40.0, 1000.0), integrator=method("symplectic_euler"))
-    compiled, plain = Simulation(scene), by_numpy(Simulation(scene))
-    step_all(300, compiled, plain)
-    np.testing.assert_allclose(plain.positions, compiled.positions, rtol=1e-12)
 
 
 def test_the_force_is_minus_the_gradient_of_the_energy() -> None:

@@ -20,15 +20,14 @@ from sim.forces.air import wind_at, wind_gradient_at
 from sim.forces.push import damping_factor
 from sim.methods.registry import METHODS
 from sim.motion.stability import damped_limit
-from sim.physics import Physics
 from sim.scene.surroundings import Contact, Gas, Ground, Medium, Wall, Wind
 from sim.scene.types import Damage, Method
 from tests.amount import part_of
-from tests.sim.arrays import Arrays, Floats, off
+from tests.sim.arrays import Arrays, Floats
 from tests.sim.builders import built, hoop
-from tests.sim.changes import apart
+from tests.sim.changes import apart, posed, with_springs
 from tests.sim.inside import problem_of, solver_of
-from tests.sim.surrounded import AROUND, KINDS, TOUCHING, around, bare, force_around, run, surrounded
+from tests.sim.surrounded import KINDS, TOUCHING, around, bare, run, surrounded
 from tests.sim.touching import SOFT
 
 FLOOR = Wall(point=(0.0, 0.0), normal=(0.0, -1.0), friction=0.0, bounciness=1.0)
@@ -38,78 +37,6 @@ def single(position: tuple[float, float], velocity: tuple[float, float] = (0.0, 
     """One mass by itself, under no gravity unless `fields` say so."""
     mass = Mass(position=position, velocity=velocity, mass=3.0)
     return Scene(name="single", masses=(mass,), **fields)
-
-
-# ------------------------------------------------------------------------- forces and their derivatives
-@pytest.mark.parametrize("step", ["rk4", "symplectic_euler"])
-@pytest.mark.parametrize("kind", AROUND)
-def test_the_kernels_do_what_the_physics_in_numpy_says(kind: str, step: Method) -> None:
-    for seed in range(3):
-        scene = replace(around(kind, seed, held=(1,)), integrator=Integrator(method=step, dt=1e-3))
-        arrays, without = Arrays(scene), Arrays(bare(scene))
-        arrays.state.clock[0] = 0.37
-        found = arrays.accelerations(arrays.q, arrays.v)
-        assert off(found, arrays.by_numpy()) <= 1e-12
-        assert np.abs(found - without.accelerations(arrays.q, arrays.v)).max() > 1.0
-
-
-@pytest.mark.parametrize("kind", ["walls", "fillings", "all"])
-def test_the_energies_are_those_of_the_physics_in_numpy(kind: str) -> None:
-    scene = surrounded(kind, seed=2)
-    balance, arrays = Simulation(scene).energy(), Arrays(scene)
-    expected = Physics(arrays.body, arrays.state).energies(arrays.state.x + 1j * arrays.state.y)
-    assert balance.walls == pytest.approx(expected["walls"], rel=1e-12)
-    assert balance.fillings == pytest.approx(expected["fillings"], rel=1e-12)
-    assert balance.walls + abs(balance.fillings) > 1.0
-
-
-@pytest.mark.parametrize(
-    "kind", ["gas", "fillings", "girder in contact", "cloth in contact", "ring in contact"]
-)
-def test_fillings_and_contact_neither_push_nor_turn_a_body_as_a_whole(kind: str) -> None:
-    # Contact is rough and in motion: friction has no torque either.
-    at, force = force_around(around(kind, joints=False, damping=0.0, air=0.0, gravity=(0.0, 0.0)))
-    size = float(np.abs(force).sum())
-    assert size > 100.0
-    assert np.abs(force.sum(0)).max() <= 1e-13 * size
-    torque = float((at[:, 0] * force[:, 1] - at[:, 1] * force[:, 0]).sum())
-    assert abs(torque) <= 1e-13 * size * float(np.abs(at).max())
-
-
-@pytest.mark.parametrize(
-    "kind", ["walls", "gas", "fillings", "girder in contact", "cloth in contact", "ring in contact"]
-)
-def test_the_force_is_the_gradient_of_the_energy(kind: str) -> None:
-    smooth: dict[str, float] = {"friction": 0.0, "bounciness": 1.0}
-    for seed in range(3):
-        scene = around(kind, seed, damping=0.0, twist=0.0, air=0.0)
-        walls = tuple(replace(wall, **smooth) for wall in scene.walls)
-        contact = scene.contact and replace(scene.contact, **smooth)
-        arrays = Arrays(replace(scene, walls=walls, contact=contact))
-        force = arrays.weight * arrays.accelerations(arrays.q, 0.0 * arrays.v)
-        assert off(-arrays.gradient(), force) <= 1e-7
-
-
-@pytest.mark.parametrize("kind", AROUND)
-def test_the_matrix_and_its_part_by_velocities_are_those_of_the_forces(kind: str) -> None:
-    # What bounces with a constant restitution is damped ever more steeply, the less deep it is.
-    steep = kind in TOUCHING and TOUCHING[kind][1].restitution == "constant"
-    for seed, held in ((1, ()), (2, (0, 3))):
-        arrays, g = Arrays(around(kind, seed, held=held)), 150.0
-        assert off(arrays.matrix_of(g * g, g), arrays.by_differences(g * g, g)) <= (1e-6 if steep else 1e-7)
-        start, z = np.random.default_rng(1).normal(size=(2, arrays.here.size)) * 100.0
-        change = 0.7 * arrays.derivative(by_velocity=True, step=0.01) @ z
-        assert off(arrays.resistance(z, 0.7, start) - start, change) <= (1e-5 if steep else 1e-7)
-
-
-@pytest.mark.parametrize("kind", AROUND)
-def test_the_definite_matrix_is_one(kind: str) -> None:
-    for seed in range(3):
-        arrays = Arrays(around(kind, seed))
-        stiffness = arrays.weight[:, None] * arrays.matrix_of(1e-3, 150.0, definite=True)
-        size = np.abs(stiffness).max()
-        assert np.abs(stiffness - stiffness.T).max() <= 1e-9 * size
-        assert np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T))[0] >= -1e-9 * size
 
 
 # ------------------------------------------------------------------------- walls
@@ -196,24 +123,17 @@ def test_what_hangs_on_a_broken_spring_rests_on_the_others() -> None:
     rod = sim.rope(
         masses=4, length=120.0, ground=Ground(), medium=Medium(), gravity=(0.0, 0.0), air_friction=0.0
     )
-    rod = replace(
-        rod,
-        bodies=(),
-        anchors=(),
-        linear_springs=tuple(replace(s, strength=1e6, rest_length=40.0) for s in rod.linear_springs),
-    )
-    moving = tuple((30.0, 70.0) for _ in rod.masses)
-    pose = sim.Pose(positions=tuple(m.position for m in rod.masses), velocities=moving)
-    slowed = []
-    for broken in ((), (0,), (0, 1)):
-        damage = Damage(broken=broken)
-        body = Simulation(replace(rod, pose=replace(pose, damage=damage)))
-        slowed.append(body.loads.forces)
+    rod = with_springs(replace(rod, anchors=(), bodies=()), strength=1e6, rest_length=40.0)
+    moving = [(30.0, 70.0)] * 4
+    slowed = [
+        Simulation(posed(rod, speeds=moving, damage=Damage(broken=broken))).loads.forces
+        for broken in ((), (0,), (0, 1))
+    ]
     # In line, mass 1 loses half of what the medium does to it, and keeps its friction; mass 0 loses both.
     assert np.abs(slowed[1][0]).max() <= 1e-9 < np.abs(slowed[0][0]).min()
     assert np.abs(slowed[2][1]).max() <= 1e-9
     by_friction = slowed[0][1] - 2.0 * (slowed[0][1] - slowed[1][1])
-    alone = Simulation(replace(rod, medium=msgspec.UNSET, pose=pose)).loads.forces
+    alone = Simulation(posed(replace(rod, medium=msgspec.UNSET), speeds=moving)).loads.forces
     assert by_friction == pytest.approx(alone[1], rel=1e-4)
     assert slowed[1][2:] == pytest.approx(slowed[0][2:])
 
@@ -232,9 +152,7 @@ def test_a_balloon_squeezed_to_nothing_comes_back(method: Method) -> None:
     gas = Gas(masses=tuple(range(24)), pressure=300.0, outside=100.0)
     balloon = hoop(24, 80.0, mass=0.2, stiffness=3000.0, damping=3.0, fillings=(gas,), air_friction=1e-3)
     x, y = np.array([mass.position for mass in balloon.masses]).T
-    flat = tuple(zip(x.tolist(), (1e-3 * y).tolist(), strict=True))
-    scene = replace(balloon, pose=sim.Pose(positions=flat, velocities=((0.0, 0.0),) * 24))
-    simulation = run(scene, 1.0, method, dt=1e-4, tolerance=0.1)
+    simulation = run(posed(balloon, zip(x, 1e-3 * y, strict=True)), 1.0, method, dt=1e-4, tolerance=0.1)
     assert simulation.divergence is None
     assert simulation.time == pytest.approx(1.0)
     assert area_of(*simulation.positions.T) > 0.5 * area_of(x, y)
