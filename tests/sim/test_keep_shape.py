@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import itertools
 import math
 from typing import Any
 
@@ -23,7 +22,8 @@ from sim.scene.types import Damage
 from tests.amount import part_of
 from tests.sim.bodies import LAWS, SHAPES, body
 from tests.sim.builders import PRESETS, built
-from tests.sim.checks import known
+from tests.sim.changes import posed, with_joints, with_masses, with_springs
+from tests.sim.checks import jacobian, known
 
 HANGING = {
     "air-balloon", "box", "jelly", "lesson-catenary", "lesson-chaos", "lesson-explosion", "octagon",
@@ -60,8 +60,7 @@ def drift(scene: sim.Scene, seconds: float = 10.0) -> float:
 
 
 def at_rest(scene: sim.Scene) -> sim.Scene:
-    still = tuple(replace(mass, velocity=(0.0, 0.0)) for mass in scene.masses)
-    return replace(scene, masses=still)
+    return with_masses(scene, velocity=(0.0, 0.0))
 
 
 # ------------------------------------------------------------------------- what can be kept
@@ -114,19 +113,16 @@ def could_be_kept(scene: sim.Scene) -> float:
         angles = [np.angle(vectors[j.b] / vectors[j.a]) for j in scene.angular_springs]
         return np.array([*map(abs, vectors), *angles])
 
-    start = measures(at)
-    columns = []
-    for mass, axis in itertools.product(free, (0, 1)):
-        there = []
-        for step in (1e-5, -1e-5):
-            moved = at.copy()
-            moved[mass, axis] += step
-            there.append(measures(moved) - start)
-        change = there[0] - there[1]
-        springs = len(scene.linear_springs)
+    start, springs = measures(at), len(scene.linear_springs)
+
+    def turned(places: NDArray[np.float64]) -> NDArray[np.float64]:
+        change = measures(places.reshape(-1, 2)) - start
         change[springs:] = np.angle(np.exp(1j * change[springs:]))
-        columns.append(-change / 2e-5)
-    lengths = start[: len(scene.linear_springs)]
+        return change
+
+    moving = [2 * mass + axis for mass in free.tolist() for axis in (0, 1)]
+    pull_by_place = -jacobian(turned, at.ravel(), 1e-4, moving).T
+    lengths = start[:springs]
     pulls = [spring.stiffness * length for spring, length in zip(scene.linear_springs, lengths, strict=True)]
     bent = math.radians(60.0) if scene.force_law == "angle" else math.sin(math.radians(60.0))
     turns = [bent * j.stiffness * lengths[j.a] * lengths[j.b] for j in scene.angular_springs]
@@ -137,7 +133,7 @@ def could_be_kept(scene: sim.Scene) -> float:
         for g, f in zip(scene.gravity, mass.force or (0.0, 0.0), strict=True)
     ]
     scale = max(map(abs, loads), default=0.0) or 1.0
-    balance = np.array(columns).reshape(len(loads), most.size) * most / scale
+    balance = pull_by_place.reshape(len(loads), most.size) * most / scale
     ones = np.ones((most.size, 1))
     down = np.eye(most.size)[len(pulls) :]
     result = linprog(
@@ -155,13 +151,9 @@ def test_on_the_floor_masses_sink_as_deep_as_they_must() -> None:
     scene = replace(sim.load_scene("jelly"), pose=None)
     floor = next(wall.point[1] for wall in scene.walls if wall.normal == (0.0, -1.0))
     low = max(mass.position[1] for mass in scene.masses)
-    masses = tuple(
-        replace(mass, position=(mass.position[0], mass.position[1] + floor - low)) for mass in scene.masses
-    )
-    scene = replace(scene, bodies=(), links=(), masses=masses)
-    kept = sim.keep_shape(scene)
-    assert kept.pose is not None
-    sunk = np.array(kept.pose.positions) - [mass.position for mass in masses]
+    scene = with_masses(scene, position=lambda _, m: (m.position[0], m.position[1] + floor - low))
+    kept, masses = sim.keep_shape(scene), scene.masses
+    sunk = np.array(known(kept.pose).positions) - [mass.position for mass in masses]
     at_floor = np.array([mass.position[1] for mass in masses]) > floor - 1e-9
     # The floor's pushes bear the whole weight.
     push = sum(mass.mass * 8000.0 * depth**2 for mass, depth in zip(masses, sunk[:, 1], strict=True))
@@ -200,17 +192,9 @@ def test_what_has_yielded_and_what_keys_have_changed_stays_so() -> None:
     scene = sim.load_scene("rod")
     springs, joints = len(scene.linear_springs), len(scene.angular_springs)
     damage = Damage(set_lengths=(2.0,) * springs, hardened=(0.0,) * springs, set_angles=(-3.0,) * joints)
-    soft = [replace(s, yield_force=1e9) for s in scene.linear_springs]
-    bent = [replace(j, yield_torque=1e12) for j in scene.angular_springs]
-    scene = replace(
-        scene, bodies=(), links=(), linear_springs=tuple(soft), angular_springs=tuple(bent),
-        rest_length_scale=1.1,
-    )  # fmt: skip
-    places = tuple(mass.position for mass in scene.masses)
-    pose = sim.Pose(positions=places, velocities=((0.0, 0.0),) * len(places), damage=damage)
-    kept = sim.keep_shape(replace(scene, pose=pose))
-    assert kept.pose is not None
-    assert kept.pose.damage == damage
+    scene = with_springs(with_joints(scene, yield_torque=1e12), yield_force=1e9)
+    kept = sim.keep_shape(posed(replace(scene, rest_length_scale=1.1), damage=damage))
+    assert known(kept.pose).damage == damage
     assert kept.rest_length_scale == 1.1
     assert net_force(kept) <= 1e-10
     assert drift(kept) <= 1e-6
@@ -236,9 +220,7 @@ def test_at_a_moment_what_held_keys_have_changed_is_counted_in() -> None:
 
 
 def test_only_what_is_chosen_changes() -> None:
-    scene = at_rest(body("girder", seed=3, held=(0, 1)))
-    soft = tuple(replace(joint, stiffness=5.0) for joint in scene.angular_springs)
-    scene = replace(scene, angular_springs=soft)
+    scene = with_joints(at_rest(body("girder", seed=3, held=(0, 1))), stiffness=5.0)
     chosen = Selection(springs=frozenset(range(len(scene.linear_springs))))
     kept = sim.keep_shape(scene, chosen)
     assert kept.angular_springs == scene.angular_springs
