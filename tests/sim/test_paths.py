@@ -14,7 +14,7 @@ from sim.forces.all import accelerations
 from sim.scene.types import ForceLaw, Method
 from tests.sim.arrays import Arrays
 from tests.sim.builders import built, chain, row
-from tests.sim.changes import by, step_all
+from tests.sim.changes import by, pairs, step_all, with_joints
 from tests.sim.inside import general, is_chain, is_ring
 
 
@@ -43,11 +43,7 @@ def shuffled(scene: Scene, seed: int) -> tuple[Scene, list[int]]:
 def some_chain() -> Scene:
     """A chain each of whose joints has a stiffness and a rest angle of its own, so that a mix-up shows."""
     scene = sim.load_scene("tutorial-3.3")
-    joints = tuple(
-        replace(j, stiffness=5000.0 + 900.0 * i, rest_angle=7.0 * i)
-        for i, j in enumerate(scene.angular_springs)
-    )
-    return replace(scene, bodies=(), angular_springs=joints)
+    return with_joints(scene, stiffness=lambda i, _: 5000.0 + 900.0 * i, rest_angle=lambda i, _: 7.0 * i)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -76,34 +72,28 @@ def test_what_is_not_one_chain_takes_the_general_path() -> None:
     scene = replace(sim.load_scene("tutorial-3.3"), bodies=())
     springs, joints = scene.linear_springs, scene.angular_springs
     assert is_chain(Simulation(replace(scene, angular_springs=joints[:3] + joints[4:])))
-    others = [
-        replace(scene, linear_springs=springs[:-1], angular_springs=joints[:-1]),  # a mass by itself
-        replace(scene, linear_springs=(replace(springs[0], a=1, b=0), *springs[1:])),  # against the others
-        replace(scene, angular_springs=(replace(joints[0], a=1, b=0), *joints[1:])),  # turned round
-        replace(scene, linear_springs=(*springs[:-1], replace(springs[-1], a=5))),  # a branch
-        replace(scene, linear_springs=(*springs, replace(springs[0], a=11, b=0))),  # a ring
-    ]
-    for other in others[:3] + others[4:]:
-        assert not is_chain(Simulation(other))
-    branch = replace(others[3], angular_springs=joints[:-1])
-    assert not is_chain(Simulation(branch))
     # A ring and a single mass have as many springs as a chain has.
     single = chain([*row(3), (50.0, 50.0)], stiffness=1.0)
-    springs = single.linear_springs
-    single = replace(single, linear_springs=(*springs[:2], replace(springs[2], a=2, b=0)))
-    assert not is_chain(Simulation(single))
+    ends = single.linear_springs
+    others = {
+        "a mass by itself": replace(scene, linear_springs=springs[:-1], angular_springs=joints[:-1]),
+        "a spring turned round": replace(scene, linear_springs=(replace(springs[0], a=1, b=0), *springs[1:])),
+        "a joint turned round": replace(scene, angular_springs=(replace(joints[0], a=1, b=0), *joints[1:])),
+        "a branch": replace(
+            scene, linear_springs=(*springs[:-1], replace(springs[-1], a=5)), angular_springs=joints[:-1]
+        ),
+        "a ring": replace(scene, linear_springs=(*springs, replace(springs[0], a=11, b=0))),
+        "a ring and a mass": replace(single, linear_springs=(*ends[:2], replace(ends[2], a=2, b=0))),
+    }
+    for name, other in others.items():
+        assert not is_chain(Simulation(other)), name
 
 
 @pytest.mark.parametrize("held", [(0,), (9,), (4,), (0, 6), ()])
 @pytest.mark.parametrize("method", ["generalized_alpha", "rodas4", "adams"])
 def test_a_chain_moves_like_any_other_body(method: Method, held: tuple[int, ...]) -> None:
     # Springs turn and stretch along the chain in loops of its own.
-    scene = sim.rope(
-        masses=10,
-        angular_damping=2.0,
-        force_law="conservative",
-        integrator=Integrator(method=method, dt=0.005, tolerance=1e-8),
-    )
+    scene = by(sim.rope(masses=10, angular_damping=2.0), method, dt=0.005, tolerance=1e-8)
     scene = replace(scene, bodies=(), anchors=tuple(Anchor(mass=m) for m in held))
     one, other = Simulation(scene), general(Simulation(scene))
     assert is_chain(one)
@@ -131,15 +121,13 @@ def ring(n: int, **settings: Any) -> Scene:
     turns = 2.0 * np.pi * np.arange(n) / n
     positions = np.column_stack((np.cos(turns), np.sin(turns))) * 8.0 * n + rng.uniform(-4.0, 4.0, (n, 2))
     speeds = rng.normal(0.0, 50.0, (n, 2))
+    around = [(i, (i + 1) % n) for i in range(n)]
     joints = tuple(
-        AngularSpring(
-            a=i, b=(i + 1) % n, stiffness=float(rng.uniform(500.0, 900.0)), rest_angle=360.0 / n + i
-        )
-        for i in range(n)
+        AngularSpring(a=a, b=b, stiffness=float(rng.uniform(500.0, 900.0)), rest_angle=360.0 / n + a)
+        for a, b in around
     )
     return built(
-        [(x, y) for x, y in positions.tolist()], [(i, (i + 1) % n) for i in range(n)],
-        velocities=[(u, v) for u, v in speeds.tolist()], mass=rng.uniform(0.5, 2.0, n).tolist(),
+        pairs(positions), around, velocities=pairs(speeds), mass=rng.uniform(0.5, 2.0, n).tolist(),
         stiffness=rng.uniform(2e3, 4e3, n).tolist(), damping=5.0, rest_length=50.0, held=(1,),
         angular_springs=joints, gravity=(0.0, 300.0), air_friction=0.01,
         arrow_keys=ArrowKeys(rest_angle_step=3.0), **settings,
