@@ -14,6 +14,7 @@ from sim import Anchor, Circle, Integrator, Scene, Simulation
 from sim.scene.types import ForceLaw, Method
 from tests.amount import NIGHT, part_of
 from tests.sim.bodies import SHAPES, body
+from tests.sim.changes import with_masses
 from tests.sim.fuzzing import with_muscles
 from tests.sim.inside import by_numpy, general
 
@@ -25,8 +26,8 @@ def plain(scene: Scene) -> Simulation:
 
 
 def lively(shape: str, law: ForceLaw, method: Method, seed: int) -> Scene:
-    """A body with damping everywhere, air, an anchor that goes round and keys that do something."""
-    scene = body(shape, law, seed)
+    """A body with damping everywhere, air, loads, an anchor that goes round and keys that do something."""
+    scene = with_masses(body(shape, law, seed), force=lambda i, _: (200.0 * i, -300.0))
     circle = Circle(radius=5.0, frequency=20.0, ramp=1e-3)
     return replace(
         scene,
