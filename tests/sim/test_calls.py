@@ -15,7 +15,8 @@ from sim.methods.registry import METHODS
 from sim.scene.types import Method
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import body
-from tests.sim.changes import step_all
+from tests.sim.changes import by, step_all, with_springs, with_walls
+from tests.sim.checks import known
 from tests.sim.inside import solver_of
 from tests.sim.surrounded import KINDS, around, surrounded
 from tests.sim.touching import crumpled
@@ -34,24 +35,20 @@ def bits(simulation: Simulation) -> bytes:
 def restless(**fields: object) -> Scene:
     """A body that time drives, by gusts and an anchor that goes round, and that breaks, yields and sticks."""
     scene = replace(around("girder that sticks to itself", 8), **KINDS["all"])
-    circle = Circle(radius=20.0, frequency=3.0, ramp=0.1)
-    limits = ({"strength": 2e4}, {"strength": 5e4, "yield_force": 2e4})
-    return replace(
-        scene,
-        anchors=(Anchor(mass=0, driven=True, circle=circle),),
-        arrow_keys=ArrowKeys(),
-        linear_springs=tuple(replace(s, **limits[i % 2]) for i, s in enumerate(scene.linear_springs)),
-        walls=tuple(replace(wall, tangential_hardness=40.0) for wall in scene.walls),
-        **fields,
+    scene = with_springs(
+        scene, strength=lambda i, _: 5e4 if i % 2 else 2e4, yield_force=lambda i, _: 2e4 if i % 2 else None
     )
+    anchor = Anchor(mass=0, driven=True, circle=Circle(radius=20.0, frequency=3.0, ramp=0.1))
+    scene = with_walls(scene, tangential_hardness=40.0)
+    return replace(scene, anchors=(anchor,), arrow_keys=ArrowKeys(), **fields)
 
 
 def test_a_restless_body_breaks_yields_and_sticks() -> None:
     simulation = Simulation(restless(integrator=Integrator(method="rk4", dt=3e-4)))
     simulation.step(20)
-    damage, grips = simulation.damage, simulation.capture().grips
-    assert damage is not None and damage.broken and any(damage.set_lengths)
-    assert grips is not None and grips.walls and grips.springs
+    damage, grips = known(simulation.damage), known(simulation.capture().grips)
+    assert damage.broken and any(damage.set_lengths)
+    assert grips.walls and grips.springs
 
 
 # ------------------------------------------------------------------------- calls
@@ -158,22 +155,15 @@ def test_a_mass_that_was_led_before_a_reset_starts_with_its_own_velocity() -> No
 # ------------------------------------------------------------------------- steps that are refused
 @pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet", "rk4"])
 def test_the_last_good_state_has_the_keys_of_its_own_steps(method: Method) -> None:
-    scene = replace(
-        body("girder", "conservative", 1),
-        integrator=Integrator(method=method, dt=0.02),
-        arrow_keys=ArrowKeys(),
-        wind=KINDS["gusts"]["wind"],
-        air_friction=0.3,
-    )
+    scene = replace(body("girder", "conservative", 1), **KINDS["gusts"], air_friction=0.3)
+    scene = by(replace(scene, arrow_keys=ArrowKeys()), method, dt=0.02)
     simulation, once = Simulation(scene), Simulation(scene)
     simulation.keys = once.keys = {"up", "right"}
     simulation.step(2000)
     assert simulation.divergence is not None
     once.step(simulation.step_count)
     assert once.divergence is None
-    assert (simulation.rest_length_scale, simulation.rest_angle_shift) == (
-        once.rest_length_scale,
-        once.rest_angle_shift,
-    )
+    assert simulation.rest_length_scale == once.rest_length_scale
+    assert simulation.rest_angle_shift == once.rest_angle_shift
     assert np.array_equal(simulation.tables[1].clock, once.tables[1].clock)
     assert bits(simulation) == bits(once)

@@ -9,10 +9,10 @@ import pytest
 from msgspec.structs import replace
 
 import sim
-from sim import ArrowKeys, InputError, Integrator, Scene, Simulation
+from sim import ArrowKeys, InputError, Scene, Simulation
 from sim.scene.types import Method
 from tests.sim.builders import tutorial_preset, tutorial_rope
-from tests.sim.changes import apart, step_all
+from tests.sim.changes import apart, by, step_all
 
 
 def with_keys(scene: Scene, *keys: str, dt: float | None = None) -> Simulation:
@@ -25,15 +25,12 @@ def with_keys(scene: Scene, *keys: str, dt: float | None = None) -> Simulation:
 @pytest.mark.parametrize("dt", [0.0025, 0.00125, 0.0005, 0.004])
 def test_keys_act_per_simulated_time(dt: float) -> None:
     steps = round(1.0 / dt)
-    simulation = with_keys(sim.load_scene("tutorial-3.3"), "up", "right", dt=dt)
-    assert simulation.step(steps) == steps
-    # 400 intervals a second: lengths times 1.002^400 = 2.22, angles plus 40 degrees.
-    assert simulation.rest_length_scale == pytest.approx(1.002**400, rel=1e-9)
-    assert simulation.rest_angles == pytest.approx(np.full(10, 40.0), abs=1e-9)
-    simulation = with_keys(sim.load_scene("tutorial-3.3"), "down", "left", dt=dt)
-    assert simulation.step(steps) == steps
-    assert simulation.rest_length_scale == pytest.approx(1.002**-400, rel=1e-9)
-    assert simulation.rest_angles == pytest.approx(np.full(10, -40.0), abs=1e-9)
+    for keys, sign in (("up", "right"), 1), (("down", "left"), -1):
+        simulation = with_keys(sim.load_scene("tutorial-3.3"), *keys, dt=dt)
+        assert simulation.step(steps) == steps
+        # 400 intervals a second: lengths times 1.002^400 = 2.22, angles plus 40 degrees.
+        assert simulation.rest_length_scale == pytest.approx(1.002 ** (sign * 400), rel=1e-9)
+        assert simulation.rest_angles == pytest.approx(np.full(10, sign * 40.0), abs=1e-9)
 
 
 def test_keys_do_nothing_once_let_go_or_where_the_scene_has_none() -> None:
@@ -123,13 +120,8 @@ def test_the_fastest_keys_allowed_leave_a_valid_scene(
     rates: dict[str, float], keys: set[str], method: Method
 ) -> None:
     # 2500 intervals in one step, which is more than a factor or an angle can grow by in a number.
-    scene = sim.rope(
-        masses=3,
-        held=(0, 1, 2),
-        arrow_keys=ArrowKeys(**rates, interval=1e-6),
-        integrator=Integrator(method=method),
-    )
-    simulation = with_keys(scene, *keys)
+    scene = sim.rope(masses=3, held=(0, 1, 2), arrow_keys=ArrowKeys(**rates, interval=1e-6))
+    simulation = with_keys(by(scene, method), *keys)
     simulation.step(2)
     sim.validate(simulation.scene)
     assert 0.01 <= simulation.rest_length_scale <= 100.0

@@ -14,6 +14,7 @@ from sim.methods.registry import METHODS
 from sim.scene.types import ForceLaw, Method
 from tests.sim.builders import askew, chain, row, tutorial_rope, undisturbed
 from tests.sim.changes import apart, by, step_all
+from tests.sim.checks import refusal
 from tests.sim.inside import same_state
 
 
@@ -54,11 +55,8 @@ def test_lead_goes_in_a_straight_line_and_arrives_with_the_last_step() -> None:
 @pytest.mark.parametrize("law", ["tutorial", "conservative"])
 @pytest.mark.parametrize("method", METHODS)
 def test_what_is_led_arrives_and_stays_there(method: Method, law: ForceLaw) -> None:
-    scene = replace(
-        askew(), bodies=(), anchors=(Anchor(mass=0), Anchor(mass=11)), force_law=law,
-        integrator=Integrator(method=method, dt=5e-4),
-    )  # fmt: skip
-    simulation = Simulation(scene)
+    scene = replace(askew(), bodies=(), anchors=(Anchor(mass=0), Anchor(mass=11)), force_law=law)
+    simulation = Simulation(by(scene, method, dt=5e-4))
     far = simulation.positions[11]
     simulation.step(4)
     # Held at both ends, and in the middle by a hand.
@@ -67,13 +65,9 @@ def test_what_is_led_arrives_and_stays_there(method: Method, law: ForceLaw) -> N
     for to in ((330.1, 140.7), (331.3, 139.9)):
         simulation.lead(0, to)
         simulation.lead(5, (320.3, 260.1))
-        assert simulation.step(6) == 6
-        assert tuple(simulation.positions[0]) == to
-        assert tuple(simulation.positions[5]) == (320.3, 260.1)
-    for _ in range(3):
-        assert simulation.step(5) == 5
-        assert tuple(simulation.positions[0]) == to
-        assert tuple(simulation.positions[5]) == (320.3, 260.1)
+        for steps in (6, 5, 5):
+            assert simulation.step(steps) == steps
+            assert simulation.positions[[0, 5]].tolist() == [[*to], [320.3, 260.1]]
         assert not simulation.velocities[[0, 5, 11]].any()
     assert np.array_equal(simulation.positions[11], far)
     # What is let go of starts from rest.
@@ -128,8 +122,7 @@ def test_a_lead_starts_where_a_move_has_put_the_mass() -> None:
 def test_places_out_of_range_are_refused(rope: Simulation, to: tuple[float, float]) -> None:
     before = rope.positions
     for act in (rope.move, rope.lead):
-        with pytest.raises(InputError, match="within"):
-            act(0, to)
+        assert "within" in refusal(InputError, act, 0, to)
     other = Simulation(askew())
     rope.step()
     other.step()
@@ -139,15 +132,11 @@ def test_places_out_of_range_are_refused(rope: Simulation, to: tuple[float, floa
 
 def test_only_held_masses_that_exist_are_moved(rope: Simulation) -> None:
     for act in (rope.move, rope.lead):
-        with pytest.raises(InputError, match="mass 5 is not held"):
-            act(5, (0.0, 0.0))
+        assert "mass 5 is not held" in refusal(InputError, act, 5, (0.0, 0.0))
         for mass in (-1, 12, True, 1.0):
-            with pytest.raises(InputError, match="does not exist"):
-                act(mass, (0.0, 0.0))  # type: ignore[arg-type]
-    with pytest.raises(InputError, match="does not exist"):
-        rope.grab(12)
-    with pytest.raises(InputError, match="does not exist"):
-        rope.release(-1)
+            assert "does not exist" in refusal(InputError, act, mass, (0.0, 0.0))
+    for act, mass in ((rope.grab, 12), (rope.release, -1)):
+        assert "does not exist" in refusal(InputError, act, mass)
 
 
 @pytest.mark.parametrize("law", ["tutorial", "conservative"])
