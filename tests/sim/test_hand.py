@@ -79,7 +79,7 @@ def test_a_hand_moves_without_a_jerk_wherever_the_pointer_jumps() -> None:
 # ----------------------------------------------------------------------------------------------- bodies
 
 
-def test_what_is_demanding() -> None:
+def test_only_long_stiff_rods_limit_the_speed_of_a_hand() -> None:
     rate_limited = {
         entry.name
         for entry in sim.list_scenes()
@@ -252,7 +252,7 @@ def test_an_anchor_on_a_circle_goes_on_round() -> None:
     assert simulation.positions[0] == pytest.approx((150.0, 100.0))
 
 
-def test_only_places_that_a_scene_may_have() -> None:
+def test_a_hand_goes_only_to_places_that_a_scene_may_have() -> None:
     simulation = Simulation(rod(60))
     for to in ((math.nan, 0.0), (0.0, 2e6)):
         with pytest.raises(sim.InputError, match="is not within"):

@@ -73,11 +73,11 @@ def widest(scene: sim.Scene, seconds: float = 15.0) -> list[float]:
     return most.tolist()
 
 
-def test_there_are_twelve() -> None:
+def test_there_are_twelve_lessons() -> None:
     assert len(NAMES) == 12
 
 
-def test_hooke() -> None:
+def test_a_spring_is_stretched_by_its_load_and_a_rod_bends_less_than_in_proportion() -> None:
     simulation = after(step_of("lesson-hooke", 0), 8.0)
     assert abs(simulation.velocities[[1, 4]]).max() < 2.0, "both come to rest while one waits"
     swing = sim.Simulation(step_of("lesson-hooke", 1))
@@ -101,7 +101,7 @@ def test_a_period_does_not_know_the_amplitude() -> None:
     assert is_answer("lesson-hooke", 1, "Just as long")
 
 
-def test_cantilever() -> None:
+def test_a_cantilever_sags_by_length_stiffness_and_weight_as_the_lesson_says() -> None:
     def sags(number: int, *more: str) -> tuple[float, float]:
         at = rest(step_of("lesson-cantilever", number, *more))
         return float(at[15, 1] - at[0, 1]), float(at[45, 1] - at[16, 1])
@@ -112,7 +112,7 @@ def test_cantilever() -> None:
     assert sags(2, "gravity=10000")[1] < 9.0 * sags(2)[1]
 
 
-def test_catenary() -> None:
+def test_a_chain_hangs_in_a_catenary_whatever_its_weight_unless_it_is_soft() -> None:
     chain = 42  # masses; the others are marks on the parabola
     at = rest(step_of("lesson-catenary", 0))[:chain]
     np.testing.assert_allclose(rest(step_of("lesson-catenary", 1, "gravity=3000"))[:chain], at, atol=1.0)
@@ -138,7 +138,7 @@ def test_catenary() -> None:
     assert np.abs(simulation.positions[:chain] - at).max() < 2.0
 
 
-def test_modes() -> None:
+def test_periods_of_a_string_go_by_its_mode_and_its_tension() -> None:
     def of(number: int, mass: int) -> float:
         return period(sim.Simulation(step_of("lesson-modes", number)), mass, 1, 8.0)
 
@@ -149,13 +149,13 @@ def test_modes() -> None:
     assert is_answer("lesson-modes", 1, "1.41 times as high")
 
 
-def test_resonance() -> None:
+def test_the_pendulum_in_tune_swings_widest() -> None:
     for number, best in ((0, 2), (1, 4), (2, 2)):
         most = widest(step_of("lesson-resonance", number))
         assert int(np.argmax(most)) == best
 
 
-def test_explosion() -> None:
+def test_a_step_beyond_the_stability_limit_explodes() -> None:
     limits = [sim.Simulation(step_of("lesson-explosion", number)).stability().limit for number in (0, 1)]
     assert limits[0] == pytest.approx(0.009, abs=0.0005)
     assert limits[1] / limits[0] == pytest.approx(0.5, abs=0.05)
@@ -208,7 +208,7 @@ def test_small_swings_are_not_chaotic() -> None:
     assert is_answer("lesson-chaos", 2, "No")
 
 
-def test_laws() -> None:
+def test_the_sine_law_pushes_hardest_at_a_right_angle_and_the_angle_law_at_the_largest() -> None:
     def push(number: int, degrees: float) -> float:
         """Speed of the arm's end just after it was let go at an angle."""
         t = math.radians(degrees)
@@ -223,7 +223,7 @@ def test_laws() -> None:
     assert push(1, 10.0) / push(2, 10.0) == pytest.approx(1.005, abs=0.002)
 
 
-def test_backwards() -> None:
+def test_numbers_are_found_backwards_from_shape_sag_and_frequency() -> None:
     def numbers(scene: sim.Scene) -> tuple[float, float]:
         """Sag, px, and frequency, Hz."""
         found = sim.tuning(scene)

@@ -119,7 +119,7 @@ def test_attempts_that_end_in_a_dead_end_only_delay(method: Method, attempts: in
 
 
 @pytest.mark.parametrize("method", [name for name, info in METHODS.items() if info.adaptive])
-def test_a_short_call_after_long_steps(method: Method) -> None:
+def test_a_short_call_after_long_steps_ends_where_it_should(method: Method) -> None:
     # Of a body at rest, steps grow and grow; a call may then be a millionth of one.
     scene = replace(sim.rope(5), gravity=(0.0, 0.0), integrator=Integrator(method=method, dt=1.0))
     simulation = Simulation(scene)
