@@ -15,6 +15,7 @@ from sim.kernels.energy.energies import energies
 from sim.kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from sim.motion.solver import Solver
 from sim.physics import Physics
+from tests.sim.checks import jacobian
 from tests.sim.inside import scratch_of
 
 Floats = NDArray[np.float64]
@@ -97,27 +98,13 @@ class Arrays:
 
     def gradient(self) -> Floats:
         """The derivative of the potential by all of `here`, by differences of order 4."""
-        slopes = []
-        for j in self.here:
-            ends = []
-            for size in (1e-3, -1e-3, 2e-3, -2e-3):
-                q = self.q.copy()
-                q[j] += size
-                ends.append(self.potential(q))
-            slopes.append((8.0 * (ends[0] - ends[1]) - (ends[2] - ends[3])) / 12e-3)
-        return np.array(slopes)
+        return jacobian(self.potential, self.q, 1e-3, self.here)
 
     def derivative(self, by_velocity: bool, step: float) -> Floats:
         """The derivative of the accelerations by positions or velocities, by differences of order 4."""
-        columns = []
-        for j in self.here:
-            ends = []
-            for size in (step, -step, 2.0 * step, -2.0 * step):
-                q, v = self.q.copy(), self.v.copy()
-                (v if by_velocity else q)[j] += size
-                ends.append(self.accelerations(q, v))
-            columns.append((8.0 * (ends[0] - ends[1]) - (ends[2] - ends[3])) / (12.0 * step))
-        return np.array(columns).T
+        if by_velocity:
+            return jacobian(lambda v: self.accelerations(self.q, v), self.v, step, self.here)
+        return jacobian(lambda q: self.accelerations(q, self.v), self.q, step, self.here)
 
     def by_differences(self, a: float, g: float, places: float = 1e-3, speeds: float = 0.01) -> Floats:
         """a I - g Jv - Jx, by differences of accelerations of these sizes, px and px/s."""

@@ -7,13 +7,14 @@ import math
 from collections.abc import Collection
 from typing import get_args
 
-import msgspec
 import numpy as np
+from msgspec.structs import replace
 
 from sim import Anchor, AngularSpring, Beat, JointMuscle, LinearSpring, Mass, Scene, SpringMuscle
 from sim.edit.build import in_turn
 from sim.scene.types import ForceLaw
 from tests.sim.builders import euler
+from tests.sim.changes import with_joints, with_springs
 
 LAWS: tuple[ForceLaw, ...] = get_args(ForceLaw)
 
@@ -21,7 +22,7 @@ Edges = list[tuple[int, int]]
 Positions = list[tuple[float, float]]
 
 
-def _sharing(edges: Edges) -> Edges:
+def sharing(edges: Edges) -> Edges:
     """All pairs of springs that share a mass."""
     return [(s, t) for s, t in itertools.combinations(range(len(edges)), 2) if set(edges[s]) & set(edges[t])]
 
@@ -40,7 +41,7 @@ def _tree() -> tuple[Positions, Edges, Edges]:
     """Three generations with two branches each; some springs point towards the root."""
     positions = [(0.0, 0.0)] + [(60.0 * g, 40.0 * i) for g in (1, 2, 3) for i in range(2**g)]
     edges = [((i - 1) // 2, i) if i % 3 else (i, (i - 1) // 2) for i in range(1, 15)]
-    return positions, edges, _sharing(edges)
+    return positions, edges, sharing(edges)
 
 
 def _girder() -> tuple[Positions, Edges, Edges]:
@@ -84,8 +85,8 @@ def _tangle() -> tuple[Positions, Edges, Edges]:
     positions = [(float(x), float(y)) for x, y in rng.uniform(0.0, 200.0, (count, 2))]
     pairs = list(itertools.combinations(range(count), 2))
     edges = [pairs[i][:: rng.choice((-1, 1))] for i in rng.choice(len(pairs), 16, replace=False)]
-    sharing = _sharing(edges)
-    return positions, edges, [sharing[i] for i in rng.choice(len(sharing), 20, replace=False)]
+    meeting = sharing(edges)
+    return positions, edges, [meeting[i] for i in rng.choice(len(meeting), 20, replace=False)]
 
 
 SHAPES = {
@@ -168,8 +169,7 @@ def body(
 def tangle(seed: int, held: tuple[int, ...] = ()) -> Scene:
     """A body with no order to it and weak joints under the tutorial's law, which nothing pulls at."""
     scene = body("tangle", "tutorial", seed, twist=0.0, air=0.0, gravity=(0.0, 0.0), held=held)
-    weak = tuple(msgspec.structs.replace(j, stiffness=0.1 * j.stiffness) for j in scene.angular_springs)
-    return msgspec.structs.replace(scene, angular_springs=weak)
+    return with_joints(scene, stiffness=lambda _, joint: 0.1 * joint.stiffness)
 
 
 def with_muscles(scene: Scene, stretch: float = 0.08, turn: float = 8.0) -> Scene:
@@ -180,44 +180,29 @@ def with_muscles(scene: Scene, stretch: float = 0.08, turn: float = 8.0) -> Scen
         stretch: amplitude of springs, as a fraction.
         turn: of joints, degrees.
     """
-    return msgspec.structs.replace(
-        scene,
-        bodies=(),
-        beat=Beat(frequency=1.7, phase=40.0),
-        linear_springs=tuple(
-            msgspec.structs.replace(
-                spring,
-                muscle=SpringMuscle(
-                    amplitude=stretch if s % 3 else -stretch,
-                    phase=50.0 * s % 360.0,
-                    wave="pulse" if s % 4 == 1 else "sine",
-                    per_beat=1 + s % 2,
-                ),
-            )
-            for s, spring in enumerate(scene.linear_springs)
-        ),
-        angular_springs=tuple(
-            msgspec.structs.replace(
-                joint, muscle=JointMuscle(amplitude=turn, phase=35.0 * j % 360.0, wave="sine")
-            )
-            for j, joint in enumerate(scene.angular_springs)
-        ),
-    )
+
+    def of_spring(s: int, _: LinearSpring) -> SpringMuscle:
+        wave = "pulse" if s % 4 == 1 else "sine"
+        amplitude = stretch if s % 3 else -stretch
+        return SpringMuscle(amplitude=amplitude, phase=50.0 * s % 360.0, wave=wave, per_beat=1 + s % 2)
+
+    def of_joint(j: int, _: AngularSpring) -> JointMuscle:
+        return JointMuscle(amplitude=turn, phase=35.0 * j % 360.0, wave="sine")
+
+    scene = with_joints(with_springs(scene, muscle=of_spring), muscle=of_joint)
+    return replace(scene, beat=Beat(frequency=1.7, phase=40.0))
 
 
 def flipped(scene: Scene, springs: Collection[int]) -> Scene:
     """The scene whose springs of these indices go from b to a. Angles with one of them are 180° larger."""
     angular = tuple(
-        msgspec.structs.replace(j, rest_angle=in_turn(j.rest_angle + 180.0))
-        if (j.a in springs) != (j.b in springs)
-        else j
+        replace(j, rest_angle=in_turn(j.rest_angle + 180.0)) if (j.a in springs) != (j.b in springs) else j
         for j in scene.angular_springs
     )
     linear = tuple(
-        msgspec.structs.replace(s, a=s.b, b=s.a) if i in springs else s
-        for i, s in enumerate(scene.linear_springs)
+        replace(s, a=s.b, b=s.a) if i in springs else s for i, s in enumerate(scene.linear_springs)
     )
-    return msgspec.structs.replace(scene, linear_springs=linear, angular_springs=angular)
+    return replace(scene, linear_springs=linear, angular_springs=angular)
 
 
 def some_flipped(scene: Scene, seed: int) -> Scene:

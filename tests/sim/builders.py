@@ -7,13 +7,14 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-import msgspec
+from msgspec.structs import replace
 
 import sim
-from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
+from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Scene
 from sim.scene.makers import fine_rope
 from sim.scene.types import Circle, ForceLaw, Method
 from sim.store.files import built_in_folder
+from tests.sim.changes import posed
 
 PRESETS = sorted(path.stem for path in built_in_folder().glob("*.json"))
 
@@ -30,7 +31,7 @@ def tutorial_rope(**changes: Any) -> Scene:
 
 def tutorial_preset(name: str) -> Scene:
     """A preset under the tutorial's law and method, whatever it says itself."""
-    return msgspec.structs.replace(sim.load_scene(name), force_law="tutorial", integrator=euler())
+    return replace(sim.load_scene(name), force_law="tutorial", integrator=euler())
 
 
 def rod(masses: int, law: ForceLaw = "conservative", **changes: Any) -> Scene:
@@ -52,8 +53,7 @@ def folded_rope() -> Scene:
     spacing = 300.0 / 11.0
     there = [100.0 + spacing * i for i in range(6)]
     back = [there[5] - spacing * (i + 1) for i in range(6)]
-    pose = Pose(positions=tuple((x, 100.0) for x in (*there, *back)), velocities=((0.0, 0.0),) * 12)
-    return msgspec.structs.replace(scene, pose=pose)
+    return posed(scene, [(x, 100.0) for x in (*there, *back)])
 
 
 Places = Sequence[tuple[float, float]]
@@ -168,10 +168,7 @@ def star(arms: int) -> Scene:
 def askew() -> Scene:
     """The tutorial's third example, hung askew so that everything in it moves."""
     scene = sim.load_scene("tutorial-3.3")
-    positions = tuple((m.position[0] + 3.0 * i, m.position[1]) for i, m in enumerate(scene.masses))
-    return msgspec.structs.replace(
-        scene, pose=Pose(positions=positions, velocities=((0.0, 0.0),) * len(positions))
-    )
+    return posed(scene, [(m.position[0] + 3.0 * i, m.position[1]) for i, m in enumerate(scene.masses)])
 
 
 def undisturbed(steps: int) -> sim.Simulation:

@@ -9,8 +9,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-import msgspec
 import numpy as np
+from msgspec.structs import replace
 
 import sim
 from sim import (
@@ -28,6 +28,8 @@ from sim import (
 from sim.scene.surroundings import Gas, Ground, Liquid, Medium, Wall, Wind
 from sim.scene.types import ArrowKeys, ForceLaw
 from sim.settings import settings_of
+from tests.sim.bodies import sharing
+from tests.sim.changes import with_joints
 
 Positions = list[tuple[float, float]]
 Pairs = list[tuple[int, int]]
@@ -97,9 +99,7 @@ _SHAPES: dict[str, Callable[[Random, int, float], tuple[Positions, Pairs]]] = {
 
 def _joints(rng: Random, pairs: Pairs, most: int) -> Pairs:
     """Springs that meet in a mass."""
-    meeting = [
-        (i, k) for i, k in itertools.combinations(range(len(pairs)), 2) if set(pairs[i]) & set(pairs[k])
-    ]
+    meeting = sharing(pairs)
     kept = sorted(rng.choice(len(meeting), min(len(meeting), most), replace=False)) if meeting else []
     return [meeting[i] for i in kept]
 
@@ -203,13 +203,10 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
     if rng.random() < 0.4:
         strength = _ten_to(rng, 2.0, 7.0)
         fields["linear_springs"] = tuple(
-            msgspec.structs.replace(spring, **_limits(rng, strength * _ten_to(rng, -1.0, 1.0)))
+            replace(spring, **_limits(rng, strength * _ten_to(rng, -1.0, 1.0)))
             for spring in scene.linear_springs
         )
-        fields["angular_springs"] = tuple(
-            msgspec.structs.replace(joint, yield_torque=_ten_to(rng, 3.0, 8.0))
-            for joint in scene.angular_springs
-        )
+        scene = with_joints(scene, yield_torque=lambda *_: _ten_to(rng, 3.0, 8.0))
     if rng.random() < 0.5:
         fields["medium"] = Medium(across=_ten_to(rng, -3.0, 1.0), along=_ten_to(rng, -3.0, 1.0))
     if rng.random() < 0.5:
@@ -217,7 +214,7 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
         fields["ground"] = Ground(
             forward=forward, backward=backward, sideways=sideways, slip_speed=_ten_to(rng, 0.5, 2.0)
         )
-    return msgspec.structs.replace(scene, **fields)
+    return replace(scene, **fields)
 
 
 def with_muscles(scene: Scene, rng: Random) -> Scene:
@@ -232,13 +229,11 @@ def with_muscles(scene: Scene, rng: Random) -> Scene:
 
     springs, joints = scene.linear_springs, scene.angular_springs
     size = float(rng.choice([0.1, 0.9]))
-    return msgspec.structs.replace(
+    return replace(
         scene,
         bodies=(),
-        linear_springs=tuple(msgspec.structs.replace(s, **muscle(SpringMuscle, size)) for s in springs),
-        angular_springs=tuple(
-            msgspec.structs.replace(j, **muscle(JointMuscle, 180.0 * size)) for j in joints
-        ),
+        linear_springs=tuple(replace(s, **muscle(SpringMuscle, size)) for s in springs),
+        angular_springs=tuple(replace(j, **muscle(JointMuscle, 180.0 * size)) for j in joints),
         beat=Beat(frequency=_ten_to(rng, -1.0, 1.0), phase=float(rng.uniform(0.0, 360.0))),
     )
 

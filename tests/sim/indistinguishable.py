@@ -6,16 +6,14 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-import msgspec
 import numpy as np
+from msgspec.structs import replace
 
 import sim
 from sim.design.measurements import Column, Measurement
 from sim.settings import set_value
 from tests.sim.builders import built
 from tests.sim.measured import measure, spring_pendulum, swing
-
-REPLACE = msgspec.structs.replace
 
 
 class Open(NamedTuple):
@@ -36,8 +34,8 @@ class Open(NamedTuple):
 
 def weightless(scene: sim.Scene) -> sim.Scene:
     """With the mass 40 px beyond the rest length."""
-    masses = (scene.masses[0], REPLACE(scene.masses[1], position=(0.0, 140.0)))
-    return REPLACE(scene, gravity=(0.0, 0.0), masses=masses)
+    masses = (scene.masses[0], replace(scene.masses[1], position=(0.0, 140.0)))
+    return replace(scene, gravity=(0.0, 0.0), masses=masses)
 
 
 def scaled_together(draw: np.random.Generator) -> Open:
@@ -136,10 +134,10 @@ def masses_that_move_as_one(draw: np.random.Generator) -> Open:
 def air_by_weight(draw: np.random.Generator) -> Open:
     """What the air does to a pendulum goes by its mass."""
     air, mass = draw.uniform(5e-4, 2e-3), draw.uniform(0.6, 1.6)
-    hidden = REPLACE(swing(), air_friction=air)
-    hidden = REPLACE(hidden, masses=(hidden.masses[0], REPLACE(hidden.masses[1], mass=mass)))
+    hidden = replace(swing(), air_friction=air)
+    hidden = replace(hidden, masses=(hidden.masses[0], replace(hidden.masses[1], mass=mass)))
     return Open(
-        REPLACE(swing(), air_friction=1e-3),
+        replace(swing(), air_friction=1e-3),
         measure(hidden, ["spring0.direction"], 2.0, draw.uniform(0.01, 0.03), draw),
         ["gravity", "air_friction", "mass1.mass"],
         "The data cannot tell air_friction and mass1.mass apart: of them only "

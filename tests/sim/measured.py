@@ -5,15 +5,13 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-import msgspec
 import numpy as np
+from msgspec.structs import replace
 
 import sim
 from sim.design.measurements import Column, Measurement
 from sim.settings import set_value, setting_of
 from tests.sim.builders import built
-
-REPLACE = msgspec.structs.replace
 
 
 class Case(NamedTuple):
@@ -36,8 +34,8 @@ def measure(
     scene: sim.Scene, names: list[str], seconds: float, noise: float, random: np.random.Generator
 ) -> Measurement:
     """Quantities of a run at 30 frames a second, with white noise, as a part of how much each varies."""
-    fine = REPLACE(scene.integrator, method="auto", tolerance=1e-7, dt=1 / 30)
-    run = sim.Simulation(REPLACE(scene, integrator=fine)).record(seconds, *names)
+    fine = replace(scene.integrator, method="auto", tolerance=1e-7, dt=1 / 30)
+    run = sim.Simulation(replace(scene, integrator=fine)).record(seconds, *names)
     columns = tuple(
         Column(
             name,
@@ -83,7 +81,7 @@ def any_case(seed: int) -> Case:
         last = len(guess.masses) - 1
         seen = [f"mass{last}.x", f"mass{last}.y"]
     elif kind == 1:
-        guess = REPLACE(
+        guess = replace(
             sim.rope(masses=int(random.integers(4, 7)), stiffness=3e3, damping=4.0, joints=False),
             gravity=(0.0, 1000.0),
         )
@@ -95,7 +93,7 @@ def any_case(seed: int) -> Case:
         seen = ["mass1.y"]
     else:
         guess, names, seconds = swing(), ["gravity"], 3.0
-        guess = REPLACE(guess, air_friction=1e-3)
+        guess = replace(guess, air_friction=1e-3)
         names = ["gravity", "air_friction"]
         seen = ["spring0.direction"]
     scene = hidden(guess, names)

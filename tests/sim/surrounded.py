@@ -6,12 +6,15 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from msgspec.structs import replace
 
-from sim import Integrator, Scene, Simulation
+from sim import Scene, Simulation
 from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
-from sim.scene.types import Method
+from sim.scene.types import Damage, Method
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import body, tangle
+from tests.sim.changes import by, with_springs
+from tests.sim.checks import known
 from tests.sim.touching import CONSTANT, HELD, SOFT, crumpled
 
 KINDS: dict[str, dict[str, Any]] = {
@@ -64,8 +67,7 @@ KINDS["all"] = {**KINDS["walls"], **KINDS["current"], **KINDS["ground"], **KINDS
 def surrounded(kind: str, shape: str = "girder", seed: int = 0, **changes: Any) -> Scene:
     """A body of `tests.sim.bodies` in surroundings of a kind; `changes` are arguments of `body`."""
     # Not an explicit method with a fixed step: for that, walls are softened.
-    exact = Integrator(method="generalized_alpha", dt=1e-4)
-    return msgspec.structs.replace(body(shape, seed=seed, **changes), integrator=exact, **KINDS[kind])
+    return replace(by(body(shape, seed=seed, **changes), "generalized_alpha", dt=1e-4), **KINDS[kind])
 
 
 TOUCHING = {
@@ -75,6 +77,8 @@ TOUCHING = {
 }
 """Shapes that are crumpled so that they touch themselves, and their contact."""
 TOUCHING["girder that sticks to itself"] = ("girder", HELD)
+BROKEN = "girder in contact, partly broken"
+TOUCHING[BROKEN] = ("girder", SOFT)
 
 AROUND = [*KINDS, *TOUCHING]
 
@@ -84,13 +88,17 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
     if kind not in TOUCHING:
         return surrounded(kind, seed=seed, **changes)
     shape, contact = TOUCHING[kind]
-    return crumpled(shape, seed, contact, **changes)
+    scene = crumpled(shape, seed, contact, **changes)
+    if kind == BROKEN:
+        pose = replace(known(scene.pose), damage=Damage(broken=(0, 1, 2, 3)))
+        return replace(with_springs(scene, strength=1e9), pose=pose)
+    return scene
 
 
 def bare(scene: Scene) -> Scene:
     """The scene without anything that surrounds or touches the body."""
     nothing = {"medium": msgspec.UNSET, "ground": msgspec.UNSET}
-    return msgspec.structs.replace(scene, walls=(), wind=None, fillings=(), contact=None, **nothing)
+    return replace(scene, walls=(), wind=None, fillings=(), contact=None, **nothing)
 
 
 def force_around(scene: Scene) -> tuple[Floats, Floats]:
@@ -113,14 +121,11 @@ OF_STRENGTH = {"strength", "yield_force"}
 
 def with_everything() -> Scene:
     """A tangle in gusts, among walls, with fillings, some of whose springs break or yield."""
-    scene = tangle(4)
-    springs = list(scene.linear_springs)
-    springs[0] = msgspec.structs.replace(springs[0], strength=800.0)
-    springs[1] = msgspec.structs.replace(springs[1], strength=400.0)
-    springs[2] = msgspec.structs.replace(springs[2], yield_force=300.0)
-    return msgspec.structs.replace(
-        scene,
-        linear_springs=tuple(springs),
+    strengths, yields = {0: 800.0, 1: 400.0}, {2: 300.0}
+    return replace(
+        with_springs(
+            tangle(4), strength=lambda s, _: strengths.get(s), yield_force=lambda s, _: yields.get(s)
+        ),
         air_friction=0.01,
         wind=Wind(velocity=(300.0, -400.0), turbulence=0.2),
         medium=Medium(),
@@ -140,7 +145,6 @@ def with_everything() -> Scene:
 
 def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
     """The simulation of a scene after a while, by a method; `numbers` are of its integrator."""
-    integrator = Integrator(**{"method": method, "dt": 1e-3, "tolerance": 1e-6, **numbers})
-    simulation = Simulation(msgspec.structs.replace(scene, integrator=integrator))
+    simulation = Simulation(by(scene, method, **{"dt": 1e-3, "tolerance": 1e-6, **numbers}))
     simulation.advance(seconds)
     return simulation

@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from numpy.polynomial import Polynomial
 
 import sim
-from sim import Integrator, Scene, Simulation
+from sim import Scene, Simulation
 from sim.kernels.core.tables import PAST
 from sim.methods.adams import adams
 from tests.sim.builders import folded_rope
+from tests.sim.changes import by
 from tests.sim.inside import STEADY, adams_degree, spaced
 
-REPLACE = msgspec.structs.replace
 PARTS = 100
 
 
 def moved(scene: Scene, tolerance: float) -> tuple[Simulation, list[int]]:
     """A scene after a second of `adams`, and the degrees on the way."""
-    integrator = Integrator(method="adams", tolerance=tolerance, dt=1.0 / PARTS)
-    simulation = Simulation(REPLACE(scene, integrator=integrator))
+    simulation = Simulation(by(scene, "adams", tolerance=tolerance, dt=1.0 / PARTS))
     degrees = []
     for _ in range(PARTS):
         assert simulation.step() == 1
@@ -58,7 +57,7 @@ def mean_degree(scene: Scene, tolerance: float) -> float:
 @pytest.mark.parametrize("air_friction", [0.0, 0.002])
 def test_what_is_smooth_is_followed_by_high_degrees(air_friction: float) -> None:
     """Air friction has a kink wherever a velocity changes its sign, which is kept out of the past."""
-    scene = REPLACE(sim.load_scene("study-w2"), air_friction=air_friction)
+    scene = replace(sim.load_scene("study-w2"), air_friction=air_friction)
     assert mean_degree(scene, 1e-6) > 5.7  # 5.0 if kinks were seen
 
 

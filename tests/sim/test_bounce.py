@@ -5,9 +5,9 @@ from __future__ import annotations
 import itertools
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from sim import Integrator, Mass, Scene, Simulation
 from sim.methods.registry import METHODS
@@ -15,8 +15,8 @@ from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Method
 from sim.settings import SETTINGS
 from tests.sim.builders import built
+from tests.sim.changes import after, by
 
-REPLACE = msgspec.structs.replace
 FIXED = [name for name, info in METHODS.items() if not info.adaptive]
 FLOOR = Wall(point=(0.0, 0.0), normal=(0.0, -1.0))
 
@@ -52,9 +52,9 @@ def fastest_outwards(simulation: Simulation, mass: int, steps: int) -> float:
 
 
 FLOORS = [
-    *(REPLACE(FLOOR, bounciness=e) for e in (0.3, 0.5, 0.8, 1.0)),
-    *(REPLACE(FLOOR, bounciness=e, restitution="constant") for e in (0.0, 0.3, 0.8, 1.0)),
-    *(REPLACE(FLOOR, bounciness=e, friction=mu) for e, mu in ((1.0, 0.5), (0.9, 100.0))),
+    *(replace(FLOOR, bounciness=e) for e in (0.3, 0.5, 0.8, 1.0)),
+    *(replace(FLOOR, bounciness=e, restitution="constant") for e in (0.0, 0.3, 0.8, 1.0)),
+    *(replace(FLOOR, bounciness=e, friction=mu) for e, mu in ((1.0, 0.5), (0.9, 100.0))),
 ]
 
 
@@ -69,8 +69,8 @@ def test_no_fixed_step_makes_a_floor_give_energy(method: Method, floor: Wall) ->
     ):
         scene = falling(part * speed * dt, speed, floor, method, dt)
         along = 0.7 * speed if floor.friction else 0.0  # which friction may turn into a bounce
-        aslant = tuple(REPLACE(mass, velocity=(along, speed)) for mass in scene.masses)
-        fastest = fastest_outwards(Simulation(REPLACE(scene, masses=aslant)), 0, 200)
+        aslant = tuple(replace(mass, velocity=(along, speed)) for mass in scene.masses)
+        fastest = fastest_outwards(Simulation(replace(scene, masses=aslant)), 0, 200)
         assert fastest <= most * math.hypot(along, speed)
 
 
@@ -78,14 +78,14 @@ def test_no_fixed_step_makes_a_floor_give_energy(method: Method, floor: Wall) ->
 def test_short_steps_leave_as_the_bounciness_says(method: Method) -> None:
     # A mass that comes with 1000 px/s leaves with that part of it.
     for bounciness in (0.3, 0.8, 1.0):
-        scene = falling(1.0, 1000.0, REPLACE(FLOOR, bounciness=bounciness), method, 1e-5)
+        scene = falling(1.0, 1000.0, replace(FLOOR, bounciness=bounciness), method, 1e-5)
         assert left_with(Simulation(scene), 0, 0.0) == pytest.approx(1000.0 * bounciness, rel=2e-3)
 
 
 @pytest.mark.parametrize("bounciness", [0.1, 0.5, 0.9, 1.0])
 @pytest.mark.parametrize("method", ["auto", "rodas5p", "velocity_verlet"])
 def test_with_a_constant_restitution_all_speeds_keep_the_same_part(method: Method, bounciness: float) -> None:
-    wall = REPLACE(FLOOR, bounciness=bounciness, restitution="constant", slip_speed=0.1)
+    wall = replace(FLOOR, bounciness=bounciness, restitution="constant", slip_speed=0.1)
     for speed in (20.0, 300.0, 5000.0):
         scene = falling(0.1, speed, wall, method, 2e-5 * (5000.0 / speed) ** (1.0 / 3.0))  # as it takes long
         assert left_with(Simulation(scene), 0, 0.0) == pytest.approx(bounciness * speed, rel=0.02)
@@ -94,10 +94,9 @@ def test_with_a_constant_restitution_all_speeds_keep_the_same_part(method: Metho
 def test_with_a_constant_restitution_a_mass_comes_to_rest() -> None:
     speeds = []
     for restitution in ("viscous", "constant"):
-        wall = REPLACE(FLOOR, bounciness=0.5, restitution=restitution)
-        scene = REPLACE(falling(30.0, 0.0, wall, "velocity_verlet", 2e-4), gravity=(0.0, 1000.0))
-        simulation = Simulation(scene)
-        simulation.advance(3.0)
+        wall = replace(FLOOR, bounciness=0.5, restitution=restitution)
+        scene = replace(falling(30.0, 0.0, wall, "velocity_verlet", 2e-4), gravity=(0.0, 1000.0))
+        simulation = after(scene, 3.0)
         speeds.append(float(np.abs(simulation.velocities).max()))
     assert speeds[0] > 5.0
     assert speeds[1] < 1e-4
@@ -121,8 +120,7 @@ def test_nor_does_another_body(method: Method, stiffness: float, bounciness: flo
 
 def test_a_body_at_rest_on_a_floor_needs_no_shorter_steps() -> None:
     scene = falling(0.0, 0.0, FLOOR, "generalized_alpha", 1.0 / 60.0)
-    simulation = Simulation(REPLACE(scene, gravity=(0.0, 2000.0), air_friction=0.1))
-    simulation.advance(20.0)
+    simulation = after(replace(scene, gravity=(0.0, 2000.0), air_friction=0.1), 20.0)
     simulation.stats()
     simulation.step(20)
     assert simulation.stats().steps == 20
@@ -134,7 +132,7 @@ def height_after(
     """The part of its height that a mass is left with at bounciness 1."""
     scene = Scene(
         name="ball", masses=(Mass(position=(0.0, -height)),), gravity=(0.0, 1000.0), air_friction=0.0,
-        walls=(REPLACE(FLOOR, bounciness=1.0, hardness=1e4, friction=0.0),),
+        walls=(replace(FLOOR, bounciness=1.0, hardness=1e4, friction=0.0),),
         integrator=Integrator(method=method, dt=dt, tolerance=tolerance),
     )  # fmt: skip
     simulation, before, left = Simulation(scene), 0.0, 1.0
@@ -172,4 +170,4 @@ def test_whoever_sets_the_bounciness_is_told_what_a_fixed_step_takes() -> None:
     bounciness = SETTINGS["bounciness"]
     scene = falling(100.0, 0.0, FLOOR, "velocity_verlet", 0.0025)
     assert "fast bounces lose more" in bounciness.remark(scene)
-    assert bounciness.remark(REPLACE(scene, integrator=Integrator(method="auto"))) == ""
+    assert bounciness.remark(by(scene, "auto")) == ""

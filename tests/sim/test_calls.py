@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, ArrowKeys, Circle, Integrator, Scene, Simulation
@@ -15,11 +15,12 @@ from sim.methods.registry import METHODS
 from sim.scene.types import Method
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import body
+from tests.sim.changes import by, step_all, with_springs, with_walls
+from tests.sim.checks import known
 from tests.sim.inside import solver_of
 from tests.sim.surrounded import KINDS, around, surrounded
 from tests.sim.touching import crumpled
 
-REPLACE = msgspec.structs.replace
 FIXED = [name for name, info in METHODS.items() if not info.adaptive]
 ADAPTIVE = [name for name, info in METHODS.items() if info.adaptive]
 
@@ -33,25 +34,21 @@ def bits(simulation: Simulation) -> bytes:
 
 def restless(**fields: object) -> Scene:
     """A body that time drives, by gusts and an anchor that goes round, and that breaks, yields and sticks."""
-    scene = REPLACE(around("girder that sticks to itself", 8), **KINDS["all"])
-    circle = Circle(radius=20.0, frequency=3.0, ramp=0.1)
-    limits = ({"strength": 2e4}, {"strength": 5e4, "yield_force": 2e4})
-    return REPLACE(
-        scene,
-        anchors=(Anchor(mass=0, driven=True, circle=circle),),
-        arrow_keys=ArrowKeys(),
-        linear_springs=tuple(REPLACE(s, **limits[i % 2]) for i, s in enumerate(scene.linear_springs)),
-        walls=tuple(REPLACE(wall, tangential_hardness=40.0) for wall in scene.walls),
-        **fields,
+    scene = replace(around("girder that sticks to itself", 8), **KINDS["all"])
+    scene = with_springs(
+        scene, strength=lambda i, _: 5e4 if i % 2 else 2e4, yield_force=lambda i, _: 2e4 if i % 2 else None
     )
+    anchor = Anchor(mass=0, driven=True, circle=Circle(radius=20.0, frequency=3.0, ramp=0.1))
+    scene = with_walls(scene, tangential_hardness=40.0)
+    return replace(scene, anchors=(anchor,), arrow_keys=ArrowKeys(), **fields)
 
 
 def test_a_restless_body_breaks_yields_and_sticks() -> None:
     simulation = Simulation(restless(integrator=Integrator(method="rk4", dt=3e-4)))
     simulation.step(20)
-    damage, grips = simulation.damage, simulation.capture().grips
-    assert damage is not None and damage.broken and any(damage.set_lengths)
-    assert grips is not None and grips.walls and grips.springs
+    damage, grips = known(simulation.damage), known(simulation.capture().grips)
+    assert damage.broken and any(damage.set_lengths)
+    assert grips.walls and grips.springs
 
 
 # ------------------------------------------------------------------------- calls
@@ -71,7 +68,7 @@ def test_steps_of_a_fixed_length_are_the_same_bits_however_they_are_called(metho
 
 @pytest.mark.parametrize("method", FIXED)
 def test_no_step_is_lost_to_rounding_however_late_it_is(method: Method) -> None:
-    scene = REPLACE(body("chain", "conservative", 1), integrator=Integrator(method=method, dt=1e-6))
+    scene = replace(body("chain", "conservative", 1), integrator=Integrator(method=method, dt=1e-6))
     simulation = Simulation(scene)
     simulation.restore(dataclasses.replace(simulation.capture(), time=1e5))
     assert [simulation.step() for _ in range(50)] == [1] * 50
@@ -83,7 +80,7 @@ def test_no_step_is_lost_to_rounding_however_late_it_is(method: Method) -> None:
 def test_steps_that_a_method_chooses_agree_to_the_tolerance(method: Method) -> None:
     # They are cut at the ends of calls. The first steps of a jelly on a floor try to be far too long.
     scene = sim.load_scene("jelly")
-    scene = REPLACE(scene, integrator=Integrator(method=method, dt=0.0025, tolerance=0.1))
+    scene = replace(scene, integrator=Integrator(method=method, dt=0.0025, tolerance=0.1))
     ends = []
     for every in (80, 640, 1):
         simulation = Simulation(scene)
@@ -120,7 +117,7 @@ def spoil(*tables: Table) -> None:
 @pytest.mark.parametrize("kind", ["chain", "ring", "tree", "everything"])
 def test_a_reset_or_restored_simulation_depends_on_nothing_before(kind: str, method: Method) -> None:
     scene = restless() if kind == "everything" else body(kind, "conservative", 1)
-    scene = REPLACE(scene, integrator=Integrator(method=method, dt=3e-4))
+    scene = replace(scene, integrator=Integrator(method=method, dt=3e-4))
     simulation, fresh = Simulation(scene), Simulation(scene)
     fresh.step(20)
     simulation.keys = {"up", "right"}
@@ -151,30 +148,22 @@ def test_a_mass_that_was_led_before_a_reset_starts_with_its_own_velocity() -> No
     simulation.lead(3, (100.0, 50.0))
     simulation.step(4)
     simulation.reset()
-    simulation.step(4)
-    fresh.step(4)
+    step_all(4, simulation, fresh)
     assert bits(simulation) == bits(fresh)
 
 
 # ------------------------------------------------------------------------- steps that are refused
 @pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet", "rk4"])
 def test_the_last_good_state_has_the_keys_of_its_own_steps(method: Method) -> None:
-    scene = REPLACE(
-        body("girder", "conservative", 1),
-        integrator=Integrator(method=method, dt=0.02),
-        arrow_keys=ArrowKeys(),
-        wind=KINDS["gusts"]["wind"],
-        air_friction=0.3,
-    )
+    scene = replace(body("girder", "conservative", 1), **KINDS["gusts"], air_friction=0.3)
+    scene = by(replace(scene, arrow_keys=ArrowKeys()), method, dt=0.02)
     simulation, once = Simulation(scene), Simulation(scene)
     simulation.keys = once.keys = {"up", "right"}
     simulation.step(2000)
     assert simulation.divergence is not None
     once.step(simulation.step_count)
     assert once.divergence is None
-    assert (simulation.rest_length_scale, simulation.rest_angle_shift) == (
-        once.rest_length_scale,
-        once.rest_angle_shift,
-    )
+    assert simulation.rest_length_scale == once.rest_length_scale
+    assert simulation.rest_angle_shift == once.rest_angle_shift
     assert np.array_equal(simulation.tables[1].clock, once.tables[1].clock)
     assert bits(simulation) == bits(once)

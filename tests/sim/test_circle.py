@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
-from sim import Anchor, Integrator, Mass, Scene, Simulation
+from sim import Anchor, Scene, Simulation
 from sim.scene.types import Circle, ForceLaw, Method
+from tests.sim.builders import built
+from tests.sim.changes import apart, by
+from tests.sim.checks import known
 
-REPLACE = msgspec.structs.replace
 METHODS: tuple[Method, ...] = ("symplectic_euler", "velocity_verlet", "generalized_alpha", "rodas4", "auto")
 CIRCLE = Circle(radius=35.0, frequency=1.7, ramp=0.15)
 DT = 0.004
@@ -27,15 +30,9 @@ def off(circle: Circle, t: float) -> np.ndarray:
 
 def rope(method: Method, circle: Circle = CIRCLE, law: ForceLaw = "conservative", dt: float = DT) -> Scene:
     """A rope of few masses, the first of which goes round."""
-    return sim.rope(
-        masses=5,
-        stiffness=2000.0,
-        angular_stiffness=300.0,
-        angular_damping=2.0,
-        circle=circle,
-        force_law=law,
-        integrator=Integrator(method=method, dt=dt, tolerance=1e-3),
-    )
+    numbers: dict[str, Any] = {"stiffness": 2000.0, "angular_stiffness": 300.0, "angular_damping": 2.0}
+    scene = sim.rope(masses=5, **numbers, circle=circle, force_law=law)
+    return by(scene, method, dt=dt, tolerance=1e-3)
 
 
 START = np.array([300.0, 150.0])
@@ -75,7 +72,7 @@ def test_it_goes_by_its_formula(circle: Circle, method: Method) -> None:
 def test_several_anchors_go_their_own_ways_though_nothing_else_is_free(method: Method) -> None:
     other = Circle(radius=10.0, frequency=-0.9, ramp=0.5)
     held = (Anchor(mass=4, circle=other), *(Anchor(mass=i) for i in range(1, 4)))
-    simulation = Simulation(REPLACE(rope(method), bodies=(), anchors=(*held, Anchor(mass=0, circle=CIRCLE))))
+    simulation = Simulation(replace(rope(method), bodies=(), anchors=(*held, Anchor(mass=0, circle=CIRCLE))))
     before = simulation.positions
     simulation.step(80)
     assert away(simulation) <= 1e-10
@@ -144,23 +141,15 @@ def test_on_its_way_the_center_goes_in_a_straight_line(method: Method) -> None:
         x, y = start + i * drift + off(CIRCLE, (30 + i) * DT)
         simulation.lead(0, (x, y))
         simulation.step()
-    assert np.abs(whole.positions - simulation.positions).max() <= (
-        1e-9 if method == "symplectic_euler" else 5e-2
-    )
+    assert apart(whole, simulation) <= (1e-9 if method == "symplectic_euler" else 5e-2)
 
 
 @pytest.mark.parametrize("method", ["symplectic_euler", "auto"])
 def test_an_anchor_that_goes_round_beyond_the_edge_stops_there(method: Method) -> None:
     # Nothing is free, so there are no forces, and still nothing may leave the range of a scene file.
     circle = Circle(radius=10.0, frequency=2.0, ramp=0.01)
-    scene = Scene(
-        name="edge",
-        masses=(Mass(position=(0.0, 1e6)),),
-        anchors=(Anchor(mass=0, circle=circle),),
-        integrator=Integrator(method=method),
-    )
-    simulation = Simulation(scene)
+    scene = built([(0.0, 1e6)], anchors=(Anchor(mass=0, circle=circle),))
+    simulation = Simulation(by(scene, method))
     assert simulation.step(100) < 100
-    assert simulation.divergence is not None
-    assert simulation.divergence.quantity == "position"
+    assert known(simulation.divergence).quantity == "position"
     assert abs(simulation.positions).max() <= 1e6

@@ -3,26 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 import sim
-from sim import Anchor, Integrator, Pose, Scene, SceneError, Simulation
+from sim import Anchor, Integrator, Scene, Simulation
 from sim.methods.registry import METHODS
 from sim.scene.surroundings import Contact
 from sim.scene.types import Circle, Damage, ForceLaw, Method
 from tests.amount import examples
 from tests.sim.bodies import LAWS, body
 from tests.sim.builders import built, row
+from tests.sim.changes import after, apart, by, posed, step_all, with_joints, with_springs
+from tests.sim.checks import known, order
 from tests.sim.inside import solver_of
 
-REPLACE = msgspec.structs.replace
 ADAPTIVE = [name for name, method in METHODS.items() if method.adaptive]
 
 
@@ -46,9 +46,7 @@ def bent(law: ForceLaw, method: Method = "auto", speed: float = 3000.0, **joint:
 # ------------------------------------------------------------------------- breaking
 @pytest.mark.parametrize("method", METHODS)
 def test_a_spring_breaks_at_its_strength(method: Method) -> None:
-    simulation = Simulation(flung(method=method, strength=20_000.0))
-    simulation.energy()
-    simulation.advance(0.5)
+    simulation = after(flung(method=method, strength=20_000.0), 0.5)
     assert simulation.damage == Damage(broken=(0,), set_lengths=(0.0,), hardened=(0.0,))
     # It flies on with what the spring has not taken: strength² / 2k.
     taken = 20_000.0**2 / 2000.0
@@ -63,52 +61,42 @@ def test_a_spring_breaks_at_its_strength(method: Method) -> None:
 @pytest.mark.parametrize("method", METHODS)
 def test_a_spring_that_is_strong_enough_does_not_break(method: Method) -> None:
     # Its largest force is sqrt(2 k E) = 31623.
-    whole, plain = Simulation(flung(method=method, strength=33_000.0)), Simulation(flung(method=method))
-    for simulation in (whole, plain):
-        simulation.advance(0.5)
+    whole, plain = after(flung(method=method, strength=33_000.0), 0.5), after(flung(method=method), 0.5)
     assert whole.damage is None
-    assert np.abs(whole.positions - plain.positions).max() <= 0.05
+    assert apart(whole, plain) <= 0.05
 
 
 @pytest.mark.parametrize("law", LAWS)
 def test_joints_break_with_their_springs(law: ForceLaw) -> None:
-    scene = body("girder", law, 2)
-    strong = tuple(REPLACE(spring, strength=1e12) for spring in scene.linear_springs)
-    weak = (REPLACE(strong[0], strength=1.0), *strong[1:])
-    integrator = Integrator(method="rodas5p", dt=1e-3, tolerance=1e-6)
-    broken = Simulation(REPLACE(scene, linear_springs=weak, integrator=integrator))
-    broken.energy()
-    broken.advance(0.1)
-    assert broken.damage is not None and broken.damage.broken == (0,)
+    scene = by(body("girder", law, 2), "rodas5p", dt=1e-3, tolerance=1e-6)
+    broken = after(with_springs(scene, strength=lambda s, _: 1e12 if s else 1.0), 0.1)
+    assert known(broken.damage).broken == (0,)
     assert abs(broken.energy().residual) <= 1e-3 * broken.energy().kinetic
     # From where it broke it moves as a body that never had them. A spring without stiffness is still one.
     gone = [j for j, joint in enumerate(scene.angular_springs) if 0 in (joint.a, joint.b)]
     assert gone
-    without = REPLACE(
-        scene,
-        linear_springs=(REPLACE(strong[0], stiffness=0.0, damping=0.0), *strong[1:]),
-        angular_springs=tuple(
-            REPLACE(joint, stiffness=0.0, damping=0.0) if j in gone else joint
-            for j, joint in enumerate(scene.angular_springs)
-        ),
-        integrator=integrator,
-        pose=REPLACE(broken.pose(), damage=None),
-    )
-    other = Simulation(without)
+
+    def without(some: list[int]) -> dict[str, Any]:
+        return {
+            field: lambda i, part, field=field: 0.0 if i in some else getattr(part, field)
+            for field in ("stiffness", "damping")
+        }
+
+    never = with_joints(with_springs(scene, strength=1e12, **without([0])), **without(gone))
+    other = Simulation(replace(never, pose=replace(broken.pose(), damage=None)))
     for simulation in (broken, other):
         simulation.advance(0.05)
-    assert np.abs(broken.positions - other.positions).max() <= 1e-2
+    assert apart(broken, other) <= 1e-2
 
 
 # ------------------------------------------------------------------------- yielding
 @pytest.mark.parametrize("hardening", [0.0, 700.0])
 @pytest.mark.parametrize("method", METHODS)
 def test_a_spring_yields_by_what_its_energy_says(method: Method, hardening: float) -> None:
-    simulation = Simulation(flung(method=method, yield_force=10_000.0, hardening=hardening))
-    simulation.energy()
-    simulation.advance(0.12)  # out, and not so far back that it could yield again
-    damage, balance = simulation.damage, simulation.energy()
-    assert damage is not None and not damage.broken
+    # Out, and not so far back that it could yield again.
+    simulation = after(flung(method=method, yield_force=10_000.0, hardening=hardening), 0.12)
+    damage, balance = known(simulation.damage), simulation.energy()
+    assert not damage.broken
     # At the turning point all energy is elastic, (Y + H s)² / 2k, or went into yielding, Y s + H s² / 2.
     a, b, c = 0.5 * hardening * (1.0 + hardening / 1000.0), 10_000.0 * (1.0 + hardening / 1000.0), -450_000.0
     way = -c / b if hardening == 0.0 else (-b + math.sqrt(b * b - 4.0 * a * c)) / (2.0 * a)
@@ -120,11 +108,6 @@ def test_a_spring_yields_by_what_its_energy_says(method: Method, hardening: floa
     assert abs(balance.residual) <= 0.03 * 500_000.0
 
 
-def slope(sizes: Sequence[float], errors: Sequence[float]) -> float:
-    """The order of errors in a step, by the line through their logarithms."""
-    return float(np.polyfit(np.log(sizes), np.log(errors), 1)[0])
-
-
 @pytest.mark.parametrize("method", ["velocity_verlet", "generalized_alpha", "rk4"])
 def test_yielding_is_of_second_order_and_its_balance_is_too(method: Method) -> None:
     # The mean over many places in a step at which yielding begins, as errors depend on that.
@@ -132,46 +115,38 @@ def test_yielding_is_of_second_order_and_its_balance_is_too(method: Method) -> N
     for dt in steps:
         off, left = [], []
         for k in range(5):
-            scene = flung(method=method, yield_force=10_000.0 + 200.0 * k)
-            way = (1e9 - (10_000.0 + 200.0 * k) ** 2) / 2000.0 / (10_000.0 + 200.0 * k)
-            simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=dt)))
-            simulation.energy()
-            simulation.advance(0.12)
-            assert simulation.damage is not None
-            off.append(abs(simulation.damage.set_lengths[0] - way))
+            force = 10_000.0 + 200.0 * k
+            simulation = after(by(flung(yield_force=force), method, dt=dt), 0.12)
+            way = (1e9 - force**2) / 2000.0 / force
+            off.append(abs(known(simulation.damage).set_lengths[0] - way))
             left.append(abs(simulation.energy().residual))
         errors.append(np.mean(off))
         residuals.append(np.mean(left))
-    assert 1.8 <= slope(steps, errors) <= (3.2 if method == "rk4" else 2.3)
-    assert slope(steps, residuals) >= 1.8
+    assert 1.8 <= order(steps, errors) <= (3.2 if method == "rk4" else 2.3)
+    assert order(steps, residuals) >= 1.8
 
 
 @pytest.mark.parametrize("method", METHODS)
 def test_what_is_beyond_its_limit_where_it_is_put_yields_or_breaks_at_once(method: Method) -> None:
     # Stretched by 20 px, of which 10 are elastic; from there it swings as a spring of 110 px.
     scene = flung(speed=0.0, method=method, yield_force=10_000.0)
-    far = (scene.masses[0], REPLACE(scene.masses[1], position=(120.0, 0.0)))
-    simulation = Simulation(REPLACE(scene, masses=far))
-    simulation.energy()
-    simulation.advance(0.05)
-    assert simulation.damage is not None
-    assert simulation.damage.set_lengths[0] == pytest.approx(10.0, rel=1e-9)
+    far = (scene.masses[0], replace(scene.masses[1], position=(120.0, 0.0)))
+    simulation = after(replace(scene, masses=far), 0.05)
+    assert known(simulation.damage).set_lengths[0] == pytest.approx(10.0, rel=1e-9)
     # Of an energy of 200 000, 50 000 is left.
     balance = simulation.energy()
     assert balance.plastic == pytest.approx(-150_000.0, rel=1e-9)
     assert abs(balance.residual) <= (0.05 if METHODS[method].order == 1 else 2e-3) * 50_000.0
-    broken = Simulation(REPLACE(scene, masses=far, linear_springs=flung(strength=1e4).linear_springs))
-    broken.advance(0.05)
+    broken = after(replace(scene, masses=far, linear_springs=flung(strength=1e4).linear_springs), 0.05)
     assert broken.positions[1, 0] == pytest.approx(120.0, abs=1e-9)
 
 
 @pytest.mark.parametrize("method", ADAPTIVE)
 def test_a_spring_that_cannot_yield_any_further_does_not_shorten_steps(method: Method) -> None:
     # Squeezed to the least rest length there is, by a mass that comes back from the other side.
-    scene = flung(speed=-1500.0, yield_force=100.0)
-    simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=0.1, tolerance=0.1)))
+    simulation = Simulation(by(flung(speed=-1500.0, yield_force=100.0), method, dt=0.1, tolerance=0.1))
     assert simulation.step(attempts=20_000) == 1
-    assert simulation.damage is not None and -99.0 <= simulation.damage.set_lengths[0] <= 1e4
+    assert -99.0 <= known(simulation.damage).set_lengths[0] <= 1e4
 
 
 @pytest.mark.parametrize("part", ["springs", "joints"])
@@ -186,11 +161,11 @@ def test_errors_fall_with_the_tolerance_where_a_led_body_yields(method: Method, 
     )  # fmt: skip
     runs: list[tuple[Method, float]] = [("adams", 1e-8), (method, 0.01), (method, 1e-4)]
     ends = []
-    for by, tolerance in runs:
-        simulation = Simulation(REPLACE(scene, integrator=Integrator(method=by, dt=0.5, tolerance=tolerance)))
+    for one, tolerance in runs:
+        simulation = Simulation(by(scene, one, dt=0.5, tolerance=tolerance))
         assert simulation.step(attempts=100_000) == 1
-        damage = simulation.damage
-        assert damage is not None and any(damage.set_lengths if part == "springs" else damage.set_angles)
+        damage = known(simulation.damage)
+        assert any(damage.set_lengths if part == "springs" else damage.set_angles)
         ends.append(simulation.positions)
     assert np.abs(ends[1] - ends[0]).max() <= 2.0 * 0.01
     assert np.abs(ends[2] - ends[0]).max() <= 3.0 * 1e-4
@@ -200,22 +175,16 @@ def test_errors_fall_with_the_tolerance_where_a_led_body_yields(method: Method, 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_joint_yields_and_stays_bent(method: Method, law: ForceLaw) -> None:
     # At 3000 px/s its energy is 4.5e6; its torque at a right angle would be 1e7.
-    scene = bent(law, method, yield_torque=2e6, damping=2.0)
-    simulation = Simulation(scene)
-    simulation.energy()
-    simulation.advance(0.2)
-    damage, balance = simulation.damage, simulation.energy()
-    assert damage is not None
+    simulation = after(bent(law, method, yield_torque=2e6, damping=2.0), 0.2)
+    damage, balance = known(simulation.damage), simulation.energy()
     # Its elastic deflection is asin(0.2), or 0.2 under the law of the angle; the rest of the way is for good.
     assert abs(damage.set_angles[0]) > 10.0
     assert simulation.rest_angles[0] == pytest.approx(damage.set_angles[0])
     assert balance.plastic < -1e5
     tolerated = 0.1 if METHODS[method].order == 1 else 0.02
     assert abs(balance.residual) <= tolerated * 4.5e6
-    weaker = Simulation(bent(law, method, yield_torque=1e6, damping=2.0))
-    weaker.advance(0.2)
-    assert weaker.damage is not None
-    assert abs(weaker.damage.set_angles[0]) > abs(damage.set_angles[0])
+    weaker = after(bent(law, method, yield_torque=1e6, damping=2.0), 0.2)
+    assert abs(known(weaker.damage).set_angles[0]) > abs(damage.set_angles[0])
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -228,35 +197,27 @@ def test_a_joint_that_is_led_round_and_round_yields_behind_it(law: ForceLaw) -> 
         simulation.step(20)
         angle = float(simulation.angles[0])
         turned, before = turned + math.remainder(angle - before, 360.0), angle
-        assert simulation.damage is not None
-        (set_angle,) = simulation.damage.set_angles
+        (set_angle,) = known(simulation.damage).set_angles
         assert 20.0 < math.remainder(angle - set_angle, 360.0) < 60.0
-        sim.validate(REPLACE(simulation.scene, pose=simulation.pose()))  # which a file may have
+        sim.validate(replace(simulation.scene, pose=simulation.pose()))  # which a file may have
     other = Simulation(simulation.scene)
     other.restore(simulation.capture())
-    for one in (simulation, other):
-        one.step(100)
+    step_all(100, simulation, other)
     assert other.positions == pytest.approx(simulation.positions, abs=1e-9)
 
 
 def test_a_joint_that_does_not_reach_its_yield_torque_does_not_yield() -> None:
-    simulation = Simulation(bent("conservative", yield_torque=9.99e6, speed=1000.0))
-    simulation.advance(1.0)
-    assert simulation.damage is None
+    assert after(bent("conservative", yield_torque=9.99e6, speed=1000.0), 1.0).damage is None
 
 
 @pytest.mark.parametrize("law", LAWS)
-def test_nor_does_one_that_never_can_however_far_it_is_led(law: ForceLaw) -> None:
+def test_a_joint_that_never_can_does_not_yield_however_far_it_is_led(law: ForceLaw) -> None:
     # Its torque is 1e7 at most; 175 degrees are more than where a sine law is the strongest.
-    scene = bent(law, yield_torque=1e15)
-    simulation = Simulation(scene)
-    held = scene.angular_springs[0]
-    corner = scene.linear_springs[held.a].b
-    end = scene.linear_springs[held.b].b
-    x, y = scene.masses[corner].position
+    simulation = Simulation(bent(law, yield_torque=1e15))
+    x, y = simulation.positions[1]
     turn = math.radians(175.0)
-    simulation.grab(end)
-    simulation.move(end, (x + 100.0 * math.cos(turn), y + 100.0 * math.sin(turn)))
+    simulation.grab(2)
+    simulation.move(2, (x + 100.0 * math.cos(turn), y + 100.0 * math.sin(turn)))
     simulation.step(5)
     assert abs(simulation.angles[0]) > 100.0
     assert simulation.damage is None
@@ -265,67 +226,36 @@ def test_nor_does_one_that_never_can_however_far_it_is_led(law: ForceLaw) -> Non
 # ------------------------------------------------------------------------- what is kept
 def fragile(seed: int = 0, method: Method = "auto") -> Scene:
     """A body of which some springs break, and some yield, soon."""
-    scene = body("girder", seed=seed, air=0.0)
-    springs = tuple(
-        REPLACE(
-            spring,
-            strength=6e4 if s % 3 else None,
-            yield_force=2e4 if s % 2 else None,
-            hardening=10.0 * s * (s % 2),
-        )
-        for s, spring in enumerate(scene.linear_springs)
+    scene = with_springs(
+        with_joints(body("girder", seed=seed, air=0.0), yield_torque=3e5),
+        strength=lambda s, _: 6e4 if s % 3 else None,
+        yield_force=lambda s, _: 2e4 if s % 2 else None,
+        hardening=lambda s, _: 10.0 * s * (s % 2),
     )
-    joints = tuple(REPLACE(joint, yield_torque=3e5) for joint in scene.angular_springs)
-    return REPLACE(
-        scene,
-        linear_springs=springs,
-        angular_springs=joints,
-        integrator=Integrator(method=method, dt=1e-3, tolerance=0.01),
-    )
+    return by(scene, method, dt=1e-3, tolerance=0.01)
 
 
 def test_a_saved_pose_has_the_damage_and_settings_keep_it(tmp_path: Any) -> None:
-    simulation = Simulation(fragile())
-    simulation.advance(0.3)
-    saved = REPLACE(simulation.scene, pose=simulation.pose())
+    simulation = after(fragile(), 0.3)
+    saved = replace(simulation.scene, pose=simulation.pose())
     sim.save_scene(saved, tmp_path / "worn.json")
     opened = Simulation(sim.load_scene(tmp_path / "worn.json"))
     assert opened.damage == simulation.damage
     assert np.array_equal(
         solver_of(opened).system.body.stiffness, solver_of(simulation).system.body.stiffness
     )
-    simulation.replace(REPLACE(simulation.scene, gravity=(0.0, 100.0)))
+    simulation.replace(replace(simulation.scene, gravity=(0.0, 100.0)))
     assert simulation.damage == opened.damage
     other = Simulation(simulation.scene)
     other.take_state(simulation)
     assert other.damage == simulation.damage
 
 
-@pytest.mark.parametrize(
-    ("damage", "sentence"),
-    [
-        (Damage(broken=(99,)), r"pose\.damage\.broken\[0\]: spring 99 does not exist \(0\.\.0\)"),
-        (Damage(set_lengths=(1.0, 2.0)), r"pose\.damage\.set_lengths: 2 entries do not match the 1 linear"),
-        (Damage(set_angles=(1.0,)), r"pose\.damage\.set_angles: 1 entries do not match the 0 angular"),
-        (Damage(hardened=(math.nan,)), r"pose\.damage\.hardened\[0\]: nan is not a finite number"),
-    ],
-)
-def test_damage_that_does_not_fit_is_refused(damage: Damage, sentence: str) -> None:
-    pose = Pose(positions=((0.0, 0.0), (100.0, 0.0)), velocities=((0.0, 0.0),) * 2, damage=damage)
-    with pytest.raises(SceneError, match=sentence):
-        sim.validate(REPLACE(flung(), pose=pose))
-
-
 @given(seed=st.integers(0, 10_000), method=st.sampled_from(sorted(METHODS)), strength=st.floats(0.0, 1e5))
 @settings(max_examples=examples(30))
 def test_whatever_breaks_and_yields_numbers_stay_good(seed: int, method: Method, strength: float) -> None:
-    scene = fragile(seed % 7, method)
-    springs = tuple(
-        REPLACE(spring, strength=strength, yield_force=0.3 * strength) for spring in scene.linear_springs
-    )
-    integrator = Integrator(method=method, dt=1e-3, tolerance=1.0)
-    simulation = Simulation(REPLACE(scene, linear_springs=springs, integrator=integrator))
-    simulation.energy()
+    scene = with_springs(fragile(seed % 7), strength=strength, yield_force=0.3 * strength)
+    simulation = after(by(scene, method, dt=1e-3, tolerance=1.0), 0.0)
     for _ in range(5):
         simulation.step(20, attempts=2000)
         assert np.isfinite(simulation.positions).all()
@@ -343,14 +273,12 @@ def test_the_energy_of_what_touches_a_spring_goes_with_it(method: Method) -> Non
         contact=Contact(distance=12.0, stiffness=300.0, friction=0.0),
         integrator=Integrator(method=method, dt=1e-5, tolerance=1e-6),
     )  # fmt: skip
-    weak, other = scene.linear_springs
-    scene = REPLACE(scene, linear_springs=(REPLACE(weak, strength=50.0), other))
-    simulation = Simulation(scene)
+    simulation = Simulation(with_springs(scene, strength=[50.0, None]))
     before = simulation.energy()
     assert before.contact == pytest.approx(300.0 * 7.0**3 / 3.0)
     simulation.step(20)
     balance = simulation.energy()
-    assert simulation.damage is not None and simulation.damage.broken == (0,)
+    assert known(simulation.damage).broken == (0,)
     assert balance.contact == 0.0
     assert balance.broken == pytest.approx(-before.contact - 500.0, rel=1e-3)
     assert abs(balance.residual) <= 1e-3 * before.contact
@@ -362,8 +290,7 @@ def test_the_moment_of_a_break_is_found_to_the_tolerance(method: Method) -> None
     omega, speed = math.sqrt(1000.0), 1000.0
     turns = math.asin(omega * 20_000.0 / (1000.0 * speed))
     for tolerance, dt in ((0.1, 0.1), (1e-2, 0.1), (1e-3, 0.1), (1e-3, 1e-3)):  # whatever the frames
-        integrator = Integrator(method=method, dt=dt, tolerance=tolerance)
-        simulation = Simulation(REPLACE(flung(strength=20_000.0), integrator=integrator))
+        simulation = Simulation(by(flung(strength=20_000.0), method, dt=dt, tolerance=tolerance))
         simulation.step(round(1.0 / dt))
         flown = 20.0 + speed * math.cos(turns) * (1.0 - turns / omega)
         assert simulation.positions[1, 0] - 100.0 == pytest.approx(flown, abs=10.0 * tolerance)
@@ -372,20 +299,14 @@ def test_the_moment_of_a_break_is_found_to_the_tolerance(method: Method) -> None
 # ------------------------------------------------------------------------- what outlasts its limits
 def without_limits(scene: Scene) -> Scene:
     """The scene with nothing that could still break or yield."""
-    return REPLACE(
-        scene,
-        linear_springs=tuple(
-            REPLACE(s, strength=None, yield_force=None, hardening=0.0) for s in scene.linear_springs
-        ),
-        angular_springs=tuple(REPLACE(j, yield_torque=None) for j in scene.angular_springs),
-    )
+    endless = with_springs(scene, strength=None, yield_force=None, hardening=0.0)
+    return with_joints(endless, yield_torque=None)
 
 
 def test_damage_stays_when_the_last_strength_is_taken_away() -> None:
-    simulation = Simulation(fragile())
-    simulation.advance(0.3)
-    before = simulation.damage
-    assert before is not None and before.broken and any(before.set_lengths) and any(before.set_angles)
+    simulation = after(fragile(), 0.3)
+    before = known(simulation.damage)
+    assert before.broken and any(before.set_lengths) and any(before.set_angles)
     scene = without_limits(simulation.scene)
     simulation.replace(scene)
     assert simulation.damage == before
@@ -395,25 +316,23 @@ def test_damage_stays_when_the_last_strength_is_taken_away() -> None:
     assert fresh.damage is None
     restored.restore(moment)
     taken.take_state(simulation)
-    posed = Simulation(REPLACE(scene, pose=simulation.pose()))
+    posed = Simulation(replace(scene, pose=simulation.pose()))
     for each in (restored, taken, posed):
         assert each.damage == before
         each.advance(0.05)
     simulation.advance(0.05)
-    for each in (restored, taken, posed):
-        assert np.abs(each.positions - simulation.positions).max() <= 1e-6
+    assert max(apart(each, simulation) for each in (restored, taken, posed)) <= 1e-6
     assert simulation.damage == before
     simulation.reset()
     assert simulation.damage is None
     fresh.advance(0.01)
     simulation.advance(0.01)
-    assert np.abs(fresh.positions - simulation.positions).max() <= 1e-6
+    assert apart(fresh, simulation) <= 1e-6
 
 
 def test_taking_away_the_last_strength_changes_no_speed() -> None:
     # A spring that has broken under load would throw the mass if it healed.
-    simulation = Simulation(flung(strength=20_000.0))
-    simulation.advance(0.1)
+    simulation = after(flung(strength=20_000.0), 0.1)
     speed = float(np.hypot(*simulation.velocities[1]))
     simulation.replace(without_limits(simulation.scene))
     simulation.advance(0.05)
@@ -428,40 +347,32 @@ def hung(**spring: Any) -> Scene:
     )  # fmt: skip
 
 
-def with_damage(scene: Scene, damage: Damage) -> Scene:
-    places = tuple(mass.position for mass in scene.masses)
-    return REPLACE(scene, pose=Pose(positions=places, velocities=((0.0, 0.0),) * len(places), damage=damage))
-
-
 def test_equilibrium_vibrations_and_tuning_go_by_the_damage_of_the_pose() -> None:
-    broken = with_damage(hung(strength=1e6), Damage(broken=(1,)))
+    broken = posed(hung(strength=1e6), damage=Damage(broken=(1,)))
     pose = sim.equilibrium(broken)
     # It hangs on the one that is left, which 500 stretch by half a px.
     assert pose.positions[1] == pytest.approx((0.0, 10.5), abs=1e-6)
     assert pose.damage == Damage(broken=(1,))
-    resting = REPLACE(broken, pose=pose)
+    resting = replace(broken, pose=pose)
     slow, fast = sim.vibrations(resting, 2).omega
     assert slow == pytest.approx(math.sqrt(500.0 / 10.5), rel=1e-6)  # a pendulum
     assert fast == pytest.approx(math.sqrt(1000.0), rel=1e-6)
-    told = sim.tuning(broken)
-    assert told.fastest is not None and told.sag == pytest.approx(10.5)
-    assert told.fastest.frequency == pytest.approx(math.sqrt(1000.0) / math.tau, rel=1e-3)
-    assert told.fastest.damping_ratio == pytest.approx(5.0 / (2.0 * math.sqrt(1000.0)), rel=1e-2)
-    assert told.springs.frequency[1] == 0.0 and told.springs.frequency[0] > 0.0
+    found = sim.tuning(broken)
+    fastest = known(found.fastest)
+    assert found.sag == pytest.approx(10.5)
+    assert fastest.frequency == pytest.approx(math.sqrt(1000.0) / math.tau, rel=1e-3)
+    assert fastest.damping_ratio == pytest.approx(5.0 / (2.0 * math.sqrt(1000.0)), rel=1e-2)
+    assert found.springs.frequency[1] == 0.0 and found.springs.frequency[0] > 0.0
     # Yielding, too: 3 px longer.
-    longer = sim.equilibrium(with_damage(hung(yield_force=1e6), Damage(set_lengths=(3.0, 3.0))))
-    plain = sim.equilibrium(
-        REPLACE(hung(), linear_springs=tuple(REPLACE(s, rest_length=13.0) for s in hung().linear_springs))
-    )
+    longer = sim.equilibrium(posed(hung(yield_force=1e6), damage=Damage(set_lengths=(3.0, 3.0))))
+    plain = sim.equilibrium(with_springs(hung(), rest_length=13.0))
     assert np.array(longer.positions) == pytest.approx(np.array(plain.positions), abs=1e-6)
 
 
 def test_make_stable_lowers_nothing_for_a_broken_spring() -> None:
-    scene = hung(strength=1e12)
-    stiff = (scene.linear_springs[0], REPLACE(scene.linear_springs[1], stiffness=1e9))
-    scene = REPLACE(scene, linear_springs=stiff)
+    scene = with_springs(hung(strength=1e12), stiffness=[1000.0, 1e9])
     assert sim.make_stable(scene).linear_springs[1].stiffness < 1e7
-    broken = with_damage(scene, Damage(broken=(1,)))
+    broken = posed(scene, damage=Damage(broken=(1,)))
     assert sim.make_stable(broken) is broken
     with pytest.raises(sim.InputError, match="spring 1 is broken, so it cannot vibrate"):
         sim.damp_vibration(broken, spring=1)
@@ -475,7 +386,7 @@ def test_an_equilibrium_that_would_break_or_yield_something_says_so() -> None:
         notes = sim.tuning(hung(**{limit: 600.0})).notes
         assert any(words[1] + " of 600" in note for note in notes)
         assert not any(words[1] in note for note in sim.tuning(hung(**{limit: 710.0})).notes)
-    scene = REPLACE(bent("conservative", yield_torque=1e3), gravity=(0.0, 2000.0))
+    scene = replace(bent("conservative", yield_torque=1e3), gravity=(0.0, 2000.0))
     with pytest.warns(
         UserWarning, match=r"joint 0 would yield .* kg px²/s² is more than its yield torque of"
     ):

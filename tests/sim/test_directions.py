@@ -8,9 +8,10 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
-from sim import Integrator, Scene, Simulation
+from sim import Simulation
 from sim.analysis.tuning import softnesses
 from sim.body.system import build_system
 from sim.edit.build import extend, positions_of, remove
@@ -24,12 +25,8 @@ from sim.motion.stability import damped_limit, largest_step, quick_limit
 from sim.scene.types import ForceLaw, Method
 from tests.sim.bodies import LAWS, SHAPES, body, flipped, some_flipped
 from tests.sim.builders import chain, row
-
-REPLACE = msgspec.structs.replace
-
-
-def by(scene: Scene, method: Method, dt: float = 1e-3) -> Scene:
-    return REPLACE(scene, integrator=Integrator(method=method, dt=dt, tolerance=1e-3))
+from tests.sim.changes import after, by, with_joints, with_springs
+from tests.sim.checks import known
 
 
 def close(one: Any, other: Any, rel: float = 1e-9) -> None:
@@ -39,7 +36,7 @@ def close(one: Any, other: Any, rel: float = 1e-9) -> None:
 
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("shape", SHAPES)
-def test_loads_and_energies(shape: str, law: ForceLaw) -> None:
+def test_loads_and_energies_do_not_depend_on_directions(shape: str, law: ForceLaw) -> None:
     scene = body(shape, law, 4)
     one, other = Simulation(scene), Simulation(some_flipped(scene, 1))
     close(one.loads.forces, other.loads.forces)
@@ -57,17 +54,15 @@ def test_loads_and_energies(shape: str, law: ForceLaw) -> None:
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("shape", ["chain", "ring", "hub"])
 @pytest.mark.parametrize("method", METHODS)
-def test_motion(method: Method, shape: str, law: ForceLaw) -> None:
-    scene = by(body(shape, law, 2, held=(0,)), method, 1e-4)
-    one, other = Simulation(scene), Simulation(some_flipped(scene, 2))
-    for simulation in (one, other):
-        simulation.advance(0.02)
+def test_motion_does_not_depend_on_directions(method: Method, shape: str, law: ForceLaw) -> None:
+    scene = by(body(shape, law, 2, held=(0,)), method, dt=1e-4, tolerance=1e-3)
+    one, other = (after(each, 0.02) for each in (scene, some_flipped(scene, 2)))
     # Where roundings decide on the next step, they differ by the tolerance.
     close(one.positions, other.positions, 1e-5 if METHODS[method].adaptive else 1e-8)
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-def test_limits_and_softnesses(shape: str) -> None:
+def test_limits_and_softnesses_do_not_depend_on_directions(shape: str) -> None:
     scene = body(shape, "conservative", 4, held=(1,))
     other = some_flipped(scene, 3)
     for method in ("symplectic_euler", "velocity_verlet", "rk4"):
@@ -76,17 +71,15 @@ def test_limits_and_softnesses(shape: str) -> None:
         close(limit(build_system(scene)), limit(build_system(other)))
     for one, two in zip(softnesses(scene), softnesses(other), strict=True):
         close(one, two)
-    soft = [Simulation(by(each, "stable_spring", 0.05)) for each in (scene, other)]
-    for simulation in soft:
-        simulation.step(3)
-    close(soft[0].positions, soft[1].positions, 1e-6)
+    soft, same = (after(by(each, "stable_spring", dt=0.05), 0.15) for each in (scene, other))
+    close(soft.positions, same.positions, 1e-6)
 
 
-def test_tuning_equilibrium_and_vibrations() -> None:
+def test_tuning_equilibrium_and_vibrations_do_not_depend_on_directions() -> None:
     scene = of_parts(sim.rod(masses=8, damping=5.0))
     other = some_flipped(scene, 5)
     close(sim.equilibrium(scene).positions, sim.equilibrium(other).positions, 1e-8)
-    resting = [REPLACE(each, pose=sim.equilibrium(each)) for each in (scene, other)]
+    resting = [replace(each, pose=sim.equilibrium(each)) for each in (scene, other)]
     one, two = (sim.vibrations(each, 5).omega for each in resting)
     close(one, two, 1e-6)
     told, same = sim.tuning(scene), sim.tuning(other)
@@ -104,7 +97,7 @@ def test_tuning_equilibrium_and_vibrations() -> None:
         assert frequency == pytest.approx(math.sqrt(6.0 * 1000.0) / math.tau, rel=1e-9)
 
 
-def test_make_stable_and_damping() -> None:
+def test_numbers_that_are_made_stable_or_damped_do_not_depend_on_directions() -> None:
     scene = of_parts(sim.rod(masses=8, damping=5.0))
     other = some_flipped(scene, 6)
     for change in (
@@ -134,10 +127,10 @@ EDITS: dict[str, Any] = {
 
 @pytest.mark.parametrize("shape", ["chain", "hub", "girder"])
 @pytest.mark.parametrize("name", EDITS)
-def test_edits(name: str, shape: str) -> None:
+def test_edits_do_not_depend_on_directions(name: str, shape: str) -> None:
     scene = body(shape, "conservative", 4)
     if name in ("corners", "triangulate", "extend"):
-        scene = REPLACE(scene, angular_springs=scene.angular_springs[:2])
+        scene = replace(scene, angular_springs=scene.angular_springs[:2])
     edited = []
     for each in (scene, some_flipped(scene, 7)):
         moment = Simulation(each).capture()
@@ -159,21 +152,13 @@ def test_edits(name: str, shape: str) -> None:
 
 
 @pytest.mark.parametrize("law", LAWS)
-def test_yielding_and_breaking(law: ForceLaw) -> None:
-    scene = by(body("girder", law, 2, air=0.0), "rk4", 1e-4)
-    scene = REPLACE(
-        scene,
-        linear_springs=tuple(
-            REPLACE(s, strength=5e4, yield_force=2e4, hardening=5.0) for s in scene.linear_springs
-        ),
-        angular_springs=tuple(REPLACE(j, yield_torque=3e5) for j in scene.angular_springs),
-    )
-    one, other = Simulation(scene), Simulation(some_flipped(scene, 8))
-    for simulation in (one, other):
-        simulation.advance(0.05)
-        assert simulation.damage is not None and any(simulation.damage.set_angles)
-    assert one.damage is not None and other.damage is not None
-    assert one.damage.broken == other.damage.broken
-    close(one.damage.set_lengths, other.damage.set_lengths, 1e-7)
-    close(one.damage.set_angles, other.damage.set_angles, 1e-7)
+def test_yielding_and_breaking_do_not_depend_on_directions(law: ForceLaw) -> None:
+    scene = by(body("girder", law, 2, air=0.0), "rk4", dt=1e-4)
+    scene = with_springs(with_joints(scene, yield_torque=3e5), strength=5e4, yield_force=2e4, hardening=5.0)
+    one, other = (after(each, 0.05) for each in (scene, some_flipped(scene, 8)))
+    worn, same = known(one.damage), known(other.damage)
+    assert any(worn.set_angles) and any(same.set_angles)
+    assert worn.broken == same.broken
+    close(worn.set_lengths, same.set_lengths, 1e-7)
+    close(worn.set_angles, same.set_angles, 1e-7)
     close(one.positions, other.positions, 1e-7)

@@ -5,16 +5,16 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import msgspec
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Scene, Simulation
 from sim.methods.registry import METHODS
 from sim.scene.types import Method
 from tests.sim.builders import built, row
+from tests.sim.changes import after
 
-REPLACE = msgspec.structs.replace
 STRENGTHS = [0.1, 1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6]
 
 MASSES, SPEED = (1.0, 3.0), 100.0
@@ -62,7 +62,7 @@ def test_a_damper_of_a_joint_takes_no_more_than_there_is(damping: float) -> None
 @pytest.mark.parametrize("name", ["tutorial-3.3", "ring", "flag-pole", "study-cloth"])
 def test_the_balance_closes_at_any_damping(name: str, key: str) -> None:
     scene = sim.load_scene(name)
-    scene = REPLACE(scene, force_law="conservative", integrator=sim.Integrator())
+    scene = replace(scene, force_law="conservative", integrator=sim.Integrator())
     for damping in (1e1, 1e2, 1e3, 1e4, 1e5):
         simulation = Simulation(sim.set_value(scene, key, damping))
         first = simulation.energy()
@@ -84,9 +84,7 @@ def test_strong_friction_takes_what_there_is(method: Any, friction: float) -> No
         gravity=(0.0, 1000.0), walls=(floor,),
         integrator=sim.Integrator(method=method, dt=dt, tolerance=0.1),
     )  # fmt: skip
-    simulation = sim.Simulation(scene)
-    simulation.energy()
-    simulation.advance(1.5)
+    simulation = after(scene, 1.5)
     balance = simulation.energy()
     assert abs(balance.residual) < 0.015 * abs(balance.friction)
     assert -2.0e5 < balance.friction < -1.5e5

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from sim import Anchor, Integrator, SceneError, Simulation
 from sim.methods.registry import METHODS
 from sim.scene.types import Circle, ForceLaw, Method
 from tests.sim.bodies import LAWS, body
+from tests.sim.changes import by
 from tests.sim.fuzzing import STEPS, wild_scene
 from tests.sim.inside import same_state
-
-REPLACE = msgspec.structs.replace
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -23,7 +22,7 @@ def test_tracking_the_energy_does_not_change_the_motion(method: Method, shape: s
     # With a first mass that is free, and with one that is held and led.
     for held in ((), (0,)):
         scene = body(shape, law, 1, twist=0.0, held=held)
-        scene = REPLACE(scene, integrator=Integrator(method=method, dt=1e-4, tolerance=1e-4))
+        scene = by(scene, method, dt=1e-4, tolerance=1e-4)
         with_tracking, without = Simulation(scene), Simulation(scene)
         with_tracking.track_energy(True)
         x, y = scene.masses[0].position
@@ -42,7 +41,7 @@ def test_nor_do_they_change_whole_frames_of_wild_scenes() -> None:
     looked_at = 0
     for seed in range(150):
         scene = wild_scene(np.random.default_rng(seed))
-        scene = REPLACE(scene, integrator=Integrator(method="auto", tolerance=1.0))
+        scene = by(scene, "auto", tolerance=1.0)
         try:
             with_tracking, without = Simulation(scene), Simulation(scene)
         except SceneError:
@@ -58,7 +57,7 @@ def test_nor_do_they_change_whole_frames_of_wild_scenes() -> None:
 
 @pytest.mark.parametrize("method", METHODS)
 def test_what_is_asked_in_between_does_not_change_the_motion(method: Method) -> None:
-    scene = REPLACE(body("chain", "angle", 2), integrator=Integrator(method=method, dt=1e-3, tolerance=1e-3))
+    scene = by(body("chain", "angle", 2), method, dt=1e-3, tolerance=1e-3)
     asked, left = Simulation(scene), Simulation(scene)
     for _ in range(30):
         asked.stability()
@@ -73,7 +72,7 @@ def test_what_is_asked_in_between_does_not_change_the_motion(method: Method) -> 
 @pytest.mark.parametrize("method", ["auto", "adams", "rodas5p", "symplectic_euler"])
 def test_what_a_hand_takes_and_gives_back_is_entered(method: Method, law: ForceLaw) -> None:
     scene = body("cloth", law, 1, twist=0.0, held=(0,))
-    scene = REPLACE(scene, integrator=Integrator(method=method, dt=1e-5, tolerance=1e-6))
+    scene = by(scene, method, dt=1e-5, tolerance=1e-6)
     simulation, mass = Simulation(scene), 6
     kilograms = scene.masses[mass].mass
 
@@ -108,7 +107,7 @@ def test_a_body_in_many_hands_has_a_balance_that_closes(method: Method, law: For
     """No error of a free mass keeps the steps short."""
     scene = body("tree", law, 1, held=tuple(range(15)))
     anchors = tuple(Anchor(mass=i, circle=Circle(radius=5.0 + i, frequency=20.0)) for i in range(15))
-    scene = REPLACE(scene, anchors=anchors, integrator=Integrator(method=method))
+    scene = replace(scene, anchors=anchors, integrator=Integrator(method=method))
     simulation = Simulation(scene)
     first = simulation.energy()
     for _ in range(5):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import get_args
 
-import msgspec
 import numba
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Simulation
@@ -127,9 +127,7 @@ def made_up(s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def test_what_is_measured_follows_from_a_law_that_is_new(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(LAWS, "made-up", laws.Law(99, "Made up"))
     monkeypatch.setitem(IN_NUMPY, 99, made_up)
-    scene = msgspec.structs.replace(
-        body("hub", "angle", 3), integrator=sim.Integrator(method="rodas5p", tolerance=1.0)
-    )
+    scene = replace(body("hub", "angle", 3), integrator=sim.Integrator(method="rodas5p", tolerance=1.0))
     simulation = with_law(Simulation(scene), 99)
     system, _ = simulation.tables
     angles = np.radians(simulation.angles - simulation.rest_angles)

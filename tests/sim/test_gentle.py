@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor
@@ -19,7 +19,7 @@ STEP = 1e-3
 
 def rope(masses: int, held: tuple[int, ...] = ()) -> sim.Scene:
     anchors = tuple(Anchor(mass=m) for m in held)
-    return msgspec.structs.replace(sim.rope(masses), bodies=(), anchors=anchors)
+    return replace(sim.rope(masses), bodies=(), anchors=anchors)
 
 
 def turned(arrays: Arrays, spring: int, degrees: float) -> np.ndarray:

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from sim import Integrator, Simulation
+from sim import Simulation
 from sim.methods.registry import METHODS
 from sim.motion.drag import LONGEST_PART, Hand
 from sim.scene.types import ForceLaw
 from tests.amount import examples
 from tests.sim.builders import led_rod, rod
+from tests.sim.changes import by, step_all
 from tests.sim.inside import same_state
 
-REPLACE = msgspec.structs.replace
 WAVE = 300.0 / 11.0 * 100.0
 """px/s: how fast a pull goes through the tutorial's rope, in however many pieces."""
 
@@ -80,7 +79,7 @@ def test_a_hand_moves_without_a_jerk_wherever_the_pointer_jumps() -> None:
 # ----------------------------------------------------------------------------------------------- bodies
 
 
-def test_what_is_demanding() -> None:
+def test_only_long_stiff_rods_limit_the_speed_of_a_hand() -> None:
     rate_limited = {
         entry.name
         for entry in sim.list_scenes()
@@ -101,8 +100,7 @@ def test_other_bodies_are_led_at_once() -> None:
     one.follow(0, (400.0, 50.0))
     other.lead(0, (400.0, 50.0))
     assert not one.behind
-    one.step(7)
-    other.step(7)
+    step_all(7, one, other)
     assert same_state(one, other)
 
 
@@ -148,7 +146,7 @@ def test_it_comes_to_its_goal_and_stays() -> None:
 
 
 def test_one_long_call_leads_as_far_as_many_short_ones() -> None:
-    one = Simulation(REPLACE(rod(60), integrator=Integrator(method="auto", dt=1.0)))
+    one = Simulation(by(rod(60), "auto", dt=1.0))
     many = Simulation(rod(60))
     for simulation in (one, many):
         simulation.follow(0, (300.0, 100.0))
@@ -177,7 +175,7 @@ def test_a_hand_waits_when_attempts_run_out() -> None:
 def test_the_balance_of_a_gentle_hand_closes() -> None:
     laws: tuple[ForceLaw, ...] = ("tutorial", "conservative")
     for law in laws:
-        scene = REPLACE(rod(60, law=law), integrator=Integrator(tolerance=1e-3))
+        scene = by(rod(60, law=law), tolerance=1e-3)
         simulation = Simulation(scene)
         simulation.energy()
         for frame in range(60):
@@ -232,8 +230,7 @@ def test_a_slider_and_another_body_take_the_hand_over_and_a_reset_does_not() -> 
     assert other.behind == simulation.behind != {}
     simulation.replace(sim.set_value(simulation.scene, "gravity", 500.0))
     assert other.behind == simulation.behind
-    simulation.step(40)
-    other.step(40)
+    step_all(40, simulation, other)
     assert simulation.positions[0] == pytest.approx(other.positions[0])
     simulation.reset()
     assert not simulation.behind
@@ -255,7 +252,7 @@ def test_an_anchor_on_a_circle_goes_on_round() -> None:
     assert simulation.positions[0] == pytest.approx((150.0, 100.0))
 
 
-def test_only_places_that_a_scene_may_have() -> None:
+def test_a_hand_goes_only_to_places_that_a_scene_may_have() -> None:
     simulation = Simulation(rod(60))
     for to in ((math.nan, 0.0), (0.0, 2e6)):
         with pytest.raises(sim.InputError, match="is not within"):

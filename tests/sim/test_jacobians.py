@@ -2,130 +2,27 @@
 
 from __future__ import annotations
 
-from typing import Any
+import math
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 import sim
 from sim import AngularSpring, LinearSpring, Mass, Scene
 from sim.body.sparsity import fill
-from sim.forces.joints import JointsTwin
 from sim.kernels.linear.sparse import assemble
 from sim.scene.types import ForceLaw
 from tests.amount import examples
-from tests.sim.arrays import Arrays, Floats, off
-from tests.sim.bodies import LAWS, SHAPES, body
+from tests.sim.arrays import Arrays, Floats
+from tests.sim.bodies import LAWS, SHAPES, body, sharing
 from tests.sim.builders import built, chain, row
-
-REPLACE = msgspec.structs.replace
-PATHS = [pytest.param(shape, False, id=shape) for shape in SHAPES] + [
-    pytest.param("chain", True, id="chain, general")
-]
-DAMPINGS = [
-    pytest.param({"damping": 0.0, "twist": 0.0, "air": 0.0}, id="undamped"),
-    pytest.param({"damping": 0.0, "air": 0.0}, id="joint_damped"),
-    pytest.param({"twist": 0.0}, id="damped"),
-    pytest.param({}, id="all"),
-    pytest.param({"joints": False}, id="without_joints"),
-]
-
-
-# ------------------------------------------------------------------------- against differences
-@pytest.mark.parametrize("damping", DAMPINGS)
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize(("shape", "general"), PATHS)
-def test_the_matrix_is_that_of_the_forces(
-    shape: str, general: bool, law: ForceLaw, damping: dict[str, Any]
-) -> None:
-    for seed, held in ((1, ()), (2, (0, 3))):
-        arrays = Arrays(body(shape, law, seed, held=held, **damping), general=general)
-        assert arrays.body.chain == (shape == "chain" and not general)
-        # About as large as the derivatives, so that both count.
-        g = 150.0
-        expected = arrays.by_differences(g * g, g, speeds=0.1)
-        assert off(arrays.matrix_of(g * g, g), expected) <= 1e-7
-        # So it does for the system that matters.
-        right = np.random.default_rng(seed).normal(size=arrays.here.size)
-        assert np.abs(expected @ arrays.solve(right) - right).max() <= 1e-7
-
-
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("shape", ["girder", "tree", "ring"])
-def test_the_matrix_is_that_of_forces_that_yield(shape: str, law: ForceLaw) -> None:
-    scene = body(shape, law, 1, held=(0,))
-    at = np.array([mass.position for mass in scene.masses])
-    springs = tuple(
-        REPLACE(
-            s,
-            yield_force=0.6 * s.stiffness * abs(float(np.hypot(*(at[s.b] - at[s.a]))) - s.rest_length),
-            hardening=0.3 * s.stiffness * (i % 4),
-        )
-        if i % 2
-        else s
-        for i, s in enumerate(scene.linear_springs)
-    )
-    twin = JointsTwin(Arrays(scene).body, Arrays(scene).state)
-    system, still = Arrays(scene).system, np.zeros(Arrays(scene).slots, complex)
-    torques = np.abs(twin.torques(Arrays(scene).state.x + 1j * Arrays(scene).state.y, still))
-    joints = tuple(
-        REPLACE(joint, yield_torque=0.6 * torque) if i % 2 else joint
-        for i, (joint, torque) in enumerate(
-            zip(scene.angular_springs, torques[system.joint_order].tolist(), strict=True)
-        )
-    )
-    arrays = Arrays(REPLACE(scene, linear_springs=springs, angular_springs=joints))
-    expected, elastic = (each.by_differences(2e4, 150.0, speeds=0.1) for each in (arrays, Arrays(scene)))
-    assert off(elastic, expected) >= 1e-2
-    assert off(arrays.matrix_of(2e4, 150.0), expected) <= 1e-7
-
-
-@pytest.mark.parametrize("damping", DAMPINGS)
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize(("shape", "general"), PATHS)
-def test_the_product_with_the_derivative_by_velocities(
-    shape: str, general: bool, law: ForceLaw, damping: dict[str, Any]
-) -> None:
-    arrays = Arrays(body(shape, law, 4, held=(1,), **damping), general=general)
-    expected = arrays.derivative(by_velocity=True, step=0.1)
-    rng = np.random.default_rng(1)
-    start, z = rng.normal(size=(2, arrays.here.size)) * 100.0
-    change = 0.7 * expected @ z
-    assert np.abs(arrays.resistance(z, 0.7, start) - start - change).max() <= 1e-7 * (
-        np.abs(change).max() + 1.0
-    )
-    # There is something to be right about wherever anything resists.
-    assert (np.abs(change).max() > 10.0) == any(
-        {"damping": 1.0, "twist": 1.0, "air": 1.0, **damping}.values()
-    )
+from tests.sim.changes import pairs, with_joints, with_masses, with_springs
 
 
 # ------------------------------------------------------------------------- the definite matrix
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize(("shape", "general"), PATHS)
-def test_the_definite_matrix_is_one(shape: str, general: bool, law: ForceLaw) -> None:
-    indefinite = 0
-    for seed in range(6):
-        arrays = Arrays(body(shape, law, seed, held=(0,) if seed % 2 else ()), general=general)
-        g = 150.0
-        free = np.isin(arrays.here, arrays.free)
-        for definite in (True, False):
-            whole = arrays.matrix_of(g * g, g, definite) - g * g * np.eye(arrays.here.size)
-            stiffness = (arrays.weight[:, None] * whole)[free][:, free]
-            size = np.abs(stiffness).max()
-            lowest = np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T))[0]
-            if definite:
-                assert np.abs(stiffness - stiffness.T).max() <= 1e-9 * size
-                assert lowest >= -1e-9 * size
-            else:
-                indefinite += bool(lowest < -1e-3 * size)
-    # The true one is not: these bodies are compressed and bent.
-    assert indefinite >= 1
-
-
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("joints", [True, False])
 @pytest.mark.parametrize("shape", SHAPES)
@@ -133,19 +30,9 @@ def test_the_definite_matrix_at_rest(shape: str, joints: bool, law: ForceLaw) ->
     scene = body(shape, law, 7, air=0.0, joints=joints)
     angles = sim.Simulation(scene).angles
     positions = np.array([mass.position for mass in scene.masses])
-    scene = REPLACE(
-        scene,
-        masses=tuple(REPLACE(mass, velocity=(0.0, 0.0)) for mass in scene.masses),
-        linear_springs=tuple(
-            REPLACE(spring, rest_length=float(np.hypot(*(positions[spring.a] - positions[spring.b]))))
-            for spring in scene.linear_springs
-        ),
-        angular_springs=tuple(
-            REPLACE(joint, rest_angle=float(angle))
-            for joint, angle in zip(scene.angular_springs, angles, strict=True)
-        ),
-    )
-    arrays = Arrays(scene)
+    lengths = [math.dist(positions[spring.a], positions[spring.b]) for spring in scene.linear_springs]
+    scene = with_springs(with_masses(scene, velocity=(0.0, 0.0)), rest_length=lengths)
+    arrays = Arrays(with_joints(scene, rest_angle=angles.tolist()))
     true, definite = (arrays.matrix_of(1e4, 100.0, d) for d in (False, True))
     size = np.abs(true).max()
     more = arrays.weight[:, None] * (definite - true)
@@ -167,14 +54,10 @@ def test_a_chain_of_any_length_is_solved_like_any_other_body(law: ForceLaw, orig
         positions = np.array(row(count)) + rng.uniform(-3.0, 3.0, (count, 2))
         positions -= positions[origin]
         scene = chain(
-            list(map(tuple, positions.tolist())),
-            stiffness=2000.0,
-            angular_stiffness=3000.0,
-            damping=20.0,
-            velocities=list(map(tuple, rng.normal(0.0, 50.0, (count, 2)).tolist())),
-            held=(count // 2,) if count > 3 else (),
-        )
-        scene = REPLACE(scene, force_law=law, air_friction=0.01)
+            pairs(positions), velocities=pairs(rng.normal(0.0, 50.0, (count, 2))), damping=20.0,
+            stiffness=2000.0, angular_stiffness=3000.0, held=(count // 2,) if count > 3 else (),
+        )  # fmt: skip
+        scene = replace(scene, force_law=law, air_friction=0.01)
         one, other = Arrays(scene), Arrays(scene, general=True)
         assert one.body.chain
         assert not other.body.chain
@@ -244,7 +127,7 @@ def test_a_forest_hangs_on_what_is_held() -> None:
     scene = body("cloth", held=(5, 10))
     lone = (Mass(position=(900.0, 0.0)), Mass(position=(950.0, 0.0)), Mass(position=(999.0, 0.0)))
     spring = LinearSpring(a=17, b=16, stiffness=1.0, rest_length=1.0)
-    scene = REPLACE(scene, masses=(*scene.masses, *lone), linear_springs=(*scene.linear_springs, spring))
+    scene = replace(scene, masses=(*scene.masses, *lone), linear_springs=(*scene.linear_springs, spring))
     arrays = Arrays(scene)
     matrix, tables = arrays.matrix, arrays.body
     joined = set(zip(tables.spring_a.tolist(), tables.spring_b.tolist(), strict=True))
@@ -264,21 +147,19 @@ def test_a_forest_hangs_on_what_is_held() -> None:
 def graphs(draw: st.DrawFn) -> Scene:
     """Any body: springs and joints as they come, also in parts that do not hang together."""
     n = draw(st.integers(1, 14))
-    pairs = [(i, j) for i in range(n) for j in range(n) if i != j]
-    edges = draw(st.lists(st.sampled_from(pairs), max_size=24, unique_by=frozenset)) if pairs else []
-    sharing = [
-        (s, t) for s in range(len(edges)) for t in range(len(edges)) if s != t and {*edges[s]} & {*edges[t]}
-    ]
-    joined = draw(st.lists(st.sampled_from(sharing), max_size=20, unique_by=frozenset)) if sharing else []
+    ways = [(i, j) for i in range(n) for j in range(n) if i != j]
+    edges = draw(st.lists(st.sampled_from(ways), max_size=24, unique_by=frozenset)) if ways else []
+    meeting = [pair[::order] for pair in sharing(edges) for order in (1, -1)]
+    joined = draw(st.lists(st.sampled_from(meeting), max_size=20, unique_by=frozenset)) if meeting else []
     held = draw(st.lists(st.integers(0, n - 1), max_size=3, unique=True))
     rng = np.random.default_rng(draw(st.integers(0, 99)))
-    spots, speeds = rng.uniform(0.0, 300.0, (n, 2)).tolist(), rng.normal(0.0, 50.0, (n, 2)).tolist()
+    spots, speeds = pairs(rng.uniform(0.0, 300.0, (n, 2))), pairs(rng.normal(0.0, 50.0, (n, 2)))
     joints = tuple(
         AngularSpring(a=a, b=b, stiffness=rng.uniform(1.0, 1e2), damping=0.5, rest_angle=30.0)
         for a, b in joined
     )
     return built(
-        [(x, y) for x, y in spots], edges, velocities=[(u, v) for u, v in speeds],
+        spots, edges, velocities=speeds,
         mass=rng.uniform(0.5, 3.0, n).tolist(), stiffness=rng.uniform(10.0, 1e3, len(edges)).tolist(),
         damping=5.0, rest_length=100.0, angular_springs=joints, held=held,
         force_law=draw(st.sampled_from(LAWS)), air_friction=0.01,

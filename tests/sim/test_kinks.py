@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from numpy.polynomial import Polynomial
 from scipy.integrate import solve_ivp
 
@@ -15,6 +15,7 @@ from sim import Integrator, Mass, Scene, Simulation
 from sim.kernels.core.tables import PAST, SPARE
 from sim.kernels.integrators import kinks
 from sim.methods.adams import adams
+from tests.sim.changes import by
 
 SLOTS = 32
 MASSES = range(1, SLOTS - SPARE)
@@ -117,7 +118,11 @@ def thrown(tolerance: float, friction: float) -> Simulation:
     integrator = Integrator(method="adams", tolerance=tolerance, dt=1.0)
     return Simulation(
         Scene(
-            name="thrown", masses=masses, gravity=(0.0, 1000.0), air_friction=friction, integrator=integrator
+            name="thrown",
+            masses=masses,
+            gravity=(0.0, 1000.0),
+            air_friction=friction,
+            integrator=integrator,
         )
     )
 
@@ -159,12 +164,10 @@ def test_a_turn_costs_no_accuracy_wherever_in_a_step_it_is(tolerance: float) -> 
 @pytest.mark.parametrize("name", ["study-w2", "study-w5"])
 def test_kinks_ask_for_hardly_more_steps(name: str) -> None:
     """A rope on a circle, and one that rolls up, under a tolerance for which each kink counts."""
-    scene = msgspec.structs.replace(
-        sim.load_scene(name), integrator=Integrator(method="adams", tolerance=1e-6, dt=1.0)
-    )
+    scene = by(sim.load_scene(name), "adams", tolerance=1e-6, dt=1.0)
     steps = []
     for friction in (0.002, 0.0):
-        simulation = Simulation(msgspec.structs.replace(scene, air_friction=friction))
+        simulation = Simulation(replace(scene, air_friction=friction))
         assert simulation.step() == 1
         steps.append(simulation.stats().steps)
     assert steps[0] < 1.35 * steps[1]

@@ -6,9 +6,9 @@ import itertools
 import math
 from collections.abc import Iterator
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from scipy.special import ellipk
 
 import sim
@@ -16,6 +16,8 @@ from sim.edit.edit import Selection
 from sim.edit.muscles import move_muscles, take_muscles
 from sim.settings import apply_assignments, scene_of_step, set_value
 from sim.store.files import built_in_folder
+from tests.sim.changes import after, with_masses
+from tests.sim.checks import known
 from tests.sim.measured import measure
 
 NAMES = sorted(path.stem for path in (built_in_folder() / "lessons").glob("*.json"))
@@ -27,11 +29,13 @@ def step_of(name: str, number: int, *more: str) -> sim.Scene:
 
 
 def is_answer(name: str, number: int, words: str) -> bool:
-    lesson = sim.load_scene(name).lesson
-    assert lesson is not None
-    question = lesson.steps[number].question
-    assert question is not None
+    question = known(known(sim.load_scene(name).lesson).steps[number].question)
     return question.choices[question.answer] == words
+
+
+def with_mass_at(scene: sim.Scene, mass: int, at: tuple[float, float]) -> sim.Scene:
+    """The scene that starts with one mass elsewhere."""
+    return with_masses(scene, position=lambda i, other: at if i == mass else other.position)
 
 
 def rest(scene: sim.Scene) -> np.ndarray:
@@ -69,13 +73,12 @@ def widest(scene: sim.Scene, seconds: float = 15.0) -> list[float]:
     return most.tolist()
 
 
-def test_there_are_twelve() -> None:
+def test_there_are_twelve_lessons() -> None:
     assert len(NAMES) == 12
 
 
-def test_hooke() -> None:
-    simulation = sim.Simulation(step_of("lesson-hooke", 0))
-    simulation.advance(8.0)
+def test_a_spring_is_stretched_by_its_load_and_a_rod_bends_less_than_in_proportion() -> None:
+    simulation = after(step_of("lesson-hooke", 0), 8.0)
     assert abs(simulation.velocities[[1, 4]]).max() < 2.0, "both come to rest while one waits"
     swing = sim.Simulation(step_of("lesson-hooke", 1))
     swings = swing.record(14.0, "mass1.y")["mass1.y"]
@@ -93,15 +96,12 @@ def test_hooke() -> None:
 
 def test_a_period_does_not_know_the_amplitude() -> None:
     for pull in (30.0, 60.0):
-        scene = step_of("lesson-hooke", 1)
-        masses = list(scene.masses)
-        masses[1] = msgspec.structs.replace(masses[1], position=(150.0, 270.0 + pull))
-        simulation = sim.Simulation(msgspec.structs.replace(scene, masses=tuple(masses)))
+        simulation = sim.Simulation(with_mass_at(step_of("lesson-hooke", 1), 1, (150.0, 270.0 + pull)))
         assert period(simulation, 1, 1, 6.0) == pytest.approx(1.405, abs=0.01)
     assert is_answer("lesson-hooke", 1, "Just as long")
 
 
-def test_cantilever() -> None:
+def test_a_cantilever_sags_by_length_stiffness_and_weight_as_the_lesson_says() -> None:
     def sags(number: int, *more: str) -> tuple[float, float]:
         at = rest(step_of("lesson-cantilever", number, *more))
         return float(at[15, 1] - at[0, 1]), float(at[45, 1] - at[16, 1])
@@ -112,7 +112,7 @@ def test_cantilever() -> None:
     assert sags(2, "gravity=10000")[1] < 9.0 * sags(2)[1]
 
 
-def test_catenary() -> None:
+def test_a_chain_hangs_in_a_catenary_whatever_its_weight_unless_it_is_soft() -> None:
     chain = 42  # masses; the others are marks on the parabola
     at = rest(step_of("lesson-catenary", 0))[:chain]
     np.testing.assert_allclose(rest(step_of("lesson-catenary", 1, "gravity=3000"))[:chain], at, atol=1.0)
@@ -134,12 +134,11 @@ def test_catenary() -> None:
             (at[:, 1].max() - 110.0) * ((px - 300.0) / 150.0) ** 2, abs=1.0
         )
     # It comes to rest while one waits.
-    simulation = sim.Simulation(step_of("lesson-catenary", 0))
-    simulation.advance(15.0)
+    simulation = after(step_of("lesson-catenary", 0), 15.0)
     assert np.abs(simulation.positions[:chain] - at).max() < 2.0
 
 
-def test_modes() -> None:
+def test_periods_of_a_string_go_by_its_mode_and_its_tension() -> None:
     def of(number: int, mass: int) -> float:
         return period(sim.Simulation(step_of("lesson-modes", number)), mass, 1, 8.0)
 
@@ -150,29 +149,26 @@ def test_modes() -> None:
     assert is_answer("lesson-modes", 1, "1.41 times as high")
 
 
-def test_resonance() -> None:
+def test_the_pendulum_in_tune_swings_widest() -> None:
     for number, best in ((0, 2), (1, 4), (2, 2)):
         most = widest(step_of("lesson-resonance", number))
         assert int(np.argmax(most)) == best
 
 
-def test_explosion() -> None:
+def test_a_step_beyond_the_stability_limit_explodes() -> None:
     limits = [sim.Simulation(step_of("lesson-explosion", number)).stability().limit for number in (0, 1)]
     assert limits[0] == pytest.approx(0.009, abs=0.0005)
     assert limits[1] / limits[0] == pytest.approx(0.5, abs=0.05)
     for number, dt, survives in ((0, 0.0025, True), (0, 0.02, False), (2, 0.02, True)):
-        simulation = sim.Simulation(step_of("lesson-explosion", number, f"dt={dt}"))
-        simulation.advance(3.0)
+        simulation = after(step_of("lesson-explosion", number, f"dt={dt}"), 3.0)
         assert (simulation.divergence is None) is survives
 
 
 def let_go(number: int, tolerance: float, higher: float = 0.0) -> np.ndarray:
     """The double pendulum of a step for 15 s, its lower mass let go so many px higher."""
     scene = step_of("lesson-chaos", number, f"tolerance={tolerance}")
-    *masses, lower = scene.masses
-    x, y = lower.position
-    masses.append(msgspec.structs.replace(lower, position=(x, y - higher)))
-    simulation = sim.Simulation(msgspec.structs.replace(scene, masses=tuple(masses)))
+    x, y = scene.masses[-1].position
+    simulation = sim.Simulation(with_mass_at(scene, len(scene.masses) - 1, (x, y - higher)))
     places = []
     for _ in range(150):
         simulation.advance(0.1)
@@ -212,15 +208,12 @@ def test_small_swings_are_not_chaotic() -> None:
     assert is_answer("lesson-chaos", 2, "No")
 
 
-def test_laws() -> None:
+def test_the_sine_law_pushes_hardest_at_a_right_angle_and_the_angle_law_at_the_largest() -> None:
     def push(number: int, degrees: float) -> float:
         """Speed of the arm's end just after it was let go at an angle."""
-        scene = step_of("lesson-laws", number)
-        t, masses = math.radians(degrees), list(scene.masses)
-        masses[2] = msgspec.structs.replace(
-            masses[2], position=(300.0 + 120.0 * math.cos(t), 300.0 + 120.0 * math.sin(t))
-        )
-        simulation = sim.Simulation(msgspec.structs.replace(scene, masses=tuple(masses)))
+        t = math.radians(degrees)
+        at = 300.0 + 120.0 * math.cos(t), 300.0 + 120.0 * math.sin(t)
+        simulation = sim.Simulation(with_mass_at(step_of("lesson-laws", number), 2, at))
         start = simulation.positions[2].copy()
         simulation.advance(0.05)
         return float(np.hypot(*(simulation.positions[2] - start)))
@@ -230,13 +223,11 @@ def test_laws() -> None:
     assert push(1, 10.0) / push(2, 10.0) == pytest.approx(1.005, abs=0.002)
 
 
-def test_backwards() -> None:
+def test_numbers_are_found_backwards_from_shape_sag_and_frequency() -> None:
     def numbers(scene: sim.Scene) -> tuple[float, float]:
         """Sag, px, and frequency, Hz."""
-        told = sim.tuning(scene)
-        assert told.sag is not None
-        assert told.elastic is not None
-        return told.sag, told.elastic.frequency
+        found = sim.tuning(scene)
+        return known(found.sag), known(found.elastic).frequency
 
     rod = step_of("lesson-backwards", 0)
     assert numbers(rod) == pytest.approx((37.0, 1.0), rel=0.01)
@@ -245,7 +236,7 @@ def test_backwards() -> None:
     springs, joints = kept.linear_springs, kept.angular_springs
     assert {spring.stiffness for spring in springs} == {2e4}
     assert {joint.stiffness for joint in joints} == {4000.0}
-    one_held = msgspec.structs.replace(kept, anchors=kept.anchors[:1])
+    one_held = replace(kept, anchors=kept.anchors[:1])
     with pytest.raises(sim.DesignError, match="nothing keeps it from turning about mass 0"):
         sim.keep_shape(one_held)
     soft = step_of("lesson-backwards", 2)
@@ -309,8 +300,7 @@ def test_a_worm_creeps_with_its_waves() -> None:
 def test_a_worm_gets_on_by_what_an_arch_hides() -> None:
     for swing, reach, hidden in ((45, 205.0, 18.0), (60, 180.0, 30.0)):
         scene = step_of("lesson-worm", 2, f"swing={swing}")
-        simulation = sim.Simulation(scene)
-        simulation.advance(2.0)
+        simulation = after(scene, 2.0)
         assert np.ptp(simulation.positions[:, 0]) == pytest.approx(reach, abs=3.0)
         assert (240.0 - reach) / 2.0 == pytest.approx(hidden, abs=0.6)
         assert creep(scene) == pytest.approx(hidden, abs=2.5)
@@ -324,8 +314,7 @@ def test_a_worm_gets_on_by_what_an_arch_hides() -> None:
 def test_a_worm_gets_nowhere_on_ice_and_needs_little_friction() -> None:
     rough = creep(step_of("lesson-worm", 0))
     assert abs(creep(step_of("lesson-worm", 4))) < 0.01
-    simulation = sim.Simulation(step_of("lesson-worm", 4))
-    simulation.advance(1.0)
+    simulation = after(step_of("lesson-worm", 4), 1.0)
     assert np.abs(simulation.velocities[:, 0]).max() > 10.0, "though its masses move"
     assert creep(step_of("lesson-worm", 5)) / rough == pytest.approx(1.05, abs=0.05)
     assert creep(step_of("lesson-worm", 5, "wall_friction=2")) < rough
@@ -371,14 +360,10 @@ def test_what_walks_better() -> None:
 
     assert thrown() < 1.0
     assert thrown("waves=1", "swing=60", "tempo=2") > 20.0
-    lesson = sim.load_scene("lesson-worm").lesson
-    assert lesson is not None
-    goal = lesson.steps[8].goal
-    assert goal is not None
+    goal = known(known(sim.load_scene("lesson-worm").lesson).steps[8].goal)
     simulation = sim.Simulation(step_of("lesson-worm", 8, "swing=70", "tempo=2"))
     reached = simulation.record(4.0, goal.quantity)[goal.quantity]
-    assert goal.low is not None
-    assert reached.max() > goal.low, "it can be done in less than 4 s"
+    assert reached.max() > known(goal.low), "it can be done in less than 4 s"
     assert reached.max() < 740.0
 
 
@@ -397,9 +382,8 @@ def test_the_table_of_the_lesson_gives_back_what_is_not_told() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_step_can_begin_after_the_last_and_what_it_shows_stays_in_view(name: str) -> None:
     scene = sim.load_scene(name)
-    assert scene.lesson is not None
     left, top, right, bottom = scene.view.frame
-    for number in range(len(scene.lesson.steps)):
+    for number in range(len(known(scene.lesson).steps)):
         scene = scene_of_step(scene, number)
         simulation = sim.Simulation(scene)
         for _ in range(40):
@@ -414,8 +398,7 @@ def test_the_lesson_says_how_much_slower_the_sine_law_swings() -> None:
     """From 10 degrees, over the angle law's 2 pi: the complete elliptic integral over pi / 2."""
     slower = ellipk(math.sin(math.radians(5.0)) ** 2) / (0.5 * math.pi) - 1.0
     assert slower == pytest.approx(0.00190719, rel=1e-5)
-    lesson = sim.load_scene("lesson-laws").lesson
-    assert lesson is not None
+    lesson = known(sim.load_scene("lesson-laws").lesson)
     (because,) = (
         step.question.because for step in lesson.steps if step.question and "from 10°" in step.question.text
     )

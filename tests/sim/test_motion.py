@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
-from sim import ArrowKeys, InputError, Integrator, Scene, Simulation
+from sim import ArrowKeys, InputError, Scene, Simulation
 from sim.scene.types import Method
 from tests.sim.builders import tutorial_preset, tutorial_rope
-
-REPLACE = msgspec.structs.replace
+from tests.sim.changes import apart, by, step_all
 
 
 def with_keys(scene: Scene, *keys: str, dt: float | None = None) -> Simulation:
@@ -26,15 +25,12 @@ def with_keys(scene: Scene, *keys: str, dt: float | None = None) -> Simulation:
 @pytest.mark.parametrize("dt", [0.0025, 0.00125, 0.0005, 0.004])
 def test_keys_act_per_simulated_time(dt: float) -> None:
     steps = round(1.0 / dt)
-    simulation = with_keys(sim.load_scene("tutorial-3.3"), "up", "right", dt=dt)
-    assert simulation.step(steps) == steps
-    # 400 intervals a second: lengths times 1.002^400 = 2.22, angles plus 40 degrees.
-    assert simulation.rest_length_scale == pytest.approx(1.002**400, rel=1e-9)
-    assert simulation.rest_angles == pytest.approx(np.full(10, 40.0), abs=1e-9)
-    simulation = with_keys(sim.load_scene("tutorial-3.3"), "down", "left", dt=dt)
-    assert simulation.step(steps) == steps
-    assert simulation.rest_length_scale == pytest.approx(1.002**-400, rel=1e-9)
-    assert simulation.rest_angles == pytest.approx(np.full(10, -40.0), abs=1e-9)
+    for keys, sign in (("up", "right"), 1), (("down", "left"), -1):
+        simulation = with_keys(sim.load_scene("tutorial-3.3"), *keys, dt=dt)
+        assert simulation.step(steps) == steps
+        # 400 intervals a second: lengths times 1.002^400 = 2.22, angles plus 40 degrees.
+        assert simulation.rest_length_scale == pytest.approx(1.002 ** (sign * 400), rel=1e-9)
+        assert simulation.rest_angles == pytest.approx(np.full(10, sign * 40.0), abs=1e-9)
 
 
 def test_keys_do_nothing_once_let_go_or_where_the_scene_has_none() -> None:
@@ -97,26 +93,24 @@ def test_the_scene_folds_the_keys_in(preset: str) -> None:
     assert again.rest_length_scale == simulation.rest_length_scale
     assert again.rest_angles == pytest.approx(simulation.rest_angles, abs=1e-9)
     # It also moves on in the same way.
-    again = Simulation(REPLACE(scene, pose=simulation.pose()))
+    again = Simulation(replace(scene, pose=simulation.pose()))
     again.keys = simulation.keys
-    simulation.step(200)
-    again.step(200)
-    assert np.abs(again.positions - simulation.positions).max() <= 1e-7
+    step_all(200, simulation, again)
+    assert apart(again, simulation) <= 1e-7
 
 
 def test_a_template_scene_that_keys_have_turned_keeps_its_stiffness() -> None:
     scene = sim.set_value(sim.load_scene("tutorial-3.2"), "template", 45)
-    simulation = with_keys(REPLACE(scene, arrow_keys=ArrowKeys()), "right")
+    simulation = with_keys(replace(scene, arrow_keys=ArrowKeys()), "right")
     simulation.step(100)
     folded = sim.validate(simulation.scene)
     assert folded.template is None
     assert folded.angular_springs[0].rest_angle == pytest.approx(55.0)
     assert folded.angular_springs[0].stiffness == pytest.approx(math.sqrt(2.0) * 10_000.0)
-    again = Simulation(REPLACE(folded, pose=simulation.pose()))
+    again = Simulation(replace(folded, pose=simulation.pose()))
     simulation.keys = ()
-    simulation.step(100)
-    again.step(100)
-    assert np.abs(again.positions - simulation.positions).max() <= 1e-7
+    step_all(100, simulation, again)
+    assert apart(again, simulation) <= 1e-7
 
 
 @pytest.mark.parametrize("rates", [{"rest_length_factor": 2.0}, {"rest_angle_step": 90.0}])
@@ -126,13 +120,8 @@ def test_the_fastest_keys_allowed_leave_a_valid_scene(
     rates: dict[str, float], keys: set[str], method: Method
 ) -> None:
     # 2500 intervals in one step, which is more than a factor or an angle can grow by in a number.
-    scene = sim.rope(
-        masses=3,
-        held=(0, 1, 2),
-        arrow_keys=ArrowKeys(**rates, interval=1e-6),
-        integrator=Integrator(method=method),
-    )
-    simulation = with_keys(scene, *keys)
+    scene = sim.rope(masses=3, held=(0, 1, 2), arrow_keys=ArrowKeys(**rates, interval=1e-6))
+    simulation = with_keys(by(scene, method), *keys)
     simulation.step(2)
     sim.validate(simulation.scene)
     assert 0.01 <= simulation.rest_length_scale <= 100.0

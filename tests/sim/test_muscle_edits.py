@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
-from dataclasses import replace
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim.edit import copying
@@ -27,6 +27,7 @@ from sim.edit.values import number, set_number, take_as_rest, values_of
 from sim.forces.muscles import swings
 from sim.scene.parts import Beat, JointMuscle, SpringMuscle, Wave
 from sim.settings import set_value, settings_of
+from tests.sim.changes import after, step_all
 
 NONE: frozenset[int] = frozenset()
 SOME = Selection(springs=frozenset({0, 2}), joints=frozenset({1}))
@@ -52,7 +53,7 @@ def test_muscles_are_given_once_with_a_beat() -> None:
     assert edit.label == "3 muscles added"
     assert edit.scene.beat == Beat()
     assert muscles_of(edit.scene, Selection(NONE, frozenset(range(4)), frozenset(range(3)))) == SOME
-    tuned = msgspec.structs.replace(edit.scene, beat=Beat(frequency=3.0))
+    tuned = replace(edit.scene, beat=Beat(frequency=3.0))
     more = give_muscles(tuned, Selection(springs=frozenset({0, 1})))
     assert more.label == "1 muscle added"  # the other one stays as it is
     assert more.scene.beat == Beat(frequency=3.0)
@@ -65,7 +66,7 @@ def test_the_last_muscle_takes_the_beat_along() -> None:
     assert fewer.label == "1 muscle removed"
     assert fewer.scene.beat
     none = take_muscles(fewer.scene, SOME).scene
-    before = msgspec.structs.replace(none, bodies=rope().bodies)
+    before = replace(none, bodies=rope().bodies)
     assert before == rope()  # to the last field
 
 
@@ -131,15 +132,14 @@ def test_numbers_of_muscles_are_those_of_the_parts_that_have_one() -> None:
 
 # ------------------------------------------------------------------------- other edits
 def test_a_mirrored_body_moves_as_a_mirror_shows_it() -> None:
-    scene = msgspec.structs.replace(worm(), anchors=(), integrator=sim.Integrator(method="rk4", dt=0.002))
+    scene = replace(worm(), anchors=(), integrator=sim.Integrator(method="rk4", dt=0.002))
     places = starts(scene)
     turned = mirror(scene, range(5), places).scene
     assert turned.angular_springs[1].muscle == JointMuscle(amplitude=-20.0)
     assert turned.linear_springs[0].muscle == SpringMuscle()
     xs = [x for x, _ in places]
     one, other = sim.Simulation(scene), sim.Simulation(turned)
-    one.step(300)
-    other.step(300)
+    step_all(300, one, other)
     seen = other.positions * (-1.0, 1.0) + (min(xs) + max(xs), 0.0)
     np.testing.assert_allclose(seen, one.positions, atol=1e-8)
     assert np.abs(one.positions - places).max() > 1.0
@@ -156,12 +156,12 @@ def test_muscles_of_joints_alone_bring_a_beat_where_they_are_pasted() -> None:
 def test_copies_keep_their_muscles_and_bring_a_beat() -> None:
     scene = worm()
     fragment = copying.decode(copying.encode(copying.copy(scene, range(5), starts(scene))))
-    still = msgspec.structs.replace(rope(), bodies=())
+    still = replace(rope(), bodies=())
     pasted = copying.paste(still, fragment, (100.0, 100.0)).scene
     assert pasted.beat == Beat()
     assert pasted.linear_springs[4].muscle == SpringMuscle()
     assert pasted.angular_springs[4].muscle == JointMuscle()
-    own = copying.paste(msgspec.structs.replace(still, beat=Beat(frequency=2.0)), fragment, (0.0, 0.0))
+    own = copying.paste(replace(still, beat=Beat(frequency=2.0)), fragment, (0.0, 0.0))
     assert own.scene.beat == Beat(frequency=2.0)
     plain = copying.copy(still, range(5), starts(still))
     assert not copying.paste(still, plain, (0.0, 0.0)).scene.beat
@@ -174,16 +174,15 @@ def test_what_is_left_of_a_cut_body_keeps_its_muscles() -> None:
 
 
 def test_what_rests_as_it_is_feels_no_force_then() -> None:
-    scene = msgspec.structs.replace(worm(), gravity=(0.0, 0.0))
-    simulation = sim.Simulation(scene)
-    simulation.advance(0.3)
+    scene = replace(worm(), gravity=(0.0, 0.0))
+    simulation = after(scene, 0.3)
     every = Selection(springs=frozenset(range(4)), joints=frozenset(range(3)))
     moment = simulation.capture()
     rests = take_as_rest(moment, every).scene
     off = simulation.angles - simulation.rest_angles
     strained = simulation.energy().linear
     assert np.abs(off).min() > 1e-3 and strained > 1.0
-    simulation.restore(replace(moment, scene=rests))
+    simulation.restore(dataclasses.replace(moment, scene=rests))
     np.testing.assert_allclose(simulation.angles, simulation.rest_angles, atol=1e-9)
     assert simulation.energy().linear < 1e-9
 
@@ -192,7 +191,7 @@ def test_what_rests_as_it_is_feels_no_force_then() -> None:
 def test_the_tempo_is_a_setting_of_scenes_with_muscles() -> None:
     assert "tempo" in {setting.key for setting in settings_of(worm())}
     assert "tempo" not in {setting.key for setting in settings_of(rope())}
-    rests = msgspec.structs.replace(rope(), beat=Beat())
+    rests = replace(rope(), beat=Beat())
     assert "tempo" not in {setting.key for setting in settings_of(rests)}
     assert set_value(worm(), "tempo", 2.5).beat == Beat(frequency=2.5)
     with pytest.raises(sim.SettingError, match=r"101 is not in the range 0\.\.100 Hz"):
@@ -207,5 +206,5 @@ def test_waves_go_on_from_where_they_are_at_another_tempo(time: float) -> None:
         other = beat.at_tempo(frequency, time)
         assert other.frequency == frequency and 0.0 <= other.phase <= 360.0
         np.testing.assert_allclose(swings(other, muscles, time), swings(beat, muscles, time), atol=1e-6)
-        scene = msgspec.structs.replace(worm(), beat=beat)
+        scene = replace(worm(), beat=beat)
         assert set_value(scene, "tempo", frequency, time).beat == other

@@ -11,6 +11,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import (
@@ -27,10 +28,10 @@ from sim.motion.stability import limit_at_start
 from sim.scene.types import ForceLaw, Method
 from tests.sim.bodies import body, with_muscles
 from tests.sim.builders import built, row
+from tests.sim.changes import after, by, step_all
 from tests.sim.inside import same_state
 from tests.sim.laws import Laws
 
-REPLACE = msgspec.structs.replace
 ADAPTIVE = [name for name, info in METHODS.items() if info.adaptive]
 
 
@@ -85,7 +86,7 @@ def test_the_balance_closes_at_the_order_of_the_method(method: Method, shape: st
     scene = with_muscles(body(shape, law, 1, held=(0,), damping=5.0, twist=0.0, air=0.0))
     left = []
     for steps in (400, 800):
-        simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=0.1 / steps)))
+        simulation = Simulation(by(scene, method, dt=0.1 / steps))
         simulation.energy()
         simulation.step(steps)
         balance = simulation.energy()
@@ -99,9 +100,7 @@ def test_the_balance_closes_at_the_order_of_the_method(method: Method, shape: st
 @pytest.mark.parametrize("method", ADAPTIVE)
 def test_the_balance_of_a_method_with_error_control_closes(method: Method) -> None:
     scene = with_muscles(body("chain", "conservative", 1, held=(0,), damping=5.0, air=0.0))
-    simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=0.01, tolerance=1e-8)))
-    simulation.energy()
-    simulation.advance(2.0)
+    simulation = after(by(scene, method, dt=0.01, tolerance=1e-8), 2.0)
     balance = simulation.energy()
     assert abs(balance.residual) < 1e-6 * abs(balance.muscles)
 
@@ -111,7 +110,7 @@ def test_the_balance_of_a_method_with_error_control_closes(method: Method) -> No
 def test_the_kernels_and_numpy_let_them_move_alike(shape: str) -> None:
     scene = with_muscles(body(shape, "conservative", 3, held=(0,)))
     reference = Laws(scene)
-    simulation = Simulation(REPLACE(scene, integrator=Integrator(method="rk4", dt=1e-3)))
+    simulation = Simulation(by(scene, "rk4", dt=1e-3))
     for _ in range(5):
         simulation.step(37)
         system, state = simulation.tables
@@ -145,7 +144,7 @@ def test_the_stability_limit_is_that_of_the_worst_moment_of_a_beat(method: Metho
 
 
 def test_a_moving_body_is_looked_at_over_a_beat_too() -> None:
-    simulation = Simulation(REPLACE(hinged(60.0), integrator=Integrator(method="rk4", dt=1e-3)))
+    simulation = Simulation(by(hinged(60.0), "rk4", dt=1e-3))
     first = simulation.stability().limit
     assert simulation.stability().limit == pytest.approx(first, rel=1e-6)
 
@@ -153,10 +152,9 @@ def test_a_moving_body_is_looked_at_over_a_beat_too() -> None:
 # ------------------------------------------------------------------------- without a beat
 def test_muscles_rest_without_a_beat() -> None:
     scene = body("cloth", "angle", 4, held=(0,))
-    resting = REPLACE(with_muscles(scene), beat=msgspec.UNSET)
+    resting = replace(with_muscles(scene), beat=msgspec.UNSET)
     one, other = Simulation(scene), Simulation(resting)
-    for simulation in (one, other):
-        simulation.step(100)
+    step_all(100, one, other)
     assert same_state(one, other)
     assert not build_system(resting).body.muscles.present
 
@@ -166,32 +164,12 @@ def test_analyses_let_muscles_rest() -> None:
     moving = with_muscles(scene)
     rest = sim.equilibrium(scene)
     assert sim.equilibrium(moving) == rest
-    one, other = (sim.vibrations(REPLACE(each, pose=rest), 4) for each in (scene, moving))
+    one, other = (sim.vibrations(replace(each, pose=rest), 4) for each in (scene, moving))
     assert np.array_equal(one.omega, other.omega)
 
 
-# ------------------------------------------------------------------------- files
-
-
-@pytest.mark.parametrize(
-    ("muscle", "message"),
-    [
-        ({"amplitude": 1.0}, "amplitude"),
-        ({"amplitude": math.nan}, "amplitude"),
-        ({"phase": 361.0}, "phase"),
-        ({"per_beat": 0}, "per_beat"),
-        ({"wave": "square"}, "wave"),
-    ],
-)
-def test_a_muscle_out_of_range_is_refused_by_one_sentence(muscle: dict, message: str) -> None:
-    scene = driven("auto")
-    spring = REPLACE(scene.linear_springs[0], muscle=SpringMuscle(**muscle))
-    with pytest.raises(sim.SceneError, match=rf"linear_springs\[0\]\.muscle\.{message}"):
-        Simulation(REPLACE(scene, linear_springs=(spring,)))
-
-
 def test_a_beat_at_the_start_is_where_its_phase_says() -> None:
-    scene = REPLACE(driven("rk4"), beat=Beat(phase=60.0))
+    scene = replace(driven("rk4"), beat=Beat(phase=60.0))
     _, state = start_of(scene, build_system(scene))
     expected = STIFFNESS * LENGTH * (1.0 + AMPLITUDE * math.sin(math.radians(60.0 + PHASE)))
     assert state.rest_tension[0] == pytest.approx(expected, rel=1e-13)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, ArrowKeys, Integrator, Scene, Simulation, Wind
@@ -18,11 +19,12 @@ from sim.motion.driving import Driver
 from sim.scene.types import Circle, ForceLaw, Method
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import body, with_muscles
+from tests.sim.changes import with_joints, with_springs
 from tests.sim.inside import run_in_steps
 from tests.sim.laws import Laws, Path
 
-REPLACE = msgspec.structs.replace
 DURATION = 0.4
+NO_DAMPING = {"damping": 0.0, "twist": 0.0}
 TO = (25.0, -15.0)
 """px, where a mass that is led goes in that time, from where it is."""
 
@@ -54,27 +56,17 @@ class Motion:
 
     def scene(self) -> Scene:
         """The body, a hundred times softer than most."""
-        scene = body(
-            self.shape,
-            self.law,
-            self.seed,
-            damping=5.0 if self.damped else 0.0,
-            twist=1.0 if self.damped else 0.0,
-            air=self.air,
-            gravity=(30.0, 100.0),
-        )
+        numbers: dict[str, Any] = {"damping": 5.0, "twist": 1.0} if self.damped else NO_DAMPING
+        scene = body(self.shape, self.law, self.seed, **numbers, air=self.air, gravity=(30.0, 100.0))
         circle = Circle(radius=10.0, frequency=1.5, ramp=0.2) if self.anchor == "circle" else None
         scene = with_muscles(scene) if self.muscles else scene
-        return REPLACE(
+        scene = with_springs(scene, stiffness=lambda _, spring: 50.0 + 0.01 * spring.stiffness)
+        # Small rest angles keep off the jump of the angle law.
+        scene = with_joints(
+            scene, stiffness=lambda _, j: 0.003 * j.stiffness, rest_angle=lambda _, j: 0.2 * j.rest_angle
+        )
+        return replace(
             scene,
-            linear_springs=tuple(
-                REPLACE(spring, stiffness=50.0 + 0.01 * spring.stiffness) for spring in scene.linear_springs
-            ),
-            angular_springs=tuple(
-                # Small rest angles keep off the jump of the angle law.
-                REPLACE(joint, stiffness=0.003 * joint.stiffness, rest_angle=0.2 * joint.rest_angle)
-                for joint in scene.angular_springs
-            ),
             anchors=(Anchor(mass=0, circle=circle),),
             wind=Wind(velocity=(500.0, 600.0), turbulence=0.1, length_scale=1000.0) if self.gusts else None,
             arrow_keys=ArrowKeys(rest_length_factor=1.3, rest_angle_step=30.0, interval=DURATION),
@@ -82,15 +74,8 @@ class Motion:
 
     def __str__(self) -> str:
         parts = [self.shape, self.law, self.anchor, *sorted(self.keys)]
-        return " ".join(
-            [
-                *parts,
-                *([] if self.damped else ["undamped"]),
-                *(["air"] if self.air else []),
-                *(["gusts"] if self.gusts else []),
-                *(["muscles"] if self.muscles else []),
-            ]
-        )
+        more = {"undamped": not self.damped, "air": self.air, "gusts": self.gusts, "muscles": self.muscles}
+        return " ".join([*parts, *(word for word, there in more.items() if there)])
 
 
 @cache
@@ -116,7 +101,7 @@ def solved(problem: Motion, method: Method, steps: int) -> np.ndarray:
     x, y = scene.masses[0].position
     target = (x + TO[0], y + TO[1])
     if not info.adaptive:
-        simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=DURATION / steps)))
+        simulation = Simulation(replace(scene, integrator=Integrator(method=method, dt=DURATION / steps)))
         simulation.keys = problem.keys
         if problem.anchor == "led":
             simulation.lead(0, target)
@@ -200,8 +185,9 @@ def test_order_of_adams() -> None:
     scene, duration, expected = controlled("undamped")
     counts, sizes = [], []
     for tolerance in (1e-2, 1e-4, 1e-6, 1e-8):
-        integrator = Integrator(method="adams", dt=duration, tolerance=tolerance)
-        simulation = Simulation(REPLACE(scene, integrator=integrator))
+        simulation = Simulation(
+            replace(scene, integrator=Integrator(method="adams", dt=duration, tolerance=tolerance))
+        )
         simulation.step()
         counts.append(simulation.stats().steps)
         sizes.append(float(np.abs(simulation.positions - expected).max()))
@@ -238,17 +224,9 @@ ADAPTIVE: tuple[Method, ...] = ("adams", "rodas4", "rodas5p", "auto")
 
 def stiff_rope(law: ForceLaw) -> Scene:
     """A rope whose springs vibrate within milliseconds, and are damped as strongly."""
-    return sim.rope(
-        masses=6,
-        stiffness=1e6,
-        damping=1000.0,
-        angular_damping=10.0,
-        rest_angle=10.0,
-        direction=(1.0, 0.3),
-        driven=None,
-        air_friction=0.0,
-        force_law=law,
-    )
+    stiff: dict[str, Any] = {"stiffness": 1e6, "damping": 1000.0, "angular_damping": 10.0}
+    shape: dict[str, Any] = {"masses": 6, "rest_angle": 10.0, "direction": (1.0, 0.3), "driven": None}
+    return sim.rope(**stiff, **shape, air_friction=0.0, force_law=law)
 
 
 @cache
@@ -269,8 +247,9 @@ def controlled(name: str) -> tuple[Scene, float, np.ndarray]:
 
 def controlled_error(name: str, method: Method, tolerance: float) -> float:
     scene, duration, expected = controlled(name)
-    integrator = Integrator(method=method, dt=duration / 10.0, tolerance=tolerance)
-    simulation = Simulation(REPLACE(scene, integrator=integrator))
+    simulation = Simulation(
+        replace(scene, integrator=Integrator(method=method, dt=duration / 10.0, tolerance=tolerance))
+    )
     assert simulation.step(10) == 10
     return float(np.abs(simulation.positions - expected).max())
 

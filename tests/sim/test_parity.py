@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable
 from functools import cache
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim.settings import TEMPLATES
@@ -172,7 +172,7 @@ def test_general_rest_angle_with_pointer_and_keys(path: Path) -> None:
 
 @pytest.mark.parametrize("preset", ["ring", "box", "hair-tuft", "flag-pole"])
 def test_other_presets_follow_the_same_equations(preset: str) -> None:
-    scene = msgspec.structs.replace(tutorial_preset(preset), wind=None)  # the tutorial's air is still
+    scene = replace(tutorial_preset(preset), wind=None)  # the tutorial's air is still
     simulation, laws, dt = sim.Simulation(scene), Laws(scene), scene.integrator.dt
     at, speed = complexes(simulation.positions), complexes(simulation.velocities)
     driven = next(a.mass for a in scene.anchors if a.driven)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, AngularSpring, ArrowKeys, Integrator, LinearSpring, Scene, Simulation
@@ -14,9 +14,8 @@ from sim.forces.all import accelerations
 from sim.scene.types import ForceLaw, Method
 from tests.sim.arrays import Arrays
 from tests.sim.builders import built, chain, row
+from tests.sim.changes import by, pairs, step_all, with_joints
 from tests.sim.inside import general, is_chain, is_ring
-
-REPLACE = msgspec.structs.replace
 
 
 def shuffled(scene: Scene, seed: int) -> tuple[Scene, list[int]]:
@@ -29,14 +28,14 @@ def shuffled(scene: Scene, seed: int) -> tuple[Scene, list[int]]:
     new_index = [masses.index(i) for i in range(len(masses))]
     springs = [scene.linear_springs[i] for i in linear]
     joints = [scene.angular_springs[i] for i in angular]
-    changed = REPLACE(
+    changed = replace(
         scene,
         bodies=(),
         pose=None,
         masses=tuple(scene.masses[i] for i in masses),
-        linear_springs=tuple(REPLACE(s, a=new_index[s.a], b=new_index[s.b]) for s in springs),
-        angular_springs=tuple(REPLACE(j, a=linear.index(j.a), b=linear.index(j.b)) for j in joints),
-        anchors=tuple(REPLACE(a, mass=new_index[a.mass]) for a in scene.anchors),
+        linear_springs=tuple(replace(s, a=new_index[s.a], b=new_index[s.b]) for s in springs),
+        angular_springs=tuple(replace(j, a=linear.index(j.a), b=linear.index(j.b)) for j in joints),
+        anchors=tuple(replace(a, mass=new_index[a.mass]) for a in scene.anchors),
     )
     return changed, new_index
 
@@ -44,18 +43,14 @@ def shuffled(scene: Scene, seed: int) -> tuple[Scene, list[int]]:
 def some_chain() -> Scene:
     """A chain each of whose joints has a stiffness and a rest angle of its own, so that a mix-up shows."""
     scene = sim.load_scene("tutorial-3.3")
-    joints = tuple(
-        REPLACE(j, stiffness=5000.0 + 900.0 * i, rest_angle=7.0 * i)
-        for i, j in enumerate(scene.angular_springs)
-    )
-    return REPLACE(scene, bodies=(), angular_springs=joints)
+    return with_joints(scene, stiffness=lambda i, _: 5000.0 + 900.0 * i, rest_angle=lambda i, _: 7.0 * i)
 
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("kind", ["chain", "ring"])
 def test_a_chain_or_ring_is_one_in_whatever_order_it_is_listed(kind: str, seed: int) -> None:
     scene = some_chain() if kind == "chain" else ring(11)
-    scene = REPLACE(scene, integrator=Integrator(method="adams", tolerance=1e-7))
+    scene = by(scene, "adams", tolerance=1e-7)
     changed, new_index = shuffled(scene, seed)
     one, other = Simulation(scene), Simulation(changed)
     assert (
@@ -63,8 +58,7 @@ def test_a_chain_or_ring_is_one_in_whatever_order_it_is_listed(kind: str, seed: 
         == (is_chain(one), is_ring(one))
         == (kind == "chain", kind == "ring")
     )
-    one.step(20)
-    other.step(20)
+    step_all(20, one, other)
     # Where it begins decides in which order numbers are added.
     assert one.positions == pytest.approx(other.positions[new_index], abs=1e-6)
     found = dict(zip(joint_masses(changed), other.angles, strict=True))
@@ -75,38 +69,32 @@ def test_a_chain_or_ring_is_one_in_whatever_order_it_is_listed(kind: str, seed: 
 
 
 def test_what_is_not_one_chain_takes_the_general_path() -> None:
-    scene = REPLACE(sim.load_scene("tutorial-3.3"), bodies=())
+    scene = replace(sim.load_scene("tutorial-3.3"), bodies=())
     springs, joints = scene.linear_springs, scene.angular_springs
-    assert is_chain(Simulation(REPLACE(scene, angular_springs=joints[:3] + joints[4:])))
-    others = [
-        REPLACE(scene, linear_springs=springs[:-1], angular_springs=joints[:-1]),  # a mass by itself
-        REPLACE(scene, linear_springs=(REPLACE(springs[0], a=1, b=0), *springs[1:])),  # against the others
-        REPLACE(scene, angular_springs=(REPLACE(joints[0], a=1, b=0), *joints[1:])),  # turned round
-        REPLACE(scene, linear_springs=(*springs[:-1], REPLACE(springs[-1], a=5))),  # a branch
-        REPLACE(scene, linear_springs=(*springs, REPLACE(springs[0], a=11, b=0))),  # a ring
-    ]
-    for other in others[:3] + others[4:]:
-        assert not is_chain(Simulation(other))
-    branch = REPLACE(others[3], angular_springs=joints[:-1])
-    assert not is_chain(Simulation(branch))
+    assert is_chain(Simulation(replace(scene, angular_springs=joints[:3] + joints[4:])))
     # A ring and a single mass have as many springs as a chain has.
     single = chain([*row(3), (50.0, 50.0)], stiffness=1.0)
-    springs = single.linear_springs
-    single = REPLACE(single, linear_springs=(*springs[:2], REPLACE(springs[2], a=2, b=0)))
-    assert not is_chain(Simulation(single))
+    ends = single.linear_springs
+    others = {
+        "a mass by itself": replace(scene, linear_springs=springs[:-1], angular_springs=joints[:-1]),
+        "a spring turned round": replace(scene, linear_springs=(replace(springs[0], a=1, b=0), *springs[1:])),
+        "a joint turned round": replace(scene, angular_springs=(replace(joints[0], a=1, b=0), *joints[1:])),
+        "a branch": replace(
+            scene, linear_springs=(*springs[:-1], replace(springs[-1], a=5)), angular_springs=joints[:-1]
+        ),
+        "a ring": replace(scene, linear_springs=(*springs, replace(springs[0], a=11, b=0))),
+        "a ring and a mass": replace(single, linear_springs=(*ends[:2], replace(ends[2], a=2, b=0))),
+    }
+    for name, other in others.items():
+        assert not is_chain(Simulation(other)), name
 
 
 @pytest.mark.parametrize("held", [(0,), (9,), (4,), (0, 6), ()])
 @pytest.mark.parametrize("method", ["generalized_alpha", "rodas4", "adams"])
 def test_a_chain_moves_like_any_other_body(method: Method, held: tuple[int, ...]) -> None:
     # Springs turn and stretch along the chain in loops of its own.
-    scene = sim.rope(
-        masses=10,
-        angular_damping=2.0,
-        force_law="conservative",
-        integrator=Integrator(method=method, dt=0.005, tolerance=1e-8),
-    )
-    scene = REPLACE(scene, bodies=(), anchors=tuple(Anchor(mass=m) for m in held))
+    scene = by(sim.rope(masses=10, angular_damping=2.0), method, dt=0.005, tolerance=1e-8)
+    scene = replace(scene, bodies=(), anchors=tuple(Anchor(mass=m) for m in held))
     one, other = Simulation(scene), general(Simulation(scene))
     assert is_chain(one)
     assert not is_chain(other)
@@ -133,15 +121,13 @@ def ring(n: int, **settings: Any) -> Scene:
     turns = 2.0 * np.pi * np.arange(n) / n
     positions = np.column_stack((np.cos(turns), np.sin(turns))) * 8.0 * n + rng.uniform(-4.0, 4.0, (n, 2))
     speeds = rng.normal(0.0, 50.0, (n, 2))
+    around = [(i, (i + 1) % n) for i in range(n)]
     joints = tuple(
-        AngularSpring(
-            a=i, b=(i + 1) % n, stiffness=float(rng.uniform(500.0, 900.0)), rest_angle=360.0 / n + i
-        )
-        for i in range(n)
+        AngularSpring(a=a, b=b, stiffness=float(rng.uniform(500.0, 900.0)), rest_angle=360.0 / n + a)
+        for a, b in around
     )
     return built(
-        [(x, y) for x, y in positions.tolist()], [(i, (i + 1) % n) for i in range(n)],
-        velocities=[(u, v) for u, v in speeds.tolist()], mass=rng.uniform(0.5, 2.0, n).tolist(),
+        pairs(positions), around, velocities=pairs(speeds), mass=rng.uniform(0.5, 2.0, n).tolist(),
         stiffness=rng.uniform(2e3, 4e3, n).tolist(), damping=5.0, rest_length=50.0, held=(1,),
         angular_springs=joints, gravity=(0.0, 300.0), air_friction=0.01,
         arrow_keys=ArrowKeys(rest_angle_step=3.0), **settings,
@@ -153,7 +139,7 @@ def ring(n: int, **settings: Any) -> Scene:
 def test_a_ring_is_accelerated_like_any_other_body(law: ForceLaw | None, count: int) -> None:
     scene = ring(count, force_law=law or "conservative")
     if law is None:
-        scene = REPLACE(scene, angular_springs=())
+        scene = replace(scene, angular_springs=())
     one, other = Arrays(scene), Arrays(scene, general=True)
     assert one.body.ring
     q, v = one.q.copy(), one.v.copy()
@@ -195,22 +181,22 @@ def joint_masses(scene: Scene) -> list[int]:
 def test_what_is_not_one_ring_takes_the_general_path() -> None:
     scene = ring(6)
     springs, joints = scene.linear_springs, scene.angular_springs
-    assert is_ring(Simulation(REPLACE(scene, angular_springs=joints[:3] + joints[4:])))
+    assert is_ring(Simulation(replace(scene, angular_springs=joints[:3] + joints[4:])))
     back = [1, 2, 0, 4, 5, 3]
     others = {
-        "two rings": REPLACE(
+        "two rings": replace(
             scene,
-            linear_springs=tuple(REPLACE(s, b=b) for s, b in zip(springs, back, strict=True)),
+            linear_springs=tuple(replace(s, b=b) for s, b in zip(springs, back, strict=True)),
             angular_springs=(joints[0], joints[1], joints[3], joints[4]),
         ),
-        "a spring against the others": REPLACE(
-            scene, linear_springs=(*springs[:-1], REPLACE(springs[-1], a=0, b=5))
+        "a spring against the others": replace(
+            scene, linear_springs=(*springs[:-1], replace(springs[-1], a=0, b=5))
         ),
-        "a joint turned round": REPLACE(scene, angular_springs=(REPLACE(joints[0], a=1, b=0), *joints[1:])),
-        "a ring with a tail": REPLACE(
-            scene, linear_springs=(*springs[:-1], REPLACE(springs[-1], b=2)), angular_springs=joints[:-1]
+        "a joint turned round": replace(scene, angular_springs=(replace(joints[0], a=1, b=0), *joints[1:])),
+        "a ring with a tail": replace(
+            scene, linear_springs=(*springs[:-1], replace(springs[-1], b=2)), angular_springs=joints[:-1]
         ),
-        "a spring across": REPLACE(
+        "a spring across": replace(
             scene, linear_springs=(*springs, LinearSpring(a=0, b=3, stiffness=1.0, rest_length=50.0))
         ),
     }

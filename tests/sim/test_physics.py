@@ -5,20 +5,19 @@ from __future__ import annotations
 from itertools import product
 from typing import get_args
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, Circle, Integrator, Scene, Simulation
-from sim.physics import Physics
 from sim.scene.types import ForceLaw, Method
 from tests.amount import NIGHT, part_of
 from tests.sim.bodies import SHAPES, body
+from tests.sim.changes import with_masses
 from tests.sim.fuzzing import with_muscles
 from tests.sim.inside import by_numpy, general
 
-REPLACE = msgspec.structs.replace
 LAWS: tuple[ForceLaw, ...] = get_args(ForceLaw)
 
 
@@ -27,10 +26,10 @@ def plain(scene: Scene) -> Simulation:
 
 
 def lively(shape: str, law: ForceLaw, method: Method, seed: int) -> Scene:
-    """A body with damping everywhere, air, an anchor that goes round and keys that do something."""
-    scene = body(shape, law, seed)
+    """A body with damping everywhere, air, loads, an anchor that goes round and keys that do something."""
+    scene = with_masses(body(shape, law, seed), force=lambda i, _: (200.0 * i, -300.0))
     circle = Circle(radius=5.0, frequency=20.0, ramp=1e-3)
-    return REPLACE(
+    return replace(
         scene,
         anchors=(sim.Anchor(mass=0, circle=circle),),
         arrow_keys=sim.ArrowKeys(),
@@ -38,12 +37,14 @@ def lively(shape: str, law: ForceLaw, method: Method, seed: int) -> Scene:
     )
 
 
-RUNS = product(["symplectic_euler", "velocity_verlet"], SHAPES, LAWS, ["own", "general"])
+RUNS = product(["symplectic_euler", "velocity_verlet"], SHAPES, LAWS, ["own", "general", "muscles"])
 
 
 @pytest.mark.parametrize(("method", "shape", "law", "path"), part_of([*RUNS], 3))
 def test_a_run_by_numpy_is_that_of_the_kernels(method: Method, shape: str, law: ForceLaw, path: str) -> None:
     scene = lively(shape, law, method, seed=3)
+    if path == "muscles":
+        scene = with_muscles(scene, np.random.default_rng(1))
     one, other = plain(scene), Simulation(scene)
     if path == "general":
         other = general(other)
@@ -64,39 +65,6 @@ def test_a_run_by_numpy_is_that_of_the_kernels(method: Method, shape: str, law: 
     assert one.positions == pytest.approx(other.positions, abs=1e-9)
     assert one.velocities == pytest.approx(other.velocities, abs=1e-6)
     assert one.rest_angles == pytest.approx(other.rest_angles, abs=1e-12)
-
-
-@pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet"])
-def test_muscles_by_numpy_are_those_of_the_kernels(method: Method) -> None:
-    scene = with_muscles(lively("tangle", "conservative", method, seed=3), np.random.default_rng(1))
-    still = REPLACE(scene, beat=msgspec.UNSET)
-    one, other, resting = plain(scene), Simulation(scene), Simulation(still)
-    for simulation in (one, other, resting):
-        simulation.step(200)
-    assert one.plain
-    assert np.abs(one.positions - resting.positions).max() > 1e-3
-    assert one.positions == pytest.approx(other.positions, abs=1e-9)
-    assert one.rest_angles == pytest.approx(other.rest_angles, abs=1e-9)
-
-
-@pytest.mark.parametrize("law", ["conservative", "angle"])
-@pytest.mark.parametrize("shape", SHAPES)
-def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) -> None:
-    simulation = Simulation(REPLACE(body(shape, law, 5), integrator=Integrator(method="symplectic_euler")))
-    system, state = simulation.tables
-    physics = Physics(system.body, state)
-    x, still = state.x + 1j * state.y, np.zeros(state.slots, complex)
-    forces = physics.forces(x, still)
-    h = 1e-5
-    for slot in range(1, len(simulation.scene.masses) + 1):
-        for direction, force in ((1.0, forces[slot].real), (1j, forces[slot].imag)):
-            ends = []
-            for step in (h, -h):
-                moved = x.copy()
-                moved[slot] += step * direction
-                ends.append(sum(physics.energies(moved).values()))
-            slope = (ends[0] - ends[1]) / (2.0 * h)
-            assert force == pytest.approx(-slope, rel=1e-6, abs=1e-4 * float(np.abs(forces).max()))
 
 
 def test_a_body_that_runs_away_from_its_fixed_step_stops_at_its_last_good_state() -> None:

@@ -7,11 +7,11 @@ import math
 import re
 from typing import Any, get_args
 
-import msgspec
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 import sim
 from sim import (
@@ -161,14 +161,12 @@ def scenes(draw: st.DrawFn) -> Scene:
     scene = Scene(**body, **draw(surroundings))
     if draw(st.integers(0, 3)) == 0:
         template = draw(st.sampled_from(TEMPLATES))
-        joints = tuple(msgspec.structs.replace(j, rest_angle=float(template)) for j in scene.angular_springs)
-        scene = msgspec.structs.replace(scene, bodies=(), angular_springs=joints, template=template)
+        joints = tuple(replace(j, rest_angle=float(template)) for j in scene.angular_springs)
+        scene = replace(scene, bodies=(), angular_springs=joints, template=template)
     if draw(st.integers(0, 3)) == 0:
         n = len(scene.masses)
         positions, velocities = (draw(st.lists(vectors, min_size=n, max_size=n)) for _ in range(2))
-        scene = msgspec.structs.replace(
-            scene, pose=Pose(positions=tuple(positions), velocities=tuple(velocities))
-        )
+        scene = replace(scene, pose=Pose(positions=tuple(positions), velocities=tuple(velocities)))
     return scene
 
 
@@ -228,7 +226,7 @@ def test_what_validates_simulates(scene: Scene, keys: set[str], steps: int) -> N
     assert simulation.stability().limit > 0.0
     # What the page would save of it can be opened again.
     validate(simulation.scene)
-    saved = msgspec.structs.replace(simulation.scene, pose=simulation.pose())
+    saved = replace(simulation.scene, pose=simulation.pose())
     if is_valid(saved):
         assert decode_scene(encode_scene(saved), "scene") == saved
 

@@ -9,12 +9,13 @@ from functools import partial
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
 from sim.body.system import joint_stiffness
 from sim.methods.registry import METHODS
-from sim.scene.surroundings import Contact, Gas, Wall
+from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Damage
 from sim.settings import (
     CHOICES,
@@ -28,10 +29,10 @@ from sim.settings import (
 )
 from tests.sim.bodies import tangle
 from tests.sim.builders import PRESETS, chain, row, star
+from tests.sim.changes import with_joints
+from tests.sim.checks import known, refusal
 from tests.sim.fuzzing import with_muscles
 from tests.sim.surrounded import OF_STRENGTH, OF_SURROUNDINGS, with_everything
-
-REPLACE = msgspec.structs.replace
 
 DYNAMIC = {
     "linear_stiffness", "linear_damping", "angular_stiffness", "angular_damping", "rest_length_scale",
@@ -71,14 +72,10 @@ def test_only_methods_with_error_control_have_a_tolerance() -> None:
 
 
 def test_a_setting_without_use_is_refused() -> None:
+    scene, said = load_scene("tutorial-3.1"), "the scene 'tutorial-3.1' has no"
     for key in SETTINGS:
-        said = (
-            "the method symplectic_euler has a fixed"
-            if key == "tolerance"
-            else "the scene 'tutorial-3.1' has no"
-        )
-        with pytest.raises(SettingError, match=f"{key}: {said}"):
-            set_value(load_scene("tutorial-3.1"), key, 1.0)
+        why = "the method symplectic_euler has a fixed" if key == "tolerance" else said
+        assert f"{key}: {why}" in refusal(SettingError, set_value, scene, key, 1.0)
 
 
 # ------------------------------------------------------------------------- reading back
@@ -139,26 +136,14 @@ def test_values_out_of_range_are_refused(setting: Setting) -> None:
         scene = with_muscles(scene, np.random.default_rng(0))
     assert setting.key in keys_of(scene)
     for value in (math.nan, math.inf, -math.inf, setting.low - 1.0, setting.high * 1.01 + 1.0):
-        with pytest.raises(SettingError, match=f"^{setting.key}: ") as caught:
-            set_value(scene, setting.key, value)
-        assert "\n" not in str(caught.value)
-
-
-def test_whole_numbers_and_templates() -> None:
-    scene = load_scene("tutorial-3.2")
-    with pytest.raises(SettingError, match=r"masses: 4\.5 is not a whole number"):
-        set_value(scene, "masses", 4.5)
-    with pytest.raises(SettingError, match="template: 30 is not one of 180, 135"):
-        set_value(scene, "template", 30)
-    with pytest.raises(SettingError, match="colour: there is no such setting; there are linear_stiffness"):
-        set_value(scene, "colour", 1.0)
+        assert refusal(SettingError, set_value, scene, setting.key, value).startswith(f"{setting.key}: ")
 
 
 # ------------------------------------------------------------------------- choices
 def test_a_choice_is_made_and_read_back() -> None:
     contact = Contact(distance=12.0, stiffness=4000.0)
     wall = Wall(point=(0.0, 900.0), normal=(0.0, -1.0))
-    scene = REPLACE(load_scene("ring"), contact=contact, walls=(wall,))
+    scene = replace(load_scene("ring"), contact=contact, walls=(wall,))
     for key, choice in CHOICES.items():
         assert choice.read(scene) in choice.options
         for value in choice.options:
@@ -169,10 +154,10 @@ def test_a_choice_is_made_and_read_back() -> None:
             # Nothing else is touched.
             assert set_choice(changed, key, choice.read(scene)) == scene
     assert set_choice(scene, "force_law", "angle").force_law == "angle"
-    assert set_choice(scene, "method", "rk4").integrator == REPLACE(scene.integrator, method="rk4")
+    assert set_choice(scene, "method", "rk4").integrator == replace(scene.integrator, method="rk4")
     constant = set_choice(scene, "restitution", "constant")
-    assert constant.walls == (REPLACE(wall, restitution="constant"),)
-    assert constant.contact == REPLACE(contact, restitution="constant")
+    assert constant.walls == (replace(wall, restitution="constant"),)
+    assert constant.contact == replace(contact, restitution="constant")
 
 
 def test_what_is_touched_has_choices_of_its_own() -> None:
@@ -182,43 +167,45 @@ def test_what_is_touched_has_choices_of_its_own() -> None:
         assert not CHOICES[key].applies(ring)
 
 
-def test_wrong_choices_are_refused() -> None:
-    for key, value, sentence in (
-        ("law", "angle", "law: there is no such choice; there are force_law, restitution, grip, method"),
-        ("force_law", "cosine", "force_law: 'cosine' is not one of tutorial, conservative, angle"),
-        ("method", "leapfrog", "method: 'leapfrog' is not one of auto, symplectic_euler"),
-        ("method", "", "method: '' is not one of"),
-    ):
-        with pytest.raises(SettingError, match=sentence) as caught:
-            set_choice(load_scene("ring"), key, value)
-        assert "\n" not in str(caught.value)
-    with pytest.raises(SettingError, match="force_law: the scene 'chain' has no use for it"):
-        set_choice(chain(row(3), stiffness=1.0), "force_law", "angle")
-    with pytest.raises(SettingError, match=r"method: the scene 'tutorial-3\.1' has no use for it"):
-        set_choice(load_scene("tutorial-3.1"), "method", "rk4")
-
-
 # ------------------------------------------------------------------------- scenes of unequal springs
 def joint_damped(scene: Scene) -> Scene:
     """The scene with a different angular damping at every joint."""
-    joints = tuple(REPLACE(joint, damping=0.5 + 0.1 * j) for j, joint in enumerate(scene.angular_springs))
-    return REPLACE(scene, angular_springs=joints)
+    return with_joints(scene, damping=lambda j, _: 0.5 + 0.1 * j)
 
 
-def test_different_stiffnesses_keep_their_proportion() -> None:
-    for scene in (joint_damped(star(5)), joint_damped(tangle(4))):
-        for key, field, springs in (
-            ("linear_stiffness", "stiffness", "linear_springs"),
-            ("linear_damping", "damping", "linear_springs"),
-            ("angular_stiffness", "stiffness", "angular_springs"),
-            ("angular_damping", "damping", "angular_springs"),
-        ):
-            before = [getattr(s, field) for s in getattr(scene, springs)]
-            assert SETTINGS[key].read(scene) == max(before)
-            after = [getattr(s, field) for s in getattr(set_value(scene, key, 77.0), springs)]
-            assert max(after) == 77.0
-            assert after == pytest.approx([77.0 * value / max(before) for value in before])
-            assert len(set(after)) > 1
+OF_PARTS = [
+    ("linear_stiffness", "linear_springs", "stiffness"),
+    ("linear_damping", "linear_springs", "damping"),
+    ("angular_stiffness", "angular_springs", "stiffness"),
+    ("angular_damping", "angular_springs", "damping"),
+    ("rest_angle", "angular_springs", "rest_angle"),
+    ("strength", "linear_springs", "strength"),
+    ("yield_force", "linear_springs", "yield_force"),
+    ("wall_friction", "walls", "friction"),
+    ("bounciness", "walls", "bounciness"),
+    ("gas_pressure", "fillings", "pressure"),
+    ("liquid_stiffness", "fillings", "bulk_modulus"),
+]
+"""Settings of numbers that many parts have: key, parts and field."""
+
+
+@pytest.mark.parametrize("kind", ["star", "tangle", "recipes", "everything around"])
+def test_unequal_numbers_keep_their_proportion(kind: str) -> None:
+    makers = {"star": lambda: joint_damped(star(5)), "tangle": lambda: joint_damped(tangle(4))}
+    scene = {**makers, "recipes": several, "everything around": with_everything}[kind]()
+    unequal = 0
+    for key, parts, field in OF_PARTS:
+        before = [getattr(part, field, None) for part in getattr(scene, parts)]
+        largest = max((number for number in before if number is not None), default=0.0)
+        if key == "rest_angle" or not largest:
+            continue
+        assert SETTINGS[key].read(scene) == largest
+        changed = set_value(scene, key, 0.77 * largest)
+        after = [getattr(part, field, None) for part in getattr(changed, parts)]
+        assert after == [number if number is None else pytest.approx(0.77 * number) for number in before]
+        assert max(number for number in after if number is not None) == 0.77 * largest
+        unequal += len({number for number in after if number is not None}) > 1
+    assert unequal >= 2
 
 
 def test_springs_without_any_damping_all_get_the_same() -> None:
@@ -236,22 +223,18 @@ def test_rest_angle_turns_every_joint_by_as_much() -> None:
     assert after[0] == before[0] + 170.0
 
 
-def test_gravity_keeps_its_direction_and_is_down_the_screen_otherwise() -> None:
-    slanted = REPLACE(star(3), gravity=(30.0, 40.0))
+def test_gravity_keeps_its_direction_is_down_the_screen_otherwise_and_may_point_up() -> None:
+    slanted = replace(star(3), gravity=(30.0, 40.0))
     assert SETTINGS["gravity"].read(slanted) == 50.0
     assert set_value(slanted, "gravity", 5.0).gravity == pytest.approx((3.0, 4.0))
     assert set_value(star(3), "gravity", 5.0).gravity == (0.0, 5.0)
-    upwards = REPLACE(star(3), view=sim.View(y_down=False))
+    upwards = replace(star(3), view=sim.View(y_down=False))
     assert set_value(upwards, "gravity", 5.0).gravity == (0.0, -5.0)
-    assert SETTINGS["gravity"].read(set_value(upwards, "gravity", 5.0)) == 5.0
-
-
-def test_gravity_may_point_up_in_any_scene() -> None:
-    slanted = REPLACE(star(3), gravity=(30.0, 40.0))
-    for scene in (star(3), slanted):
-        changed = set_value(scene, "gravity", -5.0)
-        assert SETTINGS["gravity"].read(changed) == -5.0
-        assert set_value(changed, "gravity", -5.0) == changed
+    for scene in (star(3), slanted, upwards):
+        for strength in (5.0, -5.0):
+            changed = set_value(scene, "gravity", strength)
+            assert SETTINGS["gravity"].read(changed) == strength
+            assert set_value(changed, "gravity", strength) == changed
 
 
 # ------------------------------------------------------------------------- recipes and templates
@@ -273,44 +256,36 @@ def test_numbers_of_several_bodies_have_the_place_of_their_body() -> None:
     assert label == "FlagPole 2: Length of the flag"
     # Links refer to masses by index, so without them only may the number of masses change.
     assert "bodies[0].masses" not in keys
-    scene = REPLACE(scene, links=(), masses=())
+    scene = replace(scene, links=(), masses=())
     changed = apply_assignments(scene, ["bodies[1].length=50", "bodies[0].masses=4"])
     assert changed.bodies == (sim.Rod(masses=4), sim.FlagPole(driven=None, length=50.0), sim.Girder())
     assert len(changed.masses) == len(scene.masses) - 6
     for key in ("bodies[3].length", "bodies[0].sides", "length"):
-        with pytest.raises(SettingError, match="there is no such setting; there are linear_stiffness"):
-            set_value(scene, key, 3.0)
+        assert "there is no such setting; there are" in refusal(SettingError, set_value, scene, key, 3.0)
 
 
 def test_what_stays_of_a_panel_is_the_same_setting() -> None:
     # The page keeps a slider as long as its setting is equal to that before.
     scene = several()
     assert settings_of(scene) == settings_of(set_value(scene, "bodies[0].length", 99.0))
-    assert settings_of(scene) != settings_of(REPLACE(scene, bodies=scene.bodies[:1], masses=(), links=()))
+    assert settings_of(scene) != settings_of(replace(scene, bodies=scene.bodies[:1], masses=(), links=()))
 
 
-def test_all_springs_of_all_recipes_keep_their_proportion() -> None:
+def test_links_of_recipes_go_to_no_stiffness_and_back_with_the_others() -> None:
     scene = several()
-    for key, springs in (("linear_stiffness", "linear_springs"), ("angular_stiffness", "angular_springs")):
-        before = [spring.stiffness for spring in getattr(scene, springs)]
-        changed = set_value(scene, key, 77.0)
-        after = [spring.stiffness for spring in getattr(changed, springs)]
-        assert max(after) == 77.0
-        assert after == pytest.approx([77.0 * value / max(before) for value in before])
-        assert len(set(after)) > 2
     assert set_value(scene, "linear_stiffness", 0.0).links[0].stiffness == 0.0
     again = set_value(set_value(scene, "linear_stiffness", 0.0), "linear_stiffness", 5.0)
     assert max(spring.stiffness for spring in again.linear_springs) == 5.0
 
 
 def test_keys_bend_recipes() -> None:
-    scene = REPLACE(several(), arrow_keys=ArrowKeys())
+    scene = replace(several(), arrow_keys=ArrowKeys())
     turned = validate(shift_rest_angles(scene, 100.0))
     assert [getattr(body, "bend", None) for body in turned.bodies] == [100.0, 100.0, None]
-    assert shift_rest_angles(turned, 100.0).bodies[0] == REPLACE(sim.Rod(), bend=-160.0)
+    assert shift_rest_angles(turned, 100.0).bodies[0] == replace(sim.Rod(), bend=-160.0)
 
 
-def test_masses_rebuild_the_rope() -> None:
+def test_another_number_of_masses_builds_the_rope_again() -> None:
     scene = set_value(load_scene("tutorial-3.3"), "masses", 21)
     assert (len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)) == (21, 20, 19)
     assert {s.rest_length for s in scene.linear_springs} == {15.0}
@@ -325,42 +300,36 @@ def test_masses_rebuild_the_rope() -> None:
 def test_masses_drop_a_pose_that_no_longer_fits() -> None:
     simulation = Simulation(load_scene("tutorial-3.3"))
     simulation.step(5)
-    scene = REPLACE(simulation.scene, pose=simulation.pose())
+    scene = replace(simulation.scene, pose=simulation.pose())
     assert set_value(scene, "masses", 12).pose == scene.pose
     assert set_value(scene, "masses", 9).pose is None
     assert set_value(scene, "angular_stiffness", 9.0).pose == scene.pose
 
 
+@pytest.mark.parametrize("as_recipe", [True, False])
 @pytest.mark.parametrize("template", TEMPLATES)
-def test_a_template_sets_the_angle_and_its_stiffness(template: int) -> None:
-    scene = set_value(load_scene("tutorial-3.2"), "template", template)
+def test_a_template_sets_angle_and_stiffness_and_a_turn_keeps_its_strength(
+    template: int, as_recipe: bool
+) -> None:
+    scene = load_scene("tutorial-3.2")
+    scene = set_value(scene if as_recipe else replace(scene, bodies=()), "template", template)
     assert scene.template == template
     assert {j.rest_angle for j in scene.angular_springs} == {float(template)}
     assert {j.stiffness for j in scene.angular_springs} == {10_000.0}
     factor = math.sqrt(2.0) if template in (135, 45, -45, -135) else 1.0
     assert joint_stiffness(scene) == [pytest.approx(factor * 10_000.0)] * 6
-    plain = REPLACE(scene, bodies=())
-    assert set_value(plain, "template", 45).angular_springs[2].rest_angle == 45.0
-
-
-@pytest.mark.parametrize("as_recipe", [True, False])
-@pytest.mark.parametrize("template", TEMPLATES)
-def test_turning_a_template_scene_keeps_its_strength(template: int, as_recipe: bool) -> None:
-    scene = set_value(load_scene("tutorial-3.2"), "template", template)
-    scene = scene if as_recipe else REPLACE(scene, bodies=())
     turned = validate(shift_rest_angles(scene, 30.0))
     assert turned.template is None
-    assert joint_stiffness(turned) == pytest.approx(joint_stiffness(scene))
     expected = template + 30.0 - (360.0 if template + 30.0 > 180.0 else 0.0)
     assert {j.rest_angle for j in turned.angular_springs} == {expected}
     assert bool(turned.bodies) == as_recipe
-    again = set_value(scene, "rest_angle", expected)
-    assert joint_stiffness(again) == pytest.approx(joint_stiffness(scene))
+    for each in (turned, set_value(scene, "rest_angle", expected)):
+        assert joint_stiffness(each) == pytest.approx(joint_stiffness(scene))
 
 
 @pytest.mark.parametrize("degrees", [-360.0, -180.0, -0.1, 0.1, 180.0, 359.0, 360.0])
 def test_turned_angles_stay_in_range(degrees: float) -> None:
-    scene = REPLACE(star(5), arrow_keys=ArrowKeys())
+    scene = replace(star(5), arrow_keys=ArrowKeys())
     turned = validate(shift_rest_angles(scene, degrees))
     for old, new in zip(scene.angular_springs, turned.angular_springs, strict=True):
         assert -180.0 < new.rest_angle <= 180.0
@@ -382,27 +351,34 @@ def test_assignments_are_applied_in_order() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "sentence"),
+    ("preset", "text", "sentence"),
     [
-        ("gravity", "KEY=VALUE"),
-        ("gravity=", "KEY=VALUE"),
-        ("gravity=much", "KEY=VALUE"),
-        ("gravity=nan", "KEY=VALUE"),
-        ("gravity=inf", "KEY=VALUE"),
-        ("=5", "there is no such setting"),
-        ("weight=5", "weight: there is no such setting"),
-        ("template=90", "template: the scene 'tutorial-3.3' has no use for it"),
-        ("dt=2", r"dt: 2 is not in the range 1e-06\.\.1 s"),
-        ("masses=2.5", "masses: 2.5 is not a whole number"),
-        ("method=leapfrog", "method: 'leapfrog' is not one of"),
-        ("force_law=", "force_law: '' is not one of"),
-        ("tolerance=1", "tolerance: the method symplectic_euler has a fixed step, so it takes no tolerance"),
+        *(("tutorial-3.3", text, "KEY=VALUE") for text in
+          ("gravity", "gravity=", "gravity=much", "gravity=nan", "gravity=inf")),
+        ("tutorial-3.3", "=5", "there is no such setting"),
+        ("tutorial-3.3", "weight=5", "weight: there is no such setting; there are linear_stiffness"),
+        ("tutorial-3.3", "template=90", "template: the scene 'tutorial-3.3' has no use for it"),
+        ("tutorial-3.2", "template=30", "template: 30 is not one of 180, 135"),
+        ("tutorial-3.3", "dt=2", "dt: 2 is not in the range 1e-06..1 s"),
+        ("tutorial-3.3", "masses=2.5", "masses: 2.5 is not a whole number"),
+        ("tutorial-3.3", "method=leapfrog", "method: 'leapfrog' is not one of auto, symplectic_euler"),
+        ("tutorial-3.3", "method=", "method: '' is not one of"),
+        ("tutorial-3.3", "force_law=", "force_law: '' is not one of tutorial, conservative, angle"),
+        ("tutorial-3.3", "tolerance=1",
+         "tolerance: the method symplectic_euler has a fixed step, so it takes no tolerance"),
+        ("tutorial-3.1", "method=rk4", "method: the scene 'tutorial-3.1' has no use for it"),
+        ("pendulum", "force_law=angle", "force_law: the scene 'pendulum' has no use for it"),
     ],
-)
-def test_wrong_assignments_are_refused(text: str, sentence: str) -> None:
-    with pytest.raises(SettingError, match=sentence) as caught:
-        apply_assignments(load_scene("tutorial-3.3"), ["dt=0.001", text])
-    assert "\n" not in str(caught.value)
+)  # fmt: skip
+def test_wrong_assignments_are_refused(preset: str, text: str, sentence: str) -> None:
+    assert sentence in refusal(SettingError, apply_assignments, load_scene(preset), [text])
+
+
+def test_a_choice_and_a_number_are_not_taken_for_each_other() -> None:
+    scene = load_scene("rope")
+    assert "method: this takes a name: auto, " in refusal(SettingError, set_value, scene, "method", 1.0)
+    there = "law: there is no such choice; there are force_law, restitution, grip, method"
+    assert refusal(SettingError, set_choice, scene, "law", "angle") == there
 
 
 def test_a_preset_s_description_names_only_sliders_that_it_has() -> None:
@@ -417,22 +393,7 @@ def test_a_preset_s_description_names_only_sliders_that_it_has() -> None:
     assert all(label in labels[preset] for preset, label in named), named
 
 
-@pytest.mark.parametrize(
-    ("key", "parts", "field"),
-    [
-        ("linear_stiffness", "linear_springs", "stiffness"),
-        ("linear_damping", "linear_springs", "damping"),
-        ("angular_stiffness", "angular_springs", "stiffness"),
-        ("angular_damping", "angular_springs", "damping"),
-        ("rest_angle", "angular_springs", "rest_angle"),
-        ("strength", "linear_springs", "strength"),
-        ("yield_force", "linear_springs", "yield_force"),
-        ("wall_friction", "walls", "friction"),
-        ("bounciness", "walls", "bounciness"),
-        ("gas_pressure", "fillings", "pressure"),
-        ("liquid_stiffness", "fillings", "bulk_modulus"),
-    ],
-)
+@pytest.mark.parametrize(("key", "parts", "field"), OF_PARTS)
 def test_a_setting_knows_whether_its_parts_differ(key: str, parts: str, field: str) -> None:
     scene, setting = with_everything(), SETTINGS[key]
     every = getattr(scene, parts)
@@ -441,15 +402,15 @@ def test_a_setting_knows_whether_its_parts_differ(key: str, parts: str, field: s
     two = [*has, *has][: max(2, len(has))]
 
     def valued(*values: float) -> Scene:
-        changed = [REPLACE(every[i], **{field: value}) for i, value in zip(two, values, strict=False)]
-        return REPLACE(scene, **{parts: tuple(changed)})
+        changed = [replace(every[i], **{field: value}) for i, value in zip(two, values, strict=False)]
+        return replace(scene, **{parts: tuple(changed)})
 
     same = valued(*[0.5] * len(two))
     assert not setting.differs(same)
     assert setting.differs(valued(0.5, *[0.25] * (len(two) - 1)))
     # Rounding is no difference, and nothing at all has none.
     assert not setting.differs(valued(0.5, *[math.nextafter(0.5, 1.0)] * (len(two) - 1)))
-    assert not setting.differs(REPLACE(scene, **{parts: ()}))
+    assert not setting.differs(replace(scene, **{parts: ()}))
 
 
 def test_what_a_scene_has_but_once_never_differs() -> None:
@@ -463,7 +424,7 @@ def test_what_surrounds_a_body_and_what_breaks_has_settings_only_where_it_is() -
     whole = with_everything()
     assert keys_of(whole) - keys_of(tangle(4)) == OF_SURROUNDINGS | OF_STRENGTH
     absent = {"wind": None, "medium": msgspec.UNSET, "ground": msgspec.UNSET, "walls": (), "contact": None}
-    gone = {part: keys_of(whole) - keys_of(REPLACE(whole, **{part: no})) for part, no in absent.items()}
+    gone = {part: keys_of(whole) - keys_of(replace(whole, **{part: no})) for part, no in absent.items()}
     assert gone == {
         "wind": {"wind_speed", "wind_direction", "turbulence"},
         "medium": {"drag_across", "drag_along"},
@@ -471,36 +432,21 @@ def test_what_surrounds_a_body_and_what_breaks_has_settings_only_where_it_is() -
         "walls": {"wall_friction", "bounciness"},
         "contact": {"contact_distance", "contact_stiffness", "contact_friction"},
     }
-    assert keys_of(whole) - keys_of(REPLACE(whole, fillings=whole.fillings[:2])) == {"liquid_stiffness"}
-    assert keys_of(whole) - keys_of(REPLACE(whole, fillings=whole.fillings[2:])) == {"gas_pressure"}
-
-
-def test_proportions_of_walls_fillings_and_strengths_are_kept() -> None:
-    scene = with_everything()
-    assert [w.friction for w in set_value(scene, "wall_friction", 0.8).walls] == pytest.approx([0.8, 0.4])
-    fillings = set_value(scene, "gas_pressure", 5.0).fillings
-    assert [f.pressure for f in fillings if isinstance(f, Gas)] == pytest.approx([5.0, 2.0])
-    assert fillings[2] == scene.fillings[2]
-    springs = set_value(scene, "strength", 1600.0).linear_springs
-    assert [s.strength for s in springs[:3]] == [1600.0, 800.0, None]
-    assert springs[2].yield_force == 300.0
+    assert keys_of(whole) - keys_of(replace(whole, fillings=whole.fillings[:2])) == {"liquid_stiffness"}
+    assert keys_of(whole) - keys_of(replace(whole, fillings=whole.fillings[2:])) == {"gas_pressure"}
 
 
 def test_wind_keeps_its_direction_in_a_calm() -> None:
     calm = set_value(with_everything(), "wind_speed", 0.0)
-    assert calm.wind is not None
-    assert math.hypot(*calm.wind.velocity) < 1e-6
-    again = set_value(calm, "wind_speed", 500.0).wind
-    assert again is not None
-    assert again.velocity == pytest.approx((300.0, -400.0))
+    assert math.hypot(*known(calm.wind).velocity) < 1e-6
+    assert known(set_value(calm, "wind_speed", 500.0).wind).velocity == pytest.approx((300.0, -400.0))
 
 
 @pytest.mark.parametrize("y_down", [True, False])
 def test_wind_of_ninety_degrees_blows_up_the_screen(y_down: bool) -> None:
     scene = with_everything()
-    scene = REPLACE(scene, view=REPLACE(scene.view, y_down=y_down))
-    wind = set_value(scene, "wind_direction", 90.0).wind
-    assert wind is not None
+    scene = replace(scene, view=replace(scene.view, y_down=y_down))
+    wind = known(set_value(scene, "wind_direction", 90.0).wind)
     assert wind.velocity == pytest.approx((0.0, -500.0 if y_down else 500.0))
 
 
@@ -510,23 +456,11 @@ def test_a_change_of_the_surroundings_lets_the_motion_go_on() -> None:
     simulation = Simulation(scene)
     simulation.step(40)
     moment = simulation.capture()
-    worn = REPLACE(scene, pose=REPLACE(simulation.pose(), damage=Damage(broken=(1,))))
+    worn = replace(scene, pose=replace(simulation.pose(), damage=Damage(broken=(1,))))
     simulation = Simulation(worn)
-    for key, value in (
-        ("wall_friction", 0.1),
-        ("wind_speed", 900.0),
-        ("gas_pressure", 10.0),
-        ("contact_distance", 7.0),
-        ("strength", 9e3),
-    ):
+    others = {"wind_speed": 900.0, "gas_pressure": 10.0, "contact_distance": 7.0, "strength": 9e3}
+    for key, value in {"wall_friction": 0.1, **others}.items():
         simulation.replace(set_value(simulation.scene, key, value))
-        damage = simulation.damage
-        assert damage is not None
-        assert damage.broken == (1,)
+        assert known(simulation.damage).broken == (1,)
         assert (simulation.positions == moment.positions).all()
         assert (simulation.velocities == moment.velocities).all()
-
-
-def test_a_choice_is_not_a_number() -> None:
-    with pytest.raises(SettingError, match="method: this takes a name: auto, "):
-        set_value(sim.load_scene("rope"), "method", 1.0)

@@ -8,17 +8,15 @@ import subprocess
 import sys
 from pathlib import Path
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Anchor, InputError, Simulation
 from tests.sim.builders import askew, chain, row, undisturbed
+from tests.sim.changes import step_all
 from tests.sim.inside import same_state
-
-REPLACE = msgspec.structs.replace
-
 
 # ------------------------------------------------------------------------- stepping
 TRAJECTORY = """
@@ -108,10 +106,9 @@ def test_positions_and_velocities_are_copies(rope: Simulation) -> None:
 
 def test_a_pose_carries_the_state_to_another_simulation(rope: Simulation) -> None:
     rope.step(100)
-    other = Simulation(REPLACE(rope.scene, pose=rope.pose()))
+    other = Simulation(replace(rope.scene, pose=rope.pose()))
     assert same_state(rope, other)
-    rope.step(50)
-    other.step(50)
+    step_all(50, rope, other)
     assert same_state(rope, other)
 
 
@@ -152,7 +149,7 @@ def test_replace_goes_on_where_the_topology_is_the_same(rope: Simulation) -> Non
 
 def test_replace_takes_hold_of_new_anchors(rope: Simulation) -> None:
     rope.step(50)
-    scene = REPLACE(rope.scene, bodies=(), anchors=(Anchor(mass=11),))
+    scene = replace(rope.scene, bodies=(), anchors=(Anchor(mass=11),))
     rope.replace(scene)
     assert not rope.velocities[11].any()
     before = rope.positions
@@ -165,8 +162,8 @@ def test_replace_takes_hold_of_new_anchors(rope: Simulation) -> None:
 def test_replace_restarts_where_springs_join_something_else(rope: Simulation, part: str) -> None:
     rope.step(100)
     first, *others = getattr(rope.scene, part)
-    turned = (REPLACE(first, a=first.b, b=first.a), *others)
-    scene = REPLACE(rope.scene, bodies=(), **{part: turned})
+    turned = (replace(first, a=first.b, b=first.a), *others)
+    scene = replace(rope.scene, bodies=(), **{part: turned})
     rope.replace(scene)
     assert rope.step_count == 0
     assert same_state(rope, Simulation(scene))
@@ -175,13 +172,12 @@ def test_replace_restarts_where_springs_join_something_else(rope: Simulation, pa
 def test_replace_restarts_where_the_topology_is_another(rope: Simulation) -> None:
     rope.grab(4)
     rope.step(100)
-    scene = REPLACE(sim.set_value(rope.scene, "masses", 9), pose=None)
+    scene = replace(sim.set_value(rope.scene, "masses", 9), pose=None)
     rope.replace(scene)
     fresh = Simulation(scene)
     assert (rope.time, rope.step_count) == (0.0, 0)
     assert same_state(rope, fresh)
-    rope.step(30)
-    fresh.step(30)
+    step_all(30, rope, fresh)
     assert same_state(rope, fresh)
 
 
@@ -190,7 +186,6 @@ def test_replace_with_an_invalid_scene_changes_nothing(rope: Simulation) -> None
     other = Simulation(askew())
     other.step(10)
     with pytest.raises(sim.SceneError, match="air_friction"):
-        rope.replace(REPLACE(rope.scene, air_friction=-1.0))
-    rope.step(10)
-    other.step(10)
+        rope.replace(replace(rope.scene, air_friction=-1.0))
+    step_all(10, rope, other)
     assert same_state(rope, other)

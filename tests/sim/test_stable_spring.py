@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import itertools
+from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Scene, Simulation
 from sim.scene.types import ForceLaw
 from tests.amount import part_of
 from tests.sim.builders import chain, euler, row
+from tests.sim.changes import pairs, step_all, with_joints, with_masses, with_springs
 from tests.sim.inside import same_state, system_of
 
-REPLACE = msgspec.structs.replace
 SHAPES = ("tutorial-3.3", "ring", "box")
 STIFFNESSES = (1e2, 1e4, 1e6, 1e9, 1e15)
 STEPS = (1e-4, 1e-3, 1e-2, 0.1, 1.0)
@@ -50,29 +51,13 @@ def shaken(
     scene = sim.load_scene(preset)
     rng = np.random.default_rng(1)
     size = 0.1 * float(np.median([spring.rest_length for spring in scene.linear_springs]))
-    off = rng.uniform(-size, size, (len(scene.masses), 2)).tolist()
-    return REPLACE(
-        scene,
-        bodies=(),
-        masses=tuple(
-            REPLACE(
-                mass,
-                mass=1.0 if i % 2 else ratio,
-                position=(mass.position[0] + off[i][0], mass.position[1] + off[i][1]),
-            )
-            for i, mass in enumerate(scene.masses)
-        ),
-        linear_springs=tuple(
-            REPLACE(spring, stiffness=stiffness, damping=damping) for spring in scene.linear_springs
-        ),
-        angular_springs=tuple(
-            REPLACE(joint, stiffness=stiffness, damping=twist) for joint in scene.angular_springs
-        ),
-        force_law=law,
-        gravity=(0.0, gravity),
-        air_friction=air,
-        integrator=stable(dt),
-    )
+    off = rng.uniform(-size, size, (len(scene.masses), 2))
+    places = list(pairs(off + [mass.position for mass in scene.masses]))
+    scene = with_masses(scene, mass=lambda i, _: 1.0 if i % 2 else ratio, position=places)
+    scene = with_springs(scene, stiffness=stiffness, damping=damping)
+    scene = with_joints(scene, stiffness=stiffness, damping=twist)
+    fields: dict[str, Any] = {"gravity": (0.0, gravity), "air_friction": air, "integrator": stable(dt)}
+    return replace(scene, force_law=law, **fields)
 
 
 def wandered(scene: Scene) -> float:
@@ -113,38 +98,34 @@ def test_symplectic_euler_explodes_where_it_does_not() -> None:
     for preset in SHAPES:
         scene = shaken(preset, stiffness=1e6, dt=0.01)
         assert wandered(scene) <= 600.0
-        assert wandered(REPLACE(scene, integrator=euler(0.01))) == np.inf
+        assert wandered(replace(scene, integrator=euler(0.01))) == np.inf
 
 
 # ------------------------------------------------------------------------- no more than needed
 @pytest.mark.parametrize("law", ["tutorial", "conservative", "angle"])
 @pytest.mark.parametrize("preset", [*SHAPES, "flag-pole", "hair-tuft"])
 def test_it_is_symplectic_euler_where_the_step_is_short_enough(preset: str, law: ForceLaw) -> None:
-    scene = REPLACE(sim.load_scene(preset), force_law=law)
-    one, other = (Simulation(REPLACE(scene, integrator=method(2e-4))) for method in (euler, stable))
-    one.step(500)
-    other.step(500)
-    assert same_state(one, other)
+    scene = replace(sim.load_scene(preset), force_law=law)
     # At a longer one, it is not.
-    one, other = (Simulation(REPLACE(scene, integrator=method(2e-2))) for method in (euler, stable))
-    one.step(3)
-    other.step(3)
-    assert not same_state(one, other)
+    for dt, steps, same in ((2e-4, 500, True), (2e-2, 3, False)):
+        one, other = (Simulation(replace(scene, integrator=method(dt))) for method in (euler, stable))
+        step_all(steps, one, other)
+        assert same_state(one, other) == same
 
 
 @pytest.mark.parametrize("dt", [1e-3, 0.05])
 def test_a_spring_is_weakened_to_what_the_reduced_mass_bears(dt: float) -> None:
     pair = chain(row(2), stiffness=1e12, damping=1e6, mass=3.0, dt=dt)
-    pair = REPLACE(pair, masses=(pair.masses[0], REPLACE(pair.masses[1], mass=6.0)), integrator=stable(dt))
+    pair = replace(pair, masses=(pair.masses[0], replace(pair.masses[1], mass=6.0)), integrator=stable(dt))
     tables = system_of(Simulation(pair)).body
     assert tables.stiffness[0] == pytest.approx(2.0 / dt**2, rel=1e-12)
     assert tables.damping[0] == pytest.approx(2.0 / dt, rel=1e-12)
     # A held mass is as good as an infinite one, and springs that share a mass share what it bears.
-    held = REPLACE(chain(row(3), stiffness=1e12, mass=3.0, held=(0,)), integrator=stable(dt))
+    held = replace(chain(row(3), stiffness=1e12, mass=3.0, held=(0,)), integrator=stable(dt))
     tables = system_of(Simulation(held)).body
     assert tables.stiffness[:2] == pytest.approx([3.0 / 2.0 / dt**2, 1.5 / 2.0 / dt**2], rel=1e-12)
     # What is weak enough stays as it is; and the scene says what its author said.
-    weak = REPLACE(pair, linear_springs=(REPLACE(pair.linear_springs[0], stiffness=1.5, damping=0.7),))
+    weak = replace(pair, linear_springs=(replace(pair.linear_springs[0], stiffness=1.5, damping=0.7),))
     simulation = Simulation(weak)
     assert (system_of(simulation).body.stiffness[0], system_of(simulation).body.damping[0]) == (1.5, 0.7)
     assert Simulation(pair).scene == pair
@@ -153,13 +134,13 @@ def test_a_spring_is_weakened_to_what_the_reduced_mass_bears(dt: float) -> None:
 def test_a_joint_is_weakened_to_what_its_angle_bears() -> None:
     # Three masses of 1 kg in line, 10 px apart: the angle answers to unit forces by (1 + 4 + 1) / 10² a kg.
     dt = 0.01
-    scene = REPLACE(chain(row(3), angular_stiffness=1e12), integrator=stable(dt))
+    scene = replace(chain(row(3), angular_stiffness=1e12), integrator=stable(dt))
     tables = system_of(Simulation(scene)).body
     share = 1  # one joint
     assert tables.joint_stiffness[0] == pytest.approx(1.0 / (6.0 * share * dt**2), rel=1e-12)
     assert tables.torque_size[1] == tables.joint_stiffness[0]
-    joint = REPLACE(scene.angular_springs[0], damping=1e6)
-    tables = system_of(Simulation(REPLACE(scene, angular_springs=(joint,)))).body
+    joint = replace(scene.angular_springs[0], damping=1e6)
+    tables = system_of(Simulation(replace(scene, angular_springs=(joint,)))).body
     assert tables.torque_damping[1] == pytest.approx(1.0 / (6.0 * share * dt), rel=1e-12)
 
 
@@ -167,7 +148,7 @@ def test_another_step_weakens_anew() -> None:
     scene = shaken("ring", stiffness=1e6, dt=0.02, damping=40.0)
     simulation = Simulation(scene)
     simulation.step(20)
-    simulation.replace(REPLACE(scene, integrator=stable(1e-4)))
+    simulation.replace(replace(scene, integrator=stable(1e-4)))
     assert simulation.step(200) == 200
     tables = system_of(simulation).body
     assert (tables.stiffness[: tables.springs] == 1e6).all()

@@ -10,6 +10,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from scipy.optimize import root_scalar
 
 import sim
@@ -19,17 +20,16 @@ from sim.forces.air import wind_at, wind_gradient_at
 from sim.forces.push import damping_factor
 from sim.methods.registry import METHODS
 from sim.motion.stability import damped_limit
-from sim.physics import Physics
 from sim.scene.surroundings import Contact, Gas, Ground, Medium, Wall, Wind
 from sim.scene.types import Damage, Method
 from tests.amount import part_of
-from tests.sim.arrays import Arrays, Floats, off
+from tests.sim.arrays import Arrays, Floats
 from tests.sim.builders import built, hoop
+from tests.sim.changes import apart, posed, with_springs
 from tests.sim.inside import problem_of, solver_of
-from tests.sim.surrounded import AROUND, KINDS, TOUCHING, around, bare, force_around, run, surrounded
+from tests.sim.surrounded import KINDS, TOUCHING, around, bare, run, surrounded
 from tests.sim.touching import SOFT
 
-REPLACE = msgspec.structs.replace
 FLOOR = Wall(point=(0.0, 0.0), normal=(0.0, -1.0), friction=0.0, bounciness=1.0)
 
 
@@ -39,81 +39,9 @@ def single(position: tuple[float, float], velocity: tuple[float, float] = (0.0, 
     return Scene(name="single", masses=(mass,), **fields)
 
 
-# ------------------------------------------------------------------------- forces and their derivatives
-@pytest.mark.parametrize("step", ["rk4", "symplectic_euler"])
-@pytest.mark.parametrize("kind", AROUND)
-def test_the_kernels_do_what_the_physics_in_numpy_says(kind: str, step: Method) -> None:
-    for seed in range(3):
-        scene = REPLACE(around(kind, seed, held=(1,)), integrator=Integrator(method=step, dt=1e-3))
-        arrays, without = Arrays(scene), Arrays(bare(scene))
-        arrays.state.clock[0] = 0.37
-        found = arrays.accelerations(arrays.q, arrays.v)
-        assert off(found, arrays.by_numpy()) <= 1e-12
-        assert np.abs(found - without.accelerations(arrays.q, arrays.v)).max() > 1.0
-
-
-@pytest.mark.parametrize("kind", ["walls", "fillings", "all"])
-def test_the_energies_are_those_of_the_physics_in_numpy(kind: str) -> None:
-    scene = surrounded(kind, seed=2)
-    balance, arrays = Simulation(scene).energy(), Arrays(scene)
-    expected = Physics(arrays.body, arrays.state).energies(arrays.state.x + 1j * arrays.state.y)
-    assert balance.walls == pytest.approx(expected["walls"], rel=1e-12)
-    assert balance.fillings == pytest.approx(expected["fillings"], rel=1e-12)
-    assert balance.walls + abs(balance.fillings) > 1.0
-
-
-@pytest.mark.parametrize(
-    "kind", ["gas", "fillings", "girder in contact", "cloth in contact", "ring in contact"]
-)
-def test_fillings_and_contact_neither_push_nor_turn_a_body_as_a_whole(kind: str) -> None:
-    # Contact is rough and in motion: friction has no torque either.
-    at, force = force_around(around(kind, joints=False, damping=0.0, air=0.0, gravity=(0.0, 0.0)))
-    size = float(np.abs(force).sum())
-    assert size > 100.0
-    assert np.abs(force.sum(0)).max() <= 1e-13 * size
-    torque = float((at[:, 0] * force[:, 1] - at[:, 1] * force[:, 0]).sum())
-    assert abs(torque) <= 1e-13 * size * float(np.abs(at).max())
-
-
-@pytest.mark.parametrize(
-    "kind", ["walls", "gas", "fillings", "girder in contact", "cloth in contact", "ring in contact"]
-)
-def test_the_force_is_the_gradient_of_the_energy(kind: str) -> None:
-    smooth: dict[str, float] = {"friction": 0.0, "bounciness": 1.0}
-    for seed in range(3):
-        scene = around(kind, seed, damping=0.0, twist=0.0, air=0.0)
-        walls = tuple(REPLACE(wall, **smooth) for wall in scene.walls)
-        contact = scene.contact and REPLACE(scene.contact, **smooth)
-        arrays = Arrays(REPLACE(scene, walls=walls, contact=contact))
-        force = arrays.weight * arrays.accelerations(arrays.q, 0.0 * arrays.v)
-        assert off(-arrays.gradient(), force) <= 1e-7
-
-
-@pytest.mark.parametrize("kind", AROUND)
-def test_the_matrix_and_its_part_by_velocities_are_those_of_the_forces(kind: str) -> None:
-    # What bounces with a constant restitution is damped ever more steeply, the less deep it is.
-    steep = kind in TOUCHING and TOUCHING[kind][1].restitution == "constant"
-    for seed, held in ((1, ()), (2, (0, 3))):
-        arrays, g = Arrays(around(kind, seed, held=held)), 150.0
-        assert off(arrays.matrix_of(g * g, g), arrays.by_differences(g * g, g)) <= (1e-6 if steep else 1e-7)
-        start, z = np.random.default_rng(1).normal(size=(2, arrays.here.size)) * 100.0
-        change = 0.7 * arrays.derivative(by_velocity=True, step=0.01) @ z
-        assert off(arrays.resistance(z, 0.7, start) - start, change) <= (1e-5 if steep else 1e-7)
-
-
-@pytest.mark.parametrize("kind", AROUND)
-def test_the_definite_matrix_is_one(kind: str) -> None:
-    for seed in range(3):
-        arrays = Arrays(around(kind, seed))
-        stiffness = arrays.weight[:, None] * arrays.matrix_of(1e-3, 150.0, definite=True)
-        size = np.abs(stiffness).max()
-        assert np.abs(stiffness - stiffness.T).max() <= 1e-9 * size
-        assert np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T))[0] >= -1e-9 * size
-
-
 # ------------------------------------------------------------------------- walls
 def test_a_mass_rests_at_the_depth_that_the_hardness_says() -> None:
-    scene = single((0.0, -1.0), gravity=(0.0, 1800.0), walls=(REPLACE(FLOOR, bounciness=0.2),))
+    scene = single((0.0, -1.0), gravity=(0.0, 1800.0), walls=(replace(FLOOR, bounciness=0.2),))
     resting = run(scene, 20.0, tolerance=1e-4)
     # It bounces ever less, but never quite stops.
     assert resting.positions[0, 1] == pytest.approx(math.sqrt(1800.0 / FLOOR.hardness), abs=0.05)
@@ -139,17 +67,17 @@ def test_gusts_are_as_strong_as_they_should_be_and_neither_compressed_nor_still(
     one, other = wind_at(around, 0.0, 30.0, 40.0), wind_at(around, 2.0, 830.0, 640.0)
     assert one == pytest.approx(other)
     assert np.abs(np.subtract(one, wind_at(around, 2.0, 30.0, 40.0))).max() > 1.0
-    again = REPLACE(gust, seed=6)
+    again = replace(gust, seed=6)
     anew = Arrays(single((0.0, 0.0), air_friction=0.1, wind=again)).body.environment.air
     assert wind_at(anew, 0.0, 0.0, 0.0) != pytest.approx(wind_at(around, 0.0, 0.0, 0.0))
 
 
 def test_still_wind_is_still_air() -> None:
     scene = surrounded("steady wind", seed=2)
-    still = REPLACE(scene, wind=Wind(velocity=(0.0, 0.0)))
-    none = REPLACE(scene, wind=None)
+    still = replace(scene, wind=Wind(velocity=(0.0, 0.0)))
+    none = replace(scene, wind=None)
     one, other = (run(each, 0.2, "adams", tolerance=1e-8) for each in (still, none))
-    assert np.abs(one.positions - other.positions).max() <= 1e-4
+    assert apart(one, other) <= 1e-4
 
 
 # ------------------------------------------------------------------------- a medium, and the ground
@@ -195,24 +123,17 @@ def test_what_hangs_on_a_broken_spring_rests_on_the_others() -> None:
     rod = sim.rope(
         masses=4, length=120.0, ground=Ground(), medium=Medium(), gravity=(0.0, 0.0), air_friction=0.0
     )
-    rod = REPLACE(
-        rod,
-        bodies=(),
-        anchors=(),
-        linear_springs=tuple(REPLACE(s, strength=1e6, rest_length=40.0) for s in rod.linear_springs),
-    )
-    moving = tuple((30.0, 70.0) for _ in rod.masses)
-    pose = sim.Pose(positions=tuple(m.position for m in rod.masses), velocities=moving)
-    slowed = []
-    for broken in ((), (0,), (0, 1)):
-        damage = Damage(broken=broken)
-        body = Simulation(REPLACE(rod, pose=REPLACE(pose, damage=damage)))
-        slowed.append(body.loads.forces)
+    rod = with_springs(replace(rod, anchors=(), bodies=()), strength=1e6, rest_length=40.0)
+    moving = [(30.0, 70.0)] * 4
+    slowed = [
+        Simulation(posed(rod, speeds=moving, damage=Damage(broken=broken))).loads.forces
+        for broken in ((), (0,), (0, 1))
+    ]
     # In line, mass 1 loses half of what the medium does to it, and keeps its friction; mass 0 loses both.
     assert np.abs(slowed[1][0]).max() <= 1e-9 < np.abs(slowed[0][0]).min()
     assert np.abs(slowed[2][1]).max() <= 1e-9
     by_friction = slowed[0][1] - 2.0 * (slowed[0][1] - slowed[1][1])
-    alone = Simulation(REPLACE(rod, medium=msgspec.UNSET, pose=pose)).loads.forces
+    alone = Simulation(posed(replace(rod, medium=msgspec.UNSET), speeds=moving)).loads.forces
     assert by_friction == pytest.approx(alone[1], rel=1e-4)
     assert slowed[1][2:] == pytest.approx(slowed[0][2:])
 
@@ -231,9 +152,7 @@ def test_a_balloon_squeezed_to_nothing_comes_back(method: Method) -> None:
     gas = Gas(masses=tuple(range(24)), pressure=300.0, outside=100.0)
     balloon = hoop(24, 80.0, mass=0.2, stiffness=3000.0, damping=3.0, fillings=(gas,), air_friction=1e-3)
     x, y = np.array([mass.position for mass in balloon.masses]).T
-    flat = tuple(zip(x.tolist(), (1e-3 * y).tolist(), strict=True))
-    scene = REPLACE(balloon, pose=sim.Pose(positions=flat, velocities=((0.0, 0.0),) * 24))
-    simulation = run(scene, 1.0, method, dt=1e-4, tolerance=0.1)
+    simulation = run(posed(balloon, zip(x, 1e-3 * y, strict=True)), 1.0, method, dt=1e-4, tolerance=0.1)
     assert simulation.divergence is None
     assert simulation.time == pytest.approx(1.0)
     assert area_of(*simulation.positions.T) > 0.5 * area_of(x, y)
@@ -248,9 +167,10 @@ def test_a_gas_whose_area_is_tiny_makes_no_energy(method: Method) -> None:
     """A ring that is turned inside out and comes back; what is in it has p A = 0.0004 kg px²/s²."""
     gas = Gas(masses=tuple(range(12)), pressure=400.0, outside=3.0, area=1e-6)
     ring = hoop(12, 50.0, mass=0.5, stiffness=2000.0, damping=1.0, fillings=(gas,))
-    masses = tuple(REPLACE(m, velocity=(-12.0 * m.position[0], 6.0 * m.position[1])) for m in ring.masses)
-    integrator = Integrator(method=method, dt=1e-3, tolerance=0.1)
-    simulation = Simulation(REPLACE(ring, masses=masses, integrator=integrator))
+    masses = tuple(replace(m, velocity=(-12.0 * m.position[0], 6.0 * m.position[1])) for m in ring.masses)
+    simulation = Simulation(
+        replace(ring, masses=masses, integrator=Integrator(method=method, dt=1e-3, tolerance=0.1))
+    )
     largest = simulation.energy().kinetic
     for _ in range(20):
         assert simulation.step(25) == 25
@@ -286,7 +206,7 @@ BALANCED = product(["auto", "adams", "rodas5p", "rk4", "velocity_verlet"], IN_BA
 @pytest.mark.parametrize(("method", "kind"), part_of([*BALANCED], 4))
 def test_the_balance_closes(method: Method, kind: str) -> None:
     scene = around(kind, 5, held=(2,))
-    simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=1e-5, tolerance=1e-8)))
+    simulation = Simulation(replace(scene, integrator=Integrator(method=method, dt=1e-5, tolerance=1e-8)))
     simulation.energy()
     x, y = simulation.positions[2].tolist()
     worst = 0.0
@@ -304,7 +224,7 @@ def test_the_balance_closes(method: Method, kind: str) -> None:
 
 
 def test_scenes_pay_only_for_what_surrounds_and_touches_and_breaks_their_bodies() -> None:
-    for scene in (sim.load_scene("ring"), REPLACE(sim.load_scene("ring"), contact=Contact(distance=0.0))):
+    for scene in (sim.load_scene("ring"), replace(sim.load_scene("ring"), contact=Contact(distance=0.0))):
         simulation = Simulation(scene)
         simulation.step()
         system, state = simulation.tables
@@ -339,7 +259,7 @@ def test_numpy_moves_bodies_until_kernels_are_there(
 HARD: dict[str, dict[str, Any]] = {
     "walls": {"walls": (Wall(point=(0.0, -50.0), normal=(0.0, -1.0), hardness=1e5),)},
     "fillings": {"fillings": (Gas(masses=(0, 2, 4, 5, 3, 1), pressure=1e6),)},
-    "contact": {"contact": REPLACE(SOFT, stiffness=1e4)},
+    "contact": {"contact": replace(SOFT, stiffness=1e4)},
 }
 """What limits the time step of a body, by what the meter says of it."""
 
@@ -347,8 +267,8 @@ HARD: dict[str, dict[str, Any]] = {
 @pytest.mark.parametrize("cause", HARD)
 def test_the_stability_meter_sees_what_surrounds_a_body(cause: str) -> None:
     scene = bare(around("girder in contact" if cause == "contact" else "walls", 1))
-    scene = REPLACE(scene, integrator=Integrator(method="velocity_verlet", dt=1e-6))
-    hard = REPLACE(scene, **HARD[cause])
+    scene = replace(scene, integrator=Integrator(method="velocity_verlet", dt=1e-6))
+    hard = replace(scene, **HARD[cause])
     estimate = Simulation(hard).stability()
     assert estimate.cause == cause
     assert estimate.limit < 0.5 * Simulation(scene).stability().limit

@@ -5,21 +5,21 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import msgspec
 import numpy as np
+from msgspec.structs import replace
 
-from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
+from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
 from sim.scene.surroundings import Contact
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import body
 from tests.sim.builders import built
+from tests.sim.changes import by, posed
 
-REPLACE = msgspec.structs.replace
 SOFT = Contact(distance=12.0, stiffness=50.0, friction=0.7, slip_speed=80.0, bounciness=0.6)
-SMOOTH = REPLACE(SOFT, friction=0.0, bounciness=1.0)
+SMOOTH = replace(SOFT, friction=0.0, bounciness=1.0)
 HARD = Contact(distance=6.0, stiffness=500.0, friction=0.4, bounciness=0.3)
-CONSTANT = REPLACE(SOFT, restitution="constant")
-HELD = REPLACE(CONSTANT, tangential_stiffness=900.0)
+CONSTANT = replace(SOFT, restitution="constant")
+HELD = replace(CONSTANT, tangential_stiffness=900.0)
 Pairs = set[tuple[int, int]]
 """Springs, and slots of masses."""
 
@@ -30,10 +30,8 @@ def crumpled(shape: str, seed: int = 0, contact: Contact = SOFT, **changes: Any)
     rng = np.random.default_rng(seed)
     at = np.array([mass.position for mass in scene.masses])
     at, speed = 0.5 * at + rng.uniform(-25.0, 25.0, at.shape), rng.normal(0.0, 100.0, at.shape)
-    pose = Pose(positions=tuple(map(tuple, at.tolist())), velocities=tuple(map(tuple, speed.tolist())))
     # Not an explicit method with a fixed step: for that, contact is softened.
-    exact = Integrator(method="generalized_alpha", dt=1e-4)
-    return REPLACE(scene, integrator=exact, contact=contact, pose=pose)
+    return posed(replace(by(scene, "generalized_alpha", dt=1e-4), contact=contact), at, speed)
 
 
 def joined(*scenes: Scene, **fields: Any) -> Scene:
@@ -45,9 +43,9 @@ def joined(*scenes: Scene, **fields: Any) -> Scene:
     for scene in scenes:
         n, s = len(masses), len(springs)
         masses += scene.masses
-        springs += [REPLACE(spring, a=spring.a + n, b=spring.b + n) for spring in scene.linear_springs]
-        joints += [REPLACE(joint, a=joint.a + s, b=joint.b + s) for joint in scene.angular_springs]
-        anchors += [REPLACE(anchor, mass=anchor.mass + n) for anchor in scene.anchors]
+        springs += [replace(spring, a=spring.a + n, b=spring.b + n) for spring in scene.linear_springs]
+        joints += [replace(joint, a=joint.a + s, b=joint.b + s) for joint in scene.angular_springs]
+        anchors += [replace(anchor, mass=anchor.mass + n) for anchor in scene.anchors]
     return Scene(
         name="bodies",
         masses=tuple(masses),
@@ -70,7 +68,7 @@ def ring(
         [(x + radius * math.cos(v), y + radius * math.sin(v)) for v in turns], pairs, mass=0.1,
         velocities=[velocity] * count, stiffness=3000.0, damping=0.5,
         rest_length=2.0 * radius * math.sin(math.pi / count),
-        angular_springs=tuple(REPLACE(joint, a=a, b=b) for a, b in pairs),
+        angular_springs=tuple(replace(joint, a=a, b=b) for a, b in pairs),
     )  # fmt: skip
 
 

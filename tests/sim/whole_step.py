@@ -43,21 +43,20 @@ def step_matrix(simulation: Simulation, h: float) -> Floats:
         return (rk4_step if method == "rk4" else euler_step)(physics, parts[0], parts[1], h)
 
     parts = [x, v, physics.accelerations(x, v)] if method == "velocity_verlet" else [x, v]
-    columns = []
-    for i in range(len(parts)):
-        for direction in (1.0, 1j):
-            for mass in free.tolist():
-                ends = []
-                for sign in (1.0, -1.0):
-                    changed = [part.copy() for part in parts]
-                    changed[i][mass] += sign * SIZES[i] * direction
-                    ends.append(np.concatenate([part[free] for part in step(changed)]))
-                change = (ends[0] - ends[1]) / (2.0 * SIZES[i])
-                columns.append(np.concatenate((change.real, change.imag)))
-    # Rows are all real parts, then all imaginary ones; columns are ordered likewise.
-    count = free.size
-    order = [2 * i * count + d * count + k for d in (0, 1) for i in range(len(parts)) for k in range(count)]
-    return np.column_stack(columns)[:, order]
+
+    def state_after(part: int, direction: complex, mass: int, by: float) -> Vectors:
+        changed = [part.copy() for part in parts]
+        changed[part][mass] += by * direction
+        return np.concatenate([part[free] for part in step(changed)])
+
+    columns = [
+        (state_after(i, direction, mass, SIZES[i]) - state_after(i, direction, mass, -SIZES[i]))
+        / (2.0 * SIZES[i])
+        for i in range(len(parts))
+        for mass in free.tolist()
+        for direction in (1.0, 1j)
+    ]
+    return np.column_stack([change.view(float) for change in columns])
 
 
 def spectral_radius(simulation: Simulation, h: float) -> float:

@@ -1,8 +1,7 @@
 """Tables as programs write them: what each is read as, or the sentence that refuses it.
 
-A row is the name, the file, and either the runs, each with its times and columns ("name [unit]"), "
-"or the sentence.
-Files are written down as these programs export them; numbers are few.
+A row is the name, the file, and either the runs, each with its times and columns ("name [unit]"), or the
+sentence. Files are written down as these programs export them; numbers are few.
 """
 
 from __future__ import annotations
@@ -34,6 +33,13 @@ class Written(NamedTuple):
 
 T, X = [0.0, 0.5, 1.0], [1.0, 1.5, 2.0]
 """Times and places of most."""
+TWO, THREE = [(T[:2], {"x": X[:2]})], [(T, {"x": X})]
+"""One run of so many rows."""
+
+
+def two_runs(name: str) -> Sequence[tuple[list[float], Columns]]:
+    return [(T[:2], {name: X[:2]}), ([0.0, 1.0], {name: [3.0, 4.0]})]
+
 
 TABLES = (
     # ------------------------------------------------------------------ several runs
@@ -42,30 +48,18 @@ TABLES = (
         "Time (s),y (m),Time (s),y (m)\n0,1,0,3\n0.5,1.5,1,4\n1,2,2,5\n",
         [(T, {"y [m]": X}), ([0.0, 1.0, 2.0], {"y [m]": [3.0, 4.0, 5.0]})],
     ),
-    Written(
-        "t and x twice",
-        "t,x,t,x\n0,1,0,3\n0.5,1.5,1,4\n",
-        [(T[:2], {"x": X[:2]}), ([0.0, 1.0], {"x": [3.0, 4.0]})],
-    ),
-    Written(
-        "numbered clocks",
-        "t1,x1,t2,x2\n0,1,0,3\n0.5,1.5,1,4\n",
-        [(T[:2], {"x": X[:2]}), ([0.0, 1.0], {"x": [3.0, 4.0]})],
-    ),
-    Written(
-        "clocks first",
-        "t1,t2,x1,x2\n0,0,1,3\n0.5,1,1.5,4\n",
-        [(T[:2], {"x": X[:2]}), ([0.0, 1.0], {"x": [3.0, 4.0]})],
-    ),
+    Written("t and x twice", "t,x,t,x\n0,1,0,3\n0.5,1.5,1,4\n", two_runs("x")),
+    Written("numbered clocks", "t1,x1,t2,x2\n0,1,0,3\n0.5,1.5,1,4\n", two_runs("x")),
+    Written("clocks first", "t1,t2,x1,x2\n0,0,1,3\n0.5,1,1.5,4\n", two_runs("x")),
     Written(
         "a second clock with a mark",
         "Time [s],x [m],Time' [s],x' [m]\n0,1,0,3\n0.5,1.5,1,4\n",
-        [(T[:2], {"x [m]": X[:2]}), ([0.0, 1.0], {"x [m]": [3.0, 4.0]})],
+        two_runs("x [m]"),
     ),
     Written(
         "DataStudio, runs in a line above",
         "Run 1\t\tRun 2\t\nTime (s)\ty (m)\tTime (s)\ty (m)\n0\t1\t0\t3\n0.5\t1.5\t1\t4\n",
-        [(T[:2], {"y [m]": X[:2]}), ([0.0, 1.0], {"y [m]": [3.0, 4.0]})],
+        two_runs("y [m]"),
     ),
     Written(
         "Capstone, the second run shorter",
@@ -83,7 +77,7 @@ TABLES = (
         "Graphical Analysis, data sets",
         "Data Set 1:Time(s),Data Set 1:Position(m),Data Set 2:Time(s),Data Set 2:Position(m)\n"
         "0,1,0,3\n0.5,1.5,1,4\n",
-        [(T[:2], {"Position [m]": X[:2]}), ([0.0, 1.0], {"Position [m]": [3.0, 4.0]})],
+        two_runs("Position [m]"),
     ),
     Written(
         "Logger Pro, latest",
@@ -120,7 +114,7 @@ TABLES = (
     Written(
         "a time of day beside the time",
         "time (s),Started,x\n0,12:00:00,1\n0.5,12:00:00,1.5\n",
-        [(T[:2], {"x": X[:2]})],
+        TWO,
         remarks=1,
     ),
     Written(
@@ -159,12 +153,8 @@ TABLES = (
         "timestamp,value\n1486500000.0,1\n1486500000.5,1.5\n1486500001,2\n",
         [([1486500000.0, 1486500000.5, 1486500001.0], {"value": X})],
     ),
-    Written("h:mm:ss", "time,x\n0:00:00,1\n0:00:00.5,1.5\n0:00:01,2\n", [(T, {"x": X})]),
-    Written(
-        "Kinovea, h:mm:ss with a comma",
-        "Zeit;x\n0:00:00,00;1\n0:00:00,50;1,5\n0:00:01,00;2\n",
-        [(T, {"x": X})],
-    ),
+    Written("h:mm:ss", "time,x\n0:00:00,1\n0:00:00.5,1.5\n0:00:01,2\n", THREE),
+    Written("Kinovea, h:mm:ss with a comma", "Zeit;x\n0:00:00,00;1\n0:00:00,50;1,5\n0:00:01,00;2\n", THREE),
     Written(
         "Physics Toolbox, h:mm:ss:ms",
         "time,gFx\n10:15:32:000,1\n10:15:32:500,1.5\n10:15:33:000,2\n",
@@ -181,7 +171,7 @@ TABLES = (
         "time,x\n00:00,1\n00:01,2\n",
         refused="column 'time': 00:00 may be minutes or hours; write it as h:mm:ss",
     ),
-    Written("m:ss.f", "time,x\n0:00.0,1\n0:00.5,1.5\n0:01.0,2\n", [(T, {"x": X})]),
+    Written("m:ss.f", "time,x\n0:00.0,1\n0:00.5,1.5\n0:01.0,2\n", THREE),
     Written("over midnight", "time,x\n23:59:59.5,1\n0:00:00.0,1.5\n", [([86399.5, 86400.0], {"x": X[:2]})]),
     Written(
         "in the afternoon",
@@ -204,15 +194,15 @@ TABLES = (
         "time,x\n4/5/2026 23:59:59.5,1\n5/5/2026 0:00:00.0,1.5\n",
         [([1777939199.5, 1777939200.0], {"x": X[:2]})],
     ),
-    Written("a logger with milliseconds in the name", "time_ms,x\n0,1\n500,1.5\n1000,2\n", [(T, {"x": X})]),
-    Written("Arduino", "millis\tx\n0\t1\n500\t1.5\n1000\t2\n", [(T, {"x": X})]),
-    Written("microseconds", "t (µs),x\n0,1\n500000,1.5\n1000000,2\n", [(T, {"x": X})]),
-    Written("nanoseconds", "t (ns),x\n0,1\n500000000,1.5\n1000000000,2\n", [(T, {"x": X})]),
+    Written("a logger with milliseconds in the name", "time_ms,x\n0,1\n500,1.5\n1000,2\n", THREE),
+    Written("Arduino", "millis\tx\n0\t1\n500\t1.5\n1000\t2\n", THREE),
+    Written("microseconds", "t (µs),x\n0,1\n500000,1.5\n1000000,2\n", THREE),
+    Written("nanoseconds", "t (ns),x\n0,1\n500000000,1.5\n1000000000,2\n", THREE),
     Written("minutes", "t (minutes),x\n0,1\n0.5,1.5\n1,2\n", [([0.0, 30.0, 60.0], {"x": X})]),
     Written("hours", "t (h),x\n0,1\n0.5,1.5\n1,2\n", [([0.0, 1800.0, 3600.0], {"x": X})]),
-    Written("Japanese seconds", "時間 (秒),x\n0,1\n0.5,1.5\n1,2\n", [(T, {"x": X})]),
-    Written("German seconds", "Zeit (Sekunden);x\n0;1\n0,5;1,5\n1;2\n", [(T, {"x": X})]),
-    Written("seconds called S", "t (S),x\n0,1\n0.5,1.5\n1,2\n", [(T, {"x": X})]),
+    Written("Japanese seconds", "時間 (秒),x\n0,1\n0.5,1.5\n1,2\n", THREE),
+    Written("German seconds", "Zeit (Sekunden);x\n0;1\n0,5;1,5\n1;2\n", THREE),
+    Written("seconds called S", "t (S),x\n0,1\n0.5,1.5\n1,2\n", THREE),
     Written("the time in the second column", "x (m),Время (с)\n1,0\n1.5,0.5\n2,1\n", [(T, {"x [m]": X})]),
     Written(
         "a unit that is none of time",
@@ -229,7 +219,7 @@ TABLES = (
         "frame,x\n0,1\n1,2\n",
         refused="no column is called the time, and the first one is 'frame'; call one t (s)",
     ),
-    Written("a first column with another name", "phase,x\n0,1\n0.5,1.5\n1,2\n", [(T, {"x": X})], remarks=1),
+    Written("a first column with another name", "phase,x\n0,1\n0.5,1.5\n1,2\n", THREE, remarks=1),
     Written(
         "a number without a time", "t,x\n0,1\n,1.5\n1,2\n", refused="line 3: it has numbers, but no time"
     ),
@@ -252,14 +242,10 @@ TABLES = (
         "Zeit / s;Höhe / cm\r\n0;1\r\n0,5;1,5\r\n".encode("cp1252"),
         [(T[:2], {"Höhe [cm]": X[:2]})],
     ),
-    Written(
-        "Excel, Unicode text", "t (s)\tx\r\n0\t1\r\n0,5\t1,5\r\n".encode("utf-16"), [(T[:2], {"x": X[:2]})]
-    ),
-    Written("Excel, what stands between", "sep=;\r\nt;x\r\n0;1\r\n0,5;1,5\r\n", [(T[:2], {"x": X[:2]})]),
+    Written("Excel, Unicode text", "t (s)\tx\r\n0\t1\r\n0,5\t1,5\r\n".encode("utf-16"), TWO),
+    Written("Excel, what stands between", "sep=;\r\nt;x\r\n0;1\r\n0,5;1,5\r\n", TWO),
     Written("Excel, a heading of two lines", 't (s),"x\n(cm)"\n0,1\n0.5,1.5\n', [(T[:2], {"x [cm]": X[:2]})]),
-    Written(
-        "LibreOffice, quoted decimal commas", '"t","x"\n"0,0","1,0"\n"0,5","1,5"\n', [(T[:2], {"x": X[:2]})]
-    ),
+    Written("LibreOffice, quoted decimal commas", '"t","x"\n"0,0","1,0"\n"0,5","1,5"\n', TWO),
     Written(
         "Google Sheets, thousands", 't,x\n0,"1,000.5"\n0.5,"1,001"\n', [(T[:2], {"x": [1000.5, 1001.0]})]
     ),
@@ -311,10 +297,10 @@ TABLES = (
     ),
     Written("gaps before the first number", "t,x\n0,NaN\n0.5,1.5\n1,2\n", [(T[1:], {"x": X[1:]})]),
     Written("a gap of a spreadsheet in front", "x,t\n#N/A,0\n1.5,0.5\n2,1\n", [(T[1:], {"x": X[1:]})]),
-    Written("comments with semicolons", "; by hand\nt,x\n0,1\n; then\n0.5,1.5\n", [(T[:2], {"x": X[:2]})]),
-    Written("NumPy's heading", "# t x\n0.0 1.0\n0.5 1.5\n", [(T[:2], {"x": X[:2]})]),
-    Written("a column of words", "t,state,x\n0,ok,1\n0.5,ok,1.5\n", [(T[:2], {"x": X[:2]})], remarks=1),
-    Written("bars", "t|x\n0|1\n0.5|1.5\n", [(T[:2], {"x": X[:2]})]),
+    Written("comments with semicolons", "; by hand\nt,x\n0,1\n; then\n0.5,1.5\n", TWO),
+    Written("NumPy's heading", "# t x\n0.0 1.0\n0.5 1.5\n", TWO),
+    Written("a column of words", "t,state,x\n0,ok,1\n0.5,ok,1.5\n", TWO, remarks=1),
+    Written("bars", "t|x\n0|1\n0.5|1.5\n", TWO),
     Written(
         "a logger that began anew",
         "t,x\n0,1\n0.5,1.5\nt,x\n0,1\n",
