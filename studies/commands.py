@@ -21,7 +21,7 @@ from sim.design.residuals import OF_MEASUREMENT
 from sim.errors import InputError
 
 from .sweep.measures import MEASURES, parse_measures
-from .sweep.workers import Making
+from .sweep.workers import MakeWorkers
 
 
 @dataclass
@@ -74,12 +74,12 @@ class Bench:
         from .bench.frames import bench_frames
         from .bench.growth import bench_growth
         from .bench.heap import bench_heap
-        from .bench.kernels import bench
+        from .bench.kernels import bench_kernels
         from .bench.many import bench_many
         from .bench.matrices import bench_matrices
         from .bench.serving import bench_page, bench_start
         from .bench.tabs import bench_tabs
-        from .peers.peers import bench_peers
+        from .compare.peers import bench_peers
 
         if not 1 <= self.repeats <= 1000:
             return fail("--repeats: it must be from 1 to 1000")
@@ -88,7 +88,7 @@ class Bench:
         if self.scenes or self.engines or self.quick or self.out is not None:
             return fail("--scenes, --engines, --quick and --out belong to softrod bench peers")
         benches = {
-            "kernels": bench,
+            "kernels": bench_kernels,
             "growth": bench_growth,
             "many": bench_many,
             "heap": bench_heap,
@@ -208,7 +208,7 @@ class Study:
 
     def run(self) -> int:
         """Measure, print and write."""
-        from .speed.study import parse_errors, parse_integrators, study, study_scenes
+        from .compare.study import parse_errors, parse_integrators, study, study_scenes
 
         if not 0 <= self.random <= 100_000:
             return fail(f"--random: {self.random} is not in the range 0..100000")
@@ -226,8 +226,8 @@ Cluster = Annotated[
 ]
 
 
-def who_computes(jobs: int | None, address: str | None) -> Making:
-    """What makes those who compute.
+def workers_for(jobs: int | None, address: str | None) -> MakeWorkers:
+    """Return what makes the workers that `--jobs` and `--cluster` ask for.
 
     Raises:
         InputError: the number of processes makes no sense.
@@ -283,7 +283,7 @@ class Sweep:
 
         if not 1e-3 <= self.duration <= 1e4:
             return fail(f"--duration: {self.duration:g} is not in the range 0.001..10000 s")
-        workers = who_computes(self.jobs, self.cluster)
+        workers = workers_for(self.jobs, self.cluster)
         grid = make_grid(sim.load_scene(self.scene), self.settings, self.vary)
         measures = parse_measures(self.measure)
         return sweep(grid, measures, self.duration, workers, self.out, Console(), self.csv_comma)
@@ -333,7 +333,7 @@ class Improve:
     def run(self) -> int:
         """Compute, print and write."""
         from .improve.goals import parse_goal
-        from .improve.improve import Wanted, improve, tell
+        from .improve.improve import OptimizationProblem, improve, print_result
         from .improve.ranges import make_ranges
         from .improve.search import usual_population
 
@@ -345,15 +345,16 @@ class Improve:
             return fail(f"--population: {self.population} is not in the range 4..1000")
         if not 0 <= self.seed < 2**32:
             return fail(f"--seed: {self.seed} is not in the range 0..{2**32 - 1}")
-        workers = who_computes(self.jobs, self.cluster)
+        workers = workers_for(self.jobs, self.cluster)
         goal, scene = parse_goal(self.goal, sim.load_scene(self.scene))
         if goal.seconds > self.duration:
             return fail(f"--goal {goal.text}: a run has only {self.duration:g} s; --for says how many")
         grid, ranges = make_ranges(scene, self.settings, self.vary)
         population = self.population or usual_population(len(ranges))
-        wanted = Wanted(grid, ranges, goal, self.duration, self.runs, population, self.seed)
+        problem = OptimizationProblem(grid, ranges, goal, self.duration, self.runs, population, self.seed)
         console = Console()
-        return tell(wanted, improve(wanted, workers, self.out, console, self.csv_comma), self.out, console)
+        found = improve(problem, workers, self.out, console, self.csv_comma)
+        return print_result(problem, found, self.out, console)
 
 
 @dataclass

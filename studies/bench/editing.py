@@ -13,7 +13,6 @@ from typing import Any
 
 from msgspec.structs import replace
 from rich.console import Console
-from rich.table import Table
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
@@ -28,10 +27,14 @@ from sim.edit.build import add_springs, extend, positions_of, remove
 from sim.edit.edit import Edit, Selection
 from sim.edit.values import number, set_number
 
+from ..reporting.report import Table
 from .client import CAMERA, Decoder, options_of
 
-WIDE, HIGH = 50, 51
-"""Masses along the sides of the cloth: it has 9899 springs, and 4898 joints."""
+WIDE = 50
+"""Masses along the upper side of the cloth, which has 9899 springs and 4898 joints."""
+
+HIGH = 51
+"""Masses along its left side."""
 
 
 def cloth() -> Scene:
@@ -147,7 +150,7 @@ def select_time(tab: Tab, parts: Selection, repeats: int) -> float:
 
 def bench_edit(console: Console, repeats: int) -> None:
     """Measure, and print."""
-    table = Table("ms", "edit", "page", "undo", "page", "of a frame", box=None)
+    rows = []
     with _tab(cloth()) as tab:
         assert tab.session is not None
         tab.session.post(commands.Play(False))
@@ -156,10 +159,10 @@ def bench_edit(console: Console, repeats: int) -> None:
         for name, make in EDITS.items():
             times = edit_times(tab, make, repeats)
             part = max(sum(times[:2]), sum(times[2:])) / FRAME
-            table.add_row(name, *(f"{1e3 * t:.1f}" for t in times), f"{100.0 * part:.0f} %")
+            rows.append((name, *(f"{1e3 * t:.1f}" for t in times), f"{100.0 * part:.0f} %"))
         scene = tab.session.scene
         every = (scene.masses, scene.linear_springs, scene.angular_springs)
         whole = Selection(*(frozenset(range(len(parts))) for parts in every))
         one, all_ = (select_time(tab, p, repeats) for p in (Selection(springs=frozenset({5000})), whole))
-    console.print(table)
+    console.print(Table(("ms", "edit", "page", "undo", "page", "of a frame"), rows))
     console.print(f"selecting a spring: {1e3 * one:.1f} ms, with the page; everything: {1e3 * all_:.1f} ms")

@@ -13,12 +13,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from rich.console import Console
-from rich.table import Table
 
 import sim
 from sim import Integrator, Scene
 from sim.scene.makers import fine_rope
 from sim.scene.types import Circle, Method
+
+from ..reporting.report import Table
 
 SIZES = (12, 100, 1000, 3000, 10_000)
 """Masses."""
@@ -113,25 +114,32 @@ def bench_frames(console: Console, repeats: int) -> None:
 
 
 def _bench_torn(console: Console, repeats: int) -> None:
-    table = Table("masses", "ms, median", "worst", "clock behind, frames", "hand behind, px", box=None)
+    rows = []
     for masses in SIZES:
         integrator = Integrator(dt=1.0 / FRAMES, tolerance=TOLERANCE)
         simulation = sim.Simulation(rod(masses, integrator))
         runs = [run_frames(simulation, tear) for _ in range(repeats + 1)][1:]
         seconds = np.min([run.seconds for run in runs], axis=0)
         hand = abs(runs[0].path[:, 0, 0] - [100.0 + TORN * (i // (FRAMES // 10) % 2) for i in range(FRAMES)])
-        table.add_row(
-            str(masses),
-            *(f"{1e3 * s:.3g}" for s in (np.median(seconds), seconds.max())),
-            f"{FRAMES * behind(seconds):.2g}",
-            f"{hand.max():.0f}",
-        )
-    console.print(f"Torn by {TORN:g} px ten times a second, auto at {TOLERANCE:g} px")
-    console.print(table)
+        times = (f"{1e3 * s:.3g}" for s in (np.median(seconds), seconds.max()))
+        rows.append((str(masses), *times, f"{FRAMES * behind(seconds):.2g}", f"{hand.max():.0f}"))
+    headings = ("masses", "ms, median", "worst", "clock behind, frames", "hand behind, px")
+    title = f"Torn by {TORN:g} px ten times a second, auto at {TOLERANCE:g} px"
+    console.print(Table(headings, rows, "r", title))
 
 
 def _bench_circle(console: Console, repeats: int) -> None:
-    table = Table(
+    rows = []
+    for masses in SIZES:
+        simulation = sim.Simulation(led_rod(masses, "auto", TOLERANCE))
+        runs = [run_frames(simulation) for _ in range(repeats + 1)][1:]
+        ms = 1e3 * np.min([run.seconds for run in runs], axis=0)
+        reference = run_frames(sim.Simulation(led_rod(masses, *REFERENCE)))
+        off = errors(runs[0].path, reference.path)
+        times = (f"{each:.3g}" for each in (np.median(ms), ms.max(), ms[1:].max()))
+        steps = str(runs[0].steps), str(runs[0].rejected)
+        rows.append((str(masses), *times, *steps, f"{off[-1]:.2g}", f"{off.max():.2g}"))
+    headings = (
         "masses",
         "ms, median",
         "worst",
@@ -140,22 +148,7 @@ def _bench_circle(console: Console, repeats: int) -> None:
         "rejected",
         "error at the end, px",
         "at any frame",
-        box=None,
     )
-    for masses in SIZES:
-        simulation = sim.Simulation(led_rod(masses, "auto", TOLERANCE))
-        runs = [run_frames(simulation) for _ in range(repeats + 1)][1:]
-        milliseconds = 1e3 * np.min([run.seconds for run in runs], axis=0)
-        reference = run_frames(sim.Simulation(led_rod(masses, *REFERENCE)))
-        off = errors(runs[0].path, reference.path)
-        table.add_row(
-            str(masses),
-            *(f"{ms:.3g}" for ms in (np.median(milliseconds), milliseconds.max(), milliseconds[1:].max())),
-            str(runs[0].steps),
-            str(runs[0].rejected),
-            *(f"{error:.2g}" for error in (off[-1], off.max())),
-        )
-    console.print(
-        f"{FRAMES} frames of 1/60 s, auto at {TOLERANCE:g} px, beside {REFERENCE[0]} at {REFERENCE[1]:g} px"
-    )
-    console.print(table)
+    reference = f"{REFERENCE[0]} at {REFERENCE[1]:g} px"
+    title = f"{FRAMES} frames of 1/60 s, auto at {TOLERANCE:g} px, compared with {reference}"
+    console.print(Table(headings, rows, "r", title))

@@ -7,11 +7,12 @@ import time
 
 import msgspec
 from rich.console import Console
-from rich.table import Table
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Scene
 from sim.scene.types import ForceLaw
+
+from ..reporting.report import Table
 
 SIZES = (10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000)
 """Masses. The largest are more than a scene's file may have."""
@@ -92,9 +93,8 @@ def step_costs(masses: int, repeats: int) -> dict[str, float]:
 
 def bench_growth(console: Console, repeats: int) -> None:
     """Measure, and print ns per mass and step for each size."""
-    table = Table("masses", *COLUMNS, box=None)
+    rows = []
     for masses in SIZES:
-        best = step_costs(masses, repeats)
-        table.add_row(str(masses), *(f"{best[name]:.1f}" for name in COLUMNS))
-    console.print("ns per mass and step")
-    console.print(table)
+        costs = step_costs(masses, repeats)
+        rows.append((str(masses), *(f"{costs[name]:.1f}" for name in COLUMNS)))
+    console.print(Table(("masses", *COLUMNS), rows, title="ns per mass and step"))

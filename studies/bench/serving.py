@@ -13,11 +13,11 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 from rich.console import Console
-from rich.table import Table
 
 import sim
 from app.wire import from_page
 
+from ..reporting.report import Table
 from .client import FRAME_PLACES, FRAME_TIME, Page, is_frame, saying, state_of
 
 NODE = "/body/masses"
@@ -131,15 +131,12 @@ def bench_start(console: Console, repeats: int) -> None:
                 old = best.setdefault(row, times)
                 best[row] = {key: min(old[key], times[key]) for key in times}
     names = ("port", "drawn", "moving")
-    table = Table(
-        "seconds until", "", "the port listens", "it is drawn", "it moves", "cold - cached", box=None
-    )
+    rows = []
     for (name, start), times in best.items():
-        late = ""
-        if start == "cold":
-            late = f"{times['moving'] - best[name, 'cached']['moving']:+.2f}"
-        table.add_row(name, start, *(f"{times[key]:.2f}" for key in names), late)
-    console.print(table)
+        late = f"{times['moving'] - best[name, 'cached']['moving']:+.2f}" if start == "cold" else ""
+        rows.append((name, start, *(f"{times[key]:.2f}" for key in names), late))
+    headings = ("seconds until", "", "the port listens", "it is drawn", "it moves", "cold - cached")
+    console.print(Table(headings, rows, "ll"))
     bare, rope = best["bare viser", ""], best["tutorial-3.3", "cached"]
     console.print(
         f"import of numba {numba:.2f} s; tutorial-3.3, cached / (bare viser + numba): "
@@ -182,7 +179,7 @@ def _latencies(masses: int, count: int, cache: str) -> list[float]:
 
 def bench_page(console: Console, repeats: int) -> None:
     """Server cost of one page at 60 Hz beside bare viser, and the latency from pointer to page."""
-    table = Table("masses", "server", "% of a core", "kB/s", "frames/s", "softrod / viser", box=None)
+    rows = []
     with tempfile.TemporaryDirectory() as cache:
         warm(cache)
         for masses in (12, 200, 1000):
@@ -193,8 +190,10 @@ def bench_page(console: Console, repeats: int) -> None:
                     best[kind] = min(best.get(kind, share), share)
             for kind, (share, rate, frames) in best.items():
                 ratio = f"{share / best['bare viser'][0]:.2f}" if kind == "softrod" else ""
-                table.add_row(str(masses), kind, f"{100 * share:.1f}", f"{rate:.0f}", f"{frames:.1f}", ratio)
-        console.print(table)
+                cells = f"{100 * share:.1f}", f"{rate:.0f}", f"{frames:.1f}", ratio
+                rows.append((str(masses), kind, *cells))
+        headings = ("masses", "server", "% of a core", "kB/s", "frames/s", "softrod / viser")
+        console.print(Table(headings, rows, "rl"))
         latencies = sorted(1e3 * value for value in _latencies(12, 60, cache))
     console.print(
         f"pointer to page, server side and loopback: median {statistics.median(latencies):.1f} ms, "

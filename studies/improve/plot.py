@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..reporting.figures import BLACK, BLUE, GREY, ORANGE, SKY, new_figure, tidy
+from ..reporting.figures import BLACK, BLUE, GREY, ORANGE, SKY, is_wide, new_figure, tidy
 from .ranges import Range
 
 if TYPE_CHECKING:
@@ -19,8 +19,6 @@ MAX_SETTINGS = 8
 """Settings that are drawn; the table has all."""
 SHOWN = 0.8
 """Part of the runs, from the best on, that fit into the picture: a few can be far off."""
-RATIO = 30.0
-"""Largest over smallest number from which on a scale is logarithmic."""
 
 
 def plot(
@@ -96,7 +94,7 @@ def _results(
     near = values[[n for _, n in order[: max(1, math.ceil(SHOWN * len(order)))]]] if order else values[:0]
     near = near[np.isfinite(near)]
     if near.size and np.ptp(near) > 0.0:
-        if near.min() > 0.0 and near.max() > RATIO * near.min():
+        if is_wide(near):
             axes.set_yscale("log")
             axes.set_ylim(near.min() / 1.3, near.max() * 1.3)
         else:

@@ -16,7 +16,8 @@ from rich.console import Console
 from sim import Energies, Simulation
 from sim.methods.registry import METHODS
 
-from ..reporting.output import Watch, comma_separated, grid, make_folder, page, write_page, write_table
+from ..reporting.progress import ProgressBar
+from ..reporting.report import Section, Table, bullets, csv_of, make_folder, write_report
 from .hard_cases import HardCase, hard_cases, long_rods
 
 FRAMES = 40
@@ -171,13 +172,13 @@ def hard_case_report(out: Path, console: Console, only: Sequence[str] = ()) -> i
     cases = {name: case for name, case in {**hard_cases(), **long}.items() if not only or name in only}
     rows: dict[str, Row] = {}
     known: dict[str, bool] = {}
-    with Watch(console, len(cases)) as watch:
+    with ProgressBar(console, len(cases)) as bar:
         for name, case in cases.items():
-            watch.say(f"{name}: reference")
+            bar.say(f"{name}: reference")
             end = reference(case, LONG_REFERENCES if name in long else REFERENCES)
             row: Row = {}
             for method in ("auto",) if name in long else METHODS:
-                watch.say(f"{name}: {method}")
+                bar.say(f"{name}: {method}")
                 # The balance takes the work of an anchor from too few looks at a long rod's vibrations.
                 outcome = run(case, method, tracks=name not in long)
                 if end is not None and outcome.survived:
@@ -185,12 +186,11 @@ def hard_case_report(out: Path, console: Console, only: Sequence[str] = ()) -> i
                     outcome = dataclasses.replace(outcome, error=error)
                 row[method] = outcome
             rows[name], known[name] = row, end is not None
-            watch.advance()
-    note = f"Interrupted after {len(rows)} of {len(cases)} cases." if watch.interrupted else ""
-    write_table(out / "hard-cases.csv.gz", as_csv(rows))
-    write_page(out / "hard-cases.md", markdown(rows, known, note))
+            bar.advance()
+    note = f"Interrupted after {len(rows)} of {len(cases)} cases." if bar.interrupted else ""
     console.print(f"{summary(rows)} {note}".strip())
-    console.print(f"written to {out}")
+    tables = {"hard-cases": as_csv(rows)}
+    write_report(out, "hard-cases", sections(rows, known, note), tables, console)
     if note:
         return 130
     return 0 if all(row["auto"].survived for row in rows.values()) else 1
@@ -214,37 +214,41 @@ def as_csv(rows: dict[str, Row]) -> str:
             lines.append(
                 (name, method, *(f"{n:.6g}" if math.isfinite(n) else "" for n in numbers), o.fallbacks)
             )
-    return comma_separated(
+    return csv_of(
         ("case", "method", "gave_up_at", "behind", "error_in_tolerances", "energy_made", "last_resorts"),
         lines,
     )
 
 
-def markdown(rows: dict[str, Row], known: dict[str, bool], note: str) -> str:
-    """The report: a row for each case, a column for each method."""
+def sections(rows: dict[str, Row], known: dict[str, bool], note: str) -> Iterator[Section]:
+    """Yield the sections of the page: a row for each case, a column for each method."""
     strict = " and ".join(f"{method}, with {part:g} of the tolerance," for method, part in REFERENCES)
+    yield "# Hard cases"
+    yield (
+        "Written by `softrod stability --hard-cases --out DIR`. The tutorial's rope of twelve masses, let go "
+        f"horizontally unless the case says otherwise, for {FRAMES} frames of a sixtieth of a second (three "
+        "steps where a step is a second), under the conservative law, with the default step and tolerance. "
+        "Long rods are for `auto` only; their reference is `auto` under stricter tolerances; their energy "
+        "is not judged."
+    )
+    yield bullets(
+        (
+            "**… tol**: it ran; the largest distance of a mass from the reference at the end, in tolerances. "
+            f"A reference is where {strict} agree to {AGREED:g} of it;",
+            "**ran**: it ran, and there is no reference: the motion is chaotic, or no strict method gets "
+            "through;",
+            "**gave up at**: it ran away, or found no way on, and stopped at its last good state;",
+            f"**lagged**: it ran out of attempts, {ATTEMPTS} in a frame, and the clock is that much behind; "
+            "up to a frame counts as surviving;",
+            "**made energy**: at the end it has more energy than was ever put in, by more than "
+            f"{100.0 * MADE:g} % of what was turned over;",
+            "**fallback steps**: steps in which no method could go on, and a strongly damped one was taken.",
+        )
+    )
+    yield f"**{summary(rows)}** {note}".strip()
     cells = [
         (name, "yes" if known[name] else "no", *(str(row.get(method, "")) for method in METHODS))
         for name, row in rows.items()
     ]
     headings = ("case", "reference", *METHODS)
-    return page(
-        "# Hard cases",
-        "Written by `softrod stability --hard-cases --out DIR`. The tutorial's rope of twelve masses, let go "
-        f"horizontally unless the case says otherwise, for {FRAMES} frames of a sixtieth of a second (three "
-        "steps where a step is a second), under the conservative law, with the default step and tolerance. "
-        "Long rods are for `auto` only; their reference is `auto` under stricter tolerances; their energy "
-        "is not judged.",
-        "- **… tol**: it ran; the largest distance of a mass from the reference at the end, in tolerances. "
-        f"A reference is where {strict} agree to {AGREED:g} of it;\n"
-        "- **ran**: it ran, and there is no reference: the motion is chaotic, or no strict method gets "
-        "through;\n"
-        "- **gave up at**: it ran away, or found no way on, and stopped at its last good state;\n"
-        f"- **lagged**: it ran out of attempts, {ATTEMPTS} in a frame, and the clock is that much behind; up "
-        "to a frame counts as surviving;\n"
-        "- **made energy**: at the end it has more energy than was ever put in, by more than "
-        f"{100.0 * MADE:g} % of what was turned over;\n"
-        "- **fallback steps**: steps in which no method could go on, and a strongly damped one was taken.",
-        f"**{summary(rows)}**{' ' + note if note else ''}",
-        grid(headings, cells, "l" * len(headings)),
-    )
+    yield Table(headings, cells, "l" * len(headings))

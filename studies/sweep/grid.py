@@ -104,8 +104,13 @@ def number_in(text: str) -> float | None:
 
 
 def text_of(number: float) -> str:
-    """A number in as many digits as it takes to read it back exactly."""
+    """Return a number in as many digits as it takes to read it back exactly."""
     return repr(number).removesuffix(".0")
+
+
+def with_unit(name: str, unit: str) -> str:
+    """Return a heading: a name with its unit in brackets, if it has one."""
+    return f"{name} [{unit}]" if unit else name
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from sim.errors import InputError
 
@@ -21,6 +21,19 @@ AHEAD = 1000
 
 CONNECTING = 10
 """Seconds in which a scheduler must answer."""
+
+
+class Call(NamedTuple):
+    """Something to compute elsewhere.
+
+    Attributes:
+        key: known only here; comes back with the result.
+        function, arguments: what is computed.
+    """
+
+    key: Any
+    function: Callable[..., Any]
+    arguments: tuple[Any, ...]
 
 
 @dataclass(frozen=True)
@@ -38,6 +51,25 @@ class Workers:
     failures: Mapping[type[BaseException], str] = field(
         default_factory=lambda: {concurrent.futures.BrokenExecutor: "a worker was lost"}
     )
+
+    def compute(self, next_call: Callable[[], Call | None]) -> Iterator[tuple[Any, Any]]:
+        """Do calls as long as there are any, several at a time.
+
+        Args:
+            next_call: returns the next call, or None where there is none until others are done.
+
+        Yields:
+            Key and result of each call, in the order in which they are done.
+        """
+        running: dict[concurrent.futures.Future[Any], Any] = {}
+        while True:
+            while len(running) < self.ahead and (call := next_call()) is not None:
+                running[self.executor.submit(call.function, *call.arguments)] = call.key
+            if not running:
+                return
+            done, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
+            for future in done:
+                yield running.pop(future), future.result()
 
     @contextmanager
     def losing(self, command: str) -> Iterator[None]:
@@ -57,7 +89,7 @@ class Workers:
             ) from None
 
 
-Making = Callable[[], AbstractContextManager[Workers]]
+MakeWorkers = Callable[[], AbstractContextManager[Workers]]
 
 
 class _Here(concurrent.futures.Executor):

@@ -10,7 +10,7 @@ import numpy as np
 from sim.scene.types import Method
 
 from ..reporting.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, new_figure, tidy
-from ..reporting.output import Drawing
+from ..reporting.report import Figure as Section
 from . import exact, motion, statics
 from .results import fitted_slope
 
@@ -134,11 +134,15 @@ def shapes() -> Figure:
     return figure
 
 
-FIGURES: dict[str, Drawing] = {
-    "master-curve": (
+FIGURES = (
+    Section(
+        "master-curve",
         "Heavy cantilevers: drop over reach of the free end, and its error, over Γ = w L³ / EI.",
         master_curve,
     ),
-    "shapes": ("Heavy cantilevers at rest: the exact elastica, and softrod with twelve springs.", shapes),
-    "convergence": ("Errors over the number of springs, and over the time step.", convergence),
-}
+    Section(
+        "shapes", "Heavy cantilevers at rest: the exact elastica, and softrod with twelve springs.", shapes
+    ),
+    Section("convergence", "Errors over the number of springs, and over the time step.", convergence),
+)
+"""The figures of the report."""

@@ -14,7 +14,7 @@ from rich.console import Console
 
 import sim
 from studies.sweep.grid import make_grid
-from studies.sweep.kept import Line
+from studies.sweep.journal import Entry
 from studies.sweep.measures import parse_measures
 from studies.sweep.runs import run_several
 from studies.sweep.sweep import sweep
@@ -39,7 +39,7 @@ def rows_of(out: Path) -> list[dict[str, str]]:
 def numbers_of(out: Path) -> list[int]:
     """The numbers of the runs that are kept, in the order in which they were."""
     lines = (out / "sweep.jsonl").read_bytes().splitlines()[1:]
-    return [msgspec.json.decode(line, type=Line).run for line in lines]
+    return [msgspec.json.decode(line, type=Entry).run for line in lines]
 
 
 class Here(concurrent.futures.Executor):
