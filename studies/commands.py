@@ -26,7 +26,7 @@ from .sweep.workers import MakeWorkers
 
 @dataclass
 class Bench:
-    """Measure softrod on this machine, beside other programs that do the same."""
+    """Measure softrod on this machine, and other programs that do the same."""
 
     what: Annotated[
         Positional[
@@ -56,7 +56,7 @@ class Bench:
     answers; edit: of one part of a large body; peers: other engines and solvers on the same scenes (uv sync
     --extra peers installs them)."""
     repeats: int = 5
-    """Repeats, of which the fastest counts."""
+    """Repeats; the fastest counts."""
     scenes: str = ""
     """For peers: names of its scenes, separated by commas; without any, all."""
     engines: str = ""
@@ -107,7 +107,7 @@ class Bench:
 
 @dataclass
 class Validate:
-    """Hold the solver against exact results; the exit status is 1 if a target is missed."""
+    """Compare the solver with exact results; the exit status is 1 if a target is missed."""
 
     out: Path | None = None
     """Folder for the report: validate.md, validate.csv.gz and figures."""
@@ -137,7 +137,7 @@ class Stability:
     x_range: str | None = None
     """From and to, as in 1e-4,0.05; scales are logarithmic."""
     y_range: str | None = None
-    """Likewise."""
+    """The same for --y."""
     size: int = 64
     """Cells along each side, 2 to 512."""
     integrators: str | None = None
@@ -175,10 +175,10 @@ class Stability:
 
 
 def _range(name: str, text: str | None) -> tuple[float, float] | None:
-    """Two numbers with a comma between them.
+    """Return two numbers from a text with a comma between them.
 
     Raises:
-        InputError: they are not that.
+        InputError: it is something else.
     """
     if text is None:
         return None
@@ -204,7 +204,7 @@ class Study:
     errors: str = "1,0.1,1e-3,1e-6"
     """Errors to ask about, px, separated by commas."""
     random: int = 0
-    """Random bodies to hold auto's tolerance against."""
+    """Number of random bodies on which the errors of auto are compared with its tolerance."""
 
     def run(self) -> int:
         """Measure, print and write."""
@@ -322,7 +322,7 @@ class Improve:
     """Runs at most, 10 to 100000, with that of the scene as it is."""
     population: int | None = None
     """Runs of a generation, 4 to 1000, which are computed at the same time; 4 + 3 ln(number of settings)
-    unless given. With more, a search is more thorough and slower, and keeps more cores busy."""
+    unless given. With more, a search is more thorough and slower, and uses more cores."""
     seed: int = 1
     """Of the search's random numbers, from 0; the same seed finds the same."""
     jobs: Jobs = None
@@ -335,7 +335,7 @@ class Improve:
         from .improve.goals import parse_goal
         from .improve.improve import OptimizationProblem, improve, print_result
         from .improve.ranges import make_ranges
-        from .improve.search import usual_population
+        from .improve.search import default_population
 
         if not 1e-3 <= self.duration <= 1e4:
             return fail(f"--for: {self.duration:g} is not in the range 0.001..10000 s")
@@ -350,7 +350,7 @@ class Improve:
         if goal.seconds > self.duration:
             return fail(f"--goal {goal.text}: a run has only {self.duration:g} s; --for says how many")
         grid, ranges = make_ranges(scene, self.settings, self.vary)
-        population = self.population or usual_population(len(ranges))
+        population = self.population or default_population(len(ranges))
         problem = OptimizationProblem(grid, ranges, goal, self.duration, self.runs, population, self.seed)
         console = Console()
         found = improve(problem, workers, self.out, console, self.csv_comma)
@@ -406,10 +406,10 @@ class FitScene:
 
 
 def _assignment(text: str) -> tuple[str, str]:
-    """The column and the quantity of `COLUMN=QUANTITY`.
+    """Return column and quantity of `COLUMN=QUANTITY`.
 
     Raises:
-        InputError: it is not that.
+        InputError: it is something else.
     """
     column, equals, quantity = text.rpartition("=")
     if not equals or not column.strip():

@@ -1,7 +1,7 @@
-"""`softrod bench class`: what a class costs beside as many strangers, and what it survives.
+"""`softrod bench class`: the cost of a class compared with as many strangers, and what it survives.
 
 The server is a process of its own, as in a school; pupils, the teacher and the wall are pages without a
-browser. What is random goes by a seed.
+browser. Random events depend on a seed.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ FIRST_SENDING = 0.2
 
 
 def a_lesson(masses: int = MASSES) -> sim.Scene:
-    """A rope as that of `softrod bench tabs`, with a step that asks for all that a class can be asked."""
+    """Return the rope of `softrod bench tabs`, with a lesson step that asks for all that a class can give."""
     euler = sim.Integrator(method="symplectic_euler")
     rope = sim.rope(masses, length=300.0, force_law="tutorial", integrator=euler)
     step = Step(
@@ -64,11 +64,11 @@ def a_lesson(masses: int = MASSES) -> sim.Scene:
 
 
 class Host:
-    """A class's server in a process of its own, which can be killed and started anew; a context manager.
+    """A class's server in a process of its own, which can be killed and restarted; a context manager.
 
     Args:
-        scene: what the class goes through.
-        folder: for the scene, and for what the server keeps of the class.
+        scene: with the lesson.
+        folder: for the scene, and for what the server stores of the class.
         cache: folder of compiled kernels; None for this user's.
 
     Attributes:
@@ -102,24 +102,24 @@ class Host:
         self.port = int(port)
 
     def used(self) -> float:
-        """Processor time that it has used so far, s."""
+        """Return the processor time that it has used so far, s."""
         assert self._process.stdin is not None
         self._process.stdin.write("\n")
         self._process.stdin.flush()
         return float(self._line())
 
     def kill(self) -> None:
-        """Have it end without a word."""
+        """Kill it."""
         self._process.kill()
         self._process.communicate()
 
     def stop(self) -> None:
-        """Have it end as it does when it is told to."""
+        """Let it shut down."""
         self._process.terminate()
         self._process.communicate(timeout=60.0)
 
     def room(self) -> Room:
-        """The class as it is on the disk."""
+        """Return the class as it is on the disk."""
         file = self._data / "softrod" / "classes" / self.code / kept.FILE
         return msgspec.json.decode(file.read_bytes(), type=Room)
 
@@ -143,7 +143,7 @@ def visiting(host: Host, name: str, kind: str = "") -> AbstractAsyncContextManag
 
 
 def a_name(dice: random.Random) -> str:
-    """A secret, or the name of a page."""
+    """Return a secret, or the name of a page."""
     return f"{dice.getrandbits(128):032x}"
 
 
@@ -172,10 +172,10 @@ async def _look_on(
 
 
 async def _until(page: Connection, tell: str, wanted: Any, patience: float = 60.0) -> None:
-    """Wait until the page has been told something for which `wanted(told)` holds; somebody else hears it.
+    """Wait until the page has got a message for which `wanted(told)` holds; another task receives it.
 
     Raises:
-        TimeoutError: it was not.
+        TimeoutError: it did not come.
     """
     deadline = time.monotonic() + patience
     while not (tell in page.told and wanted(page.told[tell])):
@@ -256,10 +256,10 @@ PHASES = (
 """Phases and rounds of the class; the server ends in the middle of "explain"."""
 
 Place = tuple[int, int, str]
-"""What an answer is to: stop, round, and what is said."""
+"""What an answer belongs to: stop, round, and kind of answer."""
 
 _KINDS = {"Vote": "giveVote", "Ghost": "givePlaces", "Line": "giveLine", "Work": "handIn"}
-"""What is said, by what the class makes of it."""
+"""Tags of messages, by the class in which the room stores them."""
 
 
 def _place(said: from_page.Give) -> Place:
@@ -282,7 +282,7 @@ class Teacher:
         self.seen: dict[str, float] = {}
 
     async def live(self) -> None:
-        """Be there until cancelled."""
+        """Stay connected until cancelled."""
         while True:
             with contextlib.suppress(OSError, WebSocketException):
                 async with visiting(self._host, self._name, "desk") as page:
@@ -299,7 +299,7 @@ class Teacher:
             await asyncio.sleep(0.1)
 
     async def go(self, phase: Any, round: int) -> None:
-        """Take the class somewhere, and wait until it is there."""
+        """Lead the class to a phase, and wait until it is there."""
         while True:
             page = self.page
             asking = page.told.get("desk", {}).get("asking", {}) if page is not None else {}
@@ -343,7 +343,7 @@ class Pupil:
         self.is_over = False
 
     async def live(self) -> None:
-        """Be there until it is over and nothing waits."""
+        """Stay until the class is over and all answers are acknowledged."""
         dice, name = self._dice, a_name(self._dice)
         while not (self.is_over and not self.waiting):
             try:
@@ -398,12 +398,12 @@ class Pupil:
             if not self.is_over and dice.random() < 0.2:
                 await self._give(page)
             if self.given and dice.random() < 0.05:
-                # As a message that was on its way for long.
+                # Like a message that was delayed.
                 await page.say(dice.choice(list(self.given.values())))
         page.cut()
 
     async def _give(self, page: Connection | None) -> None:
-        """Give something that the class asks for, as far as the page knows; now and then say it twice."""
+        """Give an answer that the class asks for, as far as the page knows; send it twice now and then."""
         dice, asking, masses = self._dice, self._asking, self._storm.masses
         phase = asking.get("phase")
         kinds = {"ask": ("vote", "places"), "explain": ("line",), "collect": ("work",)}.get(str(phase), ())
@@ -437,13 +437,14 @@ class Pupil:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of what pupils gave.
+    """What became of the pupils' answers.
 
     Attributes:
         given: answers that were given.
-        replaced: those that their pupils replaced before or after they had come.
-        once, twice, lost: questions of which the last accepted answer, and no other, is in the class's file;
-            of which more than one is; of which another one is, or none.
+        replaced: answers that their pupils replaced, before or after they had arrived.
+        once: questions whose last accepted answer, and no other, is in the class's file.
+        twice: questions with more than one answer in it.
+        lost: questions with another answer in it, or none.
         refused: changes that came when the answers had been shown, and were refused with a sentence.
         delays: seconds from a page's coming back, or the teacher's if that was later, until the teacher's
             page had the answer that had waited.
@@ -462,7 +463,7 @@ class Outcome:
 
 
 def counted(pupils: list[Pupil], teacher: Teacher, room: Room) -> Outcome:
-    """What became of what pupils gave; `room` is the class as it is on the disk."""
+    """Count what became of the pupils' answers; `room` is the class as it is on the disk."""
     numbers = {seat.token: seat.number for seat in room.seats.values()}
     once = twice = lost = replaced = 0
     for pupil in pupils:
@@ -508,7 +509,7 @@ def counted(pupils: list[Pupil], teacher: Teacher, room: Room) -> Outcome:
 
 
 async def survive(host: Host, storm: Storm) -> Outcome:
-    """Hold a class in a storm; its server has ended afterwards."""
+    """Hold a class in a storm, and stop its server."""
     dice = random.Random(storm.seed)
     teacher = Teacher(host, random.Random(f"{storm.seed} teacher"))
     pupils = [
@@ -545,7 +546,7 @@ async def survive(host: Host, storm: Storm) -> Outcome:
 
 # ------------------------------------------------------------------------- the tables
 def bench_class(console: Console, repeats: int) -> None:
-    """What a class costs beside as many strangers, and what it survives."""
+    """Measure the cost of a class compared with as many strangers, and what it survives."""
     with tempfile.TemporaryDirectory() as cache:
         warm(cache)
         _bench_cost(console, repeats, cache)

@@ -20,7 +20,7 @@ MIN_SHOWN = 0.4
 
 
 def _measure() -> dict[str, Any]:
-    """Compile everything in this process, which has nothing on the disk."""
+    """Compile everything in this process, whose cache is empty."""
     import resource
 
     from numba.core import event
@@ -29,7 +29,7 @@ def _measure() -> dict[str, Any]:
     from sim.compiling.compiler import ENTRY_POINTS
 
     class Listener(event.Listener):
-        """Own time of each kernel, without that of those that it calls."""
+        """Measures the time of each kernel without that of the kernels it calls."""
 
         def __init__(self) -> None:
             self.stack: list[list[float]] = []

@@ -1,5 +1,4 @@
-"""`softrod bench edit`: what an edit of one part of a large body takes, and its undo: in the session, and in
-the page that is told of it."""
+"""`softrod bench edit`: the time of an edit of one part of a large body and of its undo."""
 
 from __future__ import annotations
 
@@ -38,7 +37,7 @@ HIGH = 51
 
 
 def cloth() -> Scene:
-    """A cloth with diagonals both ways, and joints along its threads, held at two corners."""
+    """Return a cloth with both diagonals, and joints along its threads, held at two corners."""
     body = sim.Cloth(
         columns=WIDE, rows=HIGH, width=10.0 * (WIDE - 1), height=10.0 * (HIGH - 1), start=(0.0, 0.0),
         stiffness=1e4, shear_stiffness=1e4, damping=1.0, angular_stiffness=100.0, mass=0.1, radius=2.0,
@@ -75,7 +74,7 @@ EDITS: dict[str, Callable[[Moment, int], Edit]] = {
     "a mass removed": _remove(masses=1200),
     "a mass added": _add_mass,
 }
-"""Each makes an edit of a moment; with another number it makes another one."""
+"""Each makes an edit of a moment, a different one for each number."""
 
 
 def _at_once(work: Callable[..., Any], /, *arguments: Any, **options: Any) -> Future[Any]:
@@ -86,7 +85,7 @@ def _at_once(work: Callable[..., Any], /, *arguments: Any, **options: Any) -> Fu
 
 @contextmanager
 def _tab(scene: Scene) -> Iterator[Tab]:
-    """A page's tab, whose frames are no longer the ticker's."""
+    """Yield a page's tab, detached from the ticker."""
     with serving(scene, "127.0.0.1", 0) as (server, ticker, _):
         address = f"127.0.0.1:{server.get_port()}"
         connection = connect(f"ws://{address}", **options_of(address))
@@ -109,7 +108,7 @@ def _tab(scene: Scene) -> Iterator[Tab]:
 
 
 def _frame(tab: Tab) -> None:
-    """A whole frame; what a heavy body needs is done at once."""
+    """Do a whole frame; heavy work is done at once."""
     tab.frame(BUDGET * FRAME, _at_once)
     if tab.session is not None and tab.session.heavy:
         tab.frame(BUDGET * FRAME, _at_once)
@@ -117,7 +116,7 @@ def _frame(tab: Tab) -> None:
 
 
 def edit_times(tab: Tab, make: Callable[[Moment, int], Edit], repeats: int) -> tuple[float, ...]:
-    """The least s of all repeats: an edit in the session, the frame after it, its undo, the frame after."""
+    """Return the shortest times, s: an edit in the session, the frame after it, its undo, the frame after."""
     session, best = tab.session, [math.inf] * 4
     assert session is not None
     for i in range(repeats):
@@ -135,7 +134,7 @@ def edit_times(tab: Tab, make: Callable[[Moment, int], Edit], repeats: int) -> t
 
 
 def select_time(tab: Tab, parts: Selection, repeats: int) -> float:
-    """The least s of all repeats: some parts are selected, and the frame after that."""
+    """Return the shortest time, s, of selecting some parts, with the frame after that."""
     session, best = tab.session, math.inf
     assert session is not None
     for selection in (Selection(), parts) * repeats:

@@ -1,5 +1,5 @@
-"""`softrod bench frames`: what a frame of 1/60 s takes, and how exact it is, for a rod led in a circle; and
-what it takes where the rod's end is torn to and fro.
+"""`softrod bench frames`: time and error of frames of 1/60 s for a rod led in a circle, and their time where
+the rod's end is torn to and fro.
 
 The rods are the same one in more and more pieces: length, weight and stiffness of the whole do not change.
 """
@@ -26,29 +26,29 @@ SIZES = (12, 100, 1000, 3000, 10_000)
 
 FRAMES = 60
 TOLERANCE = 0.1
-"""px, given to `auto`."""
+"""Tolerance of `auto`, px."""
 
 TORN = 500.0
-"""px that the end of a rod is torn to and fro."""
+"""Distance over which the end of a rod is torn to and fro, px."""
 
 REFERENCE: tuple[Method, float] = ("rodas5p", 1e-3)
-"""What errors are measured against: method, and tolerance in px."""
+"""Reference: method, and tolerance in px."""
 
 
 def rod(masses: int, integrator: Integrator, circle: Circle | None = None) -> Scene:
-    """The tutorial's rope in so many pieces, under the tutorial's law."""
+    """Return the tutorial's rope in so many pieces, under the tutorial's law."""
     return fine_rope(masses, circle=circle, force_law="tutorial", integrator=integrator)
 
 
 def led_rod(masses: int, method: Method, tolerance: float) -> Scene:
-    """The rod, its first mass led in a circle twice a second."""
+    """Return the rod, its first mass led in a circle twice a second."""
     integrator = Integrator(method=method, dt=1.0 / FRAMES, tolerance=tolerance)
     return rod(masses, integrator, Circle(radius=200.0, frequency=2.0, ramp=0.1))
 
 
 @dataclass(frozen=True)
 class Frames:
-    """What came of a run.
+    """Results of a run.
 
     Attributes:
         path: (frames, n, 2) px.
@@ -63,7 +63,7 @@ class Frames:
 
 
 Act = Callable[[sim.Simulation, int], None]
-"""What is done to a simulation before the frame of a number."""
+"""Acts on a simulation before the frame of a number."""
 
 
 def tear(simulation: sim.Simulation, frame: int) -> None:
@@ -92,18 +92,18 @@ def run_frames(simulation: sim.Simulation, act: Act = lambda simulation, frame: 
     return Frames(np.array(path), np.array(seconds), stats.steps, stats.rejected)
 
 
-def errors(path: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(frames,) the largest distance of a mass from where it should be, px."""
-    return np.hypot(*np.moveaxis(path - right, -1, 0)).max(axis=1)
+def errors(path: NDArray[np.float64], reference: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the (frames,) largest distance of a mass from the reference, px."""
+    return np.hypot(*np.moveaxis(path - reference, -1, 0)).max(axis=1)
 
 
 def behind(seconds: NDArray[np.float64]) -> float:
-    """How far the clock falls behind at most, s, where frames take so long."""
-    late = most = 0.0
+    """Return the largest delay of the clock, s, if frames take so long."""
+    late = latest = 0.0
     for spent in seconds:
         late = max(0.0, late + float(spent) - 1.0 / FRAMES)
-        most = max(most, late)
-    return most
+        latest = max(latest, late)
+    return latest
 
 
 def bench_frames(console: Console, repeats: int) -> None:

@@ -1,4 +1,4 @@
-"""`softrod bench heap`: rings that fall into a box, onto and beside each other."""
+"""`softrod bench heap`: rings that fall into a box and onto each other."""
 
 from __future__ import annotations
 
@@ -73,12 +73,12 @@ def times(scene: Scene, frames: int, repeats: int) -> tuple[list[float], int, fl
     """Let a scene fall for some frames.
 
     Returns:
-        Processor time of each frame, s, the least of all repeats; the number of steps tried in all; and the
-        root mean square of the speeds in the end, px/s.
+        Processor time of each frame, s, the shortest of all repeats; the number of steps attempted; and the
+        root mean square of the speeds at the end, px/s.
     """
     simulation, steps = Simulation(scene), max(round(FRAME / scene.integrator.dt), 1)
     simulation.step()  # loads the kernels
-    best, tried = [math.inf] * frames, 0
+    best, attempts = [math.inf] * frames, 0
     for _ in range(repeats):
         simulation.reset()
         simulation.stats()
@@ -89,8 +89,8 @@ def times(scene: Scene, frames: int, repeats: int) -> tuple[list[float], int, fl
         if simulation.divergence is not None:
             raise RuntimeError(f"the heap ran away: {simulation.divergence}")
         stats = simulation.stats()
-        tried = stats.steps + stats.rejected
-    return best, tried, float(np.sqrt((simulation.velocities**2).sum(1).mean()))
+        attempts = stats.steps + stats.rejected
+    return best, attempts, float(np.sqrt((simulation.velocities**2).sum(1).mean()))
 
 
 def bench_heap(console: Console, repeats: int) -> None:
@@ -100,10 +100,10 @@ def bench_heap(console: Console, repeats: int) -> None:
     for rings in RINGS:
         for name, integrator in METHODS.items():
             scene = msgspec.structs.replace(heap(rings), integrator=integrator)
-            best, tried, speed = times(scene, FRAMES, repeats)
+            best, attempts, speed = times(scene, FRAMES, repeats)
             parts = [sum(best[i : i + quarter]) for i in range(0, len(best), quarter)]
             shares = sum(best) / (FRAME * FRAMES), max(parts) / (FRAME * quarter)
-            steps = f"{tried / (FRAME * FRAMES):.0f}"
+            steps = f"{attempts / (FRAME * FRAMES):.0f}"
             rows.append((str(len(scene.masses)), name, steps, *(f"{n:.3f}" for n in shares), f"{speed:.2g}"))
     headings = ("masses", "method", "steps per s", "all", "slowest 1/4 s", "px/s in the end")
     title = "processor time / simulated time, falling and settling, 5 s"

@@ -25,19 +25,19 @@ GIRDER = 50
 
 
 def cloth(side: int) -> Scene:
-    """A square patch of springs that bends like a net of rods."""
+    """Return a square patch of springs that bends like a net of rods."""
     width = 20.0 * (side - 1)
     body = sim.Cloth(
         columns=side, rows=side, width=width, height=width, start=(0.0, 0.0), diagonals=False, held="corner"
     )
     scene = sim.validate(Scene(name=f"cloth-{side}x{side}", bodies=(body,)))
-    # The others hold the corners of its cells.
+    # The other joints hold the corners of its cells.
     in_line = tuple(joint for joint in scene.angular_springs if not joint.rest_angle)
     return replace(scene, bodies=(), angular_springs=in_line)
 
 
 def girder(rungs: int) -> Scene:
-    """Two rails, with rungs and diagonals between them, and joints where three masses stand in line."""
+    """Return two rails, with rungs and diagonals between them, and joints where three masses are in line."""
     places = [(20.0 * (i // 2), 20.0 * (i % 2)) for i in range(2 * rungs)]
     rails = [(i, i + 2) for i in range(2 * rungs - 2)]
     between = [(2 * i, 2 * i + 1) for i in range(rungs)] + [(2 * i, 2 * i + 3) for i in range(rungs - 1)]
@@ -54,7 +54,7 @@ def girder(rungs: int) -> Scene:
 
 
 def in_a_band(scene: Scene) -> int:
-    """Blocks within the band of a scene's matrix, if masses stand in the order of reverse Cuthill-McKee."""
+    """Return the number of blocks in the band of a scene's matrix, in reverse Cuthill-McKee order."""
     from scipy.sparse import csr_matrix
     from scipy.sparse.csgraph import reverse_cuthill_mckee
 

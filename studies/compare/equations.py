@@ -1,4 +1,4 @@
-"""A scene as a system of first-order equations, for solvers that want that; softrod's kernels evaluate it."""
+"""A scene as a system of first-order equations for ODE solvers, evaluated by softrod's kernels."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from sim.kernels.linear.sparse import assemble
 from sim.motion.driving import Driver
 
 Layout = Literal["dense", "banded", "sparse"]
-"""A Jacobian as an (N, N) array; as diagonals, of which row `above` + i - j holds J[i, j] at column j; or as
+"""Layout of a Jacobian: an (N, N) array; diagonals, where row `above` + i - j holds J[i, j] at column j; or
 the numbers of a matrix in compressed columns."""
 
 
 class _Tables(Table):
-    """What the functions below need."""
+    """Arguments of the functions below."""
 
     body: Body
     state: State
@@ -36,12 +36,12 @@ class _Tables(Table):
     a: Floats  # accelerations, flat
     used: Indices  # blocks of the matrix
     row: Indices  # index of the row of each
-    kept: Floats
+    by_position: Floats  # derivatives of the blocks by positions
 
 
 @numba.njit
 def _take(tables, t, y):
-    """Put the state y at time t where the kernels want it."""
+    """Copy the state y at time t into the kernels' tables."""
     at, q, v = tables.at, tables.state.q, tables.state.v
     slots = q.size // 2
     for i in range(at.size):
@@ -64,14 +64,14 @@ def _derivative(tables, t, y, out):
 
 @numba.njit
 def _jacobian(tables, to_place, to_speed, to_one, t, y, out):
-    """The Jacobian of `_derivative` into the flat array `out`.
+    """Write the Jacobian of `_derivative` into the flat array `out`.
 
     Args:
-        to_place, to_speed: (4 B,) where in `out` a block's derivatives by positions and by velocities belong.
-        to_one: (2 free masses) where in `out` a velocity is the derivative of a position; after those, as
-            many on the diagonal by velocities, where air acts.
+        to_place, to_speed: (4 B,) indices in `out` of a block's derivatives by positions and by velocities.
+        to_one: (2 free masses) indices of the derivatives of positions by velocities; after those, as many
+            on the diagonal by velocities, where air acts.
     """
-    at, row, used, scratch = tables.at, tables.row, tables.used, tables.kept
+    at, row, used, scratch = tables.at, tables.row, tables.used, tables.by_position
     state, blocks = tables.state, tables.matrix.blocks
     q, v = state.q, state.v
     _take(tables, t, y)
@@ -104,7 +104,7 @@ class Equations:
 
     Attributes:
         start: (N,) y at time 0.
-        below, above: how many diagonals the Jacobian has on either side.
+        below, above: diagonals of the Jacobian on either side.
     """
 
     def __init__(self, scene: sim.Scene) -> None:
@@ -144,15 +144,15 @@ class Equations:
             a=np.zeros_like(state.q),
             used=used,
             row=row,
-            kept=self._scratch,
+            by_position=self._scratch,
         )
 
     def derivative_into(self) -> Callable[[float, Floats, Floats], None]:
-        """A function (t, y, out) that writes dy/dt into `out`."""
+        """Return a function (t, y, out) that writes dy/dt into `out`."""
         return functools.partial(_derivative, self._tables)
 
     def derivative(self) -> Callable[[float, Floats], Floats]:
-        """A function (t, y) that returns dy/dt."""
+        """Return a function (t, y) that returns dy/dt."""
         tables, size = self._tables, self.start.size
 
         def derivative(t: float, y: Floats) -> Floats:
@@ -163,8 +163,7 @@ class Equations:
         return derivative
 
     def jacobian_into(self, layout: Layout) -> Callable[[float, Floats, Floats], None]:
-        """A function (t, y, out) that writes the Jacobian into `out`, flat; zeros of the pattern stay as they
-        are there."""
+        """Return a function (t, y, out) that writes the Jacobian into the flat `out`, except its zeros."""
         size, (i, j) = self.start.size, (self._rows, self._columns)
         if layout == "dense":
             index = i * size + j
@@ -176,19 +175,19 @@ class Equations:
         return functools.partial(_jacobian, self._tables, *parts)
 
     def pattern(self) -> tuple[Indices, Indices]:
-        """(row of each number, first number of each column) of the Jacobian in compressed columns."""
+        """Return the row of each number and the first number of each column, in compressed columns."""
         size = self.start.size
         keys = np.unique(self._columns * size + self._rows)
         return keys % size, np.searchsorted(keys // size, np.arange(size + 1))
 
     def positions(self, t: float, y: Floats) -> Floats:
-        """(n, 2) positions of all masses at time t, px, in the scene's order."""
-        self.derivative_into()(t, y, np.empty(y.size))  # puts every mass where it is by then
+        """Return the (n, 2) positions of all masses at time t, px, in the scene's order."""
+        self.derivative_into()(t, y, np.empty(y.size))  # also moves led masses
         return np.column_stack((self._state.x[self._place], self._state.y[self._place]))
 
 
 def _in_order(free: Indices, row: Indices, column: Indices) -> Indices:
-    """The slots of the free masses in reverse Cuthill-McKee order."""
+    """Return the slots of the free masses in reverse Cuthill-McKee order."""
     from scipy.sparse import csr_matrix
     from scipy.sparse.csgraph import reverse_cuthill_mckee
 

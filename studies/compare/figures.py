@@ -112,11 +112,11 @@ def peer(point: Point) -> str:
 
 def front(points: Sequence[Point]) -> list[Point]:
     """Return the points that no other one beats in both error and time, from large to small errors."""
-    kept: list[Point] = []
+    found: list[Point] = []
     for point in sorted(points, key=lambda p: (p.seconds, p.error)):
-        if math.isfinite(point.error) and (not kept or point.error < kept[-1].error):
-            kept.append(point)
-    return kept
+        if math.isfinite(point.error) and (not found or point.error < found[-1].error):
+            found.append(point)
+    return found
 
 
 def work_against_error(
@@ -231,7 +231,7 @@ def _bodies(bodies: Sequence[BodyResult]) -> Figure:
 
 # ------------------------------------------------------------------------- softrod bench peers
 def peers_figures(points: Sequence[Point]) -> Iterator[report.Figure]:
-    """Yield the figures of the scenes of which there are points."""
+    """Yield the figures of the scenes that have points."""
     there = {p.scene for p in points}
     groups = {
         "ropes": [name for name in PATHS if name.startswith("rope") and name in there],

@@ -18,15 +18,15 @@ Graph = tuple[Positions, Pairs, Pairs]
 """Positions of masses, (start, end) of springs, and pairs of springs that joints hold."""
 
 _SEED = 2008
-"""Goes before the seed of each body."""
+"""Prefix of the seed of each body."""
 
 
 def random_body(seed: int) -> Scene:
-    """The random body of a seed, the same one every time.
+    """Return the random body of a seed, the same one every time.
 
     Shape, size, force law, masses, stiffnesses, dampings, rest lengths and angles, speeds, anchors and their
-    circles, gravity and air are all drawn; stiffnesses and dampings differ by up to a factor of four within a
-    body and by a hundred and more between bodies.
+    circles, gravity and air are all random; stiffnesses and dampings differ by up to a factor of four within
+    a body and by a hundred and more between bodies.
     """
     rng = np.random.default_rng((_SEED, seed))
     shape = list(_SHAPES)[int(rng.integers(len(_SHAPES)))]
@@ -94,7 +94,7 @@ def random_body(seed: int) -> Scene:
 
 
 def _angle(at: np.ndarray, first: tuple[int, int], second: tuple[int, int]) -> float:
-    """From one spring to another, degrees."""
+    """Return the angle from one spring to another, degrees."""
     a, b = at[first[1]] - at[first[0]], at[second[1]] - at[second[0]]
     return math.degrees(math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]))
 
@@ -114,7 +114,7 @@ def _ring(rng: np.random.Generator) -> Graph:
 
 
 def _tree(rng: np.random.Generator) -> Graph:
-    """Each mass hangs on one that was there before; joints between a spring and the one that it hangs on."""
+    """Return a tree: each mass hangs on an earlier one, with a joint between their springs."""
     n = int(rng.integers(5, 41))
     positions: Positions = [(0.0, 0.0)]
     springs: Pairs = []
@@ -132,7 +132,7 @@ def _tree(rng: np.random.Generator) -> Graph:
 
 
 def _grid(rng: np.random.Generator) -> Graph:
-    """A grid with diagonals in some of its cells, and joints where two springs lie in line."""
+    """Return a grid, perhaps with diagonals, and joints where two springs lie in line."""
     across, down = (int(c) for c in rng.integers(2, 8, 2))
     positions = [(float(i % across), float(i // across)) for i in range(across * down)]
     springs = [(i, i + 1) for i in range(across * down) if i % across < across - 1]
@@ -148,7 +148,7 @@ def _grid(rng: np.random.Generator) -> Graph:
 
 
 def _tangle(rng: np.random.Generator) -> Graph:
-    """Springs between random pairs, and joints between random pairs of those that share a mass."""
+    """Return springs between random pairs, and joints between random springs that share a mass."""
     n = int(rng.integers(4, 16))
     positions = [(float(x), float(y)) for x, y in rng.uniform(0.0, math.sqrt(n), (n, 2))]
     pairs = list(itertools.combinations(range(n), 2))

@@ -1,4 +1,4 @@
-"""How near `auto` keeps to its tolerance on random bodies of any topology."""
+"""How well `auto` respects its tolerance on random bodies of any topology."""
 
 from __future__ import annotations
 
@@ -19,42 +19,42 @@ from .references import path_by
 from .runs import FRAME, SECONDS, distance, run
 
 TOLERANCE = 0.1
-"""px, given to `auto`."""
+"""Tolerance of `auto`, px."""
 
 OTHER_TOLERANCES = (1.0, 1e-2, 1e-3, 1e-4)
-"""px, given to it, too, in one call each."""
+"""Further tolerances of `auto`, px, in one call each."""
 
 TIGHT = 1e-9
 """Tolerance of the references, px."""
 
 NUDGE = 1e-6
-"""How far the farthest mass is moved, px, to see what becomes of it."""
+"""Displacement of the farthest mass in a perturbed start, px."""
 
 CHAOTIC = 1e3
-"""A body is chaotic, and left out, if a nudge of its start grows more than so many times within the run. Then
-it would turn errors of a thousandth of the tolerance into ones beyond it, whatever the method."""
+"""Growth of a nudge of the start from which on a body counts as chaotic and is left out: it would amplify
+errors of a thousandth of the tolerance beyond the tolerance, whatever the method."""
 
 GROWTHS = (10.0, 100.0, 1e3)
-"""Growths by which bodies are told apart."""
+"""Borders between classes of growth."""
 
 UNSURE = 1e-3
-"""A body is left out, too, if two references are farther apart than this, px."""
+"""Distance between two references, px, from which on a body is left out."""
 
 UNSURE_PART = 0.03
-"""And it does not count for a tolerance of which that is more than this part."""
+"""The same, as a part of the tolerance that a body is to count for."""
 
 
 @dataclass(frozen=True)
 class BodyResult:
-    """What came of one random body.
+    """Results of one random body.
 
     Attributes:
         seed: `random_bodies.random_body(seed)` makes it again.
         shape, law: its kind and its force law.
         masses: how many.
-        growth: of a nudge of its start, the largest along the path.
-        doubt: how far the references are apart at most, px; infinite where one has not arrived.
-        left_out: why it does not count, or empty; what `auto` does has no part in that.
+        growth: largest growth of a nudge of its start along the path.
+        doubt: largest distance between the references, px; infinite if one failed.
+        left_out: why it does not count, or empty; this does not depend on `auto`.
         error, framed_error: at the end, px, in one call and in a call per frame; infinite where it failed.
         seconds, framed_seconds: of computing, once.
         other_errors: at the end in one call, px, under each of `OTHER_TOLERANCES`.
@@ -75,7 +75,7 @@ class BodyResult:
 
 
 def measure_body(seed: int, scene: Scene | None = None) -> BodyResult:
-    """Run the body of a seed by the references, by one of them with its start nudged, and by `auto`.
+    """Run a body by the references, by one of them with a nudge of its start, and by `auto`.
 
     Args:
         seed: see `random_bodies.random_body`.
@@ -108,13 +108,13 @@ def measure_body(seed: int, scene: Scene | None = None) -> BodyResult:
 
 
 def measure_bodies(count: int) -> Iterator[BodyResult]:
-    """The results of the seeds from 0 on, one by one."""
+    """Yield the results of the seeds from 0 on."""
     for seed in range(count):
         yield measure_body(seed)
 
 
 def _nudged(scene: Scene, seed: int) -> Scene:
-    """The scene with its free masses moved a little, in random directions."""
+    """Return the scene with its free masses moved a little, in random directions."""
     shift = np.random.default_rng((7, seed)).normal(size=(len(scene.masses), 2))
     shift[[anchor.mass for anchor in scene.anchors]] = 0.0
     shift *= NUDGE / np.hypot(*shift.T).max()
@@ -128,11 +128,11 @@ def _nudged(scene: Scene, seed: int) -> Scene:
 
 @dataclass(frozen=True)
 class Shares:
-    """What the bodies that count come to.
+    """Summary of the bodies that count.
 
     Attributes:
         tolerance: px.
-        counted: how many they are.
+        counted: their number.
         within, within_three: the share that ends within the tolerance, and within three times that.
         largest: the largest error, in tolerances.
         beyond: seeds of those that end beyond ten times the tolerance, the worst first.
@@ -147,33 +147,33 @@ class Shares:
 
 
 def shares(bodies: Sequence[BodyResult], framed: bool = False) -> Shares:
-    """Sum up the bodies that are not left out, in one call or in a call per frame."""
-    return _sum_up(
+    """Summarise the bodies that are not left out, in one call or in a call per frame."""
+    return _summarise(
         {b.seed: b.framed_error if framed else b.error for b in bodies if not b.left_out}, TOLERANCE
     )
 
 
 def shares_by_tolerance(bodies: Sequence[BodyResult]) -> list[Shares]:
-    """The same in one call, for all tolerances from the largest on."""
+    """Summarise them in one call, for all tolerances in descending order."""
     found = [shares(bodies)]
     for i, tolerance in enumerate(OTHER_TOLERANCES):
         sure = (b for b in bodies if not b.left_out and b.doubt <= UNSURE_PART * tolerance)
-        found.append(_sum_up({b.seed: b.other_errors[i] for b in sure}, tolerance))
+        found.append(_summarise({b.seed: b.other_errors[i] for b in sure}, tolerance))
     return sorted(found, key=lambda shares: -shares.tolerance)
 
 
 def shares_by_growth(bodies: Sequence[BodyResult], framed: bool = False) -> dict[str, Shares]:
-    """The same by how much a nudge grows, chaotic bodies too, as far as their references agree."""
+    """Summarise them by the growth of a nudge, chaotic bodies included if their references agree."""
     found = {}
-    for least, most in itertools.pairwise((0.0, *GROWTHS, math.inf)):
-        those = (b for b in bodies if least <= b.growth < most and b.doubt <= UNSURE)
-        what = f"{least:g} to {most:g}" if most < math.inf else f"{least:g} and more"
-        found[what] = _sum_up({b.seed: b.framed_error if framed else b.error for b in those}, TOLERANCE)
+    for low, high in itertools.pairwise((0.0, *GROWTHS, math.inf)):
+        those = (b for b in bodies if low <= b.growth < high and b.doubt <= UNSURE)
+        what = f"{low:g} to {high:g}" if high < math.inf else f"{low:g} and more"
+        found[what] = _summarise({b.seed: b.framed_error if framed else b.error for b in those}, TOLERANCE)
     return found
 
 
-def _sum_up(error: dict[int, float], tolerance: float) -> Shares:
-    """Of errors, px, by seed."""
+def _summarise(error: dict[int, float], tolerance: float) -> Shares:
+    """Summarise errors, px, by seed."""
     found = sorted((px / tolerance, seed) for seed, px in error.items())
     errors = np.array([error for error, _ in found])
     if not found:

@@ -44,7 +44,7 @@ class Target:
 
     Attributes:
         what: it is about.
-        wanted, found: in words.
+        wanted, found: for people.
         met: whether it is.
     """
 
@@ -130,12 +130,12 @@ def short_table(study: Study, error: float) -> Table:
 
 def _fastest(results: SceneResults, names: Sequence[str], error: float, named: bool = True) -> list[str]:
     """The time of the fastest, with its name, and how many times that of `auto` it is."""
-    auto, tried = auto_at(results.points, error), results.of(names)
-    found = best(tried, error)
+    auto, points = auto_at(results.points, error), results.of(names)
+    found = best(points, error)
     if results.is_doubtful(error):
         return ["below the doubt", ""]
     if found is None:
-        return ["not reached" if tried else "", ""]
+        return ["not reached" if points else "", ""]
     time = milliseconds(found.seconds)
     ratio = f"{found.seconds / auto.seconds:.3g}" if auto else ""
     return [f"{label(found.name)} {time}" if named else time, ratio]
@@ -163,7 +163,7 @@ def advice(study: Study) -> list[str]:
 
 
 def _tried(results: SceneResults) -> list[Tried]:
-    """What was tried of softrod's methods on a scene."""
+    """The settings of softrod's methods on a scene."""
     return [Tried(p.method, p.value, p.error, p.seconds) for p in results.of(tuple(METHODS))]
 
 

@@ -1,4 +1,4 @@
-"""The command `softrod fit`: what it prints and writes."""
+"""`softrod fit`: prints and writes the result of a fit."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def fit_and_report(
     """Fit a scene, print what was found and write it.
 
     Args:
-        scene, data, vary, match, scale: as of `sim.fit`.
+        scene, data, vary, match, scale: arguments of `sim.fit`.
         out: folder for scene.json, values.csv and fit.png; None to write nothing.
         console: where to print.
         decimal_comma: whether values.csv has decimal commas.
@@ -41,7 +41,7 @@ def fit_and_report(
         The exit status: 130 if Ctrl-C ended it.
 
     Raises:
-        SceneError, InputError: as `sim.fit`, or a file cannot be written.
+        SceneError, InputError: those of `sim.fit`, or a file cannot be written.
     """
     if out is not None:
         make_folder(out)

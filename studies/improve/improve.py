@@ -29,8 +29,8 @@ from .ranges import Range
 from .search import WORST, Search
 from .trials import INVALID, trial
 
-_ENDINGS = 3
-"""Values of a row after the settings: the result, the score, and how the run ended."""
+_RESULTS = 3
+"""Values of a row after the settings: the result, the score, and why the run counts as worst."""
 
 _MAX_LINK = 4000
 """Characters up to which a link is printed."""
@@ -61,7 +61,7 @@ class SearchHeader(Header, frozen=True, forbid_unknown_fields=True, kw_only=True
 
     def has(self, entry: Entry) -> bool:
         """Whether an entry can belong to one of its runs."""
-        return entry.run >= 0 and len(entry.row.values) == len(self.vary) + _ENDINGS
+        return entry.run >= 0 and len(entry.row.values) == len(self.vary) + _RESULTS
 
 
 @dataclass(frozen=True)
@@ -121,9 +121,9 @@ class Trial:
 
     Attributes:
         number: 0 for the scene as it is.
-        point: values of the settings, as assignments have them.
-        result: in the unit of the goal; None where there is none.
-        score: the less, the nearer to the goal; None for what counts as worst.
+        point: values of the settings, as texts of assignments.
+        result: in the unit of the goal; None if there is none.
+        score: lower is nearer to the goal; None for what counts as worst.
         ended: why it counts as worst, or "".
     """
 
@@ -135,7 +135,7 @@ class Trial:
 
     @classmethod
     def of(cls, number: int, row: Row) -> Trial:
-        """The run of a row."""
+        """Return the run of a row."""
         *point, result, score, ended = row.values
         assert result is None or isinstance(result, float)
         assert score is None or isinstance(score, float)
@@ -255,10 +255,10 @@ class _SearchLoop:
         """
         rows, missing = self._journal.rows, {}
         # Whole numbers come again and again.
-        known = {tuple(row.values[:-_ENDINGS]): row for n, row in rows.items() if n}
+        known = {tuple(row.values[:-_RESULTS]): row for n, row in rows.items() if n}
         for number, point in points.items():
             if number in rows:
-                if rows[number].values[:-_ENDINGS] != point:
+                if rows[number].values[:-_RESULTS] != point:
                     raise InputError(
                         f"--out {self._journal.out}: run {number} has other settings than this search asks "
                         f"for, since it was computed by {rows[number].by}; use another folder"
@@ -286,7 +286,7 @@ class _SearchLoop:
                 self._store(number, points[number], row)
 
     def _call(self, number: int, point: tuple[str, ...]) -> Call | None:
-        """The run of a point; None where its scene is not valid."""
+        """Return the call of a run; None if its scene is not valid."""
         problem = self._problem
         assignments = problem.grid.settings
         if number:  # the scene as it is may have settings that differ from part to part
@@ -311,15 +311,15 @@ class _SearchLoop:
 
 # ------------------------------------------------------------------------- what was found
 def _trials(problem: OptimizationProblem, journal: Journal) -> dict[int, Trial]:
-    """The runs that are done, in the order of their numbers; without those of a longer search."""
+    """Return the runs that are done, by number, without those of a longer search."""
     return {n: Trial.of(n, journal.rows[n]) for n in sorted(journal.rows) if n < problem.runs}
 
 
 def _best(problem: OptimizationProblem, trials: Mapping[int, Trial]) -> Trial | None:
-    """The run with the least score, the first of several; the scene as it is only if it is in all ranges."""
+    """Return the first run with the lowest score; the scene as it is counts only if it is in all ranges."""
     within = (trial for trial in trials.values() if trial.number or _is_within(problem.ranges, trial.point))
-    fine = [(trial.score, trial.number) for trial in within if trial.score is not None]
-    return trials[min(fine)[1]] if fine else None
+    scored = [(trial.score, trial.number) for trial in within if trial.score is not None]
+    return trials[min(scored)[1]] if scored else None
 
 
 def _is_within(ranges: Iterable[Range], point: Iterable[str]) -> bool:
@@ -327,7 +327,7 @@ def _is_within(ranges: Iterable[Range], point: Iterable[str]) -> bool:
 
 
 def _scene_of(problem: OptimizationProblem, best: Trial) -> sim.Scene:
-    """The scene of a run. It has no lesson, whose first step would set the settings back."""
+    """Return the scene of a run, without its lesson, whose first step would reset the settings."""
     scene = problem.grid.scene_at(best.point) if best.number else problem.initial_scene
     name = f"{scene.name[:50]}-improved"
     title = f"{(scene.title or scene.name)[:50]}, improved"
@@ -338,7 +338,7 @@ def _scene_of(problem: OptimizationProblem, best: Trial) -> sim.Scene:
 
 
 def shown(result: float | None, unit: str) -> str:
-    """A result for people."""
+    """Return a result for people."""
     return "not reached" if result is None else f"{result:.6g} {unit}".rstrip()
 
 

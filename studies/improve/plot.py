@@ -1,4 +1,4 @@
-"""The progress of a search: the results of its runs and the best until then, and the settings tried."""
+"""The figure of a search: results of its runs, the best so far, and the settings of each run."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ if TYPE_CHECKING:
 
 MAX_SETTINGS = 8
 """Settings that are drawn; the table has all."""
+
 SHOWN = 0.8
-"""Part of the runs, from the best on, that fit into the picture: a few can be far off."""
+"""Part of the runs, from the best on, that fit into the panel: a few can be far off."""
 
 
 def plot(
@@ -28,7 +29,7 @@ def plot(
     settings: Sequence[tuple[str, Range, Sequence[float]]],
     best: int | None,
 ) -> Figure:
-    """Results and settings over the number of the run.
+    """Draw results and settings over the number of the run.
 
     Args:
         result: its name and unit.
@@ -85,7 +86,7 @@ def _results(
             until, line[n] = score, values[n]
         elif n:
             line[n] = line[n - 1]
-    axes.plot(line, drawstyle="steps-post", lw=1.6, color=BLUE, label="the best until then")
+    axes.plot(line, drawstyle="steps-post", lw=1.6, color=BLUE, label="the best so far")
     if scores and scores[0] is not None and not math.isnan(values[0]):
         axes.plot(0, values[0], "s", ms=5, color=BLACK, label="the scene as it is")
     if best is not None and not math.isnan(values[best]):

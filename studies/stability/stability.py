@@ -1,4 +1,4 @@
-"""`softrod stability`: maps of where each integrator breaks, and how each does on hard cases."""
+"""`softrod stability`: maps of where each integrator turns unstable."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ PAIRS = (
     ("mass_ratio", "dt"),
     ("masses", "dt"),
 )
-"""The maps that are drawn unless something else is asked for."""
+"""The maps that are drawn by default."""
 
 Range = tuple[float, float] | None
 
@@ -57,20 +57,20 @@ def stability(
     Ctrl-C ends it early; what is done by then is written.
 
     Args:
-        scene: where everything comes from that is not varied.
+        scene: with everything that is not varied.
         axes: names of two numbers, see AXES; None for all of PAIRS that the scene has.
-        ranges: of both axes, or None for their own.
+        ranges: of both axes, or None for the defaults.
         size: cells along each axis, at most.
-        methods: names of methods with a fixed step; none for all.
+        methods: names of methods with a fixed step; empty for all.
         duration: simulated time in each cell, s.
         out: folder; made if its parent exists.
-        console: where tables and progress go.
+        console: for tables and progress.
 
     Returns:
         The exit status: 0, or 130 if it was interrupted.
 
     Raises:
-        InputError: an axis, a range or a method is not to be had, or the folder cannot be written to.
+        InputError: an axis, a range or a method does not exist, or the folder cannot be written to.
     """
     moving = released(scene)
     chosen = [axes] if axes else [pair for pair in PAIRS if not any(AXES[k].problem(moving) for k in pair)]
@@ -131,7 +131,7 @@ def _title(chart: Map) -> str:
 
 
 def as_csv(charts: Sequence[Map]) -> str:
-    """A row for each cell: the two numbers, then ending, error and analytic limit of each integrator."""
+    """Return a row for each cell: the two numbers, then ending, error and limit of each integrator."""
     methods = list(charts[0].endings) if charts else []
     parts = [f"{method}{part}" for method in methods for part in ("", "_error", "_limit")]
     rows = []

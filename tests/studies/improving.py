@@ -13,7 +13,7 @@ import sim
 from studies.improve.goals import parse_goal
 from studies.improve.improve import OptimizationProblem, SearchResult, improve, print_result
 from studies.improve.ranges import make_ranges
-from studies.improve.search import usual_population
+from studies.improve.search import default_population
 from studies.sweep.journal import Entry
 from tests.studies.sweeping import Here
 
@@ -39,7 +39,7 @@ def problem_of(
     """What the command would make of these."""
     found, scene = parse_goal(goal, scene)
     grid, ranges = make_ranges(scene, settings, vary)
-    return OptimizationProblem(grid, ranges, found, duration, runs, usual_population(len(ranges)), seed)
+    return OptimizationProblem(grid, ranges, found, duration, runs, default_population(len(ranges)), seed)
 
 
 def improved(

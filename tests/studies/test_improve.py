@@ -168,7 +168,7 @@ def test_an_angle_goes_on_beyond_half_a_turn(of: str, right: float) -> None:
         meter.look()
         simulation.step(80)
     meter.look()
-    assert not meter.goes_by_end
+    assert not meter.needs_end_only
     assert meter.result()[0] == pytest.approx(right, rel=5e-3)
 
 

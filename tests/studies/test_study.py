@@ -100,6 +100,22 @@ def test_other_solvers_agree_with_softrod(name: str, scene: sim.Scene) -> None:
     assert whole.seconds > 0.0
 
 
+def test_a_solver_is_ready_before_its_clock_starts() -> None:
+    """In a process of its own, where nothing is imported yet."""
+    script = (
+        "import sim\n"
+        "from studies.compare.engines.solvers import SolverRun\n"
+        "from studies.compare.equations import Equations\n"
+        "from studies.compare.runs import run\n"
+        "equations = Equations(sim.load_scene('tutorial-3.3'))\n"
+        "for name in ('LSODA', 'RK45'):\n"
+        "    contender = SolverRun(equations, 'SciPy', name, 1.0)\n"
+        "    first, second = run(contender), run(contender)\n"
+        "    assert first.path is not None and first.seconds < 20.0 * second.seconds + 0.05, name\n"
+    )
+    subprocess.run([sys.executable, "-c", script], check=True, cwd=Path(__file__).parents[2])
+
+
 def test_a_solver_that_takes_too_long_or_fails_is_no_error() -> None:
     equations = Equations(ROPE)
     slow = SolverRun(equations, "SciPy", "DOP853", 1e-6, patience=1e-4)

@@ -30,7 +30,7 @@ HEAP_RATES = (960.0, 1440.0, 1920.0, 3840.0, 7680.0)
 """Steps per second in heaps, of methods with a fixed step."""
 
 MAX_ATTEMPTS = 400_000
-"""Steps of a method with error control, kept or not, after which a run is given up."""
+"""Steps of a method with error control, accepted or not, after which a run is given up."""
 
 LONGEST = 0.2
 """Seconds of a run beyond which `softrod study` tries no finer settings."""

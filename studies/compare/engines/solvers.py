@@ -6,6 +6,7 @@ band or its sparse pattern.
 
 from __future__ import annotations
 
+import contextlib
 import importlib.util
 import time
 import warnings
@@ -19,7 +20,7 @@ from sim import Scene
 from ..engine import package, tolerance_text
 from ..equations import Equations, Layout
 from ..measure import Contender, Settings, ladder, tolerances
-from ..runs import FRAME, PATIENCE, SECONDS, Failed, Floats, Runner
+from ..runs import FAILURES, FRAME, PATIENCE, SECONDS, Failed, Floats, Runner
 
 SCIPY = ("RK45", "DOP853", "Radau", "BDF", "LSODA")
 CVODE = ("BDF", "Adams")
@@ -76,7 +77,8 @@ class SolverRun(Runner):
         self.solve = (_scipy if engine == "SciPy" else _cvode)(method, equations)
         self._times = np.linspace(0.0, SECONDS, frames + 1)[1:]
         self._plain = equations.derivative_into()
-        self._plain(0.0, equations.start, np.empty(equations.start.size))  # loads machine code
+        with contextlib.suppress(*FAILURES):  # loads machine code, and what is imported late
+            self.solve(1.0, np.array([1e-4]), self._plain)
         self._patience, self._deadline = patience, np.inf
         self._found = np.empty((0, 0))
         self._frame = -1
@@ -161,6 +163,8 @@ def _scipy(method: str, equations: Equations) -> Solve:
         rows = equations.below + equations.above + 1
         options = {"lband": equations.below, "uband": equations.above}
         options["jac"] = _array(equations, "banded", (rows, size))
+    if "jac" in options:
+        options["jac"](0.0, equations.start)  # loads machine code
 
     def solve(tolerance: float, times: Floats, derivative: Derivative) -> Floats:
         def function(t: float, y: Any) -> Floats:
@@ -219,12 +223,6 @@ def _cvode(method: str, equations: Equations) -> Solve:
 
     def fill(t: float, y: Floats, _: Floats, out: Floats) -> None:
         jacobian(t, y, out.reshape(-1))
-
-    # CVODE's arrays are read-only, which takes machine code of its own; load it before any clock starts.
-    start = equations.start.copy()
-    start.setflags(write=False)
-    equations.derivative_into()(0.0, start, np.empty(start.size))
-    jacobian(0.0, start, np.empty(start.size**2))
 
     def solve(tolerance: float, times: Floats, derivative: Derivative) -> Floats:
         solver = cvode(
