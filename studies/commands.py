@@ -5,15 +5,17 @@ Each imports what it needs when it runs.
 
 from __future__ import annotations
 
+import importlib
 import math
 import os
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 from rich.console import Console
 from tyro.conf import Positional, UseAppendAction, arg
+from tyro.extras import literal_type_from_choices
 
 import sim
 from app.command import CsvComma, Settings, fail, scene_of
@@ -23,30 +25,32 @@ from sim.errors import InputError
 from .sweep.measures import MEASURES, parse_measures
 from .sweep.workers import MakeWorkers
 
+BENCHES = {
+    "kernels": "kernels",
+    "growth": "growth",
+    "many": "many",
+    "heap": "heap",
+    "frames": "frames",
+    "matrices": "matrices",
+    "compile": "compiling",
+    "start": "serving",
+    "page": "serving",
+    "tabs": "tabs",
+    "class": "classroom",
+    "edit": "editing",
+}
+"""The module of each benchmark, which has a function bench_NAME; `peers` has options of its own."""
+
+_BENCH_NAMES = (*BENCHES, "peers")
+
 
 @dataclass
 class Bench:
     """Measure softrod on this machine, and other programs that do the same."""
 
     what: Annotated[
-        Positional[
-            Literal[
-                "kernels",
-                "growth",
-                "many",
-                "heap",
-                "frames",
-                "matrices",
-                "compile",
-                "start",
-                "page",
-                "tabs",
-                "class",
-                "edit",
-                "peers",
-            ]
-        ],
-        arg(metavar="{kernels,growth,many,heap,frames,matrices,compile,start,page,tabs,class,edit,peers}"),
+        Positional[str],
+        arg(constructor=literal_type_from_choices(_BENCH_NAMES), metavar=f"{{{','.join(_BENCH_NAMES)}}}"),
     ]
     """kernels: the step by several programs; growth: the step as the body grows; many: a thousand small
     bodies, and a call for one; heap: rings that fall into a heap; frames: time and error of a rod led in a
@@ -68,40 +72,17 @@ class Bench:
 
     def run(self) -> int:
         """Measure and print."""
-        from .bench.classroom import bench_class
-        from .bench.compiling import bench_compile
-        from .bench.editing import bench_edit
-        from .bench.frames import bench_frames
-        from .bench.growth import bench_growth
-        from .bench.heap import bench_heap
-        from .bench.kernels import bench_kernels
-        from .bench.many import bench_many
-        from .bench.matrices import bench_matrices
-        from .bench.serving import bench_page, bench_start
-        from .bench.tabs import bench_tabs
-        from .compare.peers import bench_peers
-
         if not 1 <= self.repeats <= 1000:
             return fail("--repeats: it must be from 1 to 1000")
         if self.what == "peers":
+            from .compare.peers import bench_peers
+
             return bench_peers(self.scenes, self.engines, self.quick, self.repeats, self.out, Console())
         if self.scenes or self.engines or self.quick or self.out is not None:
             return fail("--scenes, --engines, --quick and --out belong to softrod bench peers")
-        benches = {
-            "kernels": bench_kernels,
-            "growth": bench_growth,
-            "many": bench_many,
-            "heap": bench_heap,
-            "frames": bench_frames,
-            "matrices": bench_matrices,
-            "compile": bench_compile,
-            "start": bench_start,
-            "page": bench_page,
-            "tabs": bench_tabs,
-            "class": bench_class,
-            "edit": bench_edit,
-        }
-        benches[self.what](Console(), self.repeats)
+        # Only the one that is asked for: some of the others load the page.
+        module = importlib.import_module(f"studies.bench.{BENCHES[self.what]}")
+        getattr(module, f"bench_{self.what}")(Console(), self.repeats)
         return 0
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import importlib
 import io
 import math
 import re
@@ -21,7 +22,7 @@ from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.scene.types import Circle
 from studies.bench.growth import rod
-from studies.commands import COMMANDS
+from studies.commands import BENCHES, COMMANDS
 from studies.compare import study as command
 from studies.compare import study_report as report
 from studies.compare.engines import softrod, solvers
@@ -89,7 +90,7 @@ def test_other_solvers_agree_with_softrod(name: str, scene: sim.Scene) -> None:
         pytest.skip("scikit-sundae is not installed")
     right = path_by(scene, "adams", 1e-8)
     equations = Equations(scene)
-    framed = run(SolverRun(equations, engine, method, 1e-4, 60, 5.0))
+    framed = run(SolverRun(equations, engine, method, 1e-4, 60))
     whole = run(SolverRun(equations, engine, method, 1e-4))
     assert right is not None
     assert framed.path is not None, framed.failure
@@ -374,6 +375,11 @@ def test_nothing_that_runs_a_page_loads_the_studies_and_what_only_they_need() ->
 
 def test_the_command_line_has_every_study() -> None:
     assert tuple(COMMANDS) == cli.STUDIES
+
+
+@pytest.mark.parametrize("name", BENCHES)
+def test_every_benchmark_is_where_the_command_looks_for_it(name: str) -> None:
+    assert callable(getattr(importlib.import_module(f"studies.bench.{BENCHES[name]}"), f"bench_{name}"))
 
 
 def test_the_rods_of_the_benchmark_are_alike_but_for_their_path() -> None:

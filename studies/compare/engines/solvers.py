@@ -61,7 +61,7 @@ class SolverRun(Runner):
         engine, method: "SciPy" or "CVODE", and one of its methods.
         tolerance: absolute, px and px/s.
         frames: times at which the path is looked at; the solver goes to the end in one call.
-        patience: seconds after which it is given up. Watching the clock takes a little time of its own.
+        patience: seconds of processor time after which it is given up; reading the clock takes time, too.
     """
 
     def __init__(
@@ -87,7 +87,7 @@ class SolverRun(Runner):
         """Forget the solution."""
         self._frame = -1
         if self._patience is not None:
-            self._deadline = time.perf_counter() + self._patience
+            self._deadline = time.process_time() + self._patience
 
     def advance(self) -> None:
         """Solve up to the end in the first frame, and go on to the next one in the others."""
@@ -101,7 +101,7 @@ class SolverRun(Runner):
         return self._equations.positions(float(self._times[self._frame]), self._found[self._frame])
 
     def _watched(self, t: float, y: Floats, out: Floats) -> None:
-        if time.perf_counter() > self._deadline:
+        if time.process_time() > self._deadline:
             raise Failed(f"not done after {self._patience:g} s")
         self._plain(t, y, out)
 
