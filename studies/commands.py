@@ -5,15 +5,17 @@ Each imports what it needs when it runs.
 
 from __future__ import annotations
 
+import importlib
 import math
 import os
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 from rich.console import Console
 from tyro.conf import Positional, UseAppendAction, arg
+from tyro.extras import literal_type_from_choices
 
 import sim
 from app.command import CsvComma, Settings, fail, scene_of
@@ -21,32 +23,34 @@ from sim.design.residuals import OF_MEASUREMENT
 from sim.errors import InputError
 
 from .sweep.measures import MEASURES, parse_measures
-from .sweep.workers import Making
+from .sweep.workers import MakeWorkers
+
+BENCHES = {
+    "kernels": "kernels",
+    "growth": "growth",
+    "many": "many",
+    "heap": "heap",
+    "frames": "frames",
+    "matrices": "matrices",
+    "compile": "compiling",
+    "start": "serving",
+    "page": "serving",
+    "tabs": "tabs",
+    "class": "classroom",
+    "edit": "editing",
+}
+"""The module of each benchmark, which has a function bench_NAME; `peers` has options of its own."""
+
+_BENCH_NAMES = (*BENCHES, "peers")
 
 
 @dataclass
 class Bench:
-    """Measure softrod on this machine, beside other programs that do the same."""
+    """Measure softrod on this machine, and other programs that do the same."""
 
     what: Annotated[
-        Positional[
-            Literal[
-                "kernels",
-                "growth",
-                "many",
-                "heap",
-                "frames",
-                "matrices",
-                "compile",
-                "start",
-                "page",
-                "tabs",
-                "class",
-                "edit",
-                "peers",
-            ]
-        ],
-        arg(metavar="{kernels,growth,many,heap,frames,matrices,compile,start,page,tabs,class,edit,peers}"),
+        Positional[str],
+        arg(constructor=literal_type_from_choices(_BENCH_NAMES), metavar=f"{{{','.join(_BENCH_NAMES)}}}"),
     ]
     """kernels: the step by several programs; growth: the step as the body grows; many: a thousand small
     bodies, and a call for one; heap: rings that fall into a heap; frames: time and error of a rod led in a
@@ -56,7 +60,7 @@ class Bench:
     answers; edit: of one part of a large body; peers: other engines and solvers on the same scenes (uv sync
     --extra peers installs them)."""
     repeats: int = 5
-    """Repeats, of which the fastest counts."""
+    """Repeats; the fastest counts."""
     scenes: str = ""
     """For peers: names of its scenes, separated by commas; without any, all."""
     engines: str = ""
@@ -68,46 +72,23 @@ class Bench:
 
     def run(self) -> int:
         """Measure and print."""
-        from .bench.classroom import bench_class
-        from .bench.compiling import bench_compile
-        from .bench.editing import bench_edit
-        from .bench.frames import bench_frames
-        from .bench.growth import bench_growth
-        from .bench.heap import bench_heap
-        from .bench.kernels import bench
-        from .bench.many import bench_many
-        from .bench.matrices import bench_matrices
-        from .bench.serving import bench_page, bench_start
-        from .bench.tabs import bench_tabs
-        from .peers.peers import bench_peers
-
         if not 1 <= self.repeats <= 1000:
             return fail("--repeats: it must be from 1 to 1000")
         if self.what == "peers":
+            from .compare.peers import bench_peers
+
             return bench_peers(self.scenes, self.engines, self.quick, self.repeats, self.out, Console())
         if self.scenes or self.engines or self.quick or self.out is not None:
             return fail("--scenes, --engines, --quick and --out belong to softrod bench peers")
-        benches = {
-            "kernels": bench,
-            "growth": bench_growth,
-            "many": bench_many,
-            "heap": bench_heap,
-            "frames": bench_frames,
-            "matrices": bench_matrices,
-            "compile": bench_compile,
-            "start": bench_start,
-            "page": bench_page,
-            "tabs": bench_tabs,
-            "class": bench_class,
-            "edit": bench_edit,
-        }
-        benches[self.what](Console(), self.repeats)
+        # Only the one that is asked for: some of the others load the page.
+        module = importlib.import_module(f"studies.bench.{BENCHES[self.what]}")
+        getattr(module, f"bench_{self.what}")(Console(), self.repeats)
         return 0
 
 
 @dataclass
 class Validate:
-    """Hold the solver against exact results; the exit status is 1 if a target is missed."""
+    """Compare the solver with exact results; the exit status is 1 if a target is missed."""
 
     out: Path | None = None
     """Folder for the report: validate.md, validate.csv.gz and figures."""
@@ -137,7 +118,7 @@ class Stability:
     x_range: str | None = None
     """From and to, as in 1e-4,0.05; scales are logarithmic."""
     y_range: str | None = None
-    """Likewise."""
+    """The same for --y."""
     size: int = 64
     """Cells along each side, 2 to 512."""
     integrators: str | None = None
@@ -175,10 +156,10 @@ class Stability:
 
 
 def _range(name: str, text: str | None) -> tuple[float, float] | None:
-    """Two numbers with a comma between them.
+    """Return two numbers from a text with a comma between them.
 
     Raises:
-        InputError: they are not that.
+        InputError: it is something else.
     """
     if text is None:
         return None
@@ -204,11 +185,11 @@ class Study:
     errors: str = "1,0.1,1e-3,1e-6"
     """Errors to ask about, px, separated by commas."""
     random: int = 0
-    """Random bodies to hold auto's tolerance against."""
+    """Number of random bodies on which the errors of auto are compared with its tolerance."""
 
     def run(self) -> int:
         """Measure, print and write."""
-        from .speed.study import parse_errors, parse_integrators, study, study_scenes
+        from .compare.study import parse_errors, parse_integrators, study, study_scenes
 
         if not 0 <= self.random <= 100_000:
             return fail(f"--random: {self.random} is not in the range 0..100000")
@@ -226,8 +207,8 @@ Cluster = Annotated[
 ]
 
 
-def who_computes(jobs: int | None, address: str | None) -> Making:
-    """What makes those who compute.
+def workers_for(jobs: int | None, address: str | None) -> MakeWorkers:
+    """Return what makes the workers that `--jobs` and `--cluster` ask for.
 
     Raises:
         InputError: the number of processes makes no sense.
@@ -283,7 +264,7 @@ class Sweep:
 
         if not 1e-3 <= self.duration <= 1e4:
             return fail(f"--duration: {self.duration:g} is not in the range 0.001..10000 s")
-        workers = who_computes(self.jobs, self.cluster)
+        workers = workers_for(self.jobs, self.cluster)
         grid = make_grid(sim.load_scene(self.scene), self.settings, self.vary)
         measures = parse_measures(self.measure)
         return sweep(grid, measures, self.duration, workers, self.out, Console(), self.csv_comma)
@@ -322,7 +303,7 @@ class Improve:
     """Runs at most, 10 to 100000, with that of the scene as it is."""
     population: int | None = None
     """Runs of a generation, 4 to 1000, which are computed at the same time; 4 + 3 ln(number of settings)
-    unless given. With more, a search is more thorough and slower, and keeps more cores busy."""
+    unless given. With more, a search is more thorough and slower, and uses more cores."""
     seed: int = 1
     """Of the search's random numbers, from 0; the same seed finds the same."""
     jobs: Jobs = None
@@ -333,9 +314,9 @@ class Improve:
     def run(self) -> int:
         """Compute, print and write."""
         from .improve.goals import parse_goal
-        from .improve.improve import Wanted, improve, tell
+        from .improve.improve import OptimizationProblem, improve, print_result
         from .improve.ranges import make_ranges
-        from .improve.search import usual_population
+        from .improve.search import default_population
 
         if not 1e-3 <= self.duration <= 1e4:
             return fail(f"--for: {self.duration:g} is not in the range 0.001..10000 s")
@@ -345,15 +326,16 @@ class Improve:
             return fail(f"--population: {self.population} is not in the range 4..1000")
         if not 0 <= self.seed < 2**32:
             return fail(f"--seed: {self.seed} is not in the range 0..{2**32 - 1}")
-        workers = who_computes(self.jobs, self.cluster)
+        workers = workers_for(self.jobs, self.cluster)
         goal, scene = parse_goal(self.goal, sim.load_scene(self.scene))
         if goal.seconds > self.duration:
             return fail(f"--goal {goal.text}: a run has only {self.duration:g} s; --for says how many")
         grid, ranges = make_ranges(scene, self.settings, self.vary)
-        population = self.population or usual_population(len(ranges))
-        wanted = Wanted(grid, ranges, goal, self.duration, self.runs, population, self.seed)
+        population = self.population or default_population(len(ranges))
+        problem = OptimizationProblem(grid, ranges, goal, self.duration, self.runs, population, self.seed)
         console = Console()
-        return tell(wanted, improve(wanted, workers, self.out, console, self.csv_comma), self.out, console)
+        found = improve(problem, workers, self.out, console, self.csv_comma)
+        return print_result(problem, found, self.out, console)
 
 
 @dataclass
@@ -405,10 +387,10 @@ class FitScene:
 
 
 def _assignment(text: str) -> tuple[str, str]:
-    """The column and the quantity of `COLUMN=QUANTITY`.
+    """Return column and quantity of `COLUMN=QUANTITY`.
 
     Raises:
-        InputError: it is not that.
+        InputError: it is something else.
     """
     column, equals, quantity = text.rpartition("=")
     if not equals or not column.strip():

@@ -1,9 +1,9 @@
-"""A bare viser app with as many nodes as softrod's page, moving at 60 Hz: what softrod is measured against.
+"""A bare viser app with as many nodes as softrod's page, moving at 60 Hz, for comparison with softrod.
 
 `python -m studies.bench.bare MASSES` serves it and prints its port; `python -m studies.bench.bare MASSES
 softrod` serves softrod's page of the same rope instead, and `python -m studies.bench.bare SCENE softrod`
-that of a preset. `python -m studies.bench.bare SCENE class PORT` holds a class with a scene, or goes on with
-the one that is on the disk, and prints its code and its teacher's secret, too. At each line on standard input
+that of a preset. `python -m studies.bench.bare SCENE class PORT` holds a class with a scene, or resumes the
+one that is on the disk, and prints its code and its teacher's secret, too. At each line on standard input
 it prints the processor time it has used so far; at the end of input, and at SIGTERM, it ends.
 """
 
@@ -117,18 +117,18 @@ def hold_class(shown: str, port: int) -> tuple[str, contextlib.ExitStack]:
 
 
 def main() -> None:
-    """See the module's text."""
+    """Serve what the command line names."""
     stack = contextlib.ExitStack()
     shown, *kind = sys.argv[1:]
     if kind == ["softrod"]:
-        told, stack = softrod(shown)
+        line, stack = softrod(shown)
     elif kind[:1] == ["class"]:
-        told, stack = hold_class(shown, int(kind[1]))
+        line, stack = hold_class(shown, int(kind[1]))
     else:
-        told = bare(int(shown))
+        line = bare(int(shown))
     signal.signal(signal.SIGTERM, lambda *_: sys.exit())
     with stack:
-        print(told, flush=True)
+        print(line, flush=True)
         for _ in sys.stdin:
             print(time.process_time(), flush=True)
 

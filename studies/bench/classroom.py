@@ -1,14 +1,13 @@
-"""`softrod bench class`: what a class costs beside as many strangers, and what it survives.
+"""`softrod bench class`: the cost of a class compared with as many strangers, and what it survives.
 
 The server is a process of its own, as in a school; pupils, the teacher and the wall are pages without a
-browser. What is random goes by a seed.
+browser. Random events depend on a seed.
 """
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
-import math
 import os
 import random
 import statistics
@@ -16,41 +15,41 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import AsyncIterator
+from contextlib import AbstractAsyncContextManager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import msgspec
 from rich.console import Console
-from rich.table import Table
-from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import WebSocketException
 
 import sim
 from app.classroom import kept
 from app.classroom.room import Room, digest
-from app.features.hands import messages as hands
 from app.wire import from_page
 from app.wire.messages import tag_of
 from sim.scene.lesson import Lesson, Question, Reading, Step
 from sim.store.files import encode_scene
 
-from .client import CAMERA, FRAME_TIME, Decoder, is_frame, options_of, saying
+from ..reporting.report import Table
+from .pages import Connection, Crowd, Visitor, connected, measure_crowd
 from .serving import served, warm
-from .tabs import SETTLE, SPAN, STEER_EVERY, Visitor, visit_all
+from .tabs import visit_all
 
 PUPILS = 30
 MASSES = 12
 """Of the rope, as many as the bodies of a lesson have, about."""
 
-AGAIN_EVERY, AFTER_WHO = 2.0, 0.2
-"""Seconds between two sayings of what is not acknowledged, and from saying who one is to the first: as in
-app/features/classroom/outbox.js."""
+RESEND_EVERY = 2.0
+"""Seconds between two sendings of an unacknowledged answer, as in app/features/classroom/outbox.js."""
+
+FIRST_SENDING = 0.2
+"""Seconds from saying who one is to the first sending, as there."""
 
 
 def a_lesson(masses: int = MASSES) -> sim.Scene:
-    """A rope as that of `softrod bench tabs`, with a step that asks for all that a class can be asked."""
+    """Return the rope of `softrod bench tabs`, with a lesson step that asks for all that a class can give."""
     euler = sim.Integrator(method="symplectic_euler")
     rope = sim.rope(masses, length=300.0, force_law="tutorial", integrator=euler)
     step = Step(
@@ -65,11 +64,11 @@ def a_lesson(masses: int = MASSES) -> sim.Scene:
 
 
 class Host:
-    """A class's server in a process of its own, which can be killed and started anew; a context manager.
+    """A class's server in a process of its own, which can be killed and restarted; a context manager.
 
     Args:
-        scene: what the class goes through.
-        folder: for the scene, and for what the server keeps of the class.
+        scene: with the lesson.
+        folder: for the scene, and for what the server stores of the class.
         cache: folder of compiled kernels; None for this user's.
 
     Attributes:
@@ -103,24 +102,24 @@ class Host:
         self.port = int(port)
 
     def used(self) -> float:
-        """Processor time that it has used so far, s."""
+        """Return the processor time that it has used so far, s."""
         assert self._process.stdin is not None
         self._process.stdin.write("\n")
         self._process.stdin.flush()
         return float(self._line())
 
     def kill(self) -> None:
-        """Have it end without a word."""
+        """Kill it."""
         self._process.kill()
         self._process.communicate()
 
     def stop(self) -> None:
-        """Have it end as it does when it is told to."""
+        """Let it shut down."""
         self._process.terminate()
         self._process.communicate(timeout=60.0)
 
     def room(self) -> Room:
-        """The class as it is on the disk."""
+        """Return the class as it is on the disk."""
         file = self._data / "softrod" / "classes" / self.code / kept.FILE
         return msgspec.json.decode(file.read_bytes(), type=Room)
 
@@ -129,48 +128,8 @@ class Host:
         return self._process.stdout.readline()
 
 
-class Talk:
-    """One connection of one page of a class.
-
-    Attributes:
-        told: the last of each kind that it was told, by its tag.
-        bytes: received.
-    """
-
-    def __init__(self, connection: ClientConnection) -> None:
-        self._connection, self._decoder = connection, Decoder()
-        self.told: dict[str, dict[str, Any]] = {}
-        self.bytes = 0
-
-    async def say(self, message: from_page.FromPage) -> None:
-        """Say something, if the page is there to be heard."""
-        with contextlib.suppress(WebSocketException):
-            await self._connection.send(self._decoder.encode(saying(message)))
-
-    async def hear(self) -> AsyncIterator[dict[str, Any]]:
-        """What the page is told until the connection ends: frames, and messages by their tags."""
-        try:
-            async for data in self._connection:
-                assert isinstance(data, bytes)
-                self.bytes += len(data)
-                for message in self._decoder.decode(data):
-                    if is_frame(message):
-                        yield {"tell": "frame", "time": float(message["numbers"][FRAME_TIME])}
-                    elif message.get("type") == "SoftrodMessage":
-                        told = msgspec.json.decode(message["text"])
-                        self.told[told["tell"]] = told
-                        yield told
-        except WebSocketException:
-            return
-
-    def cut(self) -> None:
-        """Cut the connection, of which the other end is not told in words."""
-        self._connection.transport.abort()
-
-
-@contextlib.asynccontextmanager
-async def talking(host: Host, name: str, kind: str = "") -> AsyncIterator[Talk]:
-    """A page's connection.
+def visiting(host: Host, name: str, kind: str = "") -> AbstractAsyncContextManager[Connection]:
+    """Connect a page of a class.
 
     Args:
         host: the class's server.
@@ -178,18 +137,13 @@ async def talking(host: Host, name: str, kind: str = "") -> AsyncIterator[Talk]:
         kind: "desk" or "wall"; nothing for a pupil's.
 
     Raises:
-        OSError, WebSocketException: there is nobody, or the gate refuses.
+        OSError, WebSocketException: no server answers, or the gate refuses.
     """
-    address = f"127.0.0.1:{host.port}"
-    path = f"/at/{name}?room={host.code}" + (f"&as={kind}" if kind else "")
-    async with connect(f"ws://{address}{path}", **options_of(address)) as connection:
-        talk = Talk(connection)
-        await connection.send(talk._decoder.encode(CAMERA))
-        yield talk
+    return connected(host.port, f"/at/{name}?room={host.code}" + (f"&as={kind}" if kind else ""))
 
 
 def a_name(dice: random.Random) -> str:
-    """A secret, or the name of a page."""
+    """Return a secret, or the name of a page."""
     return f"{dice.getrandbits(128):032x}"
 
 
@@ -197,58 +151,46 @@ def a_name(dice: random.Random) -> str:
 async def _look_on(
     host: Host, visitor: Visitor, number: int, leads: asyncio.Event, stop: asyncio.Event
 ) -> None:
-    """Be a pupil who leads a body in a circle once each one has their own, and notes what comes."""
+    """Be a pupil, who leads a body in a circle as soon as each one has a body of their own."""
     dice = random.Random(f"pupil {number}")
-    async with talking(host, a_name(dice)) as talk:
+    async with visiting(host, a_name(dice)) as page:
 
         async def lead() -> None:
             await leads.wait()
-            await _lead(talk, number, stop)
+            await page.lead(number, stop)
 
         leading = asyncio.create_task(lead())
         introduced = False
-        async for told in talk.hear():
-            visitor.bytes, talk.bytes = visitor.bytes + talk.bytes, 0
-            if told["tell"] == "frame":
-                visitor.arrivals.append(time.monotonic())
-                visitor.times.append(told["time"])
-            elif told["tell"] == "pageState" and not introduced:
+        async for told in page.hear():
+            visitor.note(told, page)
+            if told["tell"] == "pageState" and not introduced:
                 introduced = True
-                await talk.say(from_page.Who(a_name(dice)))
+                await page.say(from_page.Who(a_name(dice)))
             if stop.is_set():
                 break
         await leading
 
 
-async def _lead(talk: Talk, number: int, stop: asyncio.Event) -> None:
-    """Lead the driven mass in a circle, as the pages of `tabs` do."""
-    await talk.say(from_page.Perform("follow"))
-    while not stop.is_set():
-        angle = 2.0 * time.monotonic() + number
-        await talk.say(hands.At(((0, 0.6 * math.cos(angle), 1.0 + 0.6 * math.sin(angle)),)))
-        await asyncio.sleep(STEER_EVERY)
-
-
-async def _until(talk: Talk, tell: str, wanted: Any, patience: float = 60.0) -> None:
-    """Wait until the page has been told something for which `wanted(told)` holds; somebody else hears it.
+async def _until(page: Connection, tell: str, wanted: Any, patience: float = 60.0) -> None:
+    """Wait until the page has got a message for which `wanted(told)` holds; another task receives it.
 
     Raises:
-        TimeoutError: it was not.
+        TimeoutError: it did not come.
     """
     deadline = time.monotonic() + patience
-    while not (tell in talk.told and wanted(talk.told[tell])):
+    while not (tell in page.told and wanted(page.told[tell])):
         if time.monotonic() > deadline:
             raise TimeoutError(f"the server has not told {tell}")
         await asyncio.sleep(0.02)
 
 
-async def _hear_all(talk: Talk) -> None:
-    async for _ in talk.hear():
+async def _hear_all(page: Connection) -> None:
+    async for _ in page.hear():
         pass
 
 
-async def cost(host: Host, pupils: int, own: bool) -> tuple[list[Visitor], float, float, float]:
-    """A class that moves: its pupils as visitors, the span that was measured, the server's share of a core.
+async def cost(host: Host, pupils: int, own: bool) -> Crowd:
+    """Measure a class that moves, as its pupils see it.
 
     Args:
         host: the class's server.
@@ -258,8 +200,8 @@ async def cost(host: Host, pupils: int, own: bool) -> tuple[list[Visitor], float
     dice = random.Random(f"teacher {own}")
     visitors = [Visitor() for _ in range(pupils)]
     stop, leads = asyncio.Event(), asyncio.Event()
-    async with talking(host, a_name(dice), "desk") as desk, talking(host, a_name(dice), "wall") as wall:
-        tasks = [asyncio.create_task(_hear_all(desk)), asyncio.create_task(_hear_all(wall))]
+    async with visiting(host, a_name(dice), "desk") as desk, visiting(host, a_name(dice), "wall") as wall:
+        tasks = [asyncio.create_task(_hear_all(page)) for page in (desk, wall)]
         await _until(desk, "pageState", lambda _: True)
         await desk.say(from_page.Who(a_name(dice), "", host.key))
         await _until(desk, "desk", lambda _: True)
@@ -275,19 +217,14 @@ async def cost(host: Host, pupils: int, own: bool) -> tuple[list[Visitor], float
         else:
             await desk.say(from_page.Perform("run"))
             await _until(desk, "pageState", lambda told: told.get("playing"))
-            tasks.append(asyncio.create_task(_lead(desk, 0, stop)))
-        await asyncio.sleep(SETTLE)
-        for visitor in visitors:
-            visitor.bytes = 0
-        begin, before = time.monotonic(), host.used()
-        await asyncio.sleep(SPAN)
-        end, after = time.monotonic(), host.used()
+            tasks.append(asyncio.create_task(desk.lead(0, stop)))
+        crowd = await measure_crowd(visitors, host.used)
         stop.set()
         leads.set()
         desk.cut()
         wall.cut()
         await asyncio.gather(*tasks)
-    return visitors, begin, end, (after - before) / (end - begin)
+    return crowd
 
 
 # ------------------------------------------------------------------------- what it survives
@@ -312,17 +249,17 @@ class Storm:
     masses: int = MASSES
 
 
-PLAN = (
+PHASES = (
     ("ask", 0), ("results", 0), ("run", 0), ("explain", 0), ("ask", 1), ("results", 1), ("try", 0),
     ("collect", 0),
 )  # fmt: skip
-"""Where the class goes; the server ends in the middle of "explain"."""
+"""Phases and rounds of the class; the server ends in the middle of "explain"."""
 
 Place = tuple[int, int, str]
-"""What an answer is to: stop, round, and what is said."""
+"""What an answer belongs to: stop, round, and kind of answer."""
 
 _KINDS = {"Vote": "giveVote", "Ghost": "givePlaces", "Line": "giveLine", "Work": "handIn"}
-"""What is said, by what the class makes of it."""
+"""Tags of messages, by the class in which the room stores them."""
 
 
 def _place(said: from_page.Give) -> Place:
@@ -333,43 +270,43 @@ class Teacher:
     """A teacher's page, which comes back whenever its connection ends.
 
     Attributes:
-        talk: its connection, while it has one.
+        page: its connection, while it has one.
         since: when each of its connections came about, s of wall time.
         seen: when it first had each answer, by its id.
     """
 
     def __init__(self, host: Host, dice: random.Random) -> None:
         self._host, self._secret, self._name = host, a_name(dice), a_name(dice)
-        self.talk: Talk | None = None
+        self.page: Connection | None = None
         self.since: list[float] = []
         self.seen: dict[str, float] = {}
 
     async def live(self) -> None:
-        """Be there until cancelled."""
+        """Stay connected until cancelled."""
         while True:
             with contextlib.suppress(OSError, WebSocketException):
-                async with talking(self._host, self._name, "desk") as talk:
-                    self.talk = talk
+                async with visiting(self._host, self._name, "desk") as page:
+                    self.page = page
                     self.since.append(time.monotonic())
                     introduced = False
-                    async for told in talk.hear():
+                    async for told in page.hear():
                         if told["tell"] == "pageState" and not introduced:
                             introduced = True
-                            await talk.say(from_page.Who(self._secret, "", self._host.key))
+                            await page.say(from_page.Who(self._secret, "", self._host.key))
                         elif told["tell"] == "desk":
                             for answer in told["answers"]:
                                 self.seen.setdefault(answer["id"], time.monotonic())
             await asyncio.sleep(0.1)
 
     async def go(self, phase: Any, round: int) -> None:
-        """Take the class somewhere, and wait until it is there."""
+        """Lead the class to a phase, and wait until it is there."""
         while True:
-            talk = self.talk
-            asking = talk.told.get("desk", {}).get("asking", {}) if talk is not None else {}
+            page = self.page
+            asking = page.told.get("desk", {}).get("asking", {}) if page is not None else {}
             if (asking.get("phase"), asking.get("round")) == (phase, round):
                 return
-            if talk is not None and asking:
-                await talk.say(from_page.Stage(0, phase, round))
+            if page is not None and asking:
+                await page.say(from_page.Stage(0, phase, round))
             await asyncio.sleep(0.2)
 
 
@@ -406,12 +343,12 @@ class Pupil:
         self.is_over = False
 
     async def live(self) -> None:
-        """Be there until it is over and nothing waits."""
+        """Stay until the class is over and all answers are acknowledged."""
         dice, name = self._dice, a_name(self._dice)
         while not (self.is_over and not self.waiting):
             try:
-                async with talking(self._host, name) as talk:
-                    await self._visit(talk)
+                async with visiting(self._host, name) as page:
+                    await self._visit(page)
             except (OSError, WebSocketException):
                 await asyncio.sleep(0.3)
                 continue
@@ -426,14 +363,14 @@ class Pupil:
                     await self._give(None)
                 await asyncio.sleep(dice.uniform(*self._storm.away))
 
-    async def _visit(self, talk: Talk) -> None:
+    async def _visit(self, page: Connection) -> None:
         """One connection, from its begin to its cut."""
         now = time.monotonic()
         for said in self.waiting:
             if said.id not in self._teacher.seen:
                 self.back[said.id] = now
-        acting = asyncio.create_task(self._act(talk))
-        async for told in talk.hear():
+        acting = asyncio.create_task(self._act(page))
+        async for told in page.hear():
             if told["tell"] == "seat" and told["asking"]:
                 self._asking = told["asking"]
                 self._turn = max(self._turn, told["turn"])
@@ -445,28 +382,28 @@ class Pupil:
         with contextlib.suppress(asyncio.CancelledError):
             await acting
 
-    async def _act(self, talk: Talk) -> None:
+    async def _act(self, page: Connection) -> None:
         dice = self._dice
         until = time.monotonic() + dice.uniform(*self._storm.there)
-        await _until(talk, "pageState", lambda _: True)
-        await talk.say(from_page.Who(self.secret))
-        await asyncio.sleep(AFTER_WHO)
+        await _until(page, "pageState", lambda _: True)
+        await page.say(from_page.Who(self.secret))
+        await asyncio.sleep(FIRST_SENDING)
         again = 0.0
         while self.is_over or time.monotonic() < until:
             if time.monotonic() >= again:
-                again = time.monotonic() + AGAIN_EVERY
+                again = time.monotonic() + RESEND_EVERY
                 for said in self.waiting:
-                    await talk.say(said)
+                    await page.say(said)
             await asyncio.sleep(dice.uniform(0.05, 0.5))
             if not self.is_over and dice.random() < 0.2:
-                await self._give(talk)
+                await self._give(page)
             if self.given and dice.random() < 0.05:
-                # As a message that was on its way for long.
-                await talk.say(dice.choice(list(self.given.values())))
-        talk.cut()
+                # Like a message that was delayed.
+                await page.say(dice.choice(list(self.given.values())))
+        page.cut()
 
-    async def _give(self, talk: Talk | None) -> None:
-        """Give something that the class asks for, as far as the page knows; now and then say it twice."""
+    async def _give(self, page: Connection | None) -> None:
+        """Give an answer that the class asks for, as far as the page knows; send it twice now and then."""
         dice, asking, masses = self._dice, self._asking, self._storm.masses
         phase = asking.get("phase")
         kinds = {"ask": ("vote", "places"), "explain": ("line",), "collect": ("work",)}.get(str(phase), ())
@@ -486,9 +423,9 @@ class Pupil:
                 said = from_page.HandIn(*head)
         self.given[said.id] = said
         self.waiting = [old for old in self.waiting if _place(old) != _place(said)] + [said]
-        if talk is not None:
+        if page is not None:
             for _ in range(2 if dice.random() < 0.2 else 1):
-                await talk.say(said)
+                await page.say(said)
 
     def _take(self, ids: list[str], refused: bool) -> None:
         self.waiting = [said for said in self.waiting if said.id not in ids]
@@ -500,13 +437,14 @@ class Pupil:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of what pupils gave.
+    """What became of the pupils' answers.
 
     Attributes:
         given: answers that were given.
-        replaced: those that their pupils replaced before or after they had come.
-        once, twice, lost: questions of which the last accepted answer, and no other, is in the class's file;
-            of which more than one is; of which another one is, or none.
+        replaced: answers that their pupils replaced, before or after they had arrived.
+        once: questions whose last accepted answer, and no other, is in the class's file.
+        twice: questions with more than one answer in it.
+        lost: questions with another answer in it, or none.
         refused: changes that came when the answers had been shown, and were refused with a sentence.
         delays: seconds from a page's coming back, or the teacher's if that was later, until the teacher's
             page had the answer that had waited.
@@ -525,7 +463,7 @@ class Outcome:
 
 
 def counted(pupils: list[Pupil], teacher: Teacher, room: Room) -> Outcome:
-    """What became of what pupils gave; `room` is the class as it is on the disk."""
+    """Count what became of the pupils' answers; `room` is the class as it is on the disk."""
     numbers = {seat.token: seat.number for seat in room.seats.values()}
     once = twice = lost = replaced = 0
     for pupil in pupils:
@@ -571,7 +509,7 @@ def counted(pupils: list[Pupil], teacher: Teacher, room: Room) -> Outcome:
 
 
 async def survive(host: Host, storm: Storm) -> Outcome:
-    """Hold a class in a storm; its server has ended afterwards."""
+    """Hold a class in a storm, and stop its server."""
     dice = random.Random(storm.seed)
     teacher = Teacher(host, random.Random(f"{storm.seed} teacher"))
     pupils = [
@@ -582,13 +520,13 @@ async def survive(host: Host, storm: Storm) -> Outcome:
         name = a_name(dice)
         while True:
             with contextlib.suppress(OSError, WebSocketException):
-                async with talking(host, name, "wall") as talk:
-                    await _hear_all(talk)
+                async with visiting(host, name, "wall") as page:
+                    await _hear_all(page)
             await asyncio.sleep(0.1)
 
     others = [asyncio.create_task(one) for one in (teacher.live(), wall())]
     lives = [asyncio.create_task(pupil.live()) for pupil in pupils]
-    for phase, round in PLAN:
+    for phase, round in PHASES:
         await teacher.go(phase, round)
         asks = phase in ("ask", "explain", "collect")
         await asyncio.sleep(0.5 * storm.asked if asks else 0.1 * storm.asked)
@@ -608,47 +546,40 @@ async def survive(host: Host, storm: Storm) -> Outcome:
 
 # ------------------------------------------------------------------------- the tables
 def bench_class(console: Console, repeats: int) -> None:
-    """What a class costs beside as many strangers, and what it survives."""
+    """Measure the cost of a class compared with as many strangers, and what it survives."""
     with tempfile.TemporaryDirectory() as cache:
         warm(cache)
         _bench_cost(console, repeats, cache)
         with tempfile.TemporaryDirectory() as folder, Host(a_lesson(), Path(folder), cache) as host:
             outcome = asyncio.run(survive(host, Storm()))
-    _tell(console, outcome)
+    _print_outcome(console, outcome)
 
 
 def _bench_cost(console: Console, repeats: int, cache: str) -> None:
-    table = Table(
-        "pages", "fewest frames/s", "slowest clock", "server, % of a core", "beside strangers", "kB/s",
-        box=None,
-    )  # fmt: skip
-    best: dict[str, tuple[float, ...]] = {}
+    best: dict[str, Crowd] = {}
     names = ("strangers", "pupils", "followers")
     for _ in range(repeats):
         for name in names:
-            if name == names[0]:
+            if name == "strangers":
                 with served("softrod", MASSES, cache) as server:
-                    visitors, begin, end, share = asyncio.run(visit_all(server, PUPILS))
+                    crowd = asyncio.run(visit_all(server, PUPILS))
             else:
                 with tempfile.TemporaryDirectory() as folder, Host(a_lesson(), Path(folder), cache) as host:
-                    visitors, begin, end, share = asyncio.run(cost(host, PUPILS, name == names[1]))
-            rates, _, clocks = zip(*(visitor.within(begin, end) for visitor in visitors), strict=True)
-            size = sum(visitor.bytes for visitor in visitors) / PUPILS / (end - begin) / 1e3
-            row = share, min(rates), min(clocks), size
-            best[name] = min(best.get(name, row), row)
-    for name, (share, rate, clock, size) in best.items():
-        table.add_row(
-            name, f"{rate:.1f}", f"{clock:.2f}", f"{100 * share:.0f}",
-            f"{share / best[names[0]][0]:.2f}", f"{size:.0f}",
-        )  # fmt: skip
-    console.print(table)
+                    crowd = asyncio.run(cost(host, PUPILS, name == "pupils"))
+            best[name] = min(best.get(name, crowd), crowd, key=lambda crowd: crowd.share)
+    rows = []
+    for name, crowd in best.items():
+        shares = f"{100 * crowd.share:.0f}", f"{crowd.share / best['strangers'].share:.2f}"
+        rows.append((name, f"{crowd.fewest:.1f}", f"{crowd.clock:.2f}", *shares, f"{crowd.traffic:.0f}"))
+    headings = "fewest frames/s", "slowest clock", "server, % of a core", "beside strangers", "kB/s"
+    console.print(Table(("pages", *headings), rows))
     console.print(
         f"{PUPILS} pages each: strangers and pupils with a rope of {MASSES} masses of their own, followers "
         "with the teacher's. The server of a class has the teacher's page and the wall, too."
     )
 
 
-def _tell(console: Console, outcome: Outcome) -> None:
+def _print_outcome(console: Console, outcome: Outcome) -> None:
     console.print(
         f"{outcome.given} answers in {outcome.cuts} cuts and {outcome.reloads} reloads, with one restart of "
         f"the server; {outcome.replaced} were changes of the pupils' own, of which {outcome.refused} came "

@@ -1,6 +1,6 @@
 """A page without a browser: a WebSocket client that reads what the server sends, as viser's page does.
 
-What a browser adds (shaders, drawing) is the same whatever is served; what is measured here is ours.
+What a browser adds (shaders, drawing) is the same whatever is served, and is not measured.
 """
 
 from __future__ import annotations
@@ -21,8 +21,11 @@ from websockets.typing import Origin, Subprotocol
 
 from app.wire.messages import FromPage
 
-FRAME_TIME, FRAME_PLACES = 2, 7
-"""Where the time and the places are among the numbers of a frame, see `stage.plan.encode_frame`."""
+FRAME_TIME = 2
+"""Index of the time among the numbers of a frame, see `stage.plan.encode_frame`."""
+
+FRAME_PLACES = 7
+"""Index of the first position among them."""
 
 CAMERA: dict[str, Any] = {
     "type": "ViewerCameraMessage",
@@ -39,7 +42,7 @@ CAMERA: dict[str, Any] = {
 
 
 def options_of(address: str) -> dict[str, Any]:
-    """Arguments for a connection, as the page makes it."""
+    """Return the arguments of a connection, as in the page."""
     return {
         "origin": Origin(f"http://{address}"),
         "subprotocols": [Subprotocol(f"viser-v{viser.__version__}")],
@@ -54,12 +57,12 @@ def is_frame(message: dict[str, Any]) -> bool:
 
 
 def saying(message: FromPage) -> dict[str, Any]:
-    """What a page says, as it travels."""
+    """Return a page's message, as it is sent."""
     return {"type": "SoftrodMessage", "text": msgspec.json.encode(message).decode()}
 
 
 def state_of(message: dict[str, Any]) -> dict[str, Any] | None:
-    """How the page is, if a message says that; of what is left out there, nothing is so."""
+    """Return the page's state, if a message has it; flags that are left out are off."""
     text = str(message.get("text", ""))
     return msgspec.json.decode(text) if text.startswith('{"tell":"pageState"') else None
 
@@ -72,7 +75,7 @@ class Decoder:
         self.encode = msgspec.msgpack.Encoder().encode
 
     def decode(self, data: bytes) -> list[dict[str, Any]]:
-        """The messages of a batch, with the numbers of softrod's frames in place."""
+        """Return the messages of a batch, with the numbers of softrod's frames in place."""
         # viser 1.1.1, infra/_infra.py: two lengths, compressed msgpack, then raw arrays.
         size = int.from_bytes(data[8:16], "little")
         payload = msgspec.msgpack.decode(self._unpack.decompress(data[16 : 16 + size]))
@@ -92,11 +95,11 @@ class Page:
     """A connected client; a context manager.
 
     Args:
-        port: of the server, or of what stands before it.
-        patience: seconds in which it must be possible to connect.
-        path: of the WebSocket, without a slash at its beginning.
+        port: of the server, or of a proxy in front of it.
+        patience: seconds within which it must be possible to connect.
+        path: of the WebSocket, without a leading slash.
         tls: with it, the connection is by TLS.
-        name: what this machine is called then.
+        name: of this machine then.
 
     Attributes:
         bytes: received so far.
@@ -148,7 +151,7 @@ class Page:
         self._connection.send(self._decoder.encode(message))
 
     def receive(self, timeout: float) -> list[dict[str, Any]]:
-        """The messages of the next frame, with softrod's arrays in place; none after the timeout."""
+        """Return the messages of the next batch; none after the timeout."""
         try:
             data = self._connection.recv(timeout=timeout, decode=False)
         except TimeoutError:
@@ -159,25 +162,25 @@ class Page:
         return messages
 
     def wait_for(self, wanted: Any, timeout: float = 60.0) -> dict[str, Any]:
-        """The first message for which `wanted(message)` holds.
+        """Return the first message for which `wanted(message)` holds.
 
         Raises:
             TimeoutError: none came.
         """
         deadline = time.monotonic() + timeout
         while True:
-            # The rest of a frame is kept for whoever waits next.
+            # The rest of a batch stays for the next call.
             while self._unread:
                 message = self._unread.popleft()
                 if wanted(message):
                     return message
             left = deadline - time.monotonic()
             if left <= 0.0:
-                raise TimeoutError("the server did not send what was waited for")
+                raise TimeoutError("the server did not send the expected message")
             self._unread.extend(self.receive(left))
 
     def read_for(self, seconds: float) -> None:
-        """Read and count whatever comes, and forget it."""
+        """Read and count whatever comes, and drop it."""
         self._unread.clear()
         deadline = time.monotonic() + seconds
         while (left := deadline - time.monotonic()) > 0:

@@ -12,14 +12,15 @@ from collections import defaultdict
 from typing import Any
 
 from rich.console import Console
-from rich.table import Table
 
-FEWEST = 0.4
+from ..reporting.report import Table
+
+MIN_SHOWN = 0.4
 """Seconds from which on a kernel has a row of its own."""
 
 
 def _measure() -> dict[str, Any]:
-    """Compile everything in this process, which has nothing on the disk."""
+    """Compile everything in this process, whose cache is empty."""
     import resource
 
     from numba.core import event
@@ -28,7 +29,7 @@ def _measure() -> dict[str, Any]:
     from sim.compiling.compiler import ENTRY_POINTS
 
     class Listener(event.Listener):
-        """Own time of each kernel, without that of those that it calls."""
+        """Measures the time of each kernel without that of the kernels it calls."""
 
         def __init__(self) -> None:
             self.stack: list[list[float]] = []
@@ -73,20 +74,14 @@ def bench_compile(console: Console, repeats: int) -> None:
             run = subprocess.run(words, env=environment, check=True, capture_output=True, text=True)
         found = json.loads(run.stdout)
         best = min(best or found, found, key=lambda result: result["whole"])
-    table = Table("entry point", "", "s", box=None)
-    for name, (label, seconds) in best["points"].items():
-        table.add_row(name, label, f"{seconds:.1f}")
-    console.print("processor time of each entry point, with what those before it have not compiled already")
-    console.print(table)
-    table = Table("kernel", "s", box=None)
+    rows = [(name, label, f"{seconds:.1f}") for name, (label, seconds) in best["points"].items()]
+    title = "processor time of each entry point, with what those before it have not compiled already"
+    console.print(Table(("entry point", "", "s"), rows, "ll", title))
     own = sorted(best["own"].items(), key=lambda item: -item[1])
-    for name, seconds in own:
-        if seconds >= FEWEST:
-            table.add_row(name, f"{seconds:.2f}")
-    rest = [seconds for _, seconds in own if seconds < FEWEST]
-    table.add_row(f"{len(rest)} others", f"{sum(rest):.2f}")
-    console.print("processor time of each kernel by itself")
-    console.print(table)
+    rows = [(name, f"{seconds:.2f}") for name, seconds in own if seconds >= MIN_SHOWN]
+    rest = [seconds for _, seconds in own if seconds < MIN_SHOWN]
+    rows.append((f"{len(rest)} others", f"{sum(rest):.2f}"))
+    console.print(Table(("kernel", "s"), rows, title="processor time of each kernel by itself"))
     console.print(f"all in one process: {best['whole']:.1f} s, at most {best['peak']:.0f} MB")
 
 

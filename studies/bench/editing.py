@@ -1,5 +1,4 @@
-"""`softrod bench edit`: what an edit of one part of a large body takes, and its undo: in the session, and in
-the page that is told of it."""
+"""`softrod bench edit`: the time of an edit of one part of a large body and of its undo."""
 
 from __future__ import annotations
 
@@ -13,7 +12,6 @@ from typing import Any
 
 from msgspec.structs import replace
 from rich.console import Console
-from rich.table import Table
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
@@ -28,14 +26,18 @@ from sim.edit.build import add_springs, extend, positions_of, remove
 from sim.edit.edit import Edit, Selection
 from sim.edit.values import number, set_number
 
+from ..reporting.report import Table
 from .client import CAMERA, Decoder, options_of
 
-WIDE, HIGH = 50, 51
-"""Masses along the sides of the cloth: it has 9899 springs, and 4898 joints."""
+WIDE = 50
+"""Masses along the upper side of the cloth, which has 9899 springs and 4898 joints."""
+
+HIGH = 51
+"""Masses along its left side."""
 
 
 def cloth() -> Scene:
-    """A cloth with diagonals both ways, and joints along its threads, held at two corners."""
+    """Return a cloth with both diagonals, and joints along its threads, held at two corners."""
     body = sim.Cloth(
         columns=WIDE, rows=HIGH, width=10.0 * (WIDE - 1), height=10.0 * (HIGH - 1), start=(0.0, 0.0),
         stiffness=1e4, shear_stiffness=1e4, damping=1.0, angular_stiffness=100.0, mass=0.1, radius=2.0,
@@ -72,7 +74,7 @@ EDITS: dict[str, Callable[[Moment, int], Edit]] = {
     "a mass removed": _remove(masses=1200),
     "a mass added": _add_mass,
 }
-"""Each makes an edit of a moment; with another number it makes another one."""
+"""Each makes an edit of a moment, a different one for each number."""
 
 
 def _at_once(work: Callable[..., Any], /, *arguments: Any, **options: Any) -> Future[Any]:
@@ -83,7 +85,7 @@ def _at_once(work: Callable[..., Any], /, *arguments: Any, **options: Any) -> Fu
 
 @contextmanager
 def _tab(scene: Scene) -> Iterator[Tab]:
-    """A page's tab, whose frames are no longer the ticker's."""
+    """Yield a page's tab, detached from the ticker."""
     with serving(scene, "127.0.0.1", 0) as (server, ticker, _):
         address = f"127.0.0.1:{server.get_port()}"
         connection = connect(f"ws://{address}", **options_of(address))
@@ -106,7 +108,7 @@ def _tab(scene: Scene) -> Iterator[Tab]:
 
 
 def _frame(tab: Tab) -> None:
-    """A whole frame; what a heavy body needs is done at once."""
+    """Do a whole frame; heavy work is done at once."""
     tab.frame(BUDGET * FRAME, _at_once)
     if tab.session is not None and tab.session.heavy:
         tab.frame(BUDGET * FRAME, _at_once)
@@ -114,7 +116,7 @@ def _frame(tab: Tab) -> None:
 
 
 def edit_times(tab: Tab, make: Callable[[Moment, int], Edit], repeats: int) -> tuple[float, ...]:
-    """The least s of all repeats: an edit in the session, the frame after it, its undo, the frame after."""
+    """Return the shortest times, s: an edit in the session, the frame after it, its undo, the frame after."""
     session, best = tab.session, [math.inf] * 4
     assert session is not None
     for i in range(repeats):
@@ -132,7 +134,7 @@ def edit_times(tab: Tab, make: Callable[[Moment, int], Edit], repeats: int) -> t
 
 
 def select_time(tab: Tab, parts: Selection, repeats: int) -> float:
-    """The least s of all repeats: some parts are selected, and the frame after that."""
+    """Return the shortest time, s, of selecting some parts, with the frame after that."""
     session, best = tab.session, math.inf
     assert session is not None
     for selection in (Selection(), parts) * repeats:
@@ -147,7 +149,7 @@ def select_time(tab: Tab, parts: Selection, repeats: int) -> float:
 
 def bench_edit(console: Console, repeats: int) -> None:
     """Measure, and print."""
-    table = Table("ms", "edit", "page", "undo", "page", "of a frame", box=None)
+    rows = []
     with _tab(cloth()) as tab:
         assert tab.session is not None
         tab.session.post(commands.Play(False))
@@ -156,10 +158,10 @@ def bench_edit(console: Console, repeats: int) -> None:
         for name, make in EDITS.items():
             times = edit_times(tab, make, repeats)
             part = max(sum(times[:2]), sum(times[2:])) / FRAME
-            table.add_row(name, *(f"{1e3 * t:.1f}" for t in times), f"{100.0 * part:.0f} %")
+            rows.append((name, *(f"{1e3 * t:.1f}" for t in times), f"{100.0 * part:.0f} %"))
         scene = tab.session.scene
         every = (scene.masses, scene.linear_springs, scene.angular_springs)
         whole = Selection(*(frozenset(range(len(parts))) for parts in every))
         one, all_ = (select_time(tab, p, repeats) for p in (Selection(springs=frozenset({5000})), whole))
-    console.print(table)
+    console.print(Table(("ms", "edit", "page", "undo", "page", "of a frame"), rows))
     console.print(f"selecting a spring: {1e3 * one:.1f} ms, with the page; everything: {1e3 * all_:.1f} ms")

@@ -1,4 +1,4 @@
-"""`softrod bench growth`: what a step costs as the body grows."""
+"""`softrod bench growth`: the cost of a step as the body grows."""
 
 from __future__ import annotations
 
@@ -7,11 +7,12 @@ import time
 
 import msgspec
 from rich.console import Console
-from rich.table import Table
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Scene
 from sim.scene.types import ForceLaw
+
+from ..reporting.report import Table
 
 SIZES = (10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000)
 """Masses. The largest are more than a scene's file may have."""
@@ -36,16 +37,16 @@ and by that for any topology."""
 
 
 class _Large(sim.Simulation):
-    """A simulation of a scene that is good but for its size."""
+    """A simulation of a scene that is too large for a file."""
 
     def _with_overrides(self, scene: Scene) -> Scene:
         return scene
 
 
 def rod(masses: int, chain: bool) -> Scene:
-    """A rod of so many masses, horizontal, held at one end and bent a little.
+    """Return a rod of so many masses, horizontal, held at one end and bent a little.
 
-    Where it is not to be taken for a chain, its first spring points the other way.
+    If it is not to be recognised as a chain, its first spring points the other way.
     """
     spacing = 10.0
     ends = [(i, i + 1) for i in range(masses - 1)]
@@ -68,7 +69,7 @@ def rod(masses: int, chain: bool) -> Scene:
 
 
 def step_costs(masses: int, repeats: int) -> dict[str, float]:
-    """Nanoseconds per mass and step, the least of interleaved repeats, for each of the columns."""
+    """Return ns per mass and step, the lowest of repeats in turns, for each of the columns."""
     steps = max(3, WORK // (10 * masses))
     ready = {}
     for name, (integrator, law, chain) in COLUMNS.items():
@@ -92,9 +93,8 @@ def step_costs(masses: int, repeats: int) -> dict[str, float]:
 
 def bench_growth(console: Console, repeats: int) -> None:
     """Measure, and print ns per mass and step for each size."""
-    table = Table("masses", *COLUMNS, box=None)
+    rows = []
     for masses in SIZES:
-        best = step_costs(masses, repeats)
-        table.add_row(str(masses), *(f"{best[name]:.1f}" for name in COLUMNS))
-    console.print("ns per mass and step")
-    console.print(table)
+        costs = step_costs(masses, repeats)
+        rows.append((str(masses), *(f"{costs[name]:.1f}" for name in COLUMNS)))
+    console.print(Table(("masses", *COLUMNS), rows, title="ns per mass and step"))

@@ -1,4 +1,4 @@
-"""`softrod bench heap`: rings that fall into a box, onto and beside each other."""
+"""`softrod bench heap`: rings that fall into a box and onto each other."""
 
 from __future__ import annotations
 
@@ -8,16 +8,20 @@ import time
 import msgspec
 import numpy as np
 from rich.console import Console
-from rich.table import Table
 
 import sim
 from sim import Integrator, Scene, Simulation
 from sim.scene.surroundings import Contact, Wall
 
+from ..reporting.report import Table
+
 RINGS = (10, 84, 250)
 """Numbers of rings."""
-FRAME, FRAMES = 1.0 / 60.0, 300
-"""Length of a frame, s, and how many are timed."""
+FRAME = 1.0 / 60.0
+"""Length of a frame, s."""
+
+FRAMES = 300
+"""Frames that are timed."""
 
 METHODS = {
     "auto, 0.1 px": Integrator(method="auto", dt=FRAME, tolerance=0.1),
@@ -25,14 +29,23 @@ METHODS = {
     "Euler, 0.26 ms": Integrator(method="symplectic_euler", dt=FRAME / 64.0),
 }
 
-_RADIUS, _MASSES = 12.0, 12  # of a ring, px; its masses
-_ABREAST, _HIGH = 10, 8  # least number of rings in a row, and of rows in which the others are
+_RADIUS = 12.0
+"""Of a ring, px."""
+
+_MASSES = 12
+"""Of a ring."""
+
+_MIN_ABREAST = 10
+"""Rings in a row at least."""
+
+_MAX_HIGH = 8
+"""Rows, if there are enough rings for that."""
 
 
 def heap(rings: int) -> Scene:
-    """A scene of so many rings of 12 masses above a box that is open at the top."""
+    """Return a scene of so many rings of 12 masses above a box that is open at the top."""
     rng = np.random.default_rng(1)
-    abreast = max(_ABREAST, rings // _HIGH)
+    abreast = max(_MIN_ABREAST, rings // _MAX_HIGH)
     bodies = []
     for i in range(rings):
         middle = np.array((20.0 + 30.0 * (i % abreast), -20.0 - 32.0 * (i // abreast)))
@@ -57,15 +70,15 @@ def heap(rings: int) -> Scene:
 
 
 def times(scene: Scene, frames: int, repeats: int) -> tuple[list[float], int, float]:
-    """How a scene falls for some frames.
+    """Let a scene fall for some frames.
 
     Returns:
-        Processor time of each frame, s, the least of all repeats; the number of steps tried in all; and the
-        root mean square of the speeds in the end, px/s.
+        Processor time of each frame, s, the shortest of all repeats; the number of steps attempted; and the
+        root mean square of the speeds at the end, px/s.
     """
     simulation, steps = Simulation(scene), max(round(FRAME / scene.integrator.dt), 1)
     simulation.step()  # loads the kernels
-    best, tried = [math.inf] * frames, 0
+    best, attempts = [math.inf] * frames, 0
     for _ in range(repeats):
         simulation.reset()
         simulation.stats()
@@ -76,26 +89,22 @@ def times(scene: Scene, frames: int, repeats: int) -> tuple[list[float], int, fl
         if simulation.divergence is not None:
             raise RuntimeError(f"the heap ran away: {simulation.divergence}")
         stats = simulation.stats()
-        tried = stats.steps + stats.rejected
-    return best, tried, float(np.sqrt((simulation.velocities**2).sum(1).mean()))
+        attempts = stats.steps + stats.rejected
+    return best, attempts, float(np.sqrt((simulation.velocities**2).sum(1).mean()))
 
 
 def bench_heap(console: Console, repeats: int) -> None:
     """Measure, and print processor time per simulated time: of all, and of the slowest quarter second."""
-    table = Table("masses", "method", "steps per s", "all", "slowest 1/4 s", "px/s in the end", box=None)
+    rows = []
     quarter = round(0.25 / FRAME)
     for rings in RINGS:
         for name, integrator in METHODS.items():
             scene = msgspec.structs.replace(heap(rings), integrator=integrator)
-            best, tried, speed = times(scene, FRAMES, repeats)
+            best, attempts, speed = times(scene, FRAMES, repeats)
             parts = [sum(best[i : i + quarter]) for i in range(0, len(best), quarter)]
-            table.add_row(
-                str(len(scene.masses)),
-                name,
-                f"{tried / (FRAME * FRAMES):.0f}",
-                f"{sum(best) / (FRAME * FRAMES):.3f}",
-                f"{max(parts) / (FRAME * quarter):.3f}",
-                f"{speed:.2g}",
-            )
-    console.print("processor time / simulated time, falling and settling, 5 s")
-    console.print(table)
+            shares = sum(best) / (FRAME * FRAMES), max(parts) / (FRAME * quarter)
+            steps = f"{attempts / (FRAME * FRAMES):.0f}"
+            rows.append((str(len(scene.masses)), name, steps, *(f"{n:.3f}" for n in shares), f"{speed:.2g}"))
+    headings = ("masses", "method", "steps per s", "all", "slowest 1/4 s", "px/s in the end")
+    title = "processor time / simulated time, falling and settling, 5 s"
+    console.print(Table(headings, rows, "rl", title))

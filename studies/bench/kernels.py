@@ -20,11 +20,11 @@ import msgspec
 import numba
 import numpy as np
 from rich.console import Console
-from rich.table import Table
 
 import sim
 from sim.forces.nets import NO_NET
 
+from ..reporting.report import Table
 from . import fastest
 
 _INDICES = [("a", "i8"), ("b", "i8")]
@@ -33,10 +33,10 @@ SPRING = np.dtype([*_INDICES, *((name, "f8") for name in ("k", "c", "rest", "len
 JOINT = np.dtype([*_INDICES, *((name, "f8") for name in ("k", "cos", "sin"))], align=True)
 
 STEP = 1e-6
-"""A tiny step: the arithmetic is the same, and the body stays put however often it is measured."""
+"""A tiny step, s: the arithmetic is the same, and the body stays put however often it is measured."""
 
 TARGETS = {12: 0.95, 50: 0.4, 100: 0.4, 1000: 0.4}
-"""Masses, and the part of the C program's time that the chain path may take at most."""
+"""Masses, and the largest part of the C program's time that the chain path may take."""
 
 NETS: dict[str, Callable[[], sim.Scene]] = {
     "cloth of 100": lambda: sim.cloth(columns=10, rows=10),
@@ -54,7 +54,7 @@ NETS: dict[str, Callable[[], sim.Scene]] = {
 
 @numba.njit
 def record_steps(masses, springs, joints, gravity, air, dt, steps):
-    """Steps as the tutorial's listing has them, line by line: every field through its array and index."""
+    """Do steps as in the tutorial's listing, line by line: every field through its array and index."""
     for _ in range(steps):
         for i in range(masses.size):
             masses[i].ax = 0.0
@@ -101,7 +101,7 @@ def record_steps(masses, springs, joints, gravity, air, dt, steps):
 
 
 def compiled_c(folder: Path) -> ctypes.CDLL | None:
-    """The C program, compiled with gcc -O3 -march=native; None where there is no gcc."""
+    """Return the C program, compiled with gcc -O3 -march=native; None where there is no gcc."""
     gcc = shutil.which("gcc")
     if gcc is None:
         return None
@@ -114,7 +114,7 @@ def compiled_c(folder: Path) -> ctypes.CDLL | None:
 
 
 def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Callable[[], None]]:
-    """The programs, each with a state of its own, all starting alike."""
+    """Return the programs, each with a state of its own, all starting alike."""
     scene = sim.rope(
         masses=n,
         length=300.0 / 11.0 * (n - 1),
@@ -147,21 +147,21 @@ def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Cal
         free[0] = 0.0
         pointers = [ctypes.c_void_p(a.ctypes.data) for a in (x, y, vx, vy, free)]
         numbers = [ctypes.c_double(v) for v in (1e4, 40.0, 300.0 / 11.0, 1e4, 0.0, 2000.0, 0.002, STEP)]
-        kept = (x, y, vx, vy, free)
-        runs["fused C"] = lambda: _call(library, n, steps, pointers, numbers, kept)
+        arrays = (x, y, vx, vy, free)  # pointers do not keep them alive
+        runs["fused C"] = lambda: _call(library, n, steps, pointers, numbers, arrays)
     return runs
 
 
 def _on_general_path(simulation: sim.Simulation) -> sim.Simulation:
-    """The simulation, made to take the path for bodies of any topology."""
+    """Make a simulation take the path for bodies of any topology."""
     body = simulation._body.replaced(chain=False, net=NO_NET)
     simulation._system = dataclasses.replace(simulation._system, body=body)
     simulation._stepper = simulation._new_stepper()
     return simulation
 
 
-def of_net(scene: sim.Scene) -> tuple[dict[str, Callable[[], None]], int]:
-    """Steps of a net by both paths, as `contenders`; and how many springs one run computes."""
+def programs_of_net(scene: sim.Scene) -> tuple[dict[str, Callable[[], None]], int]:
+    """Return steps of a net by both paths, and the number of springs that one run computes."""
     scene = msgspec.structs.replace(scene, integrator=sim.Integrator(method="symplectic_euler", dt=STEP))
     springs = len(scene.linear_springs)
     steps = max(4, 60_000 // springs)
@@ -175,38 +175,35 @@ def _step(simulation: sim.Simulation, steps: int) -> None:
         raise RuntimeError(f"the body ran away: {simulation.divergence}")
 
 
-def _call(library: ctypes.CDLL, n: int, steps: int, pointers: list, numbers: list, _kept: tuple) -> None:
+def _call(library: ctypes.CDLL, n: int, steps: int, pointers: list, numbers: list, _arrays: tuple) -> None:
     library.fused(ctypes.c_long(n), ctypes.c_long(steps), *pointers, *numbers)
 
 
-def bench(console: Console, repeats: int) -> None:
+def bench_kernels(console: Console, repeats: int) -> None:
     """Measure, and print ns per mass and step and the ratios that matter."""
     with tempfile.TemporaryDirectory() as folder:
         library = compiled_c(Path(folder))
-        names = ["record arrays", "general path", "chain path", *(["fused C"] if library else [])]
-        ratios = ("records / chain", "general / chain", "chain / C")
-        table = Table("masses", *names, *ratios, "target", "", box=None)
-        for n, target in TARGETS.items():
-            steps = max(200, 1_200_000 // n)
-            times = fastest(contenders(n, steps, library), repeats)
-            ns = {name: seconds / (n * steps) * 1e9 for name, seconds in times.items()}
-            chain = ns["chain path"]
-            table.add_row(
-                str(n),
-                *(f"{ns[name]:.2f}" for name in names),
-                f"{ns['record arrays'] / chain:.2f}",
-                f"{ns['general path'] / chain:.2f}",
-                f"{chain / ns['fused C']:.2f}" if library else "no gcc",
-                f"≤ {target:g}",
-                "" if not library else "met" if chain <= target * ns["fused C"] else "missed",
-            )
-    console.print("symplectic Euler, ns per mass and step")
-    console.print(table)
-    nets = Table("net", "general path", "path for nets", "general / nets", box=None)
+        rows = [_row_of_rope(n, target, library, repeats) for n, target in TARGETS.items()]
+    names = ("record arrays", "general path", "chain path", *(["fused C"] if library else []))
+    headings = ("masses", *names, "records / chain", "general / chain", "chain / C", "target", "")
+    console.print(Table(headings, rows, title="symplectic Euler, ns per mass and step"))
+    rows = []
     for name, scene in NETS.items():
-        programs, computed = of_net(scene())
-        general, net = fastest(programs, repeats).values()
-        row = (f"{general / computed * 1e9:.2f}", f"{net / computed * 1e9:.2f}", f"{general / net:.2f}")
-        nets.add_row(name, *row)
-    console.print("symplectic Euler, ns per spring and step")
-    console.print(nets)
+        programs, computed = programs_of_net(scene())
+        general, net = (1e9 * seconds / computed for seconds in fastest(programs, repeats).values())
+        rows.append((name, f"{general:.2f}", f"{net:.2f}", f"{general / net:.2f}"))
+    headings = ("net", "general path", "path for nets", "general / nets")
+    console.print(Table(headings, rows, title="symplectic Euler, ns per spring and step"))
+
+
+def _row_of_rope(n: int, target: float, library: ctypes.CDLL | None, repeats: int) -> list[str]:
+    steps = max(200, 1_200_000 // n)
+    times = fastest(contenders(n, steps, library), repeats)
+    ns = {name: seconds / (n * steps) * 1e9 for name, seconds in times.items()}
+    chain = ns["chain path"]
+    row = [str(n), *(f"{each:.2f}" for each in ns.values())]
+    row += [f"{ns[name] / chain:.2f}" for name in ("record arrays", "general path")]
+    if not library:
+        return [*row, "no gcc", f"≤ {target:g}", ""]
+    ratio = chain / ns["fused C"]
+    return [*row, f"{ratio:.2f}", f"≤ {target:g}", "met" if ratio <= target else "missed"]

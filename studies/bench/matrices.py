@@ -8,12 +8,13 @@ import time
 import numpy as np
 from msgspec.structs import replace
 from rich.console import Console
-from rich.table import Table
 
 import sim
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
 from sim.body.sparsity import fill, new_matrix, pattern_of
 from sim.body.system import build_system
+
+from ..reporting.report import Table
 
 PRESETS = ("study-w4", "study-ring", "study-tree", "hair-tuft", "flag-pole", "study-cloth")
 SIDES = (10, 20, 30)
@@ -24,19 +25,19 @@ GIRDER = 50
 
 
 def cloth(side: int) -> Scene:
-    """A square patch of springs that bends like a net of rods."""
+    """Return a square patch of springs that bends like a net of rods."""
     width = 20.0 * (side - 1)
     body = sim.Cloth(
         columns=side, rows=side, width=width, height=width, start=(0.0, 0.0), diagonals=False, held="corner"
     )
     scene = sim.validate(Scene(name=f"cloth-{side}x{side}", bodies=(body,)))
-    # The others hold the corners of its cells.
+    # The other joints hold the corners of its cells.
     in_line = tuple(joint for joint in scene.angular_springs if not joint.rest_angle)
     return replace(scene, bodies=(), angular_springs=in_line)
 
 
 def girder(rungs: int) -> Scene:
-    """Two rails, with rungs and diagonals between them, and joints where three masses stand in line."""
+    """Return two rails, with rungs and diagonals between them, and joints where three masses are in line."""
     places = [(20.0 * (i // 2), 20.0 * (i % 2)) for i in range(2 * rungs)]
     rails = [(i, i + 2) for i in range(2 * rungs - 2)]
     between = [(2 * i, 2 * i + 1) for i in range(rungs)] + [(2 * i, 2 * i + 3) for i in range(rungs - 1)]
@@ -53,7 +54,7 @@ def girder(rungs: int) -> Scene:
 
 
 def in_a_band(scene: Scene) -> int:
-    """Blocks within the band of a scene's matrix, if masses stand in the order of reverse Cuthill-McKee."""
+    """Return the number of blocks in the band of a scene's matrix, in reverse Cuthill-McKee order."""
     from scipy.sparse import csr_matrix
     from scipy.sparse.csgraph import reverse_cuthill_mckee
 
@@ -76,9 +77,7 @@ def in_a_band(scene: Scene) -> int:
 
 def bench_matrices(console: Console, repeats: int) -> None:
     """Print for each body the blocks of 2 x 2 in its matrix, in its factors and in a band instead."""
-    table = Table(
-        "body", "masses", "blocks", "in the factors", "filled in", "in a band", "ms to find this", box=None
-    )
+    rows = []
     for scene in (*map(sim.load_scene, PRESETS), girder(GIRDER), *map(cloth, SIDES)):
         system, times = build_system(scene), []
         for _ in range(repeats):
@@ -87,14 +86,8 @@ def bench_matrices(console: Console, repeats: int) -> None:
             new_matrix(system.body, system.held)
             times.append(time.perf_counter() - began)
         blocks, factors = fill(system.body, new_matrix(system.body, system.held))
-        table.add_row(
-            scene.name,
-            str(len(scene.masses)),
-            str(blocks),
-            str(factors),
-            f"{100.0 * (factors / blocks - 1.0):.0f} %",
-            str(in_a_band(scene)),
-            f"{1e3 * min(times):.2g}",
-        )
-    console.print("Blocks of matrices; their order is found once for a body")
-    console.print(table)
+        counts = map(str, (len(scene.masses), blocks, factors))
+        filled = f"{100.0 * (factors / blocks - 1.0):.0f} %"
+        rows.append((scene.name, *counts, filled, str(in_a_band(scene)), f"{1e3 * min(times):.2g}"))
+    headings = ("body", "masses", "blocks", "in the factors", "filled in", "in a band", "ms to find this")
+    console.print(Table(headings, rows, title="Blocks of matrices; their order is found once for a body"))

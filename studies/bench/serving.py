@@ -1,4 +1,4 @@
-"""`softrod bench start` and `softrod bench page`: softrod's page beside a bare viser app of the same size."""
+"""`softrod bench start` and `softrod bench page`: softrod's page and a bare viser app of its size."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 from rich.console import Console
-from rich.table import Table
 
 import sim
 from app.features.hands import messages as hands
 from app.wire import from_page
 
+from ..reporting.report import Table
 from .client import FRAME_PLACES, FRAME_TIME, Page, is_frame, saying, state_of
 
 NODE = "/body/masses"
@@ -28,9 +28,9 @@ class Served(NamedTuple):
     """A server in a process of its own.
 
     Attributes:
-        port: that it listens at.
-        listening: seconds until it did.
-        used: asks for the processor time that it has used so far, s.
+        port: at which it listens.
+        listening: seconds until it listened.
+        used: returns the processor time that it has used so far, s.
     """
 
     port: int
@@ -40,7 +40,7 @@ class Served(NamedTuple):
 
 @contextlib.contextmanager
 def served(kind: str, shown: str | int, cache: str) -> Iterator[Served]:
-    """Softrod's page, or one of bare viser; see `bare`."""
+    """Serve softrod's page, or one of bare viser; see `bare`."""
     words = [sys.executable, "-m", "studies.bench.bare", str(shown), *([kind] if kind == "softrod" else [])]
     began = time.perf_counter()
     process = subprocess.Popen(
@@ -50,19 +50,19 @@ def served(kind: str, shown: str | int, cache: str) -> Iterator[Served]:
         text=True,
         env={**os.environ, "XDG_CACHE_HOME": cache},
     )
-    asked, told = process.stdin, process.stdout
-    assert asked is not None and told is not None
+    requests, answers = process.stdin, process.stdout
+    assert requests is not None and answers is not None
 
     def used() -> float:
-        asked.write("\n")
-        asked.flush()
-        return float(told.readline())
+        requests.write("\n")
+        requests.flush()
+        return float(answers.readline())
 
     try:
-        port = int(told.readline())
+        port = int(answers.readline())
         yield Served(port, time.perf_counter() - began, used)
     finally:
-        asked.close()
+        requests.close()
         process.wait(timeout=30.0)
 
 
@@ -71,13 +71,13 @@ def _is_node(message: dict[str, Any]) -> bool:
 
 
 def _moves(message: dict[str, Any]) -> bool:
-    """Whether the masses are told to be elsewhere: by softrod, or by bare viser."""
+    """Whether a message moves the masses, of softrod or of bare viser."""
     node = message.get("name") == NODE and "batched_positions" in message.get("updates", {})
     return node or is_frame(message)
 
 
 def _runs(message: dict[str, Any]) -> bool:
-    """Whether simulated time has passed: in a picture, or of a body that is told to be at rest."""
+    """Whether simulated time has passed: in a frame, or in the state of a body at rest."""
     if is_frame(message):
         return float(message["numbers"][FRAME_TIME]) > 0.0
     state = state_of(message)
@@ -85,7 +85,7 @@ def _runs(message: dict[str, Any]) -> bool:
 
 
 def _start(kind: str, shown: str | int, cache: str) -> dict[str, float]:
-    """Seconds until the port listens, the body is sent, and it moves."""
+    """Return the seconds until the port listens, the body is sent, and it moves."""
     began = time.perf_counter()
     with served(kind, shown, cache) as server, Page(server.port) as page:
         page.wait_for(_is_node)
@@ -93,7 +93,7 @@ def _start(kind: str, shown: str | int, cache: str) -> dict[str, float]:
         if kind == "softrod":
             page.wait_for(_runs)
         else:
-            # The first picture is filled in at once; a body in motion sends more.
+            # The first frame is sent at once; a body in motion sends more.
             page.wait_for(_moves)
             page.wait_for(_moves)
         return {"port": server.listening, "drawn": drawn, "moving": time.perf_counter() - began}
@@ -115,32 +115,29 @@ def _import_numba() -> float:
 
 
 def bench_start(console: Console, repeats: int) -> None:
-    """Starts of each preset, cold (no machine code on the disk) and cached, and of bare viser."""
+    """Measure starts of each preset, cold (no machine code on the disk) and cached, and of bare viser."""
     presets = [info.name for info in sim.list_scenes() if info.built_in]
     best: dict[tuple[str, str], dict[str, float]] = {}
     numba = float("inf")
-    with tempfile.TemporaryDirectory() as kept:
-        warm(kept)
+    with tempfile.TemporaryDirectory() as cache:
+        warm(cache)
         for _ in range(repeats):
-            runs = {("bare viser", ""): _start("bare", 12, kept)}
+            runs = {("bare viser", ""): _start("bare", 12, cache)}
             for preset in presets:
                 with tempfile.TemporaryDirectory() as empty:
                     runs[preset, "cold"] = _start("softrod", preset, empty)
-                runs[preset, "cached"] = _start("softrod", preset, kept)
+                runs[preset, "cached"] = _start("softrod", preset, cache)
             numba = min(numba, _import_numba())
             for row, times in runs.items():
                 old = best.setdefault(row, times)
                 best[row] = {key: min(old[key], times[key]) for key in times}
     names = ("port", "drawn", "moving")
-    table = Table(
-        "seconds until", "", "the port listens", "it is drawn", "it moves", "cold - cached", box=None
-    )
+    rows = []
     for (name, start), times in best.items():
-        late = ""
-        if start == "cold":
-            late = f"{times['moving'] - best[name, 'cached']['moving']:+.2f}"
-        table.add_row(name, start, *(f"{times[key]:.2f}" for key in names), late)
-    console.print(table)
+        late = f"{times['moving'] - best[name, 'cached']['moving']:+.2f}" if start == "cold" else ""
+        rows.append((name, start, *(f"{times[key]:.2f}" for key in names), late))
+    headings = ("seconds until", "", "the port listens", "it is drawn", "it moves", "cold - cached")
+    console.print(Table(headings, rows, "ll"))
     bare, rope = best["bare viser", ""], best["tutorial-3.3", "cached"]
     console.print(
         f"import of numba {numba:.2f} s; tutorial-3.3, cached / (bare viser + numba): "
@@ -150,10 +147,10 @@ def bench_start(console: Console, repeats: int) -> None:
 
 
 def _processor_share(kind: str, masses: int, seconds: float, cache: str) -> tuple[float, float, float]:
-    """(processor time per second, kB per second, frames per second) of a server with one page."""
+    """Return processor time per second, kB/s and frames/s of a server with one page."""
     with served(kind, masses, cache) as server, Page(server.port) as page:
         page.wait_for(_moves)
-        page.read_for(3.0)  # compiling and first pictures are not what is measured
+        page.read_for(3.0)  # compiling and the first frames are not measured
         before, bytes_before, began = server.used(), page.bytes, time.perf_counter()
         frames = 0
         while (left := began + seconds - time.perf_counter()) > 0:
@@ -163,7 +160,7 @@ def _processor_share(kind: str, masses: int, seconds: float, cache: str) -> tupl
 
 
 def _latencies(masses: int, count: int, cache: str) -> list[float]:
-    """Seconds from a pointer report to the frame in which the driven mass has moved, as a page sees it."""
+    """Return the seconds from a pointer report to the frame in which a page sees the driven mass move."""
     with served("softrod", masses, cache) as server, Page(server.port) as page:
         page.wait_for(is_frame)
         page.read_for(4.0)
@@ -182,8 +179,8 @@ def _latencies(masses: int, count: int, cache: str) -> list[float]:
 
 
 def bench_page(console: Console, repeats: int) -> None:
-    """Server cost of one page at 60 Hz beside bare viser, and the latency from pointer to page."""
-    table = Table("masses", "server", "% of a core", "kB/s", "frames/s", "softrod / viser", box=None)
+    """Measure the server's cost of one page at 60 Hz and of bare viser, and the latency of the pointer."""
+    rows = []
     with tempfile.TemporaryDirectory() as cache:
         warm(cache)
         for masses in (12, 200, 1000):
@@ -194,8 +191,10 @@ def bench_page(console: Console, repeats: int) -> None:
                     best[kind] = min(best.get(kind, share), share)
             for kind, (share, rate, frames) in best.items():
                 ratio = f"{share / best['bare viser'][0]:.2f}" if kind == "softrod" else ""
-                table.add_row(str(masses), kind, f"{100 * share:.1f}", f"{rate:.0f}", f"{frames:.1f}", ratio)
-        console.print(table)
+                cells = f"{100 * share:.1f}", f"{rate:.0f}", f"{frames:.1f}", ratio
+                rows.append((str(masses), kind, *cells))
+        headings = ("masses", "server", "% of a core", "kB/s", "frames/s", "softrod / viser")
+        console.print(Table(headings, rows, "rl"))
         latencies = sorted(1e3 * value for value in _latencies(12, 60, cache))
     console.print(
         f"pointer to page, server side and loopback: median {statistics.median(latencies):.1f} ms, "

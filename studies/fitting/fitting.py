@@ -1,4 +1,4 @@
-"""The command `softrod fit`: what it prints and writes."""
+"""`softrod fit`: prints and writes the result of a fit."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from sim.design.estimates import Estimate
 from sim.design.fit import Fit
 from sim.store.files import safe_name
 
-from ..reporting.output import Watch, comma_separated, encoded, make_folder, table
+from ..reporting.progress import ProgressBar
+from ..reporting.report import Figure, Table, csv_of, make_folder
 from .plot import plot
 
 
@@ -31,7 +32,7 @@ def fit_and_report(
     """Fit a scene, print what was found and write it.
 
     Args:
-        scene, data, vary, match, scale: as of `sim.fit`.
+        scene, data, vary, match, scale: arguments of `sim.fit`.
         out: folder for scene.json, values.csv and fit.png; None to write nothing.
         console: where to print.
         decimal_comma: whether values.csv has decimal commas.
@@ -40,18 +41,17 @@ def fit_and_report(
         The exit status: 130 if Ctrl-C ended it.
 
     Raises:
-        SceneError, InputError: as `sim.fit`, or a file cannot be written.
+        SceneError, InputError: those of `sim.fit`, or a file cannot be written.
     """
     if out is not None:
         make_folder(out)
     found: Fit | None = None
-    watch = Watch(console, 1.0)
-    with watch:
-        found = sim.fit(scene, list(data), vary, match, scale, watch.say)
+    with ProgressBar(console, 1.0) as bar:
+        found = sim.fit(scene, list(data), vary, match, scale, bar.say)
     if found is None:
         return 130
     rows = [(each.name, each.text, f"{each.before:.4g}") for each in found.values.values()]
-    console.print(table(("number", "fitted (95 % interval)", "before"), rows, "lll"))
+    console.print(Table(("number", "fitted (95 % interval)", "before"), rows, "lll"))
     for series in found.series:
         console.print(
             f"{series.file}, {series.column} as {series.quantity}: "
@@ -70,9 +70,9 @@ def _write(found: Fit, scene: sim.Scene, out: Path, decimal_comma: bool) -> None
     name = safe_name(f"{scene.name} fitted"[:60]) or "fitted"
     sim.save_scene(msgspec.structs.replace(found.scene, name=name, title=""), out / "scene.json")
     headings = ("number", "unit", "value", "low", "high", "known", "before", "in the table's unit")
-    text = comma_separated(headings, map(_row, found.values.values()), decimal_comma)
+    text = csv_of(headings, map(_row, found.values.values()), decimal_comma)
     (out / "values.csv").write_text(text, encoding="utf-8")
-    (out / "fit.png").write_bytes(encoded(plot(found)))
+    Figure("fit", "", lambda: plot(found)).write(out)
 
 
 def _row(each: Estimate) -> tuple[object, ...]:

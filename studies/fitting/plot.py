@@ -1,4 +1,4 @@
-"""The figure of a fit: each column as it was measured and as the scene has it, and what is left."""
+"""The figure of a fit: measured and fitted values of each column, and the residuals."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from ..reporting.figures import BLUE, GREY, ORANGE, new_figure, tidy
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-COLUMNS = 4
-"""Pictures at most; the scene has everything."""
+MAX_COLUMNS = 4
+"""Columns of the tables that are shown."""
 
 
 def plot(found: Fit) -> Figure:
-    """For each column two pictures: the measured points with the fitted line, and below what is left."""
-    shown = found.series[:COLUMNS]
+    """Draw two panels for each column: measured points with the fitted line, and residuals below."""
+    shown = found.series[:MAX_COLUMNS]
     figure, pictures = new_figure(
         5.0 * len(shown) + 0.6, 4.6, len(shown), 2, squeeze=False, sharex="col", height_ratios=(3.0, 1.0)
     )
@@ -38,6 +38,6 @@ def plot(found: Fit) -> Figure:
         below.set_xlabel("time (s)")
         tidy(above)
         tidy(below)
-    if len(found.series) > COLUMNS:
-        figure.suptitle(f"the first {COLUMNS} of {len(found.series)} columns", fontsize=9)
+    if len(found.series) > MAX_COLUMNS:
+        figure.suptitle(f"the first {MAX_COLUMNS} of {len(found.series)} columns", fontsize=9)
     return figure

@@ -1,4 +1,4 @@
-"""Goals: what is wanted of a run, as `--goal` has it, and how near a run comes to it."""
+"""Goals: what `--goal` asks of a run, and how near a run comes to it."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from sim.settings import scene_of_step
 Floats = NDArray[np.float64]
 
 MAX_SECONDS = 600.0
-"""Seconds for which a goal may ask a quantity to stay in a range, as in lessons."""
+"""Longest time, s, for which a goal may ask a quantity to stay in a range, as in lessons."""
 
 EXPECTED = (
     '"max QUANTITY", "min QUANTITY", "near VALUE QUANTITY", "reach LOW..HIGH QUANTITY for SECONDS" or "step '
@@ -45,7 +45,7 @@ _SHOWN: dict[Of, str] = {
     "period": "period of {}",
 }
 
-_EXACT = 1e-9
+_ROUNDING = 1e-9
 """Seconds by which rounding may shorten a stay in a range."""
 
 
@@ -54,10 +54,10 @@ class Goal:
     """What is wanted.
 
     Attributes:
-        text: as `--goal` has it, with single spaces.
+        text: of `--goal`, with single spaces.
         want: the largest or smallest reading, one near a value, or that a quantity reaches a range soon.
-        of: what of the quantity: its value at the end, its mean, largest or smallest value over time, or the
-            period of its swings.
+        of: what is read of the quantity: its value at the end, its mean, largest or smallest value over time,
+            or the period of its swings.
         quantity: its name.
         unit: of the result, which for "reach" is a time; empty for a pure number.
         value: for "near", in that unit.
@@ -77,7 +77,7 @@ class Goal:
 
     @property
     def result(self) -> str:
-        """What the result is, for people, without its unit."""
+        """Name of the result for people, without its unit."""
         if self.want == "reach":
             period = "the period of " if self.of == "period" else ""
             return f"moment from which {period}{self.quantity} stays in its range"
@@ -85,14 +85,14 @@ class Goal:
 
 
 def parse_goal(text: str, scene: sim.Scene) -> tuple[Goal, sim.Scene]:
-    """A goal, and the scene that it is of.
+    """Return a goal, and the scene it applies to.
 
     Args:
-        text: as `EXPECTED` says.
-        scene: that is to be improved; "step 2" takes it as the second step of its lesson leaves it.
+        text: in the form that `EXPECTED` describes.
+        scene: to be improved; "step 2" takes it with the settings of the second step of its lesson.
 
     Raises:
-        InputError: it is none of these, or the scene has no such quantity or step; the sentence begins with
+        InputError: it is none of these, or the scene has no such quantity or step; the message begins with
             `--goal`.
     """
     text = " ".join(text.split())
@@ -124,13 +124,13 @@ def parse_goal(text: str, scene: sim.Scene) -> tuple[Goal, sim.Scene]:
 
 
 def _meant(word: str, known: Collection[str]) -> str:
-    """What to say of a word that is none of those that there are."""
+    """Return a message about an unknown word, with the most similar known one."""
     alike = difflib.get_close_matches(word, known, 1)
     return f"{word!r} is none of {', '.join(known)}; is {alike[0]!r} meant?" if alike else EXPECTED
 
 
 def _of_step(text: str, number: str, scene: sim.Scene) -> tuple[Goal, sim.Scene]:
-    """The goal of a step of the scene's lesson, and the scene with what the steps until then set."""
+    """Return the goal of a step of the lesson, and the scene with the settings of all steps up to it."""
     steps = scene.lesson.steps if scene.lesson else ()
     if not number.isdecimal() or not 1 <= int(number) <= len(steps):
         there = f"there are 1..{len(steps)}" if steps else f"the scene {scene.name!r} has no lesson"
@@ -150,7 +150,7 @@ def _of_step(text: str, number: str, scene: sim.Scene) -> tuple[Goal, sim.Scene]
 
 
 def _quantity(text: str, name: str, scene: sim.Scene) -> tuple[str, str]:
-    """The name and the unit of a quantity."""
+    """Return name and unit of a quantity."""
     try:
         found = quantity(name, scene)
     except InputError as error:
@@ -169,7 +169,7 @@ def _number(text: str, number: str) -> float:
 
 
 def _range(text: str, bounds: str) -> tuple[float, float]:
-    """From and to; one of them may be left out."""
+    """Return both bounds; one of them may be left out."""
     first, dots, last = bounds.partition("..")
     if not dots or not (first or last):
         raise InputError(f"--goal {text}: LOW..HIGH, LOW.. or ..HIGH is expected after reach")
@@ -181,7 +181,7 @@ def _range(text: str, bounds: str) -> tuple[float, float]:
 
 
 class GoalMeter:
-    """Follows a run, and says how near it came to a goal.
+    """Follows a run, and measures how near it comes to a goal.
 
     Args:
         goal: of the scene.
@@ -194,30 +194,30 @@ class GoalMeter:
         simulation.track_energy(self._quantity.kind.of == "energy")
         self._times: list[float] = []
         self._values: list[float] = []
-        # A lesson's goal asks at every moment for the period until then.
+        # A lesson's goal asks at every moment for the period so far.
         reading = Reading(quantity=goal.quantity, of="period")
         wants_periods = goal.want == "reach" and goal.of == "period"
         self._periods = Meter(reading, simulation.scene) if wants_periods else None
 
     @property
-    def goes_by_end(self) -> bool:
-        """Whether the end of a run is all that it needs to see, so that `look` need not be called."""
+    def needs_end_only(self) -> bool:
+        """Whether the end of a run suffices, so that `look` need not be called."""
         return self._goal.want != "reach" and self._goal.of == "end" and not self._quantity.kind.unwrapped
 
     def look(self) -> None:
-        """Note the present state."""
+        """Sample the present state."""
         value = self._periods.take(self._simulation) if self._periods is not None else self._value()
         self._times.append(self._simulation.time)
         self._values.append(math.nan if value is None else value)
 
     def _value(self) -> float:
-        """The present value; an angle goes on from the last look."""
+        """Return the present value; an angle is unwrapped from the last look."""
         return self._quantity.read(self._simulation, self._values[-1] if self._values else math.nan)
 
     def result(self) -> tuple[float | None, float | None]:
-        """At the end: the result, and a score, which is less the nearer the run came to the goal.
+        """Return the result at the end, and a score, which is lower the nearer the run came to the goal.
 
-        The result is None where a range was not reached; both are None where there is no reading.
+        The result is None if a range was not reached; both are None if there is no reading.
         """
         goal = self._goal
         if goal.want == "reach":
@@ -246,11 +246,10 @@ class GoalMeter:
 
 
 def _reached(times: Floats, values: Floats, goal: Goal) -> tuple[float | None, float | None]:
-    """The moment from which values stay in the range for long enough, and the score.
+    """Return the moment from which values stay in the range long enough, and the score.
 
-    The moments at which they come and go are on a straight line between two samples. Where they do not stay,
-    the score is the larger the shorter their longest stay is; where they never come, the farther they keep
-    away.
+    Entries and exits are interpolated linearly between two samples. If the values do not stay long enough,
+    the score grows with the missing time; if they never enter, with their distance from the range.
 
     Args:
         times: (k,) s.
@@ -261,10 +260,10 @@ def _reached(times: Floats, values: Floats, goal: Goal) -> tuple[float | None, f
     edges = np.flatnonzero(np.diff(np.concatenate(([False], inside, [False])).astype(int)))
     longest = 0.0
     for first, after in edges.reshape(-1, 2).tolist():
-        begin = _passage(times, values, first - 1, first, goal) if first else float(times[0])
+        begin = _crossing(times, values, first - 1, first, goal) if first else float(times[0])
         last = after - 1
-        end = _passage(times, values, after, last, goal) if after < len(times) else float(times[last])
-        if end - begin >= goal.seconds - _EXACT:
+        end = _crossing(times, values, after, last, goal) if after < len(times) else float(times[last])
+        if end - begin >= goal.seconds - _ROUNDING:
             return begin, begin
         longest = max(longest, end - begin)
     known = values[np.isfinite(values)]
@@ -274,8 +273,8 @@ def _reached(times: Floats, values: Floats, goal: Goal) -> tuple[float | None, f
     return None, float(times[-1]) + goal.seconds - longest + away
 
 
-def _passage(times: Floats, values: Floats, outside: int, inside: int, goal: Goal) -> float:
-    """The moment between two samples at which values pass an end of the range."""
+def _crossing(times: Floats, values: Floats, outside: int, inside: int, goal: Goal) -> float:
+    """Return the moment between two samples at which values cross a bound of the range."""
     out, within = float(values[outside]), float(values[inside])
     if math.isnan(out):
         return float(times[inside])

@@ -1,4 +1,4 @@
-"""The progress of a search: the results of its runs and the best until then, and the settings tried."""
+"""The figure of a search: results of its runs, the best so far, and the settings of each run."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..reporting.figures import BLACK, BLUE, GREY, ORANGE, SKY, new_figure, tidy
+from ..reporting.figures import BLACK, BLUE, GREY, ORANGE, SKY, is_wide, new_figure, tidy
 from .ranges import Range
 
 if TYPE_CHECKING:
@@ -17,10 +17,9 @@ if TYPE_CHECKING:
 
 MAX_SETTINGS = 8
 """Settings that are drawn; the table has all."""
+
 SHOWN = 0.8
-"""Part of the runs, from the best on, that fit into the picture: a few can be far off."""
-RATIO = 30.0
-"""Largest over smallest number from which on a scale is logarithmic."""
+"""Part of the runs, from the best on, that fit into the panel: a few can be far off."""
 
 
 def plot(
@@ -30,7 +29,7 @@ def plot(
     settings: Sequence[tuple[str, Range, Sequence[float]]],
     best: int | None,
 ) -> Figure:
-    """Results and settings over the number of the run.
+    """Draw results and settings over the number of the run.
 
     Args:
         result: its name and unit.
@@ -87,7 +86,7 @@ def _results(
             until, line[n] = score, values[n]
         elif n:
             line[n] = line[n - 1]
-    axes.plot(line, drawstyle="steps-post", lw=1.6, color=BLUE, label="the best until then")
+    axes.plot(line, drawstyle="steps-post", lw=1.6, color=BLUE, label="the best so far")
     if scores and scores[0] is not None and not math.isnan(values[0]):
         axes.plot(0, values[0], "s", ms=5, color=BLACK, label="the scene as it is")
     if best is not None and not math.isnan(values[best]):
@@ -96,7 +95,7 @@ def _results(
     near = values[[n for _, n in order[: max(1, math.ceil(SHOWN * len(order)))]]] if order else values[:0]
     near = near[np.isfinite(near)]
     if near.size and np.ptp(near) > 0.0:
-        if near.min() > 0.0 and near.max() > RATIO * near.min():
+        if is_wide(near):
             axes.set_yscale("log")
             axes.set_ylim(near.min() / 1.3, near.max() * 1.3)
         else:

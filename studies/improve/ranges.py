@@ -1,4 +1,4 @@
-"""What is varied: settings with their ranges, and places in these between 0 and 1."""
+"""The ranges of a search: settings between two values, and places in them from 0 to 1."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ EXPECTED = "KEY=A..B is expected, as in linear_stiffness=1e3..1e5"
 MAX_SETTINGS = 50
 """Settings that are varied at a time; a search in more takes runs by the ten thousand."""
 
-_NEAR = 1e-3
+_END_PART = 1e-3
 """Part of a range that counts as its end."""
 
 
 @dataclass(frozen=True)
 class Range:
-    """A setting between two values; with equal ratios at equal distances where both are above 0.
+    """A setting between two values, logarithmic where both are above 0.
 
     Attributes:
         key: of the setting.
         low, high: the ends.
-        integer: whether it takes whole numbers only.
+        integer: whether it takes only whole numbers.
     """
 
     key: str
@@ -42,7 +42,7 @@ class Range:
         return self.low > 0.0
 
     def at(self, place: float) -> str:
-        """The value at a place from 0 to 1, as an assignment has it."""
+        """Return the value at a place from 0 to 1, as the text of an assignment."""
         if self.logarithmic:
             value = self.low * (self.high / self.low) ** place
         else:
@@ -52,14 +52,14 @@ class Range:
         return text_of(float(round(value)) if self.integer else value)
 
     def end(self, value: float) -> str:
-        """Which end of the range a value has come to, "lower" or "upper"; "" for none."""
+        """Return which end of the range a value is at, "lower" or "upper"; "" for none."""
         place = self.place(value)
-        if place is None or _NEAR < place < 1.0 - _NEAR:
+        if place is None or _END_PART < place < 1.0 - _END_PART:
             return ""
-        return "lower" if place <= _NEAR else "upper"
+        return "lower" if place <= _END_PART else "upper"
 
     def place(self, value: float) -> float | None:
-        """The place of a value; None where it is out of the range."""
+        """Return the place of a value; None if it is out of the range."""
         if not self.low <= value <= self.high:
             return None
         if self.logarithmic:
@@ -70,11 +70,11 @@ class Range:
 def make_ranges(
     scene: sim.Scene, settings: Sequence[str], vary: Sequence[str]
 ) -> tuple[Grid, tuple[Range, ...]]:
-    """The ranges of `--vary`, and what makes a scene of values in them: a grid of the ends.
+    """Return the ranges of `--vary`, and a grid of their ends, which makes scenes of values in them.
 
     Raises:
         InputError: there is nothing to vary, a text is no range, a key comes twice, or a setting does not
-            take the ends of its range; the sentence names the option.
+            take the ends of its range; the message names the option.
     """
     if not vary:
         raise InputError("--vary: name at least one setting, as in --vary linear_stiffness=1e3..1e5")
@@ -90,10 +90,10 @@ def make_ranges(
 
 
 def _range(text: str) -> tuple[str, float, float]:
-    """Key and ends.
+    """Return key and ends.
 
     Raises:
-        InputError: a text is none.
+        InputError: the text is no range.
     """
     key, _, ends = (part.strip() for part in text.partition("="))
     first, dots, last = (part.strip() for part in ends.partition(".."))

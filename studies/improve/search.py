@@ -1,8 +1,8 @@
-"""Where a search looks: CMA-ES with restarts, which asks for generations of places and is told their scores.
+"""CMA-ES with restarts: asks for generations of points in the unit cube, and learns from their scores.
 
 The covariance matrix adaptation evolution strategy (Hansen 2016, "The CMA evolution strategy: a tutorial",
-arXiv:1604.00772) needs no derivatives and goes by the order of the scores alone, so that runs which failed
-can count as worst. Where a search has settled, a new one begins at a random place, with twice as many places
+arXiv:1604.00772) needs no derivatives and depends only on the order of the scores, so that failed runs can
+count as worst. When a search has converged, a new one begins at a random point, with twice as many points
 in a generation (Auger and Hansen 2005, "A restart CMA evolution strategy with increasing population size").
 """
 
@@ -14,28 +14,28 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-Places = NDArray[np.float64]
+Points = NDArray[np.float64]
 
 WIDTH = 0.3
 """Standard deviation of the first generation, as a part of each range."""
 
-SETTLED = 1e-5
-"""A search has settled when all places of a generation are as near to each other, as a part of each range."""
+CONVERGED = 1e-5
+"""A search has converged when all points of a generation are this close, as a part of each range."""
 
 WORST = math.inf
 
 
-def usual_population(dimensions: int) -> int:
-    """Places in a generation, by the tutorial's equation 48."""
+def default_population(dimensions: int) -> int:
+    """Return the number of points in a generation, by the tutorial's equation 48."""
     return 4 + math.floor(3.0 * math.log(dimensions))
 
 
 class Search:
-    """A search in the unit cube; it depends on nothing but its arguments and what it is told.
+    """A search in the unit cube; it depends on nothing but its arguments and the scores.
 
     Args:
-        start: (n,) where it begins.
-        population: places in the first generations.
+        start: (n,) initial point.
+        population: points in the first generations.
         seed: of its random numbers, from 0.
     """
 
@@ -43,25 +43,25 @@ class Search:
         self._seed, self._restarts = seed, 0
         self._begin(np.array(start, float), population)
 
-    def _begin(self, start: Places, population: int) -> None:
+    def _begin(self, start: Points, population: int) -> None:
         # Here, not above: workers have no use for it.
         from cmaes import CMA
 
         bounds = np.tile([0.0, 1.0], (len(start), 1))
         (seed,) = np.random.SeedSequence([self._seed, self._restarts]).generate_state(1)
         self._cma = CMA(start, WIDTH, bounds=bounds, seed=int(seed), population_size=population)
-        self._places: list[Places] = []
+        self._points: list[Points] = []
 
     def ask(self) -> list[list[float]]:
-        """The places of the next generation."""
-        self._places = [self._cma.ask() for _ in range(self._cma.population_size)]
-        return [place.tolist() for place in self._places]
+        """Return the points of the next generation."""
+        self._points = [self._cma.ask() for _ in range(self._cma.population_size)]
+        return [point.tolist() for point in self._points]
 
     def tell(self, scores: Sequence[float]) -> None:
-        """The scores of the places that were asked for, the least the best; WORST for a run that failed."""
-        places = np.array(self._places)
-        self._cma.tell(list(zip(self._places, scores, strict=True)))
-        if len(set(scores)) == 1 or float(np.ptp(places, axis=0).max()) < SETTLED:
+        """Take the scores of the points of a generation, the lowest the best; WORST for a failed run."""
+        points = np.array(self._points)
+        self._cma.tell(list(zip(self._points, scores, strict=True)))
+        if len(set(scores)) == 1 or float(np.ptp(points, axis=0).max()) < CONVERGED:
             self._restarts += 1
             random = np.random.default_rng([self._seed, self._restarts])
-            self._begin(random.random(places.shape[1]), 2 * self._cma.population_size)
+            self._begin(random.random(points.shape[1]), 2 * self._cma.population_size)

@@ -1,4 +1,4 @@
-"""One run of a search, as a function of nothing but its arguments, so that it can be computed anywhere."""
+"""One run of a search: a pure function of its arguments, which can be computed anywhere."""
 
 from __future__ import annotations
 
@@ -10,26 +10,29 @@ from ..sweep.measures import GAVE_UP
 from ..sweep.runs import Row, follow, made_by, simulation_of
 from .goals import Goal, GoalMeter
 
-RAN_AWAY, BROKE, NO_READING, INVALID = "ran away", "broke", "no reading", "not valid"
-"""How a run ended that counts as worst, besides GAVE_UP; a run that counts ended as ""."""
+RAN_AWAY = "ran away"
+BROKE = "broke"
+NO_READING = "no reading"
+INVALID = "not valid"
+"""Reasons why a run counts as worst, besides GAVE_UP; the reason of any other run is ""."""
 
 
 def trial(data: bytes, assignments: Sequence[str], duration: float, goal: Goal) -> Row:
-    """Simulate, and say how near the body came to a goal.
+    """Simulate, and measure how near the body came to a goal.
 
     Args:
-        data: the scene as a file has it.
-        assignments: what is changed in it, KEY=VALUE.
+        data: the scene in the format of files.
+        assignments: changes of it, KEY=VALUE.
         duration: s; rounded to whole time steps.
         goal: of the scene.
 
     Returns:
-        A row of the result, the score, and how it ended. Of a body that ran away or of which a spring broke,
-        result and score are None.
+        A row of the result, the score, and the reason why it counts as worst. Result and score are None if
+        the body ran away or a spring broke.
     """
     simulation = simulation_of(data, assignments)
     meter, whole = GoalMeter(goal, simulation), _broken(simulation)
-    if not follow(simulation, duration, None if meter.goes_by_end else meter.look):
+    if not follow(simulation, duration, None if meter.needs_end_only else meter.look):
         return Row((None, None, GAVE_UP if simulation.divergence is None else RAN_AWAY), made_by())
     if _broken(simulation) > whole:
         return Row((None, None, BROKE), made_by())
@@ -38,6 +41,6 @@ def trial(data: bytes, assignments: Sequence[str], duration: float, goal: Goal) 
 
 
 def _broken(simulation: sim.Simulation) -> int:
-    """How many springs are broken."""
+    """Return the number of broken springs."""
     damage = simulation.damage
     return len(damage.broken) if damage else 0

@@ -1,1 +1,1 @@
-"""What the studies share: the files of a report and how figures look."""
+"""The forms of all reports: sections of text, tables and figures, and a progress bar."""

@@ -1,4 +1,4 @@
-"""What a map of stability can vary, and the experiment that is done in each of its cells."""
+"""The axes of a map of stability, and the experiment in each of its cells."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from sim.scene.validate import validate
 from sim.settings import SETTINGS, no_use
 
 GOLDEN = math.pi * (3.0 - math.sqrt(5.0))
-"""An angle (radians) whose multiples fall nowhere twice."""
+"""The golden angle, radians: its multiples never coincide."""
 
 
 @dataclass(frozen=True)
@@ -25,10 +25,10 @@ class Axis:
 
     Attributes:
         key, label, unit: its name in commands, for people, and its unit.
-        low, high: what is allowed.
-        range: what is drawn unless something else is asked for.
+        low, high: bounds of the values.
+        range: default range.
         write: the scene with another value, unvalidated.
-        problem: why a scene has no such number, or None.
+        problem: returns why a scene has no such number, or None.
         whole: whether it is a whole number.
     """
 
@@ -43,10 +43,10 @@ class Axis:
     whole: bool = False
 
     def values(self, ends: tuple[float, float] | None, size: int) -> NDArray[np.float64]:
-        """Values from end to end, at most `size` and evenly in their logarithms.
+        """Return at most `size` values from end to end, evenly spaced in their logarithms.
 
         Raises:
-            InputError: the ends are not two numbers of the allowed range, in order.
+            InputError: the ends are not two ascending numbers within the bounds.
         """
         low, high = ends or self.range
         if not self.low <= low < high <= self.high:
@@ -61,7 +61,7 @@ class Axis:
 def _of_setting(
     key: str, setting: str, label: str, ends: tuple[float, float], lowest: float = 1e-9, whole: bool = False
 ) -> Axis:
-    """An axis that is one of the sliders."""
+    """Return an axis for one of the sliders."""
     found = SETTINGS[setting]
 
     def problem(scene: Scene) -> str | None:
@@ -71,14 +71,14 @@ def _of_setting(
 
 
 def _alternate(scene: Scene, ratio: float) -> Scene:
-    """Every second mass lighter by a factor."""
+    """Make every second mass lighter by a factor."""
     masses = tuple(replace(m, mass=m.mass / ratio) if i % 2 else m for i, m in enumerate(scene.masses))
     return replace(scene, bodies=(), masses=masses)
 
 
 def _resampled(scene: Scene, masses: float) -> Scene:
     recipe = rope_of(scene)
-    assert recipe is not None, "asked before"
+    assert recipe is not None, "checked by _masses_problem"
     return rebuilt(scene, bodies=(replace(recipe, masses=int(masses)),))
 
 
@@ -89,7 +89,7 @@ def _masses_problem(scene: Scene) -> str | None:
 
 
 def rope_of(scene: Scene) -> Rope | None:
-    """The recipe that a scene's body could have been made by, or None where there is none."""
+    """Return the recipe that could have made a scene's body, or None if there is none."""
     if len(scene.bodies) == 1 and isinstance(scene.bodies[0], Rope):
         return scene.bodies[0]
     masses, springs, joints = scene.masses, scene.linear_springs, scene.angular_springs
@@ -145,11 +145,11 @@ _ALL = (
 AXES: dict[str, Axis] = {axis.key: axis for axis in _ALL}
 
 _ORDER = ("masses", *(key for key in AXES if key not in ("masses", "mass_ratio")), "mass_ratio")
-"""In which values are put in: a number of masses needs the recipe, a ratio of masses ends it."""
+"""Order in which values are written: a number of masses needs the recipe, a ratio of masses removes it."""
 
 
 def released(scene: Scene) -> Scene:
-    """The scene with something to move: where every mass is held, all but the first are let go."""
+    """Return the scene with something to move: if every mass is held, all but the first are released."""
     if len(scene.anchors) < len(scene.masses):
         return scene
     if len(scene.masses) < 2:
@@ -158,10 +158,10 @@ def released(scene: Scene) -> Scene:
 
 
 def in_cell(scene: Scene, values: dict[str, float]) -> Scene:
-    """The experiment of a cell: some numbers set, and every free mass kicked.
+    """Return the experiment of a cell: the numbers are set, and every free mass gets a kick.
 
     A kick is an extent of the body per second, in a direction that turns by the golden angle from mass to
-    mass, so that every motion that a body has is in it.
+    mass, so that it excites every mode.
 
     Raises:
         InputError: the numbers make no valid scene.
@@ -183,6 +183,6 @@ def in_cell(scene: Scene, values: dict[str, float]) -> Scene:
 
 
 def extent(scene: Scene) -> float:
-    """How large a body is, px: the diagonal of the box around its masses at the start."""
+    """Return the size of a body, px: the diagonal of the box around its masses at the start."""
     positions = np.array(scene.pose.positions if scene.pose else [m.position for m in scene.masses])
     return max(float(np.hypot(*np.ptp(positions, axis=0))), 1e-3)

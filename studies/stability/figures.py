@@ -1,4 +1,4 @@
-"""The maps of `softrod stability`: a panel for each integrator, in colours that all eyes tell apart."""
+"""The maps of `softrod stability`: a panel for each integrator, in colours for the colour-blind."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from sim.methods.registry import METHODS
 
-from ..reporting.figures import BLACK, ORANGE, new_figure
+from ..reporting.figures import BLACK, GREY, ORANGE, new_figure
 from .axes import Axis
 from .map import ACCURATE, DAMPED_WRONGLY, ENDINGS, NEAR, NO_REFERENCE, UNKNOWN, UNSTABLE, Map
 
@@ -36,7 +36,7 @@ _MEANINGS = {
 
 
 def draw(chart: Map, scene: str) -> Figure:
-    """The panels of a map."""
+    """Draw the panels of a map."""
     methods = list(chart.endings)
     columns = min(3, len(methods) + 1)
     rows = -(-(len(methods) + 1) // columns)
@@ -102,7 +102,7 @@ def _drawn(chart: Map, method: str) -> bool:
 
 
 def _edges(values: np.ndarray) -> np.ndarray:
-    """Borders of the cells around some values, on a logarithmic axis."""
+    """Return the borders of the cells around values, on a logarithmic axis."""
     logs = np.log(values)
     if len(logs) == 1:
         return np.exp([logs[0] - 0.1, logs[0] + 0.1])
@@ -116,7 +116,7 @@ def _legend(axes: Axes, chart: Map) -> None:
 
     found = {int(ending) for endings in chart.endings.values() for ending in np.unique(endings)}
     entries: list[Any] = [
-        Patch(facecolor=COLORS[k], edgecolor="#777777", label=f"{ENDINGS[k]}\n{_MEANINGS[k]}".strip())
+        Patch(facecolor=COLORS[k], edgecolor=GREY, label=f"{ENDINGS[k]}\n{_MEANINGS[k]}".strip())
         for k in (ACCURATE, DAMPED_WRONGLY, UNSTABLE, NO_REFERENCE, UNKNOWN)
         if k in found or k in (ACCURATE, DAMPED_WRONGLY, UNSTABLE)
     ]

@@ -16,25 +16,32 @@ from rich.console import Console
 from sim import Energies, Simulation
 from sim.methods.registry import METHODS
 
-from ..reporting.output import Watch, comma_separated, grid, make_folder, page, write_page, write_table
+from ..reporting.progress import ProgressBar
+from ..reporting.report import Section, Table, bullets, csv_of, make_folder, write_report
 from .hard_cases import HardCase, hard_cases, long_rods
 
 FRAMES = 40
 """Frames of a sixtieth of a second; where the time step is longer, three steps."""
-ATTEMPTS = 4000
-"""Steps that a method may try in a sixtieth of a second before the clock lags."""
+
+MAX_ATTEMPTS = 4000
+"""Steps that a method may attempt in a sixtieth of a second before the clock lags."""
+
 REFERENCES = (("adams", 1e-2), ("rodas5p", 1e-4))
-"""Methods, and their tolerances in those of the case, whose agreement makes a reference: the first one's end.
+"""Methods, and their tolerances in those of the case, whose agreement makes a reference.
 Where a rope unfolds, Rosenbrock's error is a third of the case's tolerance at a hundredth of it; and DOP853,
-whose steps stability alone limits where all is very stiff, now and then ends several tolerances off."""
+whose steps are limited by stability alone in very stiff bodies, sometimes ends several tolerances off."""
+
 LONG_REFERENCES = (("auto", 1e-2), ("auto", 1e-1))
 """The same for long rods, which no other method gets through in time."""
+
 AGREED = 0.2
 """Largest distance between the two, in tolerances of the case, that counts as agreement."""
-REFERENCE_ATTEMPTS = 40_000
-"""Steps that a reference may try in a sixtieth of a second; one that needs more is none."""
-MADE = 0.1
-"""Energy that a method may have made, in parts of all that was turned over, before the report says so."""
+
+MAX_REFERENCE_ATTEMPTS = 40_000
+"""Steps that a reference may attempt in a sixtieth of a second; one that needs more is none."""
+
+MIN_MADE = 0.1
+"""Energy made by a method, in parts of all energy converted, from which on the report mentions it."""
 
 
 @dataclass(frozen=True)
@@ -44,9 +51,9 @@ class Ending:
     Attributes:
         stopped: the time at which it gave up, s, or None.
         behind: seconds that the clock lags.
-        made: energy beyond all that was put in, in parts of what was turned over; NaN where it gave up.
+        made: energy beyond all that was put in, in parts of what was converted; NaN if it gave up.
         positions: (n, 2) px, at the end.
-        error: distance from the reference, in tolerances; NaN where there is none.
+        error: distance from the reference, in tolerances; NaN without a reference.
         fallbacks: fallback steps.
     """
 
@@ -59,7 +66,7 @@ class Ending:
 
     @property
     def survived(self) -> bool:
-        """Whether it is at the end, late by a frame at most."""
+        """Whether it reached the end, late by a frame at most."""
         return self.stopped is None and self.behind <= 1.0 / 60.0
 
     def __str__(self) -> str:
@@ -72,7 +79,7 @@ class Ending:
             words.append(f"{self.error:.2g} tol" if self.error < 1e4 else f"{self.error:.0e} tol")
         else:
             words.append("ran")
-        if self.made > MADE:
+        if self.made > MIN_MADE:
             words.append(f"made {100.0 * self.made:.0f} % energy" if self.made < 10.0 else "made energy")
         if self.fallbacks:
             words.append(f"{self.fallbacks} fallback steps")
@@ -80,7 +87,7 @@ class Ending:
 
 
 def run(
-    case: HardCase, method: str, tolerance: float = 1.0, attempts: int = ATTEMPTS, tracks: bool = True
+    case: HardCase, method: str, tolerance: float = 1.0, attempts: int = MAX_ATTEMPTS, tracks: bool = True
 ) -> Ending:
     """Run a case by a method.
 
@@ -98,13 +105,15 @@ def run(
         behind += missing
         fallbacks += simulation.stats().fallbacks
     stopped = simulation.time if simulation.divergence is not None else None
-    made = _made(simulation.energy(), _worth(case)) if tracks and stopped is None else math.nan
+    made = (
+        _energy_made(simulation.energy(), _tolerated_energy(case)) if tracks and stopped is None else math.nan
+    )
     late = behind * simulation.dt if stopped is None else 0.0
     return Ending(stopped, late, made, simulation.positions, fallbacks)
 
 
-def frames_of(case: HardCase, simulation: Simulation, attempts: int = ATTEMPTS) -> Iterator[int]:
-    """Do a case frame by frame, to its end or until it stops; gives the steps that each frame lacks."""
+def frames_of(case: HardCase, simulation: Simulation, attempts: int = MAX_ATTEMPTS) -> Iterator[int]:
+    """Run a case frame by frame, to its end or until it stops; yield the missing steps of each frame."""
     rng = np.random.default_rng(0)
     steps = max(1, round(1.0 / 60.0 / simulation.dt))
     frames, share = (FRAMES, 1) if steps > 1 else (3, 60)
@@ -115,28 +124,28 @@ def frames_of(case: HardCase, simulation: Simulation, attempts: int = ATTEMPTS) 
             return
 
 
-def _worth(case: HardCase) -> float:
-    """The energy of an error of the tolerance, in height and in the stiffest spring, kg px²/s²."""
+def _tolerated_energy(case: HardCase) -> float:
+    """Return the energy of an error of the tolerance, in height and the stiffest spring, kg px²/s²."""
     scene, tolerance = case.scene, case.scene.integrator.tolerance
     weight = sum(m.mass for m in scene.masses) * math.hypot(*scene.gravity)
     stiffest = max((s.stiffness for s in scene.linear_springs), default=0.0)
     return weight * tolerance + 0.5 * stiffest * tolerance**2
 
 
-def _made(balance: Energies, tolerated: float) -> float:
-    """The energy beyond all that was put in, less what is tolerated, in parts of what was turned over."""
+def _energy_made(balance: Energies, tolerated: float) -> float:
+    """Return the energy beyond all that was put in and tolerated, over what was converted."""
     # What damping and air took counts as negative in the balance, and the residual leaves it out.
     beyond = balance.residual + balance.damping + balance.air - tolerated
-    over = balance.kinetic + balance.linear + balance.angular
-    over += abs(balance.anchors) + abs(balance.keys) + abs(balance.changes)
-    return max(beyond, 0.0) / over if over > 0.0 else 0.0
+    converted = balance.kinetic + balance.linear + balance.angular
+    converted += abs(balance.anchors) + abs(balance.keys) + abs(balance.changes)
+    return max(beyond, 0.0) / converted if converted > 0.0 else 0.0
 
 
 def reference(case: HardCase, strict: Sequence[tuple[str, float]] = REFERENCES) -> NDArray[np.float64] | None:
-    """Where the masses end, or None where two strict methods do not agree about it."""
+    """Return the positions at the end, px, or None if two strict methods do not agree about them."""
     ends = []
     for method, tolerance in strict:
-        outcome = run(case, method, tolerance, REFERENCE_ATTEMPTS, tracks=False)
+        outcome = run(case, method, tolerance, MAX_REFERENCE_ATTEMPTS, tracks=False)
         if not outcome.survived or outcome.fallbacks:
             return None
         ends.append(outcome.positions)
@@ -171,13 +180,13 @@ def hard_case_report(out: Path, console: Console, only: Sequence[str] = ()) -> i
     cases = {name: case for name, case in {**hard_cases(), **long}.items() if not only or name in only}
     rows: dict[str, Row] = {}
     known: dict[str, bool] = {}
-    with Watch(console, len(cases)) as watch:
+    with ProgressBar(console, len(cases)) as bar:
         for name, case in cases.items():
-            watch.say(f"{name}: reference")
+            bar.say(f"{name}: reference")
             end = reference(case, LONG_REFERENCES if name in long else REFERENCES)
             row: Row = {}
             for method in ("auto",) if name in long else METHODS:
-                watch.say(f"{name}: {method}")
+                bar.say(f"{name}: {method}")
                 # The balance takes the work of an anchor from too few looks at a long rod's vibrations.
                 outcome = run(case, method, tracks=name not in long)
                 if end is not None and outcome.survived:
@@ -185,19 +194,18 @@ def hard_case_report(out: Path, console: Console, only: Sequence[str] = ()) -> i
                     outcome = dataclasses.replace(outcome, error=error)
                 row[method] = outcome
             rows[name], known[name] = row, end is not None
-            watch.advance()
-    note = f"Interrupted after {len(rows)} of {len(cases)} cases." if watch.interrupted else ""
-    write_table(out / "hard-cases.csv.gz", as_csv(rows))
-    write_page(out / "hard-cases.md", markdown(rows, known, note))
+            bar.advance()
+    note = f"Interrupted after {len(rows)} of {len(cases)} cases." if bar.interrupted else ""
     console.print(f"{summary(rows)} {note}".strip())
-    console.print(f"written to {out}")
+    tables = {"hard-cases": as_csv(rows)}
+    write_report(out, "hard-cases", sections(rows, known, note), tables, console)
     if note:
         return 130
     return 0 if all(row["auto"].survived for row in rows.values()) else 1
 
 
 def summary(rows: dict[str, Row]) -> str:
-    """How many cases each method survives."""
+    """Say how many cases each method survives."""
     counts = []
     for method in METHODS:
         ran = [row[method] for row in rows.values() if method in row]
@@ -206,7 +214,7 @@ def summary(rows: dict[str, Row]) -> str:
 
 
 def as_csv(rows: dict[str, Row]) -> str:
-    """A row for each case and method."""
+    """Return a row for each case and method."""
     lines = []
     for name, row in rows.items():
         for method, o in row.items():
@@ -214,37 +222,41 @@ def as_csv(rows: dict[str, Row]) -> str:
             lines.append(
                 (name, method, *(f"{n:.6g}" if math.isfinite(n) else "" for n in numbers), o.fallbacks)
             )
-    return comma_separated(
+    return csv_of(
         ("case", "method", "gave_up_at", "behind", "error_in_tolerances", "energy_made", "last_resorts"),
         lines,
     )
 
 
-def markdown(rows: dict[str, Row], known: dict[str, bool], note: str) -> str:
-    """The report: a row for each case, a column for each method."""
+def sections(rows: dict[str, Row], known: dict[str, bool], note: str) -> Iterator[Section]:
+    """Yield the sections of the page: a row for each case, a column for each method."""
     strict = " and ".join(f"{method}, with {part:g} of the tolerance," for method, part in REFERENCES)
+    yield "# Hard cases"
+    yield (
+        "Written by `softrod stability --hard-cases --out DIR`. The tutorial's rope of twelve masses, let go "
+        f"horizontally unless the case says otherwise, for {FRAMES} frames of a sixtieth of a second (three "
+        "steps where a step is a second), under the conservative law, with the default step and tolerance. "
+        "Long rods are for `auto` only; their reference is `auto` under stricter tolerances; their energy "
+        "is not judged."
+    )
+    yield bullets(
+        (
+            "**… tol**: it ran; the largest distance of a mass from the reference at the end, in tolerances. "
+            f"A reference is where {strict} agree to {AGREED:g} of it;",
+            "**ran**: it ran, and there is no reference: the motion is chaotic, or no strict method gets "
+            "through;",
+            "**gave up at**: it ran away, or found no way on, and stopped at its last good state;",
+            f"**lagged**: it ran out of attempts, {MAX_ATTEMPTS} in a frame, and the clock is that much "
+            "behind; up to a frame counts as surviving;",
+            "**made energy**: at the end it has more energy than was ever put in, by more than "
+            f"{100.0 * MIN_MADE:g} % of what was turned over;",
+            "**fallback steps**: steps in which no method could go on, and a strongly damped one was taken.",
+        )
+    )
+    yield f"**{summary(rows)}** {note}".strip()
     cells = [
         (name, "yes" if known[name] else "no", *(str(row.get(method, "")) for method in METHODS))
         for name, row in rows.items()
     ]
     headings = ("case", "reference", *METHODS)
-    return page(
-        "# Hard cases",
-        "Written by `softrod stability --hard-cases --out DIR`. The tutorial's rope of twelve masses, let go "
-        f"horizontally unless the case says otherwise, for {FRAMES} frames of a sixtieth of a second (three "
-        "steps where a step is a second), under the conservative law, with the default step and tolerance. "
-        "Long rods are for `auto` only; their reference is `auto` under stricter tolerances; their energy "
-        "is not judged.",
-        "- **… tol**: it ran; the largest distance of a mass from the reference at the end, in tolerances. "
-        f"A reference is where {strict} agree to {AGREED:g} of it;\n"
-        "- **ran**: it ran, and there is no reference: the motion is chaotic, or no strict method gets "
-        "through;\n"
-        "- **gave up at**: it ran away, or found no way on, and stopped at its last good state;\n"
-        f"- **lagged**: it ran out of attempts, {ATTEMPTS} in a frame, and the clock is that much behind; up "
-        "to a frame counts as surviving;\n"
-        "- **made energy**: at the end it has more energy than was ever put in, by more than "
-        f"{100.0 * MADE:g} % of what was turned over;\n"
-        "- **fallback steps**: steps in which no method could go on, and a strongly damped one was taken.",
-        f"**{summary(rows)}**{' ' + note if note else ''}",
-        grid(headings, cells, "l" * len(headings)),
-    )
+    yield Table(headings, cells, "l" * len(headings))

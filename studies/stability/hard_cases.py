@@ -16,7 +16,7 @@ REPLACE = msgspec.structs.replace
 SPACING = 300.0 / 11.0
 
 Act = Callable[[Simulation, int, np.random.Generator], None]
-"""What is done before a frame: to a simulation, in the frame of that number."""
+"""Acts on a simulation before a frame of a given number."""
 
 
 @dataclass(frozen=True)
@@ -28,25 +28,25 @@ class HardCase:
 
 
 def rope(**changes: object) -> Scene:
-    """The tutorial's rope, horizontal, held at its left end."""
+    """Return the tutorial's rope, horizontal, held at its left end."""
     defaults: dict[str, object] = {"direction": (1.0, 0.0), "start": (100.0, 100.0), "driven": None}
     return sim.rope(**(defaults | changes))  # type: ignore[arg-type]
 
 
 def placed(scene: Scene, positions: list[tuple[float, float]]) -> Scene:
-    """The scene with its masses at other positions, at rest."""
+    """Return the scene with its masses at other positions, at rest."""
     rest = ((0.0, 0.0),) * len(positions)
     return REPLACE(scene, pose=Pose(positions=tuple(positions), velocities=rest))
 
 
 def weighted(scene: Scene, masses: list[float]) -> Scene:
-    """The rope with masses of its own."""
+    """Return the scene with other masses, kg."""
     changed = tuple(REPLACE(m, mass=kg) for m, kg in zip(scene.masses, masses, strict=True))
     return REPLACE(scene, bodies=(), masses=changed)
 
 
 def _folded(noise: float) -> list[tuple[float, float]]:
-    """The second half of the rope folded back by exactly 180 degrees, and then perhaps not quite exactly."""
+    """Fold the second half of the rope back by 180 degrees, exactly but for noise."""
     rng = np.random.default_rng(1)
     straight = [100.0 + SPACING * i for i in range(6)]
     positions = [(x, 100.0) for x in (*straight, *(straight[5] - SPACING * (i + 1) for i in range(6)))]
@@ -54,7 +54,7 @@ def _folded(noise: float) -> list[tuple[float, float]]:
 
 
 def _short(length: float) -> list[tuple[float, float]]:
-    """One spring that starts with almost no length."""
+    """Let one spring start with almost no length."""
     positions = [(100.0 + SPACING * i, 100.0) for i in range(12)]
     positions[6] = (positions[5][0] + length, 100.0)
     return positions
@@ -80,12 +80,12 @@ def _tear(simulation: Simulation, frame: int, rng: np.random.Generator) -> None:
 
 
 def _tear_gently(simulation: Simulation, frame: int, rng: np.random.Generator) -> None:
-    """As the page does it with a body whose hands are rate-limited."""
+    """As in the page, which limits the speed of hands."""
     simulation.follow(0, (100.0 + 500.0 * (frame // 6 % 2), 100.0))
 
 
 def _coincide(simulation: Simulation, frame: int, rng: np.random.Generator) -> None:
-    """Two masses at the same position: the anchor is put on the free mass beside it."""
+    """Put the anchor on the free mass next to it."""
     if frame % 5 == 0:
         x, y = simulation.positions[1]
         simulation.move(0, (float(x), float(y)))
@@ -102,7 +102,7 @@ def _fling_sliders(simulation: Simulation, frame: int, rng: np.random.Generator)
 
 
 def hard_cases() -> dict[str, HardCase]:
-    """The cases, by name; their scenes take any method and law."""
+    """Return the cases by name; their scenes take any method and law."""
     keyed = REPLACE(rope(), arrow_keys=sim.ArrowKeys())
     stiff_ring = sim.set_value(sim.load_scene("ring"), "linear_stiffness", 1e8)
     return {
@@ -136,7 +136,7 @@ def hard_cases() -> dict[str, HardCase]:
 
 
 def long_rods() -> dict[str, HardCase]:
-    """Rods led round a circle, and torn to and fro; too long for other methods than `auto`."""
+    """Return rods led round a circle, and torn to and fro; too long for other methods than `auto`."""
     circle = sim.Circle(radius=50.0, frequency=2.0, ramp=0.1)
     led = {f"rod of {n} masses on a circle": HardCase(_rod(n, circle)) for n in (1000, 3000)}
     torn = {
@@ -146,5 +146,5 @@ def long_rods() -> dict[str, HardCase]:
 
 
 def _rod(masses: int, circle: sim.Circle | None) -> Scene:
-    """The tutorial's rope, cut finer; the air's drag is shared out among the springs."""
+    """Return the tutorial's rope in more pieces, which share its drag."""
     return fine_rope(masses, air_friction=0.002 / ((masses - 1) / 11.0), circle=circle)

@@ -1,4 +1,4 @@
-"""Maps of stability: how each integrator ends over two parameters, and where theory has the border."""
+"""Maps of stability: how runs end over two parameters, and where linear theory puts the border."""
 
 from __future__ import annotations
 
@@ -20,7 +20,11 @@ from .axes import Axis, extent, in_cell
 
 Floats = NDArray[np.float64]
 
-UNKNOWN, ACCURATE, DAMPED_WRONGLY, UNSTABLE, NO_REFERENCE = -1, 0, 1, 2, 3
+UNKNOWN = -1
+ACCURATE = 0
+DAMPED_WRONGLY = 1
+UNSTABLE = 2
+NO_REFERENCE = 3
 ENDINGS = {
     ACCURATE: "accurate",
     DAMPED_WRONGLY: "damped wrongly",
@@ -28,17 +32,22 @@ ENDINGS = {
     NO_REFERENCE: "no reference",
     UNKNOWN: "",
 }
+"""The endings of runs, for people."""
 
 NEAR = 0.01
-"""Largest distance from the reference, in extents of the body, of an end that counts as accurate."""
+"""Largest distance from the reference, in extents of the body, of a run that counts as accurate."""
+
 SAMPLES = 20
-"""Times within the duration at which bodies are looked at."""
-_TRIES = 60
+"""Samples of a run."""
+
+_MAX_ATTEMPTS = 60
 """Attempts per step for a method that shortens steps that fail; one that needs more counts as failed."""
-_SAMPLES = 400
-"""Samples of a reference, between which it is interpolated by cubics."""
-_ATTEMPTS = 20_000
-"""Steps between two samples that a reference may take."""
+
+_REFERENCE_SAMPLES = 400
+"""Samples of a reference, which is interpolated by cubics between them."""
+
+_MAX_REFERENCE_STEPS = 20_000
+"""Steps between two samples of a reference."""
 
 
 @dataclass
@@ -46,11 +55,12 @@ class Map:
     """One map; rows are along y, columns along x.
 
     Attributes:
-        x, y: what is varied; xs, ys: the values.
-        dt: time step, s, where no axis is.
+        x, y: axes.
+        xs, ys: their values.
+        dt: time step, s, unless it is an axis.
         endings: (rows, columns) of each method, see ENDINGS.
-        errors: largest distance from the reference at any look, in extents; NaN where a body ran away.
-        limits: the analytic limit of the step at each cell, s.
+        errors: largest distance from the reference at any sample, in extents; NaN where a body ran away.
+        limits: analytic limit of the step in each cell, s.
     """
 
     x: Axis
@@ -64,16 +74,16 @@ class Map:
 
     @property
     def name(self) -> str:
-        """As its files are called."""
+        """Name of its files."""
         return f"{self.x.key}-{self.y.key}"
 
     @property
     def complete(self) -> bool:
-        """Whether every cell of every method that was begun is there."""
+        """Whether every cell of every method that was begun is computed."""
         return all((ending != UNKNOWN).all() for ending in self.endings.values())
 
     def steps(self) -> Floats:
-        """(rows, columns) the time step of each cell, s."""
+        """Return the (rows, columns) time steps of the cells, s."""
         if self.x.key == "dt":
             return np.broadcast_to(self.xs, self.shape)
         if self.y.key == "dt":
@@ -88,13 +98,13 @@ class Map:
 
 @dataclass(frozen=True)
 class Track:
-    """How a body moved in a cell.
+    """The sampled motion of a body in a cell.
 
     Attributes:
-        times: (SAMPLES,) s, at which it was looked at.
-        positions: (SAMPLES, n, 2) px, in the order of the scene's masses. NaN from the look before which the
-            body ran away, by the limits of a `Simulation`, or the method found no step.
-        velocities: (SAMPLES, n, 2) px/s, likewise.
+        times: (SAMPLES,) s.
+        positions: (SAMPLES, n, 2) px, in the order of the scene's masses; NaN once the body has passed the
+            limits of a `Simulation`, or the method has found no step.
+        velocities: (SAMPLES, n, 2) px/s; NaN as well then.
     """
 
     times: Floats
@@ -103,46 +113,46 @@ class Track:
 
 
 def track_of(scene: Scene, method: str, dt: float, duration: float) -> Track:
-    """Run a scene by a method with steps of `dt` s, at least one, and look at it at even times."""
+    """Run a scene by a method with steps of `dt` s, at least one, and sample it at even times."""
     simulation = Simulation(scene, dt=dt, integrator=method)
     steps = max(1, round(duration / dt))
     marks = [max(1, round(steps * (k + 1) / SAMPLES)) for k in range(SAMPLES)]
     positions, velocities = np.full((2, SAMPLES, len(scene.masses), 2), np.nan)
     for k, mark in enumerate(marks):
         more = mark - simulation.step_count
-        if simulation.step(more, attempts=_TRIES * more) < more:
+        if simulation.step(more, attempts=_MAX_ATTEMPTS * more) < more:
             break
         positions[k], velocities[k] = simulation.positions, simulation.velocities
     return Track(dt * np.array(marks), positions, velocities)
 
 
 def fixed_step_methods() -> list[str]:
-    """The methods that a map can have."""
+    """Return the methods that a map can have."""
     return [name for name, method in METHODS.items() if not method.adaptive]
 
 
-class ExactMotion:
-    """What a scene does: by `auto`, to a thousandth of what counts as accurate.
+class ReferenceMotion:
+    """A reference motion: by `auto`, to a thousandth of what counts as accurate.
 
     Attributes:
         extent: of the body at the start, px.
-        budget: what energy has been put in, kg px²/s²: kinetic and elastic energy at the start, and what the
-            body's weight can do along its extent.
-        ceiling: the most that kinetic energy and height may come to in a stable motion: a budget more than in
-            the reference. The springs' energy is left out, since the stable spring's are not as stiff as it.
+        budget: energy put in, kg px²/s²: kinetic and elastic energy at the start, and the work of the body's
+            weight along its extent.
+        ceiling: upper bound of kinetic and potential energy in a stable motion: a budget more than in the
+            reference. The springs' energy is left out, since those of the stable spring are softer.
     """
 
     def __init__(self, scene: Scene, duration: float) -> None:
         self.extent = extent(scene)
-        dt = duration / _SAMPLES
+        dt = duration / _REFERENCE_SAMPLES
         integrator = Integrator(method="auto", dt=dt, tolerance=min(1e-3 * NEAR * self.extent, 1.0))
         simulation = Simulation(replace(scene, integrator=integrator))
         start = simulation.energy()
-        shape = _SAMPLES + 1, len(scene.masses), 2
+        shape = _REFERENCE_SAMPLES + 1, len(scene.masses), 2
         self._dt = dt
         self._positions, self._velocities = np.full((2, *shape), np.nan)
-        for k in range(_SAMPLES + 1):
-            if k and simulation.step(attempts=_ATTEMPTS) < 1:
+        for k in range(_REFERENCE_SAMPLES + 1):
+            if k and simulation.step(attempts=_MAX_REFERENCE_STEPS) < 1:
                 break
             self._positions[k], self._velocities[k] = simulation.positions, simulation.velocities
         self.known = bool(np.isfinite(self._positions).all())
@@ -156,7 +166,7 @@ class ExactMotion:
         self.ceiling = float(np.nanmax(energy)) + self.budget
 
     def judge(self, track: Track) -> tuple[int, float]:
-        """How a body ended, and its largest distance from the reference, in extents."""
+        """Return how a run ended, and its largest distance from the reference, in extents."""
         if not np.isfinite(track.positions).all():
             return UNSTABLE, math.nan
         energy = self._energy(track.positions, track.velocities)
@@ -169,13 +179,13 @@ class ExactMotion:
         return (ACCURATE if error <= NEAR else DAMPED_WRONGLY), error
 
     def _energy(self, positions: Floats, velocities: Floats) -> Floats:
-        """(samples,) kinetic energy and height, with the energy of constant forces."""
+        """Return (samples,) kinetic and potential energy, with that of constant forces."""
         kinetic = 0.5 * (self._mass[:, None] * velocities**2).sum((1, 2))
         return kinetic - (positions * self._forces).sum((1, 2))
 
     def _at(self, times: Floats) -> Floats:
-        """(samples, n, 2) positions at some times; beyond the end, as they go on from there."""
-        k = np.clip((times / self._dt).astype(np.int64), 0, _SAMPLES - 1)
+        """Return (samples, n, 2) positions at some times, extrapolated beyond the end."""
+        k = np.clip((times / self._dt).astype(np.int64), 0, _REFERENCE_SAMPLES - 1)
         u = (times / self._dt - k)[:, None, None]
         p, q = self._positions[k], self._positions[k + 1]
         v, w = self._dt * self._velocities[k], self._dt * self._velocities[k + 1]
@@ -189,14 +199,14 @@ def compute(
     duration: float,
     report: Callable[[int, int, str], None] = lambda done, of, what: None,
 ) -> None:
-    """Fill in a map; what is done stays in it when this is interrupted.
+    """Fill in a map; an interruption leaves what is done in it.
 
     Args:
-        scene: where all else comes from; something in it is free to move.
+        scene: with everything that is not varied; something in it is free to move.
         chart: the map.
         methods: names of methods with a fixed step.
         duration: simulated time of each cell, s.
-        report: hears how many parts of how many are done, and what is being done.
+        report: called with the parts done, the number of parts, and what is being done.
 
     Raises:
         InputError: the numbers of a cell make no valid scene.
@@ -209,12 +219,12 @@ def compute(
         if key not in scenes:
             scenes[key] = in_cell(scene, {k: v for k, v in values.items() if k != "dt"})
     total = 2 * len(scenes) + len(keys) * len(methods)
-    references: dict[tuple[float, ...], ExactMotion] = {}
+    references: dict[tuple[float, ...], ReferenceMotion] = {}
     limits: dict[tuple[float, ...], dict[str, float]] = {}
     done = 2 * len(scenes)
     pool = ThreadPoolExecutor(os.cpu_count())  # kernels release the GIL
     try:
-        exact = pool.map(lambda at: ExactMotion(at, duration), scenes.values())
+        exact = pool.map(lambda at: ReferenceMotion(at, duration), scenes.values())
         for key, reference in zip(scenes, exact, strict=True):
             references[key] = reference
             report(len(references), total, "references")
@@ -238,16 +248,16 @@ def compute(
 
 
 def _key(chart: Map, row: int, column: int) -> tuple[float, ...]:
-    """What a cell's scene depends on: the values that are no time step."""
+    """Return what a cell's scene depends on: the values other than the time step."""
     values = ((chart.x.key, chart.xs[column]), (chart.y.key, chart.ys[row]))
     return tuple(float(value) for key, value in values if key != "dt")
 
 
 def borders(chart: Map, method: str) -> Floats:
-    """The steps at which a method turns unstable, over the analytic limits; empty where no axis is the step.
+    """Return the steps at which a method turns unstable, over the analytic limits; empty without steps.
 
-    Of each line of cells along the step, the geometric mean of the longest step that is stable, with all
-    shorter ones, and the next one; lines that are all stable or have no limit are left out.
+    For each line of cells along the step, this is the geometric mean of the first unstable step and the one
+    before. Lines that are all stable or have no limit are left out.
     """
     if "dt" not in (chart.x.key, chart.y.key):
         return np.empty(0)

@@ -1,22 +1,22 @@
-"""`softrod stability`: maps of where each integrator breaks, and how each does on hard cases."""
+"""`softrod stability`: maps of where each integrator turns unstable."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 from rich.console import Console
-from rich.table import Table
 
 from sim import Scene
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 
-from ..reporting import output
-from ..reporting.output import Watch, make_folder, write_figures, write_page, write_table
+from ..reporting.progress import ProgressBar
+from ..reporting.report import Figure, Section, Table, bullets, csv_of, make_folder, write_report
 from .axes import AXES, released
+from .figures import draw
 from .map import (
     ACCURATE,
     DAMPED_WRONGLY,
@@ -37,7 +37,7 @@ PAIRS = (
     ("mass_ratio", "dt"),
     ("masses", "dt"),
 )
-"""The maps that are drawn unless something else is asked for."""
+"""The maps that are drawn by default."""
 
 Range = tuple[float, float] | None
 
@@ -57,20 +57,20 @@ def stability(
     Ctrl-C ends it early; what is done by then is written.
 
     Args:
-        scene: where everything comes from that is not varied.
+        scene: with everything that is not varied.
         axes: names of two numbers, see AXES; None for all of PAIRS that the scene has.
-        ranges: of both axes, or None for their own.
+        ranges: of both axes, or None for the defaults.
         size: cells along each axis, at most.
-        methods: names of methods with a fixed step; none for all.
+        methods: names of methods with a fixed step; empty for all.
         duration: simulated time in each cell, s.
         out: folder; made if its parent exists.
-        console: where tables and progress go.
+        console: for tables and progress.
 
     Returns:
         The exit status: 0, or 130 if it was interrupted.
 
     Raises:
-        InputError: an axis, a range or a method is not to be had, or the folder cannot be written to.
+        InputError: an axis, a range or a method does not exist, or the folder cannot be written to.
     """
     moving = released(scene)
     chosen = [axes] if axes else [pair for pair in PAIRS if not any(AXES[k].problem(moving) for k in pair)]
@@ -83,21 +83,21 @@ def stability(
                 "the methods with a fixed step"
             )
     make_folder(out)
-    with Watch(console, 1) as watch:
+    with ProgressBar(console, 1) as bar:
         for chart in charts:
 
             def report(done: int, of: int, what: str, chart: Map = chart) -> None:
-                watch.say(f"{chart.x.key} × {chart.y.key}: {what}", done, of)
+                bar.say(f"{chart.x.key} × {chart.y.key}: {what}", done, of)
 
             compute(moving, chart, methods, duration, report)
-            watch.print(summary(chart))
-    note = "Interrupted: maps or cells are missing." if watch.interrupted else ""
+            bar.print(summary(chart))
+    note = "Interrupted: maps or cells are missing." if bar.interrupted else ""
     begun = [chart for chart in charts if chart.endings]
-    _draw(begun, scene.name, out)
-    write_table(out / "stability.csv.gz", as_csv(begun))
-    write_page(out / "stability.md", markdown(scene, moving, begun, duration, note))
-    console.print(f"{note} written to {out}".strip())
-    return 130 if note else 0
+    if note:
+        console.print(note)
+    page = sections(scene, moving, begun, duration, note)
+    complete = write_report(out, "stability", page, {"stability": as_csv(begun)}, console)
+    return 0 if complete and not note else 130
 
 
 def _chart(scene: Scene, pair: tuple[str, str], ranges: tuple[Range, Range], size: int) -> Map:
@@ -111,18 +111,9 @@ def _chart(scene: Scene, pair: tuple[str, str], ranges: tuple[Range, Range], siz
     return Map(x, y, x.values(ranges[0], size), y.values(ranges[1], size), scene.integrator.dt)
 
 
-def _draw(charts: Sequence[Map], scene: str, out: Path) -> None:
-    from .figures import draw
-
-    write_figures(out, {chart.name: (chart.name, partial(draw, chart, scene)) for chart in charts}, dpi=100)
-
-
-HEADINGS = ("integrator", "accurate", "damped wrongly", "unstable", "border / analytic limit")
-
-
-def _lines(chart: Map) -> list[tuple[str, ...]]:
-    """How the cells of each method ended, and where the border is."""
-    lines = []
+def summary(chart: Map) -> Table:
+    """Return how the cells of each method ended, and where its border is."""
+    rows = []
     for method, endings in chart.endings.items():
         shares = [f"{100.0 * (endings == k).mean():.0f} %" for k in (ACCURATE, DAMPED_WRONGLY, UNSTABLE)]
         found, border = borders(chart, method), ""
@@ -130,17 +121,17 @@ def _lines(chart: Map) -> list[tuple[str, ...]]:
             border = f"{np.median(found):.2f} ({found.min():.2f} to {found.max():.2f})"
         elif not np.isfinite(chart.limits[method]).any():
             border = "no limit"
-        lines.append((METHODS[method].label, *shares, border))
-    return lines
+        rows.append((METHODS[method].label, *shares, border))
+    headings = ("integrator", "accurate", "damped wrongly", "unstable", "border / analytic limit")
+    return Table(headings, rows, title=_title(chart))
 
 
-def summary(chart: Map) -> Table:
-    """How the cells of a map ended, for the terminal."""
-    return output.table(HEADINGS, _lines(chart), title=f"{chart.x.label} × {chart.y.label}")
+def _title(chart: Map) -> str:
+    return f"{chart.x.label} × {chart.y.label}"
 
 
 def as_csv(charts: Sequence[Map]) -> str:
-    """A row for each cell: the two numbers, then ending, error and analytic limit of each integrator."""
+    """Return a row for each cell: the two numbers, then ending, error and limit of each integrator."""
     methods = list(charts[0].endings) if charts else []
     parts = [f"{method}{part}" for method in methods for part in ("", "_error", "_limit")]
     rows = []
@@ -156,43 +147,59 @@ def as_csv(charts: Sequence[Map]) -> str:
                     else:
                         cells += ["", "", ""]
                 rows.append((chart.x.key, chart.y.key, f"{x:.6g}", f"{y:.6g}", *cells))
-    return output.comma_separated(("x", "y", "x_value", "y_value", *parts), rows)
+    return csv_of(("x", "y", "x_value", "y_value", *parts), rows)
 
 
-def markdown(scene: Scene, moving: Scene, charts: Sequence[Map], duration: float, note: str) -> str:
-    """The page beside the maps."""
+def sections(
+    scene: Scene, moving: Scene, charts: Sequence[Map], duration: float, note: str
+) -> Iterator[Section]:
+    """Yield the sections of the page.
+
+    Args:
+        scene: as it was named.
+        moving: the same with something to move, see `released`.
+        charts: the maps.
+        duration: of each cell, s.
+        note: what else there is to say; empty for nothing.
+    """
     let_go = (
         f"All masses of {scene.name} are held; here all but the first are let go. "
         if len(moving.anchors) < len(scene.anchors)
         else ""
     )
-    sections = []
-    for chart in charts:
-        title = f"{chart.x.label} × {chart.y.label}"
-        sections.append(f"## {title[0].upper()}{title[1:]}\n\n![{title}]({chart.name}.png)")
-        if "dt" in (chart.x.key, chart.y.key):
-            steps = chart.xs if chart.x.key == "dt" else chart.ys
-            width = (steps[-1] / steps[0]) ** (1.0 / max(len(steps) - 1, 1)) - 1.0
-            sections.append(f"A cell is {100.0 * width:.0f} % of its step wide.")
-        sections.append(output.grid(HEADINGS, _lines(chart)))
-    return output.page(
-        f"# Where {scene.name} breaks",
+    yield f"# Where {scene.name} breaks"
+    yield (
         f"Written by `softrod stability --out DIR`. {let_go}Each cell is a simulation of {duration:g} s with "
         "the two values of its row and column, under the force law "
         f"“{moving.force_law}”, with a time step of {1e3 * moving.integrator.dt:g} ms where none is an axis. "
         "Each free mass starts with a kick of an "
         "extent of the body per second, in a direction that turns by "
-        f"the golden angle from mass to mass. It is looked at {SAMPLES} times:",
-        f"- **accurate**: no mass is ever farther than {100.0 * NEAR:g} % of the body's extent from where it "
-        "is in the reference, which is `auto` with a tolerance of a thousandth of that;\n"
-        "- **damped wrongly**: it stays within bounds, but amplitude or phase is off by more;\n"
-        "- **unstable**: a mass passes the limits of a simulation (1e6 px, 1e6 px/s), or the method finds no "
-        "way on, or kinetic energy and height come to more than they ever do in the reference by all that "
-        "was put in: kinetic and elastic energy at the start, and the body's weight times its extent.",
+        f"the golden angle from mass to mass. It is looked at {SAMPLES} times:"
+    )
+    yield bullets(
+        (
+            f"**accurate**: no mass is ever farther than {100.0 * NEAR:g} % of the body's extent from where "
+            "it is in the reference, which is `auto` with a tolerance of a thousandth of that;",
+            "**damped wrongly**: it stays within bounds, but amplitude or phase is off by more;",
+            "**unstable**: a mass passes the limits of a simulation (1e6 px, 1e6 px/s), or the method finds "
+            "no way on, or kinetic energy and height come to more than they ever do in the reference by all "
+            "that was put in: kinetic and elastic energy at the start, and the body's weight times its "
+            "extent.",
+        )
+    )
+    yield (
         "The black line is the analytic limit of the step, that of small motions about the start "
         "(`sim/motion/stability.py`), which the meter in the page shows, too. The last column of the tables "
         "has the step at which bodies turned unstable, in parts of that limit: the median over the map's "
-        "lines, and the range. A cell is as wide as the range in which a border cannot be told apart.",
-        f"**{note}**" if note else "",
-        *sections,
+        "lines, and the range. A cell is as wide as the range in which a border cannot be told apart."
     )
+    yield f"**{note}**" if note else ""
+    for chart in charts:
+        title = _title(chart)
+        yield f"## {title[0].upper()}{title[1:]}"
+        yield Figure(chart.name, "", partial(draw, chart, scene.name), dpi=100, alt=title)
+        if "dt" in (chart.x.key, chart.y.key):
+            steps = chart.xs if chart.x.key == "dt" else chart.ys
+            width = (steps[-1] / steps[0]) ** (1.0 / max(len(steps) - 1, 1)) - 1.0
+            yield f"A cell is {100.0 * width:.0f} % of its step wide."
+        yield summary(chart)

@@ -1,4 +1,4 @@
-"""What is varied: axes as `--vary` has them, and the grid that is their product."""
+"""The grid of a sweep: the product of the axes of `--vary`."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from sim.settings import SETTINGS, apply_assignments, settings_of
 
 MAX_VALUES = 10_000
 """Values along an axis."""
+
 MAX_RUNS = 100_000
 """Runs of a sweep."""
 
@@ -26,7 +27,7 @@ class Axis:
 
     Attributes:
         key: of the setting, as in `--set`.
-        values: as an assignment has them; a number in as many digits as it takes to read it back exactly.
+        values: texts of assignments; numbers have as many digits as it takes to read them back exactly.
         logarithmic: whether the values were asked for with equal ratios.
     """
 
@@ -36,16 +37,16 @@ class Axis:
 
     @property
     def numbers(self) -> list[float] | None:
-        """The values as numbers; None where one is a name."""
+        """The values as numbers; None if one is a name."""
         found = [number_in(value) for value in self.values]
         return None if None in found else [number for number in found if number is not None]
 
 
 def parse_axis(text: str) -> Axis:
-    """An axis from KEY=A..B:N, KEY=A..B:N:log or KEY=VALUE,VALUE,...
+    """Return an axis from KEY=A..B:N, KEY=A..B:N:log or KEY=VALUE,VALUE,...
 
     Raises:
-        InputError: it is none of these, a number is not finite, or the same value comes twice; the sentence
+        InputError: it is none of these, a number is not finite, or the same value comes twice; the message
             begins with `--vary`.
     """
     key, equals, listed = (part.strip() for part in text.partition("="))
@@ -77,7 +78,7 @@ def parse_axis(text: str) -> Axis:
 
 
 def _spaced(text: str, first: str, last: str, count: str, logarithmic: bool) -> list[str]:
-    """Numbers from the first to the last, both exactly, with equal differences or equal ratios."""
+    """Return numbers from the first to the last, both exactly, with equal differences or equal ratios."""
     a, b = number_in(first), number_in(last)
     if a is None or b is None or not (math.isfinite(a) and math.isfinite(b)):
         raise InputError(f"--vary {text}: from {first.strip()} to {last.strip()} are not two finite numbers")
@@ -96,7 +97,7 @@ def _spaced(text: str, first: str, last: str, count: str, logarithmic: bool) -> 
 
 
 def number_in(text: str) -> float | None:
-    """The number that a text is; None where it is none."""
+    """Return the number in a text; None if it is none."""
     try:
         return float(text)
     except ValueError:
@@ -104,13 +105,18 @@ def number_in(text: str) -> float | None:
 
 
 def text_of(number: float) -> str:
-    """A number in as many digits as it takes to read it back exactly."""
+    """Return a number in as many digits as it takes to read it back exactly."""
     return repr(number).removesuffix(".0")
+
+
+def with_unit(name: str, unit: str) -> str:
+    """Return a heading: a name with its unit in brackets, if it has one."""
+    return f"{name} [{unit}]" if unit else name
 
 
 @dataclass(frozen=True)
 class Grid:
-    """A scene and what is varied; runs are numbered in the order of the rows, the last axis fastest.
+    """A scene and its axes; runs are numbered in the order of the rows, the last axis fastest.
 
     Attributes:
         scene: a valid scene.
@@ -124,25 +130,25 @@ class Grid:
 
     @cached_property
     def points(self) -> list[tuple[str, ...]]:
-        """The values of each run, one for each axis."""
+        """Values of each run, one for each axis."""
         return list(itertools.product(*(axis.values for axis in self.axes)))
 
     def assignments(self, point: Sequence[str]) -> tuple[str, ...]:
-        """What makes the scene of a run.
+        """Return the assignments of a run.
 
         Names come before numbers, since a method decides which numbers there are. A number that only some of
-        the names have a use for, as the tolerance of some methods, is left out of the others' runs.
+        the names use, such as the tolerance of some methods, is left out of the runs of the others.
         """
         varied = dict(zip((axis.key for axis in self.axes), point, strict=True))
         names = frozenset(key for key, value in varied.items() if number_in(value) is None)
         without = self._without_use(tuple((key, varied[key]) for key in sorted(names)))
-        kept = (f"{key}={value}" for key, value in varied.items() if key not in without)
-        every = [assignment.partition("=") for assignment in (*self.settings, *kept)]
-        every.sort(key=lambda parts: number_in(parts[2]) is not None)
-        return tuple("".join(parts) for parts in every)
+        used = (f"{key}={value}" for key, value in varied.items() if key not in without)
+        parts = [assignment.partition("=") for assignment in (*self.settings, *used)]
+        parts.sort(key=lambda each: number_in(each[2]) is not None)
+        return tuple("".join(each) for each in parts)
 
     def _without_use(self, names: tuple[tuple[str, str], ...]) -> frozenset[str]:
-        """The varied numbers that have no effect with some names, but with others."""
+        """Return the varied numbers that have no effect with these names, but with others."""
         return self._useless.get(names, frozenset())
 
     @cached_property
@@ -157,16 +163,16 @@ class Grid:
             try:
                 scene = apply_assignments(self.scene, [*set_names, *(f"{k}={v}" for k, v in names)])
             except SettingError:
-                continue  # of which `scene_at` tells
+                continue  # `scene_at` reports it
             found[names] = frozenset(key for key in numbers if not SETTINGS[key].applies(scene))
         nowhere = frozenset.intersection(*found.values()) if found else frozenset()
         return {names: useless - nowhere for names, useless in found.items()}
 
     def scene_at(self, point: Sequence[str]) -> sim.Scene:
-        """The scene of a run.
+        """Return the scene of a run.
 
         Raises:
-            InputError: the values do not go together with the scene; the sentence names the option.
+            InputError: the values do not fit the scene; the message names the option.
         """
         try:
             return apply_assignments(self.scene, self.assignments(point))
@@ -177,14 +183,14 @@ class Grid:
             raise InputError(f"{option} {reason}") from None
 
     def unit(self, key: str) -> str:
-        """The unit of a setting, empty where it has none; "px" stands for the scene's own unit of length."""
+        """Return the unit of a setting, or ""; "px" stands for the scene's own unit of length."""
         first = self.scene_at([axis.values[0] for axis in self.axes])
         units = {setting.key: setting.unit for setting in settings_of(first)}
         return units.get(key, "")
 
 
 def make_grid(scene: sim.Scene, settings: Sequence[str], vary: Sequence[str]) -> Grid:
-    """The grid of `--set` and `--vary`.
+    """Return the grid of `--set` and `--vary`.
 
     Raises:
         InputError: there is nothing to vary, a key comes twice, or there are too many runs.
@@ -200,7 +206,7 @@ def make_grid(scene: sim.Scene, settings: Sequence[str], vary: Sequence[str]) ->
 
 
 def check_keys(axes: Sequence[Axis], settings: Sequence[str]) -> None:
-    """Refuse what is named more than once.
+    """Refuse settings that are named more than once.
 
     Raises:
         InputError: a setting is varied twice, or set as well.

@@ -1,4 +1,4 @@
-"""What is measured of a run: at its end, or at looks at the body all through it."""
+"""What is measured of a run: at its end, or at samples all through it."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from sim.scene.columns import column, ends
 
 Floats = NDArray[np.float64]
 Value = float | bool | str | None
-"""A measure of a run; None where it has none, and GAVE_UP for one word of `survived`."""
+"""A measure of a run; None if it has none, and GAVE_UP as a value of `survived`."""
 
 GAVE_UP = "gave up"
-"""Instead of whether a body survived: its method would hardly ever have got to the end."""
+"""Value of `survived` where the method would hardly ever have reached the end."""
 
 
 @dataclass(frozen=True)
@@ -29,9 +29,9 @@ class Measure:
     """Something that can be measured.
 
     Attributes:
-        name: as `--measure` has it.
+        name: in `--measure`.
         unit: empty for a pure number; "px" stands for the scene's own length unit.
-        summary: what it is, for people.
+        summary: for people.
     """
 
     name: str
@@ -62,13 +62,14 @@ MEASURES: dict[str, Measure] = {measure.name: measure for measure in _ALL}
 
 _BAND = 0.1
 """Part of the largest displacement from the mean that both sides of a swing must exceed."""
+
 _STILL = 1e-8
-"""Largest displacement, relative to the largest coordinate, that counts as rest: rounding, and what methods
-with a tolerance make of it, is less."""
+"""Largest displacement, relative to the largest coordinate, that counts as rest; rounding errors, also those
+amplified by methods with a tolerance, are smaller."""
 
 
 def parse_measures(names: Sequence[str]) -> tuple[str, ...]:
-    """The names of measures, each once, in the order given; `survived` is always among them.
+    """Return the names of measures, each once, in the order given; `survived` is always included.
 
     Raises:
         InputError: there is none, or there is no such measure.
@@ -82,22 +83,22 @@ def parse_measures(names: Sequence[str]) -> tuple[str, ...]:
 
 
 AT_END = frozenset(("sag", "error", "survived"))
-"""The measures for which the start and the end are enough, so that nobody needs to look in between."""
+"""Measures for which start and end suffice, without samples in between."""
 
 SAMPLED = frozenset(("sag", "period", "error", "stretch", "survived"))
-"""The measures for which positions and velocities at the looks are enough, see `values_of`."""
+"""Measures for which sampled positions and velocities suffice, see `values_of`."""
 
 
 def values_of(
     scene: sim.Scene, run: sim.Run, measures: Sequence[str], reference: Floats | None
 ) -> tuple[Value, ...]:
-    """Some of `SAMPLED`, of a run that has come to its end; arguments else as of `Track.values`.
+    """Compute measures of `SAMPLED` from a run that has reached its end.
 
     Args:
         scene: of the run.
-        run: with samples at the looks; its end is the last look.
+        run: with its samples.
         measures: names.
-        reference: near-exact positions at the end.
+        reference: (n, 2) px, near-exact positions at the end; None if there are none.
     """
     times, positions, velocities = run.sample_times, run.sample_positions, run.sample_velocities
     start = positions[0]
@@ -130,18 +131,18 @@ def values_of(
 
 
 def _free_masses(scene: sim.Scene) -> tuple[NDArray[np.int64], Floats]:
-    """The masses that are not held, and kg of each."""
+    """Return the indices of the masses that are not held, and their masses, kg."""
     held = {anchor.mass for anchor in scene.anchors}
     free = np.array([i for i in range(len(scene.masses)) if i not in held], np.int64)
     return free, np.array([scene.masses[i].mass for i in free])
 
 
 class Track:
-    """Notes what the measures need of a simulation, at every look.
+    """Samples what the measures need of a simulation.
 
     Args:
         simulation: at its start.
-        measures: names of what is measured.
+        measures: names.
     """
 
     def __init__(self, simulation: sim.Simulation, measures: Sequence[str]) -> None:
@@ -161,7 +162,7 @@ class Track:
         simulation.track_energy("energy_residual" in self._wanted)
 
     def look(self) -> None:
-        """Note the present state."""
+        """Sample the present state."""
         positions = self._simulation.positions
         if "stretch" in self._wanted and self._springs.size:
             system, state = self._simulation.tables
@@ -184,11 +185,11 @@ class Track:
             self._farthest = max(self._farthest, distance(positions, self._start))
 
     def values(self, measures: Sequence[str], reference: Floats | None) -> tuple[Value, ...]:
-        """The measures at the end.
+        """Return the measures at the end.
 
         Args:
             measures: names.
-            reference: (n, 2) px, near-exact positions at the end; None where there are none.
+            reference: (n, 2) px, near-exact positions at the end; None if there are none.
         """
         found: dict[str, Value] = {
             "sag": sag(self._gravity, self._simulation.positions - self._start),
@@ -217,7 +218,7 @@ class Track:
 
 
 def sag(gravity: Floats, displacements: Floats) -> float | None:
-    """The largest of (n, 2) displacements along gravity, px; None where there is no gravity."""
+    """Return the largest of (n, 2) displacements along gravity, px; None without gravity."""
     size = float(np.hypot(*gravity))
     if not size:
         return None
@@ -226,16 +227,16 @@ def sag(gravity: Floats, displacements: Floats) -> float | None:
 
 
 def distance(one: Floats, other: Floats) -> float:
-    """The largest distance of two positions of a mass, px; both are (n, 2)."""
+    """Return the largest distance between two positions of a mass, px; both are (n, 2)."""
     return float(np.hypot(*(one - other).T).max())
 
 
 def period(times: Floats, positions: Floats, velocities: Floats) -> float | None:
-    """The mean period of a point's swings along the line on which it moves most.
+    """Return the mean period of a point's swings along the line on which it moves most.
 
     A swing goes from one side of the mean position to the other and back, on both by more than a tenth of the
-    largest displacement: what is small beside the largest swing is none. The moments at which it passes the
-    mean are found on cubic splines, so that they are much more accurate than the times are dense.
+    largest displacement; smaller ripples do not count. Crossings of the mean are found on cubic splines, so
+    that they are much more accurate than the sampling interval.
 
     Args:
         times: (k,) s.
@@ -243,7 +244,7 @@ def period(times: Floats, positions: Floats, velocities: Floats) -> float | None
         velocities: (k, 2) px/s.
 
     Returns:
-        Seconds; None where there is no whole swing.
+        Seconds; None if there is no whole swing.
     """
     if len(times) < 4:
         return None

@@ -7,30 +7,41 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..reporting.figures import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, new_figure, tidy
-from .folder import heading
+from ..reporting.figures import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PURPLE,
+    SKY,
+    YELLOW,
+    is_wide,
+    new_figure,
+    tidy,
+)
 from .grid import Axis, Grid
 from .measures import GAVE_UP
 from .runs import Row
+from .table import heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-COLOURS = (BLUE, ORANGE, GREEN, PURPLE, SKY, BLACK, "#e69f00", "#777777")
-"""One for each line; with more lines than these, a picture has a map instead."""
-COLUMNS = 6
-"""Pictures side by side at most; the table has everything."""
-RATIO = 30.0
-"""Largest over smallest number from which on a scale is logarithmic."""
+COLOURS = (BLUE, ORANGE, GREEN, PURPLE, SKY, BLACK, YELLOW, GREY)
+"""One for each line; with more lines than these, a panel has a map instead."""
+
+MAX_COLUMNS = 6
+"""Panels side by side; the table has everything."""
 
 Values = np.ndarray
 """A measure on the grid, NaN where there is none."""
 
 
 def plot(grid: Grid, measures: tuple[str, ...], rows: dict[int, Row]) -> Figure:
-    """One row of pictures for each measure: lines for the values of the second axis, or a map where these are
-    numbers and too many for lines; and a column for each combination of values of all further axes.
+    """Draw a row of panels for each measure, with a column for each combination of values of the third and
+    further axes. A panel has a line for each value of the second axis, or a map where there are too many.
 
     Args:
         grid: what was varied.
@@ -40,7 +51,7 @@ def plot(grid: Grid, measures: tuple[str, ...], rows: dict[int, Row]) -> Figure:
     shown = [name for name in measures if name != "survived"] or ["survived"]
     first, second, rest = grid.axes[0], grid.axes[1:2], grid.axes[2:]
     combinations = list(itertools.product(*(range(len(axis.values)) for axis in rest)))
-    columns = min(len(combinations), COLUMNS)
+    columns = min(len(combinations), MAX_COLUMNS)
     figure, pictures = new_figure(
         4.2 * columns + 1.6, 3.2 * len(shown) + 0.3, columns, len(shown), squeeze=False
     )
@@ -80,7 +91,7 @@ def _lines(axes: Axes, grid: Grid, first: Axis, second: tuple[Axis, ...], values
         style["ls"] = "-" if i < len(COLOURS) else "--"
         axes.plot(np.array(places)[order], line[order], label=label, **style)
     good = values[np.isfinite(values)]
-    if good.size and good.min() > 0.0 and good.max() > RATIO * good.min():
+    if is_wide(good):
         axes.set_yscale("log")
     axes.set_xlabel(heading(grid, first.key), parse_math=False)
     if second:
@@ -93,11 +104,14 @@ def _map(axes: Axes, grid: Grid, first: Axis, second: Axis, values: Values, labe
 
     x, y = _scale(axes, "x", first), _scale(axes, "y", second)
     good = values[np.isfinite(values)]
-    wide = good.size > 0 and good.min() > 0.0 and good.max() > RATIO * good.min()
     across, up = np.argsort(x), np.argsort(y)
     shown = np.ma.masked_invalid(values.T[np.ix_(up, across)])
     mesh = axes.pcolormesh(
-        np.array(x)[across], np.array(y)[up], shown, shading="nearest", norm=LogNorm() if wide else None
+        np.array(x)[across],
+        np.array(y)[up],
+        shown,
+        shading="nearest",
+        norm=LogNorm() if is_wide(good) else None,
     )
     axes.figure.colorbar(mesh, ax=axes, label=label)
     axes.set_xlabel(heading(grid, first.key), parse_math=False)
@@ -111,6 +125,6 @@ def _scale(axes: Axes, letter: str, axis: Axis) -> list[float]:
         places = [float(i) for i in range(len(axis.values))]
         axes.set(**{f"{letter}ticks": places, f"{letter}ticklabels": axis.values})
         return places
-    if axis.logarithmic or (min(numbers) > 0.0 and max(numbers) > RATIO * min(numbers)):
+    if axis.logarithmic or is_wide(numbers):
         axes.set(**{f"{letter}scale": "log"})
     return numbers

@@ -1,4 +1,4 @@
-"""One run of a sweep, as a function of nothing but its arguments, so that it can be computed anywhere."""
+"""One run of a sweep: a pure function of its arguments, which can be computed anywhere."""
 
 from __future__ import annotations
 
@@ -19,35 +19,40 @@ from sim.store.files import decode_scene, encode_scene
 
 from .measures import AT_END, GAVE_UP, SAMPLED, Floats, Track, Value, values_of
 
-LOOKS = 120
-"""Looks at the body per simulated second, where time steps are not longer; a whole number of steps apart."""
+SAMPLE_RATE = 120
+"""Samples per simulated second, rounded to whole time steps."""
 
 REFERENCE = "rodas5p"
-"""The method of near-exact runs: it bears any stiffness."""
-EXACT = 1e-9
+"""The method of near-exact runs: it handles any stiffness."""
+
+MAX_TOLERANCE = 1e-9
 """Its largest tolerance, px."""
-FINER = 1e-3
+
+RELATIVE_TOLERANCE = 1e-3
 """Its tolerance relative to the smallest one of a sweep."""
-_FINEST = 1e-12
+
+MIN_TOLERANCE = 1e-12
+"""Its smallest tolerance, px."""
 
 MAX_ATTEMPTS = 1e7
-"""Steps that a method with error control may try per simulated second: with so many they are a tenth of the
-shortest step that a scene can have. With more it would hardly ever get to the end."""
+"""Steps that a method with error control may attempt per simulated second: they are a tenth of the shortest
+step that a scene can have. With more, a run would hardly ever reach its end."""
 
-_MAX_NOTED = 2**17
-"""Places of masses that a run beside others may note: 4 MB with their velocities."""
-_MAX_MOVED = 2**23
-"""Masses times steps that a run beside others may have: some dozen such runs take a few seconds."""
+_MAX_SAMPLED = 2**17
+"""Sampled positions of a run that is done with others side by side: 4 MB with their velocities."""
+
+_MAX_MASS_STEPS = 2**23
+"""Masses times steps of such a run: some dozen of them take a few seconds."""
 
 Points = tuple[tuple[float, float], ...]
 
 
 class Row(msgspec.Struct, frozen=True):
-    """What came of a run.
+    """The row of a run.
 
     Attributes:
-        values: of the measures; None where there is none.
-        by: what computed it: machine and versions.
+        values: of the measures; None if there is none.
+        by: machine and versions that computed it.
     """
 
     values: tuple[Value, ...]
@@ -64,8 +69,8 @@ def run(
     """Simulate and measure.
 
     Args:
-        data: the scene as a file has it.
-        assignments: what is changed in it, KEY=VALUE.
+        data: the scene in the format of files.
+        assignments: changes of it, KEY=VALUE.
         duration: s; rounded to whole time steps.
         measures: names.
         reference: near-exact positions at the end, px, for the measure `error`.
@@ -81,7 +86,7 @@ def run_several(
     measures: Sequence[str],
     references: Sequence[Points | None],
 ) -> list[Row]:
-    """Several runs; arguments as of `run`, of each. Those of which `is_quick` holds are done side by side."""
+    """Do several runs, the quick ones side by side; arguments are those of `run`, for each."""
     scenes = [apply_assignments(_decoded(data), each) for each in assignments]
     exact = [None if each is None else np.array(each) for each in references]
     rows: dict[int, Row] = {}
@@ -98,12 +103,12 @@ def run_several(
 
 
 def is_quick(scene: sim.Scene, duration: float, measures: Sequence[str]) -> bool:
-    """Whether a run needs no simulation of its own, so that `run_several` does many in one go."""
+    """Whether a run needs no simulation of its own, so that `run_several` does many in one call."""
     if not (SAMPLED.issuperset(measures) and is_laned(scene)):
         return False
     steps, masses = steps_of(scene, duration), len(scene.masses)
-    looks = 2 if AT_END.issuperset(measures) else steps // looks_apart(scene.integrator.dt) + 2
-    return masses * looks <= _MAX_NOTED and masses * steps <= _MAX_MOVED
+    samples = 2 if AT_END.issuperset(measures) else steps // steps_between_samples(scene.integrator.dt) + 2
+    return masses * samples <= _MAX_SAMPLED and masses * steps <= _MAX_MASS_STEPS
 
 
 def _alone(scene: sim.Scene, duration: float, measures: Sequence[str], exact: Floats | None) -> Row:
@@ -117,9 +122,9 @@ def _alone(scene: sim.Scene, duration: float, measures: Sequence[str], exact: Fl
 def _side_by_side(
     scenes: Sequence[sim.Scene], duration: float, measures: Sequence[str], exact: Sequence[Floats | None]
 ) -> list[Row]:
-    """The rows of quick runs with one time step."""
+    """Return the rows of quick runs with the same time step."""
     dt, steps = scenes[0].integrator.dt, steps_of(scenes[0], duration)
-    every = steps if AT_END.issuperset(measures) else looks_apart(dt)
+    every = steps if AT_END.issuperset(measures) else steps_between_samples(dt)
     return [
         Row(tuple(map(_finite, values_of(scene, run, measures, end))), made_by())
         if run.divergence is None
@@ -129,32 +134,32 @@ def _side_by_side(
 
 
 def _ended(survived: Value, measures: Sequence[str]) -> Row:
-    """The row of a run that did not come to its end."""
+    """Return the row of a run that did not reach its end."""
     return Row(tuple(survived if name == "survived" else None for name in measures), made_by())
 
 
 def simulation_of(data: bytes, assignments: Sequence[str]) -> sim.Simulation:
-    """The start of a run; arguments as of `run`."""
+    """Return a simulation at the start of a run; arguments are those of `run`."""
     return sim.Simulation(apply_assignments(_decoded(data), assignments))
 
 
 def follow(simulation: sim.Simulation, duration: float, look: Callable[[], None] | None) -> bool:
-    """Simulate for so many seconds, rounded to whole time steps, and look at the body now and then.
+    """Simulate for so many seconds, rounded to whole time steps, with samples in between.
 
     Args:
         simulation: at its start.
         duration: s.
-        look: called at the start, after each `looks_apart` steps, and at the end; None for no looks.
+        look: called at the start, after every `steps_between_samples` steps, and at the end; or None.
 
     Returns:
-        Whether it got there: False where it ran away, or where its method would hardly ever get to the end.
+        Whether it reached the end: False if it ran away, or if its method would hardly ever get there.
     """
     steps = steps_of(simulation.scene, duration)
-    between = looks_apart(simulation.dt)
+    between = steps_between_samples(simulation.dt)
     if look is None:
         attempts = _attempts(between, simulation)
         while (left := steps - simulation.step_count) > 0:
-            # As far as the attempts lead; they have to lead as far as from one look to the next.
+            # As far as the attempts suffice; they have to suffice from one sample to the next.
             if simulation.step(left, attempts) < min(between, left):
                 return False
         return True
@@ -166,18 +171,18 @@ def follow(simulation: sim.Simulation, duration: float, look: Callable[[], None]
     return True
 
 
-def looks_apart(dt: float) -> int:
-    """The time steps from one look to the next."""
-    return max(1, round(1.0 / (LOOKS * dt)))
+def steps_between_samples(dt: float) -> int:
+    """Return the number of time steps from one sample to the next."""
+    return max(1, round(1.0 / (SAMPLE_RATE * dt)))
 
 
 def _go(simulation: sim.Simulation, steps: int) -> bool:
-    """Do so many time steps, and return whether they could be done."""
+    """Do so many time steps, and return whether all could be done."""
     return simulation.step(steps, _attempts(steps, simulation)) == steps
 
 
 def _attempts(steps: int, simulation: sim.Simulation) -> int:
-    """The attempts that so many time steps may take."""
+    """Return the number of attempts that so many time steps may take."""
     return math.ceil(MAX_ATTEMPTS * steps * simulation.dt)
 
 
@@ -186,7 +191,7 @@ def _finite(value: Value) -> Value:
 
 
 def steps_of(scene: sim.Scene, duration: float) -> int:
-    """The time steps that a run of so many seconds has, at least one."""
+    """Return the number of time steps in a run of so many seconds, at least one."""
     return max(1, round(duration / scene.integrator.dt))
 
 
@@ -194,7 +199,7 @@ class Reference(NamedTuple):
     """A near-exact run.
 
     Attributes:
-        data: its scene as a file has it.
+        data: its scene in the format of files.
         end: simulated time, s.
     """
 
@@ -203,17 +208,17 @@ class Reference(NamedTuple):
 
 
 def reference_of(scene: sim.Scene, duration: float, smallest: float) -> Reference:
-    """The near-exact run of a scene.
+    """Return the near-exact run of a scene.
 
-    It ends when the scene's own does, and is the same for all that differ in no more than method, tolerance
-    and steps of which a whole number makes the duration.
+    It ends when the run of the scene does, and is the same for scenes that differ only in method, tolerance
+    and steps that divide the duration.
 
     Args:
         scene: of the run.
         duration: of the run, s.
         smallest: tolerance of all runs of the sweep, px.
     """
-    tolerance = max(_FINEST, min(EXACT, FINER * smallest))
+    tolerance = max(MIN_TOLERANCE, min(MAX_TOLERANCE, RELATIVE_TOLERANCE * smallest))
     exact = sim.Integrator(method=REFERENCE, tolerance=tolerance)
     # Rounded, since the same end is not quite the same product of different steps.
     end = float(f"{steps_of(scene, duration) * scene.integrator.dt:.12g}")
@@ -221,8 +226,8 @@ def reference_of(scene: sim.Scene, duration: float, smallest: float) -> Referenc
 
 
 def run_reference(data: bytes, end: float) -> Points | None:
-    """The positions at the end of a near-exact run, px; None where it does not get there."""
-    parts = math.ceil(LOOKS * end)
+    """Return the positions at the end of a near-exact run, px; None if it does not get there."""
+    parts = math.ceil(SAMPLE_RATE * end)
     simulation = sim.Simulation(decode_scene(data, "the reference"), dt=end / parts)
     if not all(_go(simulation, 1) for _ in range(parts)):
         return None
@@ -236,5 +241,5 @@ def _decoded(data: bytes) -> sim.Scene:
 
 @cache
 def made_by() -> str:
-    """What the last digits of a row may depend on."""
+    """Return the machine and versions on which the last digits of a row may depend."""
     return f"softrod {version('softrod')} on {this_machine()} and numpy {np.__version__}"

@@ -1,8 +1,7 @@
-"""`softrod sweep`: the loop that gives runs to workers and keeps what comes back."""
+"""`softrod sweep`: gives runs to workers, and stores their rows as they come."""
 
 from __future__ import annotations
 
-import concurrent.futures
 import math
 from collections import deque
 from collections.abc import Iterable, Iterator
@@ -16,14 +15,37 @@ from sim.compiling.compiler import all_of, fetch
 from sim.methods.registry import METHODS
 from sim.store.files import decode_scene, encode_scene
 
-from ..reporting.output import Watch, write_figures
-from .folder import Folder, make_plan
+from ..reporting.progress import ProgressBar
+from ..reporting.report import Figure
 from .grid import Grid
+from .journal import Entry, Header, Journal, digest_of
 from .runs import REFERENCE, Points, Reference, Row, is_quick, reference_of, run_reference, run_several
-from .workers import Making, Workers
+from .table import write_sweep_table
+from .workers import Call, MakeWorkers, Workers
 
-TOGETHER = 64
-"""Runs of one call, where one does several."""
+MAX_TOGETHER = 64
+"""Runs of one call, where a call does several."""
+
+
+class SweepHeader(Header, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """What is swept.
+
+    Attributes:
+        vary: keys and values of the axes.
+        measures: names.
+    """
+
+    COMMAND = "sweep"
+    NOUN = "sweep"
+    OPTIONS = Header.OPTIONS | {"measures": "--measure", "duration": "--duration"}
+
+    vary: tuple[tuple[str, tuple[str, ...]], ...]
+    measures: tuple[str, ...]
+
+    def has(self, entry: Entry) -> bool:
+        """Whether an entry can belong to one of its runs."""
+        runs = math.prod(len(values) for _, values in self.vary)
+        return 0 <= entry.run < runs and len(entry.row.values) == len(self.measures)
 
 
 @dataclass
@@ -34,9 +56,9 @@ class Sweep:
         grid: the scene and what is varied.
         measures: names.
         duration: simulated time of each run, s.
-        quick: once `check` has looked, the numbers of the runs that are quick, see `is_quick`.
-        methods: then the names of the methods of all others.
-        tolerance: then the smallest one of a method that has one, px; infinite where none has.
+        quick: after `check`, the numbers of the quick runs, see `is_quick`.
+        methods: after `check`, the names of the methods of all others.
+        tolerance: after `check`, the smallest tolerance of all methods, px; infinite where none has one.
     """
 
     grid: Grid
@@ -46,8 +68,20 @@ class Sweep:
     methods: set[str] = field(default_factory=set)
     tolerance: float = math.inf
 
+    @property
+    def header(self) -> SweepHeader:
+        """The first line of its journal."""
+        return SweepHeader(
+            scene=self.grid.scene.name,
+            digest=digest_of(self.grid.scene),
+            settings=self.grid.settings,
+            vary=tuple((axis.key, axis.values) for axis in self.grid.axes),
+            measures=self.measures,
+            duration=self.duration,
+        )
+
     def check(self) -> None:
-        """Look at the scene of every run.
+        """Check the scene of every run.
 
         Raises:
             InputError: one is not valid.
@@ -63,92 +97,92 @@ class Sweep:
                 self.tolerance = min(self.tolerance, integrator.tolerance)
 
     def rows(self, missing: Iterable[int], workers: Workers) -> Iterator[tuple[int, Row]]:
-        """Do the runs of these numbers, and give each with its row, in the order in which they are done.
+        """Do the runs of these numbers, and yield each with its row, in the order in which they are done.
 
-        The near-exact run that several have in common is done once, before them.
+        A near-exact run that several have in common is done once, before them.
 
         Raises:
             InputError: no worker is left.
         """
-        data = encode_scene(self.grid.scene)
-        waiting, ready = deque(missing), _Ready(self.quick)
-        if "error" not in self.measures:
-            ready.add(waiting, None)
-            waiting.clear()
-        exact: dict[Reference, Points | None] = {}
-        asked: dict[Reference, list[int]] = {}
-        running: dict[concurrent.futures.Future, list[int] | Reference] = {}
-        submit = workers.executor.submit
+        queue = _Queue(self, missing)
         with workers.losing("sweep"):
-            while waiting or ready or running:
-                while (waiting or ready) and len(running) < workers.ahead:
-                    if ready:
-                        numbers, ends = ready.take()
-                        changes = [self.grid.assignments(self.grid.points[number]) for number in numbers]
-                        call = submit(run_several, data, changes, self.duration, self.measures, ends)
-                        running[call] = numbers
-                    else:
-                        number = waiting.popleft()
-                        scene = self.grid.scene_at(self.grid.points[number])
-                        reference = reference_of(scene, self.duration, self.tolerance)
-                        if reference in exact:
-                            ready.add([number], exact[reference])
-                        elif reference in asked:
-                            asked[reference].append(number)
-                        else:
-                            asked[reference] = [number]
-                            running[submit(run_reference, *reference)] = reference
-                done, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
-                for call in done:
-                    what = running.pop(call)
-                    if isinstance(what, list):
-                        yield from zip(what, call.result(), strict=True)
-                    else:
-                        exact[what] = call.result()
-                        ready.add(asked.pop(what), exact[what])
+            for key, result in workers.compute(queue.next_call):
+                if isinstance(key, Reference):
+                    queue.take_reference(key, result)
+                else:
+                    yield from zip(key, result, strict=True)
 
 
-class _Ready:
-    """The runs that wait for nothing but somebody to do them, each with the end of its near-exact run.
+class _Queue:
+    """The runs of a sweep that are still to be done.
 
     Args:
-        quick: the numbers of those of which a call does several.
+        sweep: what is swept.
+        missing: the numbers of the runs.
     """
 
-    def __init__(self, quick: set[int]) -> None:
-        self._quick = quick
+    def __init__(self, sweep: Sweep, missing: Iterable[int]) -> None:
+        self._sweep, self._data = sweep, encode_scene(sweep.grid.scene)
+        # Runs that can start, each with the end of its near-exact run.
         self._several: deque[tuple[int, Points | None]] = deque()
         self._single: deque[tuple[int, Points | None]] = deque()
+        # Runs whose near-exact run has not been looked up.
+        self._waiting = deque(missing)
+        self._exact: dict[Reference, Points | None] = {}
+        self._asked: dict[Reference, list[int]] = {}
+        if "error" not in sweep.measures:
+            self._make_ready(self._waiting, None)
+            self._waiting.clear()
 
-    def __len__(self) -> int:
-        return len(self._several) + len(self._single)
+    def next_call(self) -> Call | None:
+        """Return the next call; None where all others wait for near-exact runs."""
+        while True:
+            if self._several or self._single:
+                return self._runs()
+            if not self._waiting:
+                return None
+            number = self._waiting.popleft()
+            sweep = self._sweep
+            scene = sweep.grid.scene_at(sweep.grid.points[number])
+            reference = reference_of(scene, sweep.duration, sweep.tolerance)
+            if reference in self._exact:
+                self._make_ready([number], self._exact[reference])
+            elif reference in self._asked:
+                self._asked[reference].append(number)
+            else:
+                self._asked[reference] = [number]
+                return Call(reference, run_reference, reference)
 
-    def add(self, numbers: Iterable[int], end: Points | None) -> None:
-        """Put in some runs."""
+    def take_reference(self, reference: Reference, end: Points | None) -> None:
+        """Let the runs start that waited for a near-exact run."""
+        self._exact[reference] = end
+        self._make_ready(self._asked.pop(reference), end)
+
+    def _make_ready(self, numbers: Iterable[int], end: Points | None) -> None:
         for number in numbers:
-            (self._several if number in self._quick else self._single).append((number, end))
+            (self._several if number in self._sweep.quick else self._single).append((number, end))
 
-    def take(self) -> tuple[list[int], list[Points | None]]:
-        """Take out the runs of a call: their numbers, and their ends."""
-        if self._several:
-            some = [self._several.popleft() for _ in range(min(TOGETHER, len(self._several)))]
-        else:
-            some = [self._single.popleft()]
-        return [number for number, _ in some], [end for _, end in some]
+    def _runs(self) -> Call:
+        count = min(MAX_TOGETHER, len(self._several))
+        some = [self._several.popleft() for _ in range(count)] or [self._single.popleft()]
+        numbers, ends = [number for number, _ in some], [end for _, end in some]
+        grid, measures = self._sweep.grid, self._sweep.measures
+        changes = [grid.assignments(grid.points[number]) for number in numbers]
+        return Call(numbers, run_several, (self._data, changes, self._sweep.duration, measures, ends))
 
 
 def sweep(
     grid: Grid,
     measures: tuple[str, ...],
     duration: float,
-    workers: Making,
+    workers: MakeWorkers,
     out: Path,
     console: Console,
     decimal_comma: bool = False,
 ) -> int:
     """Do all runs that are not done yet, and write the table and its plot.
 
-    Ctrl-C ends it early; what is done by then is kept, and the same call goes on from there.
+    Ctrl-C ends it early; what is done by then is stored, and the same call resumes from there.
 
     Args:
         grid: the scene and what is varied.
@@ -156,7 +190,7 @@ def sweep(
         duration: simulated time of each run, s.
         workers: makes those who compute.
         out: folder; made if its parent exists.
-        console: where the progress goes.
+        console: for the progress.
         decimal_comma: whether the table has decimal commas.
 
     Returns:
@@ -164,53 +198,54 @@ def sweep(
 
     Raises:
         InputError: a scene of the grid is not valid, the folder cannot be written to or has another sweep,
-            or no worker is left; what is done by then is kept.
+            or no worker is left; what is done by then is stored.
     """
     what = Sweep(grid, measures, duration)
     # As workers will, which have no way to say that a scene is too large.
     decode_scene(encode_scene(grid.scene), grid.scene.name)
     total = len(grid.points)
-    folder: Folder | None = None
-    with Watch(console, total) as watch:
-        watch.say("checking")
+    journal: Journal | None = None
+    with ProgressBar(console, total) as bar:
+        bar.say("checking")
         what.check()
-        folder = Folder(out, make_plan(grid, measures, duration))
+        journal = Journal(out, what.header)
         try:
-            _compute(what, folder, workers, watch)
+            _compute(what, journal, workers, bar)
         finally:
-            folder.write_table(grid, measures, decimal_comma)
-    if folder is not None and folder.rows:
-        _draw(what, folder, out)
-        if len({row.by for row in folder.rows.values()}) > 1:
+            journal.read()  # an interruption may have come between the disk and the memory
+            write_sweep_table(out, grid, measures, journal.rows, decimal_comma)
+    if journal is not None and journal.rows:
+        _draw(what, journal, out)
+        if journal.is_mixed:
             console.print("Rows were computed by different machines or versions; last digits may differ.")
-    done = f"{len(folder.rows) if folder else 0} of {total} runs are done"
-    if watch.interrupted:
+    done = f"{len(journal.rows) if journal else 0} of {total} runs are done"
+    if bar.interrupted:
         console.print(f"Interrupted: {done}; the same command goes on.")
         return 130
     console.print(f"{done} and written to {out}")
     return 0
 
 
-def _compute(what: Sweep, folder: Folder, making: Making, watch: Watch) -> None:
+def _compute(what: Sweep, journal: Journal, make_workers: MakeWorkers, bar: ProgressBar) -> None:
     total = len(what.grid.points)
-    missing = [number for number in range(total) if number not in folder.rows]
+    missing = [number for number in range(total) if number not in journal.rows]
     if not missing:
         return
-    watch.say("compiling", len(folder.rows))
+    bar.say("compiling", len(journal.rows))
     # Once, here, and not by each of several processes that start at the same time.
     for method in sorted(what.methods | ({REFERENCE} if "error" in what.measures else set())):
         fetch(all_of(method))
     if what.quick:
         sim.run_many([what.grid.scene_at(what.grid.points[min(what.quick)])], 0.0)
-    watch.say("starting", len(folder.rows))
-    with making() as workers:
+    bar.say("starting", len(journal.rows))
+    with make_workers() as workers:
         for number, row in what.rows(missing, workers):
-            folder.add(number, row)
-            watch.say(f"{len(folder.rows)} of {total} runs", len(folder.rows))
+            journal.add(number, row)
+            bar.say(f"{len(journal.rows)} of {total} runs", len(journal.rows))
 
 
-def _draw(what: Sweep, folder: Folder, out: Path) -> None:
+def _draw(what: Sweep, journal: Journal, out: Path) -> None:
     # Here, not above: workers have no use for Matplotlib.
     from .plot import plot
 
-    write_figures(out, {"plot": ("", lambda: plot(what.grid, what.measures, folder.rows))})
+    Figure("plot", "", lambda: plot(what.grid, what.measures, journal.rows)).write(out)

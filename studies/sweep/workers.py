@@ -1,4 +1,4 @@
-"""Who computes: this process, others of this machine or a cluster, all behind the interface of
+"""Workers: this process, others of this machine or a cluster, all with the interface of
 `concurrent.futures`."""
 
 from __future__ import annotations
@@ -12,39 +12,71 @@ import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from sim.errors import InputError
 
-AHEAD = 1000
-"""Calls that workers have at a time: more than they can be at, and no more than fits in memory."""
+MAX_AHEAD = 1000
+"""Calls submitted at a time: more than there are workers, and no more than fit in memory."""
 
-CONNECTING = 10
+CONNECT_TIMEOUT = 10
 """Seconds in which a scheduler must answer."""
+
+
+class Call(NamedTuple):
+    """Something to compute elsewhere.
+
+    Attributes:
+        key: known only here; comes back with the result.
+        function, arguments: what is computed.
+    """
+
+    key: Any
+    function: Callable[..., Any]
+    arguments: tuple[Any, ...]
 
 
 @dataclass(frozen=True)
 class Workers:
-    """Who computes.
+    """A pool of workers.
 
     Attributes:
         executor: takes the calls.
-        ahead: calls that it should have at a time.
-        failures: what it, or a future of it, raises if nothing more can come, and what that means.
+        ahead: calls to submit at a time.
+        failures: exceptions after which no more results can come, and what they mean.
     """
 
     executor: concurrent.futures.Executor
-    ahead: int = AHEAD
+    ahead: int = MAX_AHEAD
     failures: Mapping[type[BaseException], str] = field(
         default_factory=lambda: {concurrent.futures.BrokenExecutor: "a worker was lost"}
     )
 
+    def compute(self, next_call: Callable[[], Call | None]) -> Iterator[tuple[Any, Any]]:
+        """Do calls as long as there are any, several at a time.
+
+        Args:
+            next_call: returns the next call, or None where there is none until others are done.
+
+        Yields:
+            Key and result of each call, in the order in which they are done.
+        """
+        running: dict[concurrent.futures.Future[Any], Any] = {}
+        while True:
+            while len(running) < self.ahead and (call := next_call()) is not None:
+                running[self.executor.submit(call.function, *call.arguments)] = call.key
+            if not running:
+                return
+            done, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
+            for future in done:
+                yield running.pop(future), future.result()
+
     @contextmanager
     def losing(self, command: str) -> Iterator[None]:
-        """Say in a sentence if nothing more can come; what is done must be kept by then.
+        """Turn the loss of workers into an error of one sentence.
 
         Raises:
-            InputError: that sentence.
+            InputError: no more results can come.
         """
         try:
             yield
@@ -57,7 +89,7 @@ class Workers:
             ) from None
 
 
-Making = Callable[[], AbstractContextManager[Workers]]
+MakeWorkers = Callable[[], AbstractContextManager[Workers]]
 
 
 class _Here(concurrent.futures.Executor):
@@ -74,15 +106,15 @@ class _Here(concurrent.futures.Executor):
 
 @contextmanager
 def this_process() -> Iterator[Workers]:
-    """Nobody else: each call is done, and kept, before the next."""
+    """Yield this process as the only worker: each call is done before the next is submitted."""
     yield Workers(_Here(), ahead=1)
 
 
 @contextmanager
 def processes(jobs: int) -> Iterator[Workers]:
-    """Processes of this machine, which end with this context, whatever they are at."""
+    """Yield processes of this machine, which end with this context, whatever they are doing."""
     others = set(multiprocessing.active_children())
-    # Not by fork, which is not safe beside the thread of the progress bar.
+    # Not by fork, which is not safe while the progress bar has a thread.
     pool = concurrent.futures.ProcessPoolExecutor(
         jobs, multiprocessing.get_context("spawn"), initializer=_begin
     )
@@ -95,7 +127,7 @@ def processes(jobs: int) -> Iterator[Workers]:
 
 
 def _begin() -> None:
-    """Leave Ctrl-C, which all processes of a terminal get, to the parent, and end with it however it ends."""
+    """Ignore Ctrl-C, which the parent handles, and end when the parent ends, for whatever reason."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
     assert parent is not None
@@ -104,9 +136,9 @@ def _begin() -> None:
 
 @contextmanager
 def cluster(address: str) -> Iterator[Workers]:
-    """The workers of a Dask scheduler.
+    """Yield the workers of a Dask scheduler.
 
-    They may come and go: the scheduler gives what a lost one was at to others.
+    They may come and go: the scheduler gives the work of a lost one to others.
 
     Raises:
         InputError: Dask is not installed, or no scheduler answers at the address.
@@ -119,11 +151,12 @@ def cluster(address: str) -> Iterator[Workers]:
             "--cluster needs Dask; uv sync --extra cluster, or pip install 'softrod[cluster]', installs it"
         ) from None
     try:
-        client = Client(address, timeout=CONNECTING, set_as_default=False)
+        client = Client(address, timeout=CONNECT_TIMEOUT, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
         reason = str(error).partition("\n")[0]
         raise InputError(f"--cluster {address}: no scheduler answers ({reason})") from None
-    gone, unfit = "the connection to the scheduler is lost", "a worker cannot do it"
+    gone = "the connection to the scheduler is lost"
+    unfit = "a worker cannot do it"
     failures = {
         concurrent.futures.CancelledError: gone,
         ClosedClientError: gone,

@@ -1,4 +1,4 @@
-"""The scenes of the studies. Spacing of the masses is 1 px and their mass 1 kg, unless said otherwise."""
+"""The scenes of the validation. Masses of 1 kg are 1 px apart, unless noted otherwise."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def chain(
     law: ForceLaw = "conservative",
     integrator: Integrator | None = None,
 ) -> Scene:
-    """A chain through some positions, with equal springs; gravity is along +y.
+    """Return a chain through some positions, with equal springs; gravity is along +y.
 
     Args:
         angular_stiffness: None for no joints.
@@ -60,12 +60,12 @@ def chain(
 
 
 def straight(segments: int) -> list[Point]:
-    """The positions of masses 0..N along x."""
+    """Return the positions of masses 0..N along x."""
     return [(float(i), 0.0) for i in range(segments + 1)]
 
 
 def beam_length(segments: int) -> float:
-    """Length of the beam that a chain of N springs stands for, if its first two masses are held.
+    """Return the length of the beam that a chain of N springs models if its first two masses are held.
 
     It is clamped in the middle between those two: N - 1/2 spacings.
     """
@@ -73,15 +73,15 @@ def beam_length(segments: int) -> float:
 
 
 def cantilever(segments: int, weight: float = 0.0, tip: float = 0.0, law: ForceLaw = "conservative") -> Scene:
-    """A chain as a beam that is clamped horizontally at one end.
+    """Return a chain as a beam that is clamped horizontally at one end.
 
-    EI = K h³ = 1. The end mass is half a mass, since half a spacing of the beam belongs to it. Springs are so
-    stiff along that they stretch by a millionth.
+    EI = K h³ = 1. The last mass is half a mass, since it stands for half a spacing of the beam. Springs are
+    so stiff that they stretch by a millionth.
 
     Args:
         segments: N, springs; masses 0 and 1 are held.
         weight: Gamma = w L³ / EI.
-        tip: P L² / EI, a load at the end; the other masses then weigh next to nothing.
+        tip: P L² / EI, a load at the end; the weight of the other masses is then negligible.
         law: the force law.
     """
     length = beam_length(segments)
@@ -101,7 +101,7 @@ def cantilever(segments: int, weight: float = 0.0, tip: float = 0.0, law: ForceL
 
 
 def hanging_rope(segments: int) -> Scene:
-    """A rope without bending stiffness that hangs from mass 0, in 1 px/s²; its end mass is half a mass."""
+    """Return a rope without bending stiffness that hangs from mass 0, in 1 px/s²; its last mass is half."""
     return chain(
         [(0.0, float(i)) for i in range(segments + 1)],
         stiffness=1e6 * segments,
@@ -112,7 +112,7 @@ def hanging_rope(segments: int) -> Scene:
 
 
 def sagging_rope(segments: int, length: float) -> Scene:
-    """A rope without bending stiffness between two points of the same height, in the shape of a V.
+    """Return a rope without bending stiffness between two points of the same height, in the shape of a V.
 
     Args:
         segments: N, even; the length of the rope is N px, its weight per length 1.
@@ -126,12 +126,12 @@ def sagging_rope(segments: int, length: float) -> Scene:
 
 
 def rolled(segments: int) -> Scene:
-    """A straight chain whose joints want to stand at an angle of 360°/N; masses 0 and 1 are held."""
+    """Return a straight chain whose joints have a rest angle of 360°/N; masses 0 and 1 are held."""
     return chain(
         straight(segments), stiffness=1e3, angular_stiffness=1.0, rest_angle=360.0 / segments, held=(0, 1)
     )
 
 
 def at(scene: Scene, pose: Pose) -> Scene:
-    """The scene, started from a pose."""
+    """Return the scene, started from a pose."""
     return replace(scene, pose=pose)

@@ -1,4 +1,4 @@
-"""Energy: kept where nothing takes any away, and accounted for where something does."""
+"""Energy: conserved without damping, and balanced with it."""
 
 from __future__ import annotations
 
@@ -13,19 +13,24 @@ from .results import Case, Result, integrator_of, over_sizes
 
 STEPS = (1.0 / 1600.0, 1.0 / 3200.0, 1.0 / 6400.0, 1.0 / 12800.0)
 """s, of the methods with fixed steps."""
+
 TOLERANCES = (1e-4, 1e-5, 1e-6)
 """px, of the others."""
-SAMPLES = 20
-"""Times at which energies are looked at, within half a second."""
+
 DURATION = 0.5
+"""Simulated time, s."""
+
+SAMPLES = 20
+"""Samples of the energies within that time."""
+
 BALANCE_ORDER = 6
-"""Order at which the balance adds up powers."""
+"""Order at which the balance integrates powers."""
 
 
 def swinging_rope(
     method: Method, size: float, damping: float = 0.0, circle: Circle | None = None
 ) -> sim.Simulation:
-    """A short bendy rope, let go horizontally, whose first mass may be led round a circle.
+    """Return a short bendy rope, released horizontally, whose first mass may be led round a circle.
 
     Args:
         method: its name.
@@ -52,12 +57,12 @@ def swinging_rope(
 
 
 def drift(method: Method, size: float) -> float:
-    """The largest change of the energy of a rope without damping, in parts of its largest kinetic energy."""
+    """Return the largest change of the energy of a rope without damping, over its largest kinetic energy."""
     return _worst(swinging_rope(method, size), of_balance=False)
 
 
 def residual(method: Method, size: float) -> float:
-    """The largest residual of the energy balance of a damped rope on a moving anchor, in the same parts."""
+    """Return the largest residual of the energy balance of a damped rope on a moving anchor, the same way."""
     circle = Circle(radius=30.0, frequency=2.0, ramp=0.1)
     return _worst(swinging_rope(method, size, 20.0, circle), of_balance=True)
 

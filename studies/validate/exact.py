@@ -1,7 +1,7 @@
-"""Exact results and reference curves: what continua and textbook systems do, without softrod's solver.
+"""Exact results and reference curves of continua and textbook systems, without softrod's solver.
 
 Lengths are in the length L of the beam or rope (or the span, for the catenary) and angles in radians, unless
-said otherwise. SciPy is imported where it is used, since it takes long to load.
+noted otherwise. SciPy is imported where it is used, since it takes long to load.
 """
 
 from __future__ import annotations
@@ -39,15 +39,15 @@ class Elastica:
 
 
 def elastica(weight: float, tip: float = 0.0, points: int = 201) -> Elastica:
-    """The planar elastica under its own weight and a load at its free end (Euler 1744; Romero et al. 2021).
+    """Return the planar elastica under weight and a load at its free end (Euler 1744; Romero et al. 2021).
 
     EI theta'' = -(w (L - s) + P) cos theta, theta(0) = theta'(L) = 0, solved by shooting from the free end:
-    the angle from the vertical grows from there on, so that a thin layer at the clamp does no harm.
+    the angle from the vertical grows from there, so that a boundary layer at the clamp does no harm.
 
     Args:
         weight: Gamma = w L³ / EI, w the weight per length; up to 1e5.
         tip: P L² / EI.
-        points: how many points of the shape, at equal arc lengths.
+        points: of the shape, at equal arc lengths.
     """
     from scipy.integrate import solve_ivp
 
@@ -81,7 +81,7 @@ def elastica(weight: float, tip: float = 0.0, points: int = 201) -> Elastica:
 
 
 def clamped_free_roots(count: int) -> Floats:
-    """beta_n L of a beam clamped at one end and free at the other: cos b cosh b = -1.
+    """Return beta_n L of a beam clamped at one end and free at the other: cos b cosh b = -1.
 
     The angular frequencies are (beta_n L)² sqrt(EI / (rho A L⁴)).
     """
@@ -92,7 +92,7 @@ def clamped_free_roots(count: int) -> Floats:
 def pinned_chain_frequencies(
     segments: int, spacing: float, stiffness: float, mass: float, count: int
 ) -> Floats:
-    """Angular frequencies (rad/s) of small bending vibrations of a straight chain held at both its ends.
+    """Return angular frequencies (rad/s) of small vibrations of a straight chain held at both ends.
 
     A joint's angle is V = (y[i+1] - 2 y[i] + y[i-1]) / h to first order, and its energy under every force law
     K h² V² / 2 to second order. So m y'' = -K (fourth difference of y), with no couple at the ends, where
@@ -112,7 +112,7 @@ def pinned_chain_frequencies(
 
 
 def hanging_rope_frequencies(count: int) -> Floats:
-    """Angular frequencies of a hanging rope without stiffness, in sqrt(g / L): j_0n / 2 (Bernoulli 1733)."""
+    """Return frequencies of a hanging rope without stiffness, in sqrt(g / L): j_0n / 2 (Bernoulli 1733)."""
     from scipy.special import jn_zeros
 
     return jn_zeros(0, count) / 2.0
@@ -132,7 +132,7 @@ class Catenary:
 
 
 def catenary(length: float) -> Catenary:
-    """The catenary y = a cosh(x / a) of a length (over the span), from 1.0001 on."""
+    """Return the catenary y = a cosh(x / a) of a length (over the span), from 1.0001 on."""
     # u = 1 / (2 a): sinh(u) / u = length.
     u = _root(lambda u: math.sinh(u) / u - length, 1e-3, 700.0)
     a = 0.5 / u
@@ -140,19 +140,19 @@ def catenary(length: float) -> Catenary:
 
 
 def ring_radius(spacing: float, rest_angle: float) -> float:
-    """Radius of the arc of a chain whose joints all stand at a rest angle (radians)."""
+    """Return the radius of the arc of a chain whose joints all have a rest angle (radians)."""
     return spacing / (2.0 * math.sin(0.5 * rest_angle))
 
 
 def damped_oscillation(time: Floats, start: float, mass: float, stiffness: float, damping: float) -> Floats:
-    """x of m x'' + c x' + k x = 0, weakly damped, let go at `start`."""
+    """Return x of m x'' + c x' + k x = 0, weakly damped, released at `start`."""
     decay = damping / (2.0 * mass)
     omega = math.sqrt(stiffness / mass - decay**2)
     return start * np.exp(-decay * time) * (np.cos(omega * time) + decay / omega * np.sin(omega * time))
 
 
 def double_pendulum(time: float, angles: tuple[float, float], gravity: float) -> Floats:
-    """(2, 2) positions of two unit masses on rigid massless unit rods, let go at rest; y is downwards.
+    """Return (2, 2) positions of unit masses on two rigid massless unit rods, released at rest; y is down.
 
     Args:
         time: s.
@@ -181,7 +181,7 @@ def double_pendulum(time: float, angles: tuple[float, float], gravity: float) ->
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    """The zero of a function between two arguments at which its signs differ."""
+    """Return the zero of a function between two arguments at which its signs differ."""
     from scipy.optimize import brentq
 
     return float(np.asarray(brentq(function, low, high, xtol=1e-14)))

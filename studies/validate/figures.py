@@ -10,7 +10,7 @@ import numpy as np
 from sim.scene.types import Method
 
 from ..reporting.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, new_figure, tidy
-from ..reporting.output import Drawing
+from ..reporting.report import Figure as Section
 from . import exact, motion, statics
 from .results import fitted_slope
 
@@ -23,17 +23,17 @@ SHAPES = (1.0, 3.0, 10.0, 30.0, 100.0, 1000.0)
 
 
 def _plain(axis: Axis, ticks: Sequence[float]) -> None:
-    """Ticks at these values of a logarithmic axis, as plain numbers."""
+    """Put ticks at these values of a logarithmic axis, as plain numbers."""
     axis.set_ticks(ticks, labels=[f"{tick:g}" for tick in ticks])
     axis.set_ticks([], minor=True)
 
 
 def master_curve() -> Figure:
-    """H / W of heavy cantilevers over Gamma, and how far off it is."""
+    """Draw H / W of heavy cantilevers over Gamma, and its error."""
     figure, (top, bottom) = new_figure(7.0, 6.6, rows=2, sharex=True, height_ratios=(3, 2))
     weights = np.geomspace(0.1, 1000.0, 81)
-    right = np.array([statics.exact_drop_over_reach(float(w)) for w in weights])
-    top.loglog(weights, right, color=BLACK, lw=1.4, label="exact elastica")
+    exact_ratios = np.array([statics.exact_drop_over_reach(float(w)) for w in weights])
+    top.loglog(weights, exact_ratios, color=BLACK, lw=1.4, label="exact elastica")
     for n, color, marker, size in ((12, ORANGE, "o", 8.0), (50, BLUE, "x", 6.5)):
         style = {"color": color, "mfc": "none", "mew": 1.6, "ms": size, "ls": "none", "marker": marker}
         ratios = [statics.drop_over_reach(n, load) for load in statics.LOADS]
@@ -57,14 +57,14 @@ def master_curve() -> Figure:
 
 
 def _percent_off(segments: int, weight: float) -> float:
-    """Size of the relative error of H / W, per cent."""
+    """Return the size of the relative error of H / W, per cent."""
     return 100.0 * abs(
         statics.drop_over_reach(segments, weight) / statics.exact_drop_over_reach(weight) - 1.0
     )
 
 
 def convergence() -> Figure:
-    """Errors over the number of springs, and over the time step."""
+    """Draw errors over the number of springs, and over the time step."""
     figure, (left, right) = new_figure(9.8, 4.8, columns=2)
     sag, tension = statics.errors_of_catenary(1.25)
     lines: tuple[tuple[str, statics.Errors, str, str], ...] = (
@@ -106,12 +106,12 @@ def convergence() -> Figure:
 
 
 def _line(color: str, marker: str) -> dict[str, Any]:
-    """How points on a line are drawn."""
+    """Return the style of points on a line."""
     return {"color": color, "marker": marker, "ms": 5.5, "lw": 1.0, "mfc": "none"}
 
 
 def shapes() -> Figure:
-    """Heavy cantilevers at rest."""
+    """Draw heavy cantilevers at rest."""
     figure, axes = new_figure(7.2, 6.8)
     for i, weight in enumerate(SHAPES):
         first = i == 0
@@ -134,11 +134,15 @@ def shapes() -> Figure:
     return figure
 
 
-FIGURES: dict[str, Drawing] = {
-    "master-curve": (
+FIGURES = (
+    Section(
+        "master-curve",
         "Heavy cantilevers: drop over reach of the free end, and its error, over Γ = w L³ / EI.",
         master_curve,
     ),
-    "shapes": ("Heavy cantilevers at rest: the exact elastica, and softrod with twelve springs.", shapes),
-    "convergence": ("Errors over the number of springs, and over the time step.", convergence),
-}
+    Section(
+        "shapes", "Heavy cantilevers at rest: the exact elastica, and softrod with twelve springs.", shapes
+    ),
+    Section("convergence", "Errors over the number of springs, and over the time step.", convergence),
+)
+"""The figures of the report."""

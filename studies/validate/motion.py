@@ -1,4 +1,4 @@
-"""Bodies in motion: a damped oscillator and a double pendulum, against their own solutions."""
+"""Bodies in motion: a damped oscillator and a double pendulum, against exact solutions."""
 
 from __future__ import annotations
 
@@ -14,18 +14,30 @@ from sim.scene.types import Method
 from . import bodies, exact
 from .results import Case, Result, converging, integrator_of
 
-STIFFNESS, DAMPING, REST, START = 160.0, 2.5, 100.0, 10.0
-"""Of the oscillator: kg/s², kg/s, px, px; its mass is 1 kg. It swings twice a second, damped by a tenth."""
+STIFFNESS = 160.0
+"""Of the oscillator, kg/s²; its mass is 1 kg. It swings twice a second, with a tenth of critical damping."""
+
+DAMPING = 2.5
+"""Of the oscillator, kg/s."""
+
+REST = 100.0
+"""Rest length, px."""
+
+START = 10.0
+"""Initial displacement, px."""
+
 STEPS = (1.0 / 100.0, 1.0 / 200.0, 1.0 / 400.0, 1.0 / 800.0)
 """s, of the methods with fixed steps."""
+
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8)
 """px, of the others."""
+
 SAMPLES = 10
-"""Times at which the oscillator is looked at, within a second."""
+"""Samples of the oscillator within a second."""
 
 
 def oscillator_error(method: Method, size: float) -> float:
-    """The largest error in a second of the oscillator's position, px; of a step, s, or a tolerance, px."""
+    """Return the oscillator's largest error in a second, px, with a step (s) or a tolerance (px)."""
     scene = bodies.chain(
         [(0.0, 0.0), (REST + START, 0.0)],
         stiffness=STIFFNESS,
@@ -64,13 +76,20 @@ def _oscillator(fast: bool) -> Iterator[Result]:
 
 
 PENDULUM_STIFFNESSES = (1e4, 1e5, 1e6, 1e7)
+"""kg/s²."""
+
 PENDULUM_ANGLES = (1.2, 0.6)
-"""Radians from the vertical, of a pendulum that swings far, but whose motion is not chaotic yet."""
-PENDULUM_GRAVITY, PENDULUM_TIME = 10.0, 1.5
+"""Radians from the vertical: it swings far, but its motion is not chaotic yet."""
+
+PENDULUM_GRAVITY = 10.0
+"""In rod lengths per s²."""
+
+PENDULUM_TIME = 1.5
+"""Simulated time, s."""
 
 
 def pendulum_error(stiffness: float) -> float:
-    """How far the lower mass of two on springs is from that of the double pendulum, in lengths of a rod."""
+    """Return the distance of masses on springs from those of the rigid double pendulum, in rod lengths."""
     one, two = PENDULUM_ANGLES
     first = (math.sin(one), math.cos(one))
     scene = bodies.chain(

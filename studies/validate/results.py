@@ -1,4 +1,4 @@
-"""What a study found: quantities beside exact values, and whether they are as good as they should be."""
+"""Results of a validation: quantities, exact values, and whether targets are met."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ class Result:
     """One line of a table.
 
     Attributes:
-        quantity: what it is.
+        quantity: its name.
         exact: its exact value, or None where only the error has a meaning.
-        softrod: what softrod has for it.
+        softrod: its value by softrod.
         error: softrod less exact; in parts of the exact value, unless `unit` says otherwise.
         unit: unit of the error, empty for a relative one.
         slope: power with which the error goes with the step, the spacing or what else the case varies.
-        target: what the error or the slope has to be, in words; empty where nothing is asked for.
-        met: whether it is.
+        target: what the error or the slope has to be, for people; empty without a target.
+        met: whether the target is met.
     """
 
     quantity: str
@@ -40,13 +40,13 @@ class Result:
 
 @dataclass(frozen=True)
 class Case:
-    """Some results that belong together.
+    """Results that belong together.
 
     Attributes:
         key: one word.
         title: a few words.
         notes: what is compared with what, a few sentences.
-        run: gives the results one by one; with True, only those that take little time.
+        run: yields the results; with True, only those that take little time.
     """
 
     key: str
@@ -56,7 +56,7 @@ class Case:
 
 
 def compared(quantity: str, exact: float, softrod: float, within: float | None = None) -> Result:
-    """A result with its relative error, which has to be within ±`within` if that is given."""
+    """Return a result with its relative error, which has to be within ±`within` if that is given."""
     error = softrod / exact - 1.0
     if within is None:
         return Result(quantity, exact, softrod, error)
@@ -71,12 +71,12 @@ def converging(
     exactly: bool = True,
     unit: str = "",
 ) -> Result:
-    """A result with the slope of the errors over the sizes, which has to be the order within 0.2.
+    """Return a result with the slope of the errors over the sizes, which has to be the order within 0.2.
 
     Args:
-        sizes: of the step, or what else the errors shrink with.
+        sizes: of the step, or of whatever else the errors shrink with.
         order: the slope it has to be.
-        exactly: if false, a steeper slope will do, too.
+        exactly: if false, a steeper slope is good, too.
         unit: of the errors.
     """
     slope = fitted_slope(sizes, errors)
@@ -88,14 +88,14 @@ def converging(
 def over_sizes(
     method: MethodInfo, sizes: Sequence[float], error: Callable[[float], float], order: float, what: str = ""
 ) -> Result:
-    """A result with the slope of a method's errors over its step (s) or, if it has one, its tolerance (px).
+    """Return a result with the slope of a method's errors over its step (s) or tolerance (px).
 
     Args:
-        method: whose sizes these are.
-        sizes: from the largest on.
-        error: of a size.
-        order: the least slope, but for 0.2.
-        what: is said before the method's name.
+        method: to which the sizes belong.
+        sizes: in descending order.
+        error: returns the error of a size.
+        order: the lowest slope, less 0.2.
+        what: put before the method's name.
     """
     if method.adaptive:
         said = f"tolerance {sizes[0]:g} to {sizes[-1]:g} px"
@@ -105,19 +105,19 @@ def over_sizes(
 
 
 def integrator_of(method: Method, size: float, between: float) -> Integrator:
-    """A method with a step (s) or, if it has one, a tolerance (px), that is looked at every `between` s."""
+    """Return a method with a step (s), or with a tolerance (px) and steps of the clock of `between` s."""
     if METHODS[method].adaptive:
         return Integrator(method=method, dt=between, tolerance=size)
     return Integrator(method=method, dt=size)
 
 
 def fitted_slope(sizes: Sequence[float], errors: Sequence[float]) -> float:
-    """The power p of errors = c sizes^p, by least squares of the logarithms."""
+    """Return the power p of errors = c sizes^p, by least squares of the logarithms."""
     return float(np.polyfit(np.log(sizes), np.log(np.abs(errors)), 1)[0])
 
 
 def percent(part: float) -> str:
-    """A relative error for people: in per cent, or as a power of ten where that is too small."""
+    """Return a relative error for people: in per cent, or as a power of ten where that is too small."""
     if part == 0.0:
         return "0"
     return f"{100.0 * part:.2g} %" if abs(part) >= 1e-5 else f"{part:.1e}"

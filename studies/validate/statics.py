@@ -20,52 +20,59 @@ from .results import Case, Result, compared, converging
 
 LOADS = (0.1, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 30.0, 50.0, 100.0, 300.0, 1000.0)
 """Gamma = w L³ / EI of the master curve."""
-FEW_LOADS = (0.1, 1.0, 10.0, 100.0, 1000.0)
+
+FAST_LOADS = (0.1, 1.0, 10.0, 100.0, 1000.0)
+"""Gamma in a fast run."""
+
 TIP_LOADS = (1.0, 2.0, 5.0, 10.0)
+"""P L² / EI."""
+
 SEGMENTS = (12, 25, 50, 100)
 """Numbers of springs over which orders of convergence are fitted."""
+
 HANGING_LENGTHS = (1.05, 1.1, 1.25, 1.5, 2.0)
+"""Of ropes, in spans."""
 
 
 @cache
 def resting_shape(
     segments: int, weight: float, tip: float = 0.0, law: ForceLaw = "conservative"
 ) -> NDArray[np.float64]:
-    """(N + 1, 2) the masses of a cantilever at rest, in lengths of the beam, from its clamp."""
+    """Return the (N + 1, 2) positions of a cantilever at rest, in lengths of the beam, from its clamp."""
     pose = equilibrium(bodies.cantilever(segments, weight, tip, law))
     return (np.array(pose.positions) - (0.5, 0.0)) / bodies.beam_length(segments)
 
 
 def drop_over_reach(segments: int, weight: float, law: ForceLaw = "conservative") -> float:
-    """H / W of a heavy cantilever's free end."""
+    """Return H / W of a heavy cantilever's free end."""
     x, y = resting_shape(segments, weight, law=law)[-1]
     return float(y / x)
 
 
 @cache
 def exact_drop_over_reach(weight: float) -> float:
-    """H / W of the elastica."""
+    """Return H / W of the elastica."""
     shape = exact.elastica(weight)
     return shape.drop / shape.reach
 
 
 Errors = tuple[list[float], list[float]]
-"""Spacings in lengths of the body, and relative errors with those."""
+"""Spacings in lengths of the body, and the relative errors."""
 
 
 def errors_of_cantilever(weight: float) -> Errors:
-    """Of H / W of a heavy cantilever."""
+    """Return the errors of H / W of a heavy cantilever."""
     return _beam_errors(lambda n: drop_over_reach(n, weight) / exact_drop_over_reach(weight))
 
 
 def errors_of_tip(load: float) -> Errors:
-    """Of the drop under a load at the tip."""
+    """Return the errors of the drop under a load at the tip."""
     drop = exact.elastica(0.0, load).drop
     return _beam_errors(lambda n: float(resting_shape(n, 0.0, load)[-1, 1]) / drop)
 
 
 def errors_of_beam() -> Errors:
-    """Of the first frequency of a clamped and free beam."""
+    """Return the errors of the first frequency of a clamped and free beam."""
     return _beam_errors(
         lambda n: float(vibrations(bodies.cantilever(n), 1).omega[0] / beam_frequencies(n, 1)[0])
     )
@@ -76,13 +83,13 @@ def _beam_errors(ratio: Callable[[int], float]) -> Errors:
 
 
 def errors_of_rope(mode: int) -> Errors:
-    """Of a frequency of a hanging rope; modes count from 0."""
+    """Return the errors of a frequency of a hanging rope; modes count from 0."""
     omega = float(exact.hanging_rope_frequencies(mode + 1)[mode])
     return [1.0 / n for n in SEGMENTS], [float(rope_frequencies(n)[mode]) / omega - 1.0 for n in SEGMENTS]
 
 
 def errors_of_catenary(length: float) -> tuple[Errors, Errors]:
-    """Of sag and of horizontal tension of a rope; length in spans."""
+    """Return the errors of sag and of horizontal tension of a rope; its length is in spans."""
     hanging = exact.catenary(length)
     even = [n + n % 2 for n in SEGMENTS]
     found = [sag_and_tension(n, length) for n in even]
@@ -95,7 +102,7 @@ def errors_of_catenary(length: float) -> tuple[Errors, Errors]:
 
 def _heavy_cantilever(fast: bool) -> Iterator[Result]:
     for n in (12, 50):
-        for weight in FEW_LOADS if fast else LOADS:
+        for weight in FAST_LOADS if fast else LOADS:
             within = {12: 0.005 if weight <= 1.0 else None, 50: 0.02 if weight == 1000.0 else None}[n]
             yield compared(
                 f"H/W, N = {n}, Γ = {weight:g}",
@@ -124,11 +131,11 @@ def _tip_load(fast: bool) -> Iterator[Result]:
 
 
 CHAIN_TO_BEAM = {12: (0.9988, 0.9857, 0.9618, 0.9261), 50: (0.9999, 0.9992, 0.9979, 0.9959)}
-"""What the frequencies of a chain are, in those of the beam, to four digits."""
+"""Frequencies of a chain over those of the beam, to four digits."""
 
 
 def beam_frequencies(segments: int, count: int) -> NDArray[np.float64]:
-    """(count,) angular frequencies of the clamped and free beam that a chain stands for, rad/s."""
+    """Return (count,) angular frequencies of the clamped and free beam that a chain models, rad/s."""
     # EI = 1, and a mass of 1 kg per px.
     return (exact.clamped_free_roots(count) / bodies.beam_length(segments)) ** 2
 
@@ -154,7 +161,7 @@ def _beam(fast: bool) -> Iterator[Result]:
 
 
 def _by_time_steps(segments: int, periods: int) -> Result:
-    """The first frequency of a cantilever, from the zero crossings of its end in a simulation with `auto`."""
+    """Return the first frequency of a cantilever, from zero crossings of its end in a run by `auto`."""
     scene = bodies.cantilever(segments)
     modes = vibrations(scene, 1)
     omega, amplitude = float(modes.omega[0]), 1e-3
@@ -170,20 +177,20 @@ def _by_time_steps(segments: int, periods: int) -> Result:
         simulation.step(steps)
         times.append(simulation.time)
         heights.append(float(simulation.positions[-1, 1]))
-    crossings = _zeros(np.array(times), np.array(heights))
+    crossings = _zero_crossings(np.array(times), np.array(heights))
     mine = math.pi * (len(crossings) - 1) / (crossings[-1] - crossings[0])
     return compared(
         f"ω1, clamped and free, N = {segments}, over {periods} periods in time (auto)", omega, mine, 1e-5
     )
 
 
-def _zeros(times: NDArray[np.float64], values: NDArray[np.float64]) -> list[float]:
-    """Where a smooth function that is known at some times is zero: of cubics through four points each."""
+def _zero_crossings(times: NDArray[np.float64], values: NDArray[np.float64]) -> list[float]:
+    """Return the zero crossings of a sampled smooth function, by cubics through four points each."""
     zeros = []
     for i in np.flatnonzero(values[:-1] * values[1:] < 0.0).tolist():
         if 1 <= i <= len(values) - 3:
             near = slice(i - 1, i + 3)
-            # Of time over value, so that the zero is read off at once.
+            # Time as a function of the value, so that the crossing is its value at 0.
             zeros.append(
                 float(np.polyval(np.polyfit(values[near], times[near] - times[i], 3), 0.0)) + times[i]
             )
@@ -192,7 +199,7 @@ def _zeros(times: NDArray[np.float64], values: NDArray[np.float64]) -> list[floa
 
 @cache
 def rope_frequencies(segments: int) -> NDArray[np.float64]:
-    """(3,) angular frequencies of a hanging rope, in sqrt(g / L)."""
+    """Return (3,) angular frequencies of a hanging rope, in sqrt(g / L)."""
     scene = bodies.hanging_rope(segments)
     # Gravity is 1 px/s² and the length N px.
     return vibrations(bodies.at(scene, equilibrium(scene)), 3).omega * math.sqrt(segments)
@@ -230,7 +237,7 @@ def _catenary(fast: bool) -> Iterator[Result]:
 
 @cache
 def sag_and_tension(segments: int, length: float) -> tuple[float, float]:
-    """Sag in spans, and horizontal tension over the weight of a span, of a rope at rest."""
+    """Return sag in spans, and horizontal tension over the weight of a span, of a rope at rest."""
     scene = bodies.sagging_rope(segments, length)
     positions = np.array(equilibrium(scene).positions)
     span = segments / length

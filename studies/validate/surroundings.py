@@ -19,16 +19,31 @@ from sim.scene.types import Method, Scene
 
 from .results import Case, Result, compared, integrator_of, over_sizes
 
-MASSES, RADIUS = 24, 80.0
-"""Of the balloon, a regular polygon; px."""
-X, Y = 300.0, 330.0
-"""Where its middle starts, px."""
+MASSES = 24
+"""Of the balloon, a regular polygon."""
+
+RADIUS = 80.0
+"""Of the balloon, px."""
+
+X = 300.0
+"""Initial x of its centre, px."""
+
+Y = 330.0
+"""Initial y of its centre, px."""
+
 FLOOR = Wall(point=(0.0, 500.0), normal=(0.0, -1.0), slip_speed=50.0)
 STEPS = (1e-3, 5e-4, 2.5e-4, 1.25e-4)
 """s, of the methods with fixed steps."""
+
 TOLERANCES = (1e-1, 1e-2, 1e-3, 1e-4)
 """px, of the others."""
-DURATION, SAMPLES = 0.6, 60
+
+DURATION = 0.6
+"""Simulated time, s."""
+
+SAMPLES = 60
+"""Samples of the energy balance within that time."""
+
 FRAGILE: dict[str, dict[str, float]] = {
     "a floor with friction": {},
     "and springs that break": {"strength": 14_000.0},
@@ -44,11 +59,11 @@ EXPECTED = {
     "generalized_alpha": 2.0,
     "stable_spring": 1.0,
 }
-"""Slopes of residuals over the step; over the tolerance see `_balance`."""
+"""Slopes of residuals over the step; those over the tolerance are in `_balance`."""
 
 
 def balloon(filling: Gas | Liquid, **spring: float) -> Scene:
-    """A ring of springs around a filling; `spring` are fields of its linear springs."""
+    """Return a ring of springs around a filling; `spring` are fields of its linear springs."""
     ring = sim.polygon(
         sides=MASSES,
         circumradius=RADIUS,
@@ -87,7 +102,7 @@ def _balloons(fast: bool) -> Iterator[Result]:
                 return inside * edge * math.cos(half) - 2.0 * tension * math.sin(half)
 
             exact = float(root_scalar(excess, bracket=(0.5 * RADIUS, 3.0 * RADIUS), xtol=1e-12).root)
-            # Joints would pull, too.
+            # Joints would pull as well.
             at = np.array(equilibrium(replace(balloon(filling), angular_springs=())).positions)
             found = float(np.hypot(*(at - at.mean(0)).T).mean())
             yield compared(f"radius, {name}, {pressure:g} kg/s²", exact, found, 1e-9)
@@ -147,9 +162,9 @@ def _moved(seconds: float, **fields: Any) -> sim.Simulation:
 # ------------------------------------------------------------------------- energy balance
 @cache
 def residual(method: Method, what: str, size: float) -> float:
-    """The largest residual of the balance, in parts of the energy of the fall.
+    """Return the largest residual of the energy balance of a balloon thrown sideways over a floor.
 
-    The balloon is thrown sideways over a floor.
+    It is in parts of the energy of the fall.
 
     Args:
         method: its name.

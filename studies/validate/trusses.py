@@ -12,11 +12,15 @@ from sim.analysis.equilibrium import equilibrium
 
 from .results import Case, Result, compared
 
-_LOAD, _GRAVITY = 100.0, 1000.0
+_LOAD = 100.0
+"""kg."""
+
+_GRAVITY = 1000.0
+"""px/s²."""
 
 
 def girder(truss: Literal["warren", "pratt"], panels: int) -> sim.Scene:
-    """A girder that weighs next to nothing, with a load that it hardly gives way to."""
+    """Return a nearly massless and nearly rigid girder with a load at mid-span."""
     return sim.girder(
         truss=truss,
         panels=panels,
@@ -29,10 +33,10 @@ def girder(truss: Literal["warren", "pratt"], panels: int) -> sim.Scene:
 
 
 def sag_by_virtual_work(scene: sim.Scene, mass: int) -> float:
-    """By how much a mass of a truss sinks under the load on it, px: sum N n / k.
+    """Return how far a loaded mass of a truss sinks, px: sum N n / k.
 
-    N are the tensions under the load and n those under a force of 1. Of all tensions that balance it, those
-    of linear elasticity have the least energy.
+    N are the tensions under the load and n those under a force of 1. Of all tensions in balance, those of
+    linear elasticity have the lowest energy.
     """
     points = np.array([m.position for m in scene.masses])
     held = {anchor.mass for anchor in scene.anchors}
@@ -45,7 +49,7 @@ def sag_by_virtual_work(scene: sim.Scene, mass: int) -> float:
     force[mass, 1] = -1.0
     free = [i for i in range(len(points)) if i not in held]
     soft = 1.0 / np.sqrt([spring.stiffness for spring in scene.linear_springs])
-    # The solution of least norm, in roots of energies.
+    # The minimum-norm solution, in roots of energies.
     roots, *_ = np.linalg.lstsq(
         balance[free].reshape(2 * len(free), -1) / soft, force[free].ravel(), rcond=None
     )

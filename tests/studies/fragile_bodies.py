@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 import sim
 from sim import Anchor, LinearSpring, Mass, Scene
-from studies.speed.random_bodies import random_body
+from studies.compare.random_bodies import random_body
 
 KINDS = ("springs yield", "joints yield", "springs break", "springs break under a touch")
 

@@ -6,7 +6,7 @@ import csv
 import gzip
 from pathlib import Path
 
-from studies.speed.random_study import BodyResult
+from studies.compare.random_study import BodyResult
 
 
 def some_body(

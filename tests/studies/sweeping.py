@@ -14,11 +14,11 @@ from rich.console import Console
 
 import sim
 from studies.sweep.grid import make_grid
-from studies.sweep.kept import Line
+from studies.sweep.journal import Entry
 from studies.sweep.measures import parse_measures
 from studies.sweep.runs import run_several
 from studies.sweep.sweep import sweep
-from studies.sweep.workers import AHEAD, Workers
+from studies.sweep.workers import MAX_AHEAD, Workers
 
 ROPE = sim.rope(
     5,
@@ -39,7 +39,7 @@ def rows_of(out: Path) -> list[dict[str, str]]:
 def numbers_of(out: Path) -> list[int]:
     """The numbers of the runs that are kept, in the order in which they were."""
     lines = (out / "sweep.jsonl").read_bytes().splitlines()[1:]
-    return [msgspec.json.decode(line, type=Line).run for line in lines]
+    return [msgspec.json.decode(line, type=Entry).run for line in lines]
 
 
 class Here(concurrent.futures.Executor):
@@ -50,7 +50,7 @@ class Here(concurrent.futures.Executor):
         calls: how often it was asked.
     """
 
-    def __init__(self, interrupt_at: int | None = None, counted: str = "run", ahead: int = AHEAD) -> None:
+    def __init__(self, interrupt_at: int | None = None, counted: str = "run", ahead: int = MAX_AHEAD) -> None:
         self.asked: list[str] = []
         self.calls = 0
         self._interrupt_at, self._counted, self._ahead = interrupt_at, counted, ahead
@@ -82,7 +82,7 @@ def swept(
     **options,
 ) -> tuple[int, Here, str]:
     """The exit status of a sweep in this process, what was asked for, and what was printed."""
-    here = Here(options.pop("interrupt_at", None), ahead=options.pop("ahead", AHEAD))
+    here = Here(options.pop("interrupt_at", None), ahead=options.pop("ahead", MAX_AHEAD))
     text = io.StringIO()
     grid = make_grid(scene, options.pop("settings", ()), vary)
     status = sweep(grid, parse_measures(measures), duration, here, out, Console(file=text, width=200))

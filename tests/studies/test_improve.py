@@ -16,14 +16,14 @@ from sim.scene.lesson import Goal as LessonGoal
 from sim.scene.lesson import Lesson, Step
 from sim.store.files import encode_scene
 from studies.improve.goals import GoalMeter, parse_goal
-from studies.improve.improve import Improved, Wanted
+from studies.improve.improve import OptimizationProblem, SearchResult
 from studies.improve.ranges import Range
 from studies.improve.search import Search
 from studies.improve.trials import trial
 from tests.amount import NIGHT
 from tests.app.command import refused, softrod_here
 from tests.sim.builders import spinning
-from tests.studies.improving import SWINGS, improved, rows_by_number, wanted_of
+from tests.studies.improving import SWINGS, improved, problem_of, rows_by_number
 
 
 @pytest.fixture(autouse=True)
@@ -52,7 +52,7 @@ def test_nobody_looks_in_between_where_only_the_end_counts(
     assert len(seen) == looks
 
 
-def best_of(found: Improved) -> tuple[float, float]:
+def best_of(found: SearchResult) -> tuple[float, float]:
     """The first setting and the result of the best run."""
     best = found.best
     assert best is not None and best.result is not None
@@ -67,7 +67,7 @@ def test_the_damping_with_which_a_mass_is_calm_soonest_is_found(tmp_path: Path) 
     logarithm = -math.log(part)
     best = 20.0 * logarithm / math.hypot(math.pi, logarithm)
     goal = "reach 99.5..100.5 mass1.x for 2"
-    _, _, _, found = improved(tmp_path, wanted_of(SWINGS, ("linear_damping=5..50",), goal, 3.0, 80))
+    _, _, _, found = improved(tmp_path, problem_of(SWINGS, ("linear_damping=5..50",), goal, 3.0, 80))
     damping, moment = best_of(found)
     assert damping == pytest.approx(best, rel=0.01)
     # When displaced by x0 and let go: x = x0 exp(-g t) (cos w t + g / w sin w t).
@@ -80,8 +80,8 @@ def test_the_damping_with_which_a_mass_is_calm_soonest_is_found(tmp_path: Path) 
 
 def test_the_damping_with_the_least_mean_energy_is_found(tmp_path: Path) -> None:
     """The integral of the energy is (1 + 2 z²) / (2 z w) times the first, least for z = 1 / sqrt(2)."""
-    wanted = wanted_of(SWINGS, ("linear_damping=2..60",), "min mean energy.total")
-    status, _, text, found = improved(tmp_path, wanted)
+    problem = problem_of(SWINGS, ("linear_damping=2..60",), "min mean energy.total")
+    status, _, text, found = improved(tmp_path, problem)
     damping, mean = best_of(found)
     assert status == 0
     assert damping == pytest.approx(20.0 / math.sqrt(2.0), rel=0.01)
@@ -96,8 +96,8 @@ def test_the_length_of_a_pendulum_for_a_period_is_found(tmp_path: Path) -> None:
         linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=1e4, damping=100.0, rest_length=100.0),),
         gravity=(0.0, 1000.0),
     )
-    wanted = wanted_of(pendulum, ("rest_length_scale=0.3..3",), "near 2.5 period mass1.x", 10.0)
-    _, _, _, found = improved(tmp_path, wanted)
+    problem = problem_of(pendulum, ("rest_length_scale=0.3..3",), "near 2.5 period mass1.x", 10.0)
+    _, _, _, found = improved(tmp_path, problem)
     scale, period = best_of(found)
     length = 100.0 * scale + 1000.0 / 1e4  # drawn out by its weight
     assert period == pytest.approx(2.5, rel=2e-3)
@@ -120,7 +120,7 @@ def test_a_search_of_several_settings_leaves_a_local_optimum() -> None:
 def test_200_runs_more_than_double_the_way_of_the_walker(tmp_path: Path) -> None:
     walker = sim.load_scene("walker")
     ranges = "stride=0.05..0.4", "legs=40..150", "wall_friction=0.2..2"
-    _, _, _, found = improved(tmp_path, wanted_of(walker, ranges, "max mass0.x", 10.0, 200))
+    _, _, _, found = improved(tmp_path, problem_of(walker, ranges, "max mass0.x", 10.0, 200))
     first, best = found.trials[0].result, best_of(found)[1]
     assert first is not None
     start = walker.masses[0].position[0]
@@ -129,8 +129,8 @@ def test_200_runs_more_than_double_the_way_of_the_walker(tmp_path: Path) -> None
 
 def test_whole_numbers_are_computed_once(tmp_path: Path) -> None:
     rope = sim.rope(5, 40.0, integrator=sim.Integrator(method="rk4", dt=1e-3), gravity=(0.0, 1000.0))
-    wanted = wanted_of(rope, ("masses=3..8",), "max largest spring0.length", 0.2, 40)
-    _, here, _, found = improved(tmp_path, wanted)
+    problem = problem_of(rope, ("masses=3..8",), "max largest spring0.length", 0.2, 40)
+    _, here, _, found = improved(tmp_path, problem)
     assert len(found.trials) == 40
     assert here.asked.count("trial") <= 12
     assert {float(each.point[0]) for each in found.trials.values()} <= {3.0, 4.0, 5.0, 6.0, 7.0, 8.0}
@@ -168,7 +168,7 @@ def test_an_angle_goes_on_beyond_half_a_turn(of: str, right: float) -> None:
         meter.look()
         simulation.step(80)
     meter.look()
-    assert not meter.goes_by_end
+    assert not meter.needs_end_only
     assert meter.result()[0] == pytest.approx(right, rel=5e-3)
 
 
@@ -225,8 +225,8 @@ def test_a_search_goes_round_what_counts_as_worst_and_says_so(tmp_path: Path) ->
     weak = msgspec.structs.replace(SWINGS.linear_springs[0], strength=1200.0)
     scene = msgspec.structs.replace(SWINGS, linear_springs=(weak,))
     # It is drawn out by 10 px: with more than 120 kg/s² the spring breaks at once.
-    wanted = wanted_of(scene, ("linear_stiffness=20..2000",), "min period mass1.x", runs=80)
-    status, _, text, found = improved(tmp_path, wanted)
+    problem = problem_of(scene, ("linear_stiffness=20..2000",), "min period mass1.x", runs=80)
+    status, _, text, found = improved(tmp_path, problem)
     stiffness, _ = best_of(found)
     broken = [each for each in found.trials.values() if each.ended == "broke"]
     assert status == 0 and broken
@@ -236,8 +236,8 @@ def test_a_search_goes_round_what_counts_as_worst_and_says_so(tmp_path: Path) ->
 
 
 def test_a_range_that_no_run_reaches_is_come_near_to(tmp_path: Path) -> None:
-    wanted = wanted_of(SWINGS, ("linear_damping=2..100",), "reach ..50 mass1.x", 1.0, 20)
-    status, _, text, found = improved(tmp_path, wanted)
+    problem = problem_of(SWINGS, ("linear_damping=2..100",), "reach ..50 mass1.x", 1.0, 20)
+    status, _, text, found = improved(tmp_path, problem)
     assert found.best is not None
     assert (status, found.best.result) == (0, None)
     assert "mass1.x stays in its range: not reached in any run, and this is the nearest" in text
@@ -246,8 +246,8 @@ def test_a_range_that_no_run_reaches_is_come_near_to(tmp_path: Path) -> None:
 
 
 def test_without_any_result_it_says_so(tmp_path: Path) -> None:
-    wanted = wanted_of(SWINGS, ("linear_damping=1..10",), "min period mass1.y", 0.2, 10)
-    status, _, text, found = improved(tmp_path, wanted)
+    problem = problem_of(SWINGS, ("linear_damping=1..10",), "min period mass1.y", 0.2, 10)
+    status, _, text, found = improved(tmp_path, problem)
     assert (status, found.best) == (1, None)
     assert "10 no reading" in text and "No run came to a result" in text
     assert not (tmp_path / "best.json").exists()
@@ -314,23 +314,23 @@ def test_the_command_refuses_before_it_computes(
 
 # ------------------------------------------------------------------------- its folder
 @pytest.fixture
-def wanted() -> Wanted:
-    return wanted_of(
+def problem() -> OptimizationProblem:
+    return problem_of(
         SWINGS, ("linear_damping=2..60", "linear_stiffness=50..150"), "min mean energy.total", 1.0, 40
     )
 
 
 def test_the_best_is_there_as_a_file_and_as_a_link(
-    tmp_path: Path, wanted: Wanted, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, problem: OptimizationProblem, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.undo()
-    _, _, text, found = improved(tmp_path, wanted)
+    _, _, text, found = improved(tmp_path, problem)
     assert found.best is not None
     link = (tmp_path / "link.txt").read_text().strip()
     assert link in text
     for name in (tmp_path / "best.json", link):
         scene = sim.load_scene(str(name))
-        result = trial(encode_scene(scene), (), wanted.duration, wanted.goal).values[0]
+        result = trial(encode_scene(scene), (), problem.duration, problem.goal).values[0]
         assert (scene, result) == (found.scene, found.best.result)
     assert min(each.score for each in found.trials.values() if each.score) == found.best.score
     lines = (tmp_path / "table.csv").read_text().splitlines()
@@ -344,30 +344,30 @@ def test_the_best_is_there_as_a_file_and_as_a_link(
 
 @pytest.mark.parametrize("after", [0, 17])
 def test_after_an_interruption_it_goes_on_as_if_there_had_been_none(
-    tmp_path: Path, wanted: Wanted, after: int
+    tmp_path: Path, problem: OptimizationProblem, after: int
 ) -> None:
-    improved(tmp_path / "whole", wanted)
-    status, here, text, _ = improved(tmp_path / "out", wanted, interrupt_at=after)
+    improved(tmp_path / "whole", problem)
+    status, here, text, _ = improved(tmp_path / "out", problem, interrupt_at=after)
     assert (status, here.asked.count("trial")) == (130, after)
     assert "Interrupted" in text and "Traceback" not in text
-    status, here, _, _ = improved(tmp_path / "out", wanted)
+    status, here, _, _ = improved(tmp_path / "out", problem)
     # What was submitted before Ctrl-C and not yet taken back is done again.
     done = len(rows_by_number(tmp_path / "whole"))
     assert status == 0 and here.asked.count("trial") <= done
     assert rows_by_number(tmp_path / "out") == rows_by_number(tmp_path / "whole")
     for name in ("table.csv", "best.json", "link.txt"):
         assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes()
-    _, here, _, _ = improved(tmp_path / "out", wanted)
+    _, here, _, _ = improved(tmp_path / "out", problem)
     assert here.asked == []
 
 
-def test_a_torn_line_is_done_again_and_more_runs_follow(tmp_path: Path, wanted: Wanted) -> None:
-    improved(tmp_path / "whole", wanted)
-    fewer = Wanted(**{**vars(wanted), "runs": 15})
+def test_a_torn_line_is_done_again_and_more_runs_follow(tmp_path: Path, problem: OptimizationProblem) -> None:
+    improved(tmp_path / "whole", problem)
+    fewer = OptimizationProblem(**{**vars(problem), "runs": 15})
     improved(tmp_path / "out", fewer)
     path = tmp_path / "out" / "improve.jsonl"
     path.write_bytes(path.read_bytes()[:-9])
-    _, here, _, _ = improved(tmp_path / "out", wanted)
+    _, here, _, _ = improved(tmp_path / "out", problem)
     assert here.asked.count("trial") == 26
     assert rows_by_number(tmp_path / "out") == rows_by_number(tmp_path / "whole")
     # Fewer again: what is there stays, and the best is that of these.
@@ -375,31 +375,31 @@ def test_a_torn_line_is_done_again_and_more_runs_follow(tmp_path: Path, wanted: 
     assert (here.asked, len(found.trials), len(rows_by_number(tmp_path / "out"))) == ([], 15, 40)
 
 
-def test_another_search_is_refused(tmp_path: Path, wanted: Wanted) -> None:
-    fewer = Wanted(**{**vars(wanted), "runs": 10})
+def test_another_search_is_refused(tmp_path: Path, problem: OptimizationProblem) -> None:
+    fewer = OptimizationProblem(**{**vars(problem), "runs": 10})
     improved(tmp_path, fewer)
     before = (tmp_path / "improve.jsonl").read_bytes()
     goal = parse_goal("max mass1.x", SWINGS)[0]
     for change, option in (({"seed": 2}, "--seed"), ({"goal": goal}, "--goal"), ({"duration": 2.0}, "--for")):
         with pytest.raises(InputError, match=f"the search that is there has another {option}; give the same"):
-            improved(tmp_path, Wanted(**{**vars(fewer), **change}))
+            improved(tmp_path, OptimizationProblem(**{**vars(fewer), **change}))
     assert (tmp_path / "improve.jsonl").read_bytes() == before
 
 
-def test_a_run_of_another_place_is_refused(tmp_path: Path, wanted: Wanted) -> None:
+def test_a_run_of_another_place_is_refused(tmp_path: Path, problem: OptimizationProblem) -> None:
     """As by another release of the search, whose next places would be of no use."""
-    improved(tmp_path, wanted)
+    improved(tmp_path, problem)
     path = tmp_path / "improve.jsonl"
     lines = path.read_text().splitlines(keepends=True)
     damping = rows_by_number(tmp_path)[7][0]
     path.write_text("".join(line.replace(f'"{damping}"', '"7.5"') for line in lines))
     with pytest.raises(InputError, match=r"run 7 has other settings than this search asks for, since it was"):
-        improved(tmp_path, wanted)
+        improved(tmp_path, problem)
 
 
-def test_another_seed_goes_another_way(tmp_path: Path, wanted: Wanted) -> None:
-    improved(tmp_path / "one", wanted)
-    improved(tmp_path / "two", Wanted(**{**vars(wanted), "seed": 2}))
+def test_another_seed_goes_another_way(tmp_path: Path, problem: OptimizationProblem) -> None:
+    improved(tmp_path / "one", problem)
+    improved(tmp_path / "two", OptimizationProblem(**{**vars(problem), "seed": 2}))
     one, two = rows_by_number(tmp_path / "one"), rows_by_number(tmp_path / "two")
     assert one[0] == two[0] and one[1] != two[1]
 

@@ -10,7 +10,7 @@ import psutil
 import pytest
 
 import sim
-from tests.studies.improving import improved, rows_by_number, wanted_of
+from tests.studies.improving import improved, problem_of, rows_by_number
 from tests.studies.others import cluster, disturbed, disturbed_today
 
 SETTINGS, VARY = ("method=rk4", "dt=2e-5", "masses=8"), ("gravity=200..2000", "rest_angle=-20..50")
@@ -29,7 +29,7 @@ def command(out: Path, *more: str) -> list[str]:
 def improved_here(out: Path) -> None:
     """What the same command does in this process."""
     scene = sim.load_scene("tutorial-3.3")
-    status, *_ = improved(out, wanted_of(scene, VARY, GOAL, DURATION, RUNS, SEED, SETTINGS))
+    status, *_ = improved(out, problem_of(scene, VARY, GOAL, DURATION, RUNS, SEED, SETTINGS))
     assert status == 0
 
 

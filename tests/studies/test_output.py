@@ -8,26 +8,26 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure as Drawing
 from PIL import Image
 from rich.console import Console
 
 from sim.errors import InputError
 from studies.reporting.figures import BLUE, ORANGE, new_figure, tidy
-from studies.reporting.output import (
-    Watch,
-    comma_separated,
+from studies.reporting.progress import ProgressBar
+from studies.reporting.report import (
+    Figure,
+    Table,
+    csv_of,
     encoded,
-    grid,
     provenance,
-    table,
-    write_figures,
     write_page,
+    write_report,
     write_table,
 )
 
 
-def drawn(color: str = BLUE, height: float = 1.0) -> Figure:
+def drawn(color: str = BLUE, height: float = 1.0) -> Drawing:
     figure, axes = new_figure(3.0, 2.0)
     axes.plot(np.linspace(0.0, height, 20), color=color)
     tidy(axes)
@@ -39,33 +39,34 @@ def touched(path: Path) -> int:
     return path.stat().st_ino
 
 
-def test_a_watch_bears_an_interruption_and_no_error() -> None:
+def test_a_progress_bar_takes_an_interruption_and_no_error() -> None:
     text = io.StringIO()
-    with Watch(Console(file=text), 2) as calm:
+    with ProgressBar(Console(file=text), 2) as calm:
         calm.say("one", 1, 3)
         calm.advance()
         calm.print("found")
     assert not calm.interrupted
     assert text.getvalue().startswith("found\n\n")
-    with Watch(Console(file=text), 2) as stopped:
+    with ProgressBar(Console(file=text), 2) as stopped:
         raise KeyboardInterrupt
     assert stopped.interrupted
-    with pytest.raises(ZeroDivisionError), Watch(Console(file=text), 2):
+    with pytest.raises(ZeroDivisionError), ProgressBar(Console(file=text), 2):
         raise ZeroDivisionError
 
 
 def test_tables_in_three_forms() -> None:
-    headings, rows = ("what", "how", "much", ""), [("a|b", "c", "1", "met"), ("d", "e", "2", "missed")]
-    assert grid(headings, rows, "ll").splitlines() == [
+    rows = [("a|b", "c", "1", "met"), ("d", "e", "2", "missed")]
+    table = Table(("what", "how", "much", ""), rows, "ll")
+    assert table.markdown().splitlines() == [
         "| what | how | much |  |",
         "| --- | --- | --: | --: |",
         "| a\\|b | c | 1 | met |",
         "| d | e | 2 | missed |",
     ]
-    shown = table(headings, rows, "ll")
+    shown = table.__rich__()
     assert [column.justify for column in shown.columns] == ["left", "left", "right", "right"]
     assert [row.style for row in shown.rows] == ["", "bold red"]
-    assert comma_separated(("a", "b"), [(0.1, None), ("x,y", 2)]) == 'a,b\n0.10000000000000001,\n"x,y",2\n'
+    assert csv_of(("a", "b"), [(0.1, None), ("x,y", 2)]) == 'a,b\n0.10000000000000001,\n"x,y",2\n'
 
 
 def test_figures_are_the_same_every_time() -> None:
@@ -82,11 +83,11 @@ def test_figures_have_few_colours_and_those_that_were_asked_for() -> None:
 
 
 def test_a_figure_is_written_only_if_it_looks_different(tmp_path: Path) -> None:
-    def write(figure: Figure) -> list[tuple[str, str]]:
-        return write_figures(tmp_path, {"line": ("A line.", lambda: figure)})
+    def write(figure: Drawing) -> None:
+        Figure("line", "A line.", lambda: figure).write(tmp_path)
 
     path = tmp_path / "line.png"
-    assert write(drawn()) == [("line", "A line.")]
+    write(drawn())
     first = touched(path)
     write(drawn())
     assert touched(path) == first
@@ -129,7 +130,7 @@ def test_a_table_is_written_only_if_its_text_is_new(tmp_path: Path) -> None:
 def test_what_is_no_report_is_written_over(rubbish: bytes, tmp_path: Path) -> None:
     for name in ("line.png", "table.csv.gz", "page.md"):
         (tmp_path / name).write_bytes(rubbish)
-    write_figures(tmp_path, {"line": ("A line.", drawn)})
+    Figure("line", "A line.", drawn).write(tmp_path)
     write_table(tmp_path / "table.csv.gz", "a\n")
     write_page(tmp_path / "page.md", "# Page\n")
     assert Image.open(tmp_path / "line.png").size == (480, 320)
@@ -141,3 +142,14 @@ def test_a_file_that_cannot_be_written_is_one_sentence(tmp_path: Path) -> None:
     (tmp_path / "page.md").mkdir()
     with pytest.raises(InputError, match="the file cannot be written"):
         write_page(tmp_path / "page.md", "# Page\n")
+
+
+def test_a_report_has_all_sections_and_leaves_out_what_is_empty(tmp_path: Path) -> None:
+    text = io.StringIO()
+    sections = ["# Title", "", Table(("a",), [("1",)]), Figure("line", "A line.", drawn)]
+    assert write_report(tmp_path, "page", sections, {"rows": "a\n1\n"}, Console(file=text), ["pillow"])
+    page = (tmp_path / "page.md").read_text()
+    head = "# Title\n\n| a |\n| --- |\n| 1 |\n\n![A line.](line.png)\n\n*A line.*\n\n"
+    assert page.startswith(head) and "pillow" in page.removeprefix(head)
+    assert {path.name for path in tmp_path.iterdir()} == {"page.md", "rows.csv.gz", "line.png"}
+    assert "written to" in text.getvalue()

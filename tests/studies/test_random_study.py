@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 import sim
 from sim.body.system import build_system
 from sim.scene.types import Method
-from studies.speed import random_study
-from studies.speed.random_bodies import random_body
-from studies.speed.random_study import (
+from studies.compare import random_study, references
+from studies.compare.random_bodies import random_body
+from studies.compare.random_study import (
     GROWTHS,
     measure_body,
     shares,
@@ -81,13 +81,13 @@ def test_shares_by_growth_count_chaotic_bodies_whose_references_agree() -> None:
 
 
 @pytest.fixture
-def references(monkeypatch: pytest.MonkeyPatch) -> None:
+def one_reference(monkeypatch: pytest.MonkeyPatch) -> None:
     """By day one method, since another kind of method takes ten times as long for the same."""
     if not NIGHT:
-        monkeypatch.setattr(random_study, "REFERENCES", ("adams", "adams"))
+        monkeypatch.setattr(references, "METHODS", ("adams", "adams"))
 
 
-@pytest.mark.usefixtures("references")
+@pytest.mark.usefixtures("one_reference")
 def test_auto_keeps_to_its_tolerance_where_something_yields_or_breaks() -> None:
     bodies = []
     for kind in KINDS:
@@ -153,7 +153,7 @@ def test_fragile_bodies_are_the_same_every_time_and_do_what_they_are_to_do() -> 
         assert any(damage.set_angles) == (kind == KINDS[1])
 
 
-@pytest.mark.usefixtures("references")
+@pytest.mark.usefixtures("one_reference")
 def test_auto_keeps_to_large_tolerances_and_small_ones() -> None:
     bodies = [measure_body(seed) for seed in part_of(range(36), 3)]
     for found in shares_by_tolerance(bodies):

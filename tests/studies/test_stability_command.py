@@ -23,8 +23,8 @@ from studies.stability.map import (
     SAMPLES,
     UNKNOWN,
     UNSTABLE,
-    ExactMotion,
     Map,
+    ReferenceMotion,
     borders,
     compute,
     track_of,
@@ -80,7 +80,7 @@ def test_the_border_of_the_map_is_the_analytic_limit(moving: sim.Scene, method: 
     """The heart of it: where simulations break is where theory says, within the width of a cell."""
     scene = in_cell(moving, {"stiffness": 1e6})
     limit = largest_step(scene, method)
-    reference = ExactMotion(scene, 0.5)
+    reference = ReferenceMotion(scene, 0.5)
     for part, ending in ((0.97, ACCURATE), (1.08, UNSTABLE)):
         assert reference.judge(track_of(scene, method, part * limit, 0.5))[0] == ending
 
@@ -112,7 +112,7 @@ def test_a_map_that_is_interrupted_keeps_the_cells_that_are_done(moving: sim.Sce
 
 def test_endings_are_told_apart(moving: sim.Scene) -> None:
     scene = in_cell(moving, {})
-    reference = ExactMotion(scene, 0.2)
+    reference = ReferenceMotion(scene, 0.2)
     track = track_of(scene, "rk4", 1e-4, 0.2)
     ending, error = reference.judge(track)
     assert ending == ACCURATE

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import importlib
 import io
 import math
 import re
@@ -21,16 +22,21 @@ from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.scene.types import Circle
 from studies.bench.growth import rod
-from studies.commands import COMMANDS
-from studies.speed import measure, others
-from studies.speed import report as study_report
-from studies.speed.contenders import Ours, Theirs, Trial, distance, reference
-from studies.speed.equations import Equations
-from studies.speed.figures import figures, front
-from studies.speed.measure import Point, SceneResults, explore, known, repeats
-from studies.speed.random_bodies import random_body
-from studies.speed.report import Study, markdown, points_csv, targets
-from studies.speed.study import parse_errors, parse_integrators, study, study_scenes
+from studies.commands import BENCHES, COMMANDS
+from studies.compare import study as command
+from studies.compare import study_report as report
+from studies.compare.engines import softrod, solvers
+from studies.compare.engines.softrod import run_at
+from studies.compare.engines.solvers import SolverRun
+from studies.compare.equations import Equations
+from studies.compare.figures import front, study_figures
+from studies.compare.random_bodies import random_body
+from studies.compare.references import agreed_reference, path_by
+from studies.compare.results import SOLVERS, SceneResults, Study
+from studies.compare.runs import SOFTROD, Point, auto_at, best, distance, run
+from studies.compare.study import explore, parse_errors, parse_integrators, repeats, study, study_scenes
+from studies.compare.study_report import points_csv, targets
+from studies.reporting.report import markdown
 from tests.amount import part_of
 from tests.app.command import refused, softrod_here
 from tests.studies.results import read_table, some_body
@@ -77,39 +83,59 @@ def test_a_chain_has_a_narrow_band() -> None:
 
 
 @pytest.mark.parametrize("scene", part_of(BODIES[:3], 3))
-@pytest.mark.parametrize("name", [*others.SCIPY, *others.CVODE])
+@pytest.mark.parametrize("name", SOLVERS)
 def test_other_solvers_agree_with_softrod(name: str, scene: sim.Scene) -> None:
-    if name in others.CVODE and not others.has_cvode():
+    engine, method = SOLVERS[name]
+    if engine == "CVODE" and not solvers.has_cvode():
         pytest.skip("scikit-sundae is not installed")
-    right = Ours(scene, "adams", 1e-8).frame_by_frame().path
-    contender = Theirs(Equations(scene), name, 1e-4)
-    looked, whole = contender.frame_by_frame(), contender.in_one_call()
+    right = path_by(scene, "adams", 1e-8)
+    equations = Equations(scene)
+    framed = run(SolverRun(equations, engine, method, 1e-4, 60))
+    whole = run(SolverRun(equations, engine, method, 1e-4))
     assert right is not None
-    assert looked.path is not None, looked.failure
+    assert framed.path is not None, framed.failure
     assert whole.path is not None
-    assert looked.path.shape == right.shape
-    assert distance(looked.path, right) < 0.2
+    assert framed.path.shape == right.shape
+    assert distance(framed.path, right) < 0.2
     assert distance(whole.path[-1], right[-1]) < 0.2
     assert whole.seconds > 0.0
 
 
-def test_a_solver_that_takes_too_long_or_fails_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
-    contender = Theirs(Equations(ROPE), "scipy_dop853", 1e-6)
-    monkeypatch.setattr("studies.speed.contenders.PATIENCE", 1e-4)
-    assert "not done after 0.0001 s" in contender.frame_by_frame().failure
+def test_a_solver_is_ready_before_its_clock_starts() -> None:
+    """In a process of its own, where nothing is imported yet."""
+    script = (
+        "import sim\n"
+        "from studies.compare.engines.solvers import SolverRun\n"
+        "from studies.compare.equations import Equations\n"
+        "from studies.compare.runs import run\n"
+        "equations = Equations(sim.load_scene('tutorial-3.3'))\n"
+        "for name in ('LSODA', 'RK45'):\n"
+        "    contender = SolverRun(equations, 'SciPy', name, 1.0)\n"
+        "    first, second = run(contender), run(contender)\n"
+        "    assert first.path is not None and first.seconds < 20.0 * second.seconds + 0.05, name\n"
+    )
+    subprocess.run([sys.executable, "-c", script], check=True, cwd=Path(__file__).parents[2])
+
+
+def test_a_solver_that_takes_too_long_or_fails_is_no_error() -> None:
+    equations = Equations(ROPE)
+    slow = SolverRun(equations, "SciPy", "DOP853", 1e-6, patience=1e-4)
+    assert "not done after 0.0001 s" in run(slow).failure
 
     def broken(*_: object) -> None:
         raise ValueError("two\nlines")
 
+    contender = SolverRun(equations, "SciPy", "DOP853", 1e-6)
     contender.solve = broken  # type: ignore[assignment]
-    failed = contender.in_one_call()
+    failed = run(contender)
     assert (failed.path, failed.failure) == (None, "two lines")
 
 
 # ------------------------------------------------------------------------- softrod's methods
 def test_a_contender_does_the_same_every_time_and_frames_make_no_difference_to_fixed_steps() -> None:
-    contender = Ours(ROPE, "velocity_verlet", 1e-3)
-    once, again, framed = contender.in_one_call(), contender.in_one_call(), contender.frame_by_frame()
+    contender = run_at(ROPE, "velocity_verlet", 1e-3)
+    once, again = run(contender), run(contender)
+    framed = run(run_at(ROPE, "velocity_verlet", 1e-3, 60))
     assert once.path is not None
     assert again.path is not None
     assert framed.path is not None
@@ -119,15 +145,22 @@ def test_a_contender_does_the_same_every_time_and_frames_make_no_difference_to_f
 
 
 def test_what_runs_away_has_failed() -> None:
-    run = Ours(sim.load_scene("study-w3"), "symplectic_euler", 1.0 / 60.0).in_one_call()
-    assert run.path is None
-    assert run.failure
+    trial = run(run_at(sim.load_scene("study-w3"), "symplectic_euler", 1.0 / 60.0))
+    assert trial.path is None
+    assert trial.failure
+
+
+def test_attempts_are_counted_over_all_frames(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = run_at(ROPE, "auto", 1e-6, 60)
+    assert run(whole).path is not None
+    monkeypatch.setattr(softrod, "MAX_ATTEMPTS", 100)
+    assert run(whole).failure == "not done after 100 steps"
 
 
 def test_the_reference_says_how_sure_it_is() -> None:
-    found = reference(ROPE, (1e-4, 1e-9), 1e-7)
+    found = agreed_reference(ROPE, (1e-4, 1e-9), 1e-7)
     assert found.doubt < 1e-6
-    assert reference(ROPE, (1e-2,), 1e-7).doubt > found.doubt
+    assert agreed_reference(ROPE, (1e-2,), 1e-7).doubt > found.doubt
 
 
 # ------------------------------------------------------------------------- trying settings
@@ -138,28 +171,28 @@ def measured(scene: sim.Scene, integrators: tuple[str, ...], errors: tuple[float
 
 
 def test_settings_are_tried_until_they_are_good_enough(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(measure, "repeats", lambda seconds: 2)
+    monkeypatch.setattr(command, "repeats", lambda seconds: 2)
     results = measured(ROPE, ("auto", "symplectic_euler", "scipy_lsoda"), (3.0, 0.05))
     assert results.complete
     for name in ("auto", "symplectic_euler", "scipy_lsoda"):
-        best = results.best((name,), 0.05)
-        assert best is not None, name
-        assert best.runs == 2
+        found = best(results.of((name,)), 0.05)
+        assert found is not None, name
+        assert found.runs == 2
     # Hindsight's step is the longest that will do, within a few per cent.
-    steps = [p for p in results.points if p.integrator == "symplectic_euler"]
-    good, bad = ([p.value for p in steps if (p.end_error <= 0.05) == wanted] for wanted in (True, False))
+    steps = results.of(("symplectic_euler",))
+    good, bad = ([p.value for p in steps if (p.error <= 0.05) == wanted] for wanted in (True, False))
     longest = max(good)
     assert min(value for value in bad if value > longest) < 1.1 * longest
-    # `auto` is told the error itself.
-    auto = results.at("auto", 0.05)
+    # `auto` gets the error itself.
+    auto = auto_at(results.points, 0.05)
     assert auto is not None
     assert math.isfinite(auto.framed_seconds)
-    assert auto.framed_end_error <= 0.1
+    assert auto.framed_error <= 0.1
 
 
 def test_too_slow_settings_are_not_refined(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(measure, "LONGEST_OURS", 0.0)
-    monkeypatch.setattr(measure, "repeats", lambda seconds: 1)
+    monkeypatch.setattr(softrod, "LONGEST", 0.0)
+    monkeypatch.setattr(command, "repeats", lambda seconds: 1)
     results = measured(ROPE, ("rk4",), (1.0, 1e-6))
     assert [point.failure for point in results.points].count("") == 1
 
@@ -171,12 +204,17 @@ def test_what_is_short_is_repeated_more_often() -> None:
 
 
 # ------------------------------------------------------------------------- the report
+def point_of(scene: str, name: str, value: float, error: float, seconds: float, failure: str = "") -> Point:
+    engine, method = SOLVERS.get(name, (SOFTROD, name))
+    return Point(scene, engine, method, f"{value:g}", value, seconds, error, error, runs=1, failure=failure)
+
+
 def some_study() -> Study:
     def point(name: str, value: float, error: float, seconds: float, failure: str = "") -> Point:
-        point = Point("study-w1", name, value, error, error, seconds, failure=failure)
+        made = point_of("study-w1", name, value, error, seconds, failure)
         if name == "auto":
-            point.framed_seconds, point.framed_end_error = 2.0 * seconds, error
-        return point
+            made.framed_seconds, made.framed_error = 2.0 * seconds, error
+        return made
 
     points = [
         point("auto", 0.1, 0.05, 1e-4),
@@ -210,22 +248,21 @@ def test_targets_are_judged() -> None:
     assert found["2 random bodies, 60 calls: end within the tolerance"].met
     # However fast: who is beyond the error has missed.
     late = some_study()
-    late.scenes[0].points[0].end_error = 0.11
+    late.scenes[0].points[0].error = 0.11
     missed = next(t for t in targets(late) if "Euler" in t.what)
     assert not missed.met
     assert "0.11 px off" in missed.found
 
 
 def test_the_page_has_what_was_found() -> None:
-    page = markdown(some_study(), [("work-precision", "caption")], "Interrupted.")
+    page = markdown(report.sections(some_study(), "Interrupted."))
     assert "Interrupted." in page
     assert "(work-precision.png)" in page
     assert "| Symplectic Euler | 0.700 (dt 1 ms) | 0.700 (dt 1 ms) | not reached | speed out of range" in page
     assert "- Missed: study-w1: best other solver at 0.1 px / auto: 20× (target ≥ 30×)" in page
-    assert "scipy" in page.splitlines()[-1]
     doubtful = some_study()
     doubtful.scenes[0].doubt = 1e-6
-    assert "below the doubt" in markdown(doubtful, [], "")
+    assert "below the doubt" in markdown(report.sections(doubtful, ""))
 
 
 def test_the_page_on_performance_has_the_short_tables_of_the_report() -> None:
@@ -243,19 +280,19 @@ def test_csv_has_all_digits() -> None:
     assert set(rows[0]) >= {"scene", "integrator", "value", "end_error", "path_error", "seconds", "failure"}
     assert float(rows[1]["end_error"]) == 5e-7
     assert rows[4]["failure"] == "speed out of range"
-    bodies = list(csv.DictReader(io.StringIO(study_report.bodies_csv(some_study()))))
+    bodies = list(csv.DictReader(io.StringIO(report.bodies_csv(some_study()))))
     assert [float(row["error"]) for row in bodies] == [0.05, 2.0]
 
 
 def test_figures_show_what_nothing_beats() -> None:
-    points = some_study().scenes[0].points
-    assert [p.value for p in front([p for p in points if p.integrator == "symplectic_euler"])] == [1e-3, 5e-4]
-    assert set(figures(some_study())) == {"work-precision", "bodies"}
-    assert figures(Study((1.0,))) == {}
+    euler = some_study().scenes[0].of(("symplectic_euler",))
+    assert [p.value for p in front(euler)] == [1e-3, 5e-4]
+    assert [figure.name for figure in study_figures(some_study())] == ["work-precision", "bodies"]
+    assert not list(study_figures(Study((1.0,))))
 
 
 def test_a_small_run_writes_everything(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(measure, "repeats", lambda seconds: 1)
+    monkeypatch.setattr(command, "repeats", lambda seconds: 1)
     text = io.StringIO()
     console = Console(file=text, width=200)
     status = study([("rope", ROPE)], ("auto", "scipy_lsoda"), (1.0, 0.1), 1, tmp_path / "new", console)
@@ -267,16 +304,16 @@ def test_a_small_run_writes_everything(tmp_path: Path, monkeypatch: pytest.Monke
 
 
 def test_what_is_done_is_kept_when_it_is_interrupted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    tried = Ours.frame_by_frame
+    restart = softrod.SoftrodRun.restart
     calls = []
 
-    def interrupted(self: Ours) -> Trial:
+    def interrupted(self: softrod.SoftrodRun) -> None:
         calls.append(self)
         if len(calls) == 8:
             raise KeyboardInterrupt
-        return tried(self)
+        restart(self)
 
-    monkeypatch.setattr(Ours, "frame_by_frame", interrupted)
+    monkeypatch.setattr(softrod.SoftrodRun, "restart", interrupted)
     text = io.StringIO()
     scenes = [("one", ROPE), ("two", ROPE)]
     assert study(scenes, ("auto",), (1.0, 0.1), 0, tmp_path, Console(file=text, width=120)) == 130
@@ -309,17 +346,17 @@ def test_the_command_refuses_before_it_computes(
 def test_lists_are_read() -> None:
     assert parse_errors("0.1, 1,1e-3,1") == (1.0, 0.1, 1e-3)
     assert parse_integrators("rk4, auto,rk4") == ("rk4", "auto")
-    assert set(known(())) >= {*METHODS, *others.SCIPY}
+    assert set(parse_integrators("")) >= {*METHODS, "scipy_rk45", "scipy_lsoda"}
     assert study_scenes()[:5] == [f"study-w{i}" for i in range(1, 6)]
     assert len(study_scenes()) == 8
 
 
 def test_cvode_that_is_not_installed_is_said_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(others, "has_cvode", lambda: False)
-    assert not set(known(())) & set(others.CVODE)
+    monkeypatch.setattr(solvers, "has_cvode", lambda: False)
+    assert not [name for name in parse_integrators("") if name.startswith("cvode")]
     with pytest.raises(InputError, match="uv sync --extra compare"):
-        known(("cvode_bdf",))
-    assert "CVODE is missing" in markdown(Study((1.0,)), [], "")
+        parse_integrators("cvode_bdf")
+    assert "CVODE is missing" in markdown(report.sections(Study((1.0,)), ""))
 
 
 def test_nothing_that_runs_a_page_loads_the_studies_and_what_only_they_need() -> None:
@@ -340,6 +377,11 @@ def test_the_command_line_has_every_study() -> None:
     assert tuple(COMMANDS) == cli.STUDIES
 
 
+@pytest.mark.parametrize("name", BENCHES)
+def test_every_benchmark_is_where_the_command_looks_for_it(name: str) -> None:
+    assert callable(getattr(importlib.import_module(f"studies.bench.{BENCHES[name]}"), f"bench_{name}"))
+
+
 def test_the_rods_of_the_benchmark_are_alike_but_for_their_path() -> None:
     chain, general = (sim.validate(rod(6, chain)) for chain in (True, False))
     assert build_system(chain).body.chain
@@ -352,41 +394,41 @@ def test_the_rods_of_the_benchmark_are_alike_but_for_their_path() -> None:
 
 
 def test_a_scene_of_one_s_own_is_told_what_to_take() -> None:
-    def point(integrator: str, value: float, error: float, seconds: float) -> Point:
-        return Point("mine", integrator, value, error, error, seconds)
-
     points = [
-        point("auto", 1.0, 0.4, 1e-3), point("auto", 0.01, 0.005, 3e-3),
-        point("velocity_verlet", 0.002, 0.03, 1.05e-3), point("rk4", 0.001, 0.004, 9e-3),
-    ]  # fmt: skip
+        point_of("mine", *setting)
+        for setting in (
+            ("auto", 1.0, 0.4, 1e-3),
+            ("auto", 0.01, 0.005, 3e-3),
+            ("velocity_verlet", 0.002, 0.03, 1.05e-3),
+            ("rk4", 0.001, 0.004, 9e-3),
+        )
+    ]
     found = Study((1.0, 0.01, 1e-6), [SceneResults("mine", 1e-9, points, True)])
-    assert study_report.advice(found) == [
+    assert report.advice(found) == [
         "mine, to 1 px: take Auto at 1 px, which ends 0.4 px off; Velocity Verlet at 2 ms is as fast and "
         "ends 0.03 px off.",
         "mine, to 0.01 px: take Auto at 0.01 px, which ends 0.005 px off; Runge-Kutta 4 at 1 ms takes 3 "
         "times as long and ends 0.004 px off.",
         "mine, to 1e-06 px: none of the settings that were tried comes as near.",
     ]
-    assert study_report.summary(found) == ""
-    text = markdown(found, [], "")
+    assert report.summary(found) == ""
+    text = markdown(report.sections(found, ""))
     assert "targets met" not in text
     assert "- mine, to 1 px: take Auto at 1 px" in text
 
 
 def test_a_scene_of_one_s_own_has_no_targets() -> None:
-    points = [
-        Point(name, which, 0.1, 0.05, 0.05, 1e-3) for name in ("mine",) for which in ("auto", "scipy_rk45")
-    ]
+    points = [point_of("mine", name, 0.1, 0.05, 1e-3) for name in ("auto", "scipy_rk45")]
     found = Study((0.1, 1e-6), [SceneResults("mine", 1e-9, points, True)])
-    assert not study_report.targets(found)
-    assert study_report.targets(Study((0.1,), [SceneResults("study-mine", 1e-9, points, True)]))
+    assert not targets(found)
+    assert targets(Study((0.1,), [SceneResults("study-mine", 1e-9, points, True)]))
 
 
 def test_a_step_that_explodes_does_not_end_the_search(monkeypatch: pytest.MonkeyPatch) -> None:
     # However long that took.
-    monkeypatch.setattr(measure, "LONGEST_OURS", -1.0)
+    monkeypatch.setattr(softrod, "LONGEST", -1.0)
     scene = sim.rope(4, stiffness=20_000.0)
-    *_, (results, _) = measure.explore(scene, "rope", ["symplectic_euler"], (1.0,))
+    *_, (results, _) = explore(scene, "rope", ["symplectic_euler"], (1.0,))
     assert results is not None
     *failed, last = results.points
     assert failed

@@ -14,13 +14,13 @@ from rich.console import Console
 import sim
 from sim.errors import InputError
 from sim.store.files import encode_scene
-from studies.commands import who_computes
-from studies.sweep.folder import Folder, make_plan
+from studies.commands import workers_for
 from studies.sweep.grid import make_grid, parse_axis
+from studies.sweep.journal import Journal
 from studies.sweep.measures import GAVE_UP, MEASURES, parse_measures
 from studies.sweep.plot import COLOURS, plot
 from studies.sweep.runs import Row, reference_of, run, run_reference, run_several
-from studies.sweep.sweep import TOGETHER, sweep
+from studies.sweep.sweep import MAX_TOGETHER, Sweep, sweep
 from tests.app.command import refused, softrod_here
 from tests.studies.sweeping import ROPE, numbers_of, rows_of, swept
 
@@ -140,7 +140,7 @@ def test_the_table_has_units_and_all_digits(tmp_path: Path) -> None:
 def test_what_is_done_is_kept_and_the_same_call_goes_on(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("studies.sweep.sweep.TOGETHER", 2)
+    monkeypatch.setattr("studies.sweep.sweep.MAX_TOGETHER", 2)
     vary = ("gravity=100..900:9",)
     status, here, text = swept(tmp_path, ROPE, vary, ("sag",), interrupt_at=4, ahead=1)
     assert (status, here.asked.count("run")) == (130, 4)
@@ -167,10 +167,10 @@ def test_with_one_process_each_run_is_kept_before_the_next(
     monkeypatch.setattr("studies.sweep.sweep.run_several", interrupted)
     grid, measures = make_grid(ROPE, ("method=auto",), ("gravity=100..900:9",)), parse_measures(("sag",))
     console = Console(file=io.StringIO())
-    assert sweep(grid, measures, 0.1, who_computes(1, None), tmp_path, console) == 130
+    assert sweep(grid, measures, 0.1, workers_for(1, None), tmp_path, console) == 130
     assert numbers_of(tmp_path) == [0, 1, 2]
     monkeypatch.setattr("studies.sweep.sweep.run_several", run_several)
-    assert sweep(grid, measures, 0.1, who_computes(1, None), tmp_path, console) == 0
+    assert sweep(grid, measures, 0.1, workers_for(1, None), tmp_path, console) == 0
     assert len(numbers_of(tmp_path)) == 9
 
 
@@ -178,9 +178,12 @@ def test_runs_that_need_no_simulation_are_done_side_by_side(tmp_path: Path) -> N
     vary = ("gravity=100..900:50", "dt=1e-3,2e-3", "method=rk4,auto")
     measures = ("sag", "period", "stretch")
     _, here, _ = swept(tmp_path, ROPE, vary, measures, duration=0.3)
-    assert (here.asked.count("run"), here.calls) == (200, 100 + math.ceil(100 / TOGETHER))  # `auto` singly
+    assert (here.asked.count("run"), here.calls) == (
+        200,
+        100 + math.ceil(100 / MAX_TOGETHER),
+    )  # `auto` singly
     _, here, _ = swept(tmp_path / "fixed", ROPE, vary[:2], measures, duration=0.3)
-    assert (here.asked.count("run"), here.calls) == (100, math.ceil(100 / TOGETHER))
+    assert (here.asked.count("run"), here.calls) == (100, math.ceil(100 / MAX_TOGETHER))
     # Each as if it were alone, to the last bit.
     rows = rows_of(tmp_path / "fixed")
     for row in (rows[0], rows[57], rows[99]):
@@ -237,9 +240,9 @@ def test_other_options_are_refused(tmp_path: Path, change: dict, fragment: str) 
 
 def test_a_file_that_is_no_sweep_is_refused(tmp_path: Path) -> None:
     (tmp_path / "sweep.jsonl").write_text("nonsense\n")
-    plan = make_plan(make_grid(ROPE, (), ("gravity=1,2",)), ("sag", "survived"), 1.0)
+    header = Sweep(make_grid(ROPE, (), ("gravity=1,2",)), ("sag", "survived"), 1.0).header
     with pytest.raises(InputError, match="this is not the file of a sweep"):
-        Folder(tmp_path, plan)
+        Journal(tmp_path, header)
 
 
 @pytest.mark.parametrize(("part", "instead"), [('"run":1', '"run":2'), ('"values":[', '"values":[1.0,')])

@@ -7,15 +7,15 @@ import io
 import math
 import platform
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from rich.console import Console
 
-from studies.reporting.output import provenance
-from studies.validate import exact
-from studies.validate.figures import FIGURES
+from studies.reporting.report import provenance
+from studies.validate import exact, figures
 from studies.validate.results import Case, Result, compared, converging, fitted_slope, percent
 from studies.validate.validate import CASES, validate
 from tests.app.command import refused, softrod_here
@@ -167,11 +167,12 @@ def test_figures_that_are_interrupted_leave_the_tables(
     def stopped() -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setitem(FIGURES, next(iter(FIGURES)), ("caption", stopped))
+    first = replace(figures.FIGURES[0], draw=stopped)
+    monkeypatch.setattr(figures, "FIGURES", (first, *figures.FIGURES[1:]))
     status, text = run(tmp_path, case(GOOD))
     assert status == 130
-    assert "Interrupted: the figures are missing." in text
-    assert (tmp_path / "validate.md").exists()
+    assert "Interrupted: figures are missing." in text
+    assert (tmp_path / "validate.md").read_text().count("Interrupted: a figure is missing.") == 3
 
 
 @pytest.fixture(scope="module")

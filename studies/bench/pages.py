@@ -1,0 +1,171 @@
+"""Many pages without a browser, side by side in one event loop, and how well a server keeps up with them."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import math
+import time
+from collections.abc import AsyncIterator, Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import msgspec
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import WebSocketException
+
+from app.features.hands import messages as hands
+from app.wire import from_page
+
+from .client import CAMERA, FRAME_TIME, Decoder, is_frame, options_of, saying
+
+SETTLE = 4.0
+"""Seconds from the last page's coming until it is measured."""
+
+SPAN = 6.0
+"""Seconds for which it is measured."""
+
+STEER_EVERY = 0.05
+"""Seconds between two reports of the pointer, which leads a body's end in a circle."""
+
+
+class Connection:
+    """A page's connection.
+
+    Attributes:
+        told: the last message of each kind, by its tag.
+        bytes: received.
+    """
+
+    def __init__(self, connection: ClientConnection) -> None:
+        self._connection, self._decoder = connection, Decoder()
+        self.told: dict[str, dict[str, Any]] = {}
+        self.bytes = 0
+
+    async def begin(self) -> None:
+        """Send what a page of viser sends first."""
+        await self._connection.send(self._decoder.encode(CAMERA))
+
+    async def say(self, message: from_page.FromPage) -> None:
+        """Send a message, unless the connection has ended."""
+        with contextlib.suppress(WebSocketException):
+            await self._connection.send(self._decoder.encode(saying(message)))
+
+    async def hear(self) -> AsyncIterator[dict[str, Any]]:
+        """Yield what the page is told until the connection ends: frames, and messages by their tags."""
+        try:
+            async for data in self._connection:
+                assert isinstance(data, bytes)
+                self.bytes += len(data)
+                for message in self._decoder.decode(data):
+                    if is_frame(message):
+                        yield {"tell": "frame", "time": float(message["numbers"][FRAME_TIME])}
+                    elif message.get("type") == "SoftrodMessage":
+                        told = msgspec.json.decode(message["text"])
+                        self.told[told["tell"]] = told
+                        yield told
+        except WebSocketException:
+            return
+
+    async def lead(self, number: int, stop: asyncio.Event) -> None:
+        """Take the driven mass in hand, and lead it in a circle."""
+        await self.say(from_page.Perform("follow"))
+        while not stop.is_set():
+            angle = 2.0 * time.monotonic() + number
+            await self.say(hands.At(((0, 0.6 * math.cos(angle), 1.0 + 0.6 * math.sin(angle)),)))
+            await asyncio.sleep(STEER_EVERY)
+
+    def cut(self) -> None:
+        """Cut the connection without a word to the other end."""
+        self._connection.transport.abort()
+
+
+@contextlib.asynccontextmanager
+async def connected(port: int, path: str = "") -> AsyncIterator[Connection]:
+    """Connect a page.
+
+    Args:
+        port: of the server on this machine.
+        path: of the WebSocket, with its slash and its query.
+
+    Raises:
+        OSError, WebSocketException: no server answers, or the gate refuses.
+    """
+    address = f"127.0.0.1:{port}"
+    async with connect(f"ws://{address}{path}", **options_of(address)) as connection:
+        page = Connection(connection)
+        await page.begin()
+        yield page
+
+
+@dataclass
+class Visitor:
+    """What one page saw.
+
+    Attributes:
+        arrivals: wall time of each frame, s.
+        times: simulated time of each frame, s.
+        bytes: received.
+    """
+
+    arrivals: list[float] = field(default_factory=list)
+    times: list[float] = field(default_factory=list)
+    bytes: int = 0
+
+    def note(self, told: dict[str, Any], page: Connection) -> None:
+        """Count a message, and the time of a frame."""
+        self.bytes += page.bytes
+        page.bytes = 0
+        if told["tell"] == "frame":
+            self.arrivals.append(time.monotonic())
+            self.times.append(told["time"])
+
+    def within(self, begin: float, end: float) -> tuple[float, float, float]:
+        """Return frames per second, longest gap (s) and simulated time per wall time, within a span of it."""
+        inside = [i for i, at in enumerate(self.arrivals) if begin <= at <= end]
+        if len(inside) < 2:
+            return 0.0, end - begin, 0.0
+        at = [self.arrivals[i] for i in inside]
+        gaps = [b - a for a, b in zip([begin, *at], [*at, end], strict=True)]
+        passed = self.times[inside[-1]] - self.times[inside[0]]
+        return len(at) / (end - begin), max(gaps), passed / (at[-1] - at[0])
+
+
+@dataclass(frozen=True)
+class Crowd:
+    """How a server kept up with many pages.
+
+    Attributes:
+        fewest: frames per second of the slowest page.
+        rate: frames per second in the mean.
+        gap: longest time between two frames of a page, s.
+        clock: simulated seconds per second of the slowest page.
+        share: processor time of the server per second.
+        traffic: kB/s for each page.
+    """
+
+    fewest: float
+    rate: float
+    gap: float
+    clock: float
+    share: float
+    traffic: float
+
+
+async def measure_crowd(visitors: Sequence[Visitor], used: Callable[[], float]) -> Crowd:
+    """Wait until all has settled, and measure for a while.
+
+    Args:
+        visitors: of the pages, which are connected.
+        used: returns the processor time that the server has used so far, s.
+    """
+    await asyncio.sleep(SETTLE)
+    for visitor in visitors:
+        visitor.bytes = 0
+    begin, before = time.monotonic(), used()
+    await asyncio.sleep(SPAN)
+    end, after = time.monotonic(), used()
+    rates, gaps, clocks = zip(*(visitor.within(begin, end) for visitor in visitors), strict=True)
+    traffic = sum(visitor.bytes for visitor in visitors) / len(visitors) / (end - begin) / 1e3
+    share = (after - before) / (end - begin)
+    return Crowd(min(rates), sum(rates) / len(rates), max(gaps), min(clocks), share, traffic)

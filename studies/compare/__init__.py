@@ -1,0 +1,1 @@
+"""Work against error: softrod, other solvers (`softrod study`) and engines (`softrod bench peers`)."""

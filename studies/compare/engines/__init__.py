@@ -1,0 +1,1 @@
+"""The engines and solvers that are compared; `studies.compare.contenders` lists them."""

@@ -1,1 +1,0 @@
-"""Softrod beside what one would take instead: physics engines, solvers of equations, loops in C and NumPy."""

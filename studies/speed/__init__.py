@@ -1,1 +1,0 @@
-"""`softrod study`: computing time against error."""
