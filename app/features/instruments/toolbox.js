@@ -13,6 +13,7 @@ import { NAMES, newFace } from "./faces.js";
 import * as shapes from "./shapes.js";
 import { has, onTold } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
+import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { printed } from "../../ui/hands/key_table.js";
 import { isFree } from "../../ui/hands/keys.js";
 import { hasWords, keepInView } from "../../ui/looks.js";
@@ -29,8 +30,6 @@ const [STEP, FAR] = [1, 10];
 /** Milliseconds between two readings of a stopwatch that runs while the body is at rest. */
 const TICK = 100;
 
-/** @type {Record<string, [number, number]>} */
-const MOVES = { ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 /** Where the points are when it is put down, pixels. @type {Record<Kind, [number, number][]>} */
 const LAID = { ruler: [[-70, 0], [70, 0]], protractor: [[90, 0], [0, 0], [45, -78]], stopwatch: [[0, 0]] };
 /** Where on the canvas each is laid, without a pointer that says it: parts of its width and height. @type {Record<Kind, [number, number]>} */
@@ -155,18 +154,18 @@ export function addInstruments() {
     if (!seen || event.ctrlKey || event.metaKey || event.altKey) return;
     const { places, on } = seen;
     const point = instrument.points[index];
-    const way = MOVES[event.key];
+    const way = ARROWS[event.key];
     const isWatch = instrument.kind === "stopwatch";
     if (event.key === "Delete" || event.key === "Backspace") {
       putAway(instrument.kind);
       box.focus(instrument.kind);
     } else if (way && point.mass >= 0) {
       const count = places.length / 2;
-      point.mass = (point.mass + (way[0] + way[1] > 0 ? 1 : count - 1)) % count;
+      point.mass = (point.mass + (way[0] - way[1] > 0 ? 1 : count - 1)) % count;
     } else if (way) {
       const by = event.shiftKey ? FAR : STEP;
       point.x += (way[0] * by) / on.step;
-      point.y -= (way[1] * by) / on.step;
+      point.y += (way[1] * by) / on.step;
     } else if ((event.key === "Enter" || event.code === "Space") && !isWatch) {
       const [at] = shapes.placesOf([{ ...point }], places, on);
       instrument.points[index] = point.mass < 0 ? shapes.pointAt(at, places, on, Infinity) : { ...point, mass: -1 };
