@@ -23,12 +23,16 @@ from numpy.typing import NDArray
 import sim
 from sim.scene.types import shown_name
 
+from ..stage.looks import FRACTIONS, SPEEDS
 from ..stage.plan import encode_plan
 from ..stage.shapes import meshes
 from ..stage.sketch import Floats, Sketch
 from .window import bounds
 
 _MESHES = ("disc", "ring", "pin", "bar", "slice")
+
+_FASTEST = 2.0
+"""The largest speed of a file's clock, s/s."""
 
 
 @dataclass(frozen=True)
@@ -126,7 +130,7 @@ def document(
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="generator" content="softrod">
 <title>{html.escape(title)}</title>
-<link rel="icon" href="{_icon()}">
+<link rel="icon" href="{_favicon()}">
 {head}
 </head>
 <body>
@@ -138,8 +142,23 @@ def document(
     return text.encode()
 
 
+def speed_options() -> str:
+    """The options of a list of speeds, up to what a browser computes in time."""
+    return "".join(
+        f'<option value="{speed:g}"{" selected" * (speed == 1)}>{FRACTIONS.get(speed, int(speed))}×</option>'
+        for speed in SPEEDS
+        if speed <= _FASTEST
+    )
+
+
+def icon(**paths: str) -> str:
+    """An icon of outlines in 24 by 24, each with its name as its class."""
+    found = "".join(f'<path class="{name}" d="{path}"/>' for name, path in paths.items())
+    return f'<svg viewBox="0 0 24 24" aria-hidden="true">{found}</svg>'
+
+
 @cache
-def _icon() -> str:
+def _favicon() -> str:
     """The page's icon in an address of its own: a browser would ask a file's server for one otherwise."""
     svg = (Path(__file__).parents[1] / "pages" / "sandbox" / "icon.svg").read_text(encoding="utf-8")
     return f"data:image/svg+xml,{quote(' '.join(svg.split()), safe=' /:=')}"

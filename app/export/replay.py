@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from sim.scene.types import shown_name
 
-from ..stage.looks import FRACTIONS, ICONS, SPEEDS, style_rules
+from ..stage.looks import ICONS, style_rules
 from ..stage.plan import encode_damage, encode_frame, joined
 from ..stage.sketch import Floats
-from .bundle import bundle
+from .bundle import bundle, compact_style
 from .clip import Clip, Shot
-from .html_file import html_file, packed, plans, stage
+from .html_file import html_file, icon, packed, plans, speed_options, stage
 
 RATE = 60.0
 """Frames a second; fewer of a large body."""
@@ -30,7 +30,6 @@ STEPS = 65536
 
 _FOLDER = Path(__file__).parent / "static"
 _ICONS = {"play": ICONS["play"], "pause": ICONS["pause"], "again": ICONS["reset"]}
-_FASTEST = 2.0
 
 
 def replay_html(clip: Clip) -> bytes:
@@ -39,19 +38,12 @@ def replay_html(clip: Clip) -> bytes:
     about, data = _described(clip)
     title = shown_name(scene)
     style, script = _looks()
-    icons = "".join(f'<path class="{name}" d="{path}"/>' for name, path in _ICONS.items())
-    speeds = "".join(
-        f'<option value="{speed:g}"{" selected" * (speed == 1)}>{FRACTIONS.get(speed, int(speed))}×</option>'
-        for speed in SPEEDS
-        if speed <= _FASTEST
-    )
     body = f"""<canvas id="canvas" role="img" aria-label="{html.escape(title)}"></canvas>
 <div class="bar">
-<button id="play" type="button" data-icon="play" aria-label="Play">
-<svg viewBox="0 0 24 24" aria-hidden="true">{icons}</svg></button>
+<button id="play" type="button" data-icon="play" aria-label="Play">{icon(**_ICONS)}</button>
 <input id="time" type="range" min="0" max="1" step="any" value="0" aria-label="Time shown">
 <output id="clock" for="time"></output>
-<select id="speed" aria-label="Speed">{speeds}</select>
+<select id="speed" aria-label="Speed">{speed_options()}</select>
 </div>"""
     return html_file(scene, body, style, script, {"about": about, "data": data})
 
@@ -61,7 +53,7 @@ def _looks() -> tuple[str, str]:
     """The styles and the script."""
     script = bundle(_FOLDER / "replay.js")
     colors = style_rules("@media (prefers-color-scheme: dark){*}")
-    return colors + (_FOLDER / "replay.css").read_text(encoding="utf-8"), script
+    return colors + compact_style(_FOLDER / "replay.css"), script
 
 
 def _described(clip: Clip) -> tuple[dict[str, object], str]:

@@ -12,7 +12,7 @@ from pathlib import Path
 import sim
 from sim.errors import InputError
 
-from ..export.bundle import bundle
+from ..export.bundle import bundle, compact_style
 from ..export.html_file import Bar, document
 from ..export.live.live import DARK, early_script, live_html
 from ..features.gallery import thumbnails
@@ -166,4 +166,4 @@ def _card(scene: Shown) -> str:
 @cache
 def _parts(name: str) -> tuple[str, str]:
     """The style and the script of a kind of page."""
-    return (_FOLDER / f"{name}.css").read_text(encoding="utf-8"), bundle(_FOLDER / f"{name}.js")
+    return compact_style(_FOLDER / f"{name}.css"), bundle(_FOLDER / f"{name}.js")

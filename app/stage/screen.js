@@ -7,7 +7,7 @@
  * Where masses are on the screen: x and y of each.
  *
  * @param {import("./plan.js").Plan} plan
- * @param {Float32Array} positions px of the scene
+ * @param {ArrayLike<number>} positions px of the scene
  * @param {Screen} on
  */
 export function onScreen(plan, positions, on) {

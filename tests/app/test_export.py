@@ -204,6 +204,9 @@ def test_the_bundler_refuses_what_it_does_not_know(tmp_path: Path) -> None:
     assert text.count("const b = 1;") == 1
     assert "const { b: c } = module_b;" in text
     assert "import" not in text
+    (tmp_path / "a.js").write_text("const text = `\n  two lines`;\n")
+    with pytest.raises(BundleError, match="several lines"):
+        bundle(tmp_path / "a.js")
 
 
 # ------------------------------------------------------------------------- models
