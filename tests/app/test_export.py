@@ -22,6 +22,7 @@ import sim
 from app.export import film, model, replay
 from app.export.bundle import BundleError, bundle
 from app.export.clip import Clip, Shot
+from app.export.formats import FORMATS
 from app.export.workshop import Workshop
 from app.session import commands
 from app.session.session import Session
@@ -265,7 +266,7 @@ def test_the_command_writes_all_four(tmp_path: Path, softrod: Softrod) -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ((), "--live, --glb, --motion, --animation, --json, --csv, --python, --c or --javascript"),
+        ((), "--live, --glb, --animation, --motion, --json, --csv, --python, --c or --javascript"),
         (("--gif", "a.png"), "must end in .gif"),
         (("--gif", "nowhere/a.gif"), "the folder nowhere does not exist"),
         (("--gif", "a.gif", "--seconds", 0), "0.2..60 s"),
@@ -294,6 +295,16 @@ def test_the_command_says_what_is_wrong_and_writes_nothing(
     monkeypatch.chdir(tmp_path)
     refused(softrod("export", "tutorial-3.3", *words), said)
     assert not list(tmp_path.iterdir())
+
+
+def test_the_guides_have_every_kind_of_file() -> None:
+    docs = Path(__file__).parents[2] / "docs"
+    heads = [line.split("|")[1] for line in (docs / "export.md").read_text().splitlines() if line[:2] == "| "]
+    labels = {label.strip() for head in heads for label in head.split(",")}
+    assert {each.button.label for each in FORMATS if each.button is not None} <= labels
+    options = (docs / "command-line.md").read_text()
+    for each in FORMATS:
+        assert f"`--{each.flag} FILE.{each.endings[0]}`" in options
 
 
 def test_the_command_shows_a_recorded_log(tmp_path: Path, softrod: Softrod) -> None:
