@@ -53,7 +53,7 @@ def _looks() -> tuple[str, str]:
     """The styles and the script."""
     script = bundle(_FOLDER / "replay.js")
     colors = style_rules("@media (prefers-color-scheme: dark){*}")
-    return colors + compact_style(_FOLDER / "replay.css"), script
+    return colors + compact_style(_FOLDER / "file.css", _FOLDER / "replay.css"), script
 
 
 def _described(clip: Clip) -> tuple[dict[str, object], str]:

@@ -95,7 +95,7 @@ def early_script() -> str:
 @cache
 def _looks() -> tuple[str, str]:
     """The styles and the script."""
-    shared = ("ui/dialogs.css", "features/lesson/lesson.css")
+    shared = ("export/static/file.css", "ui/dialogs.css", "features/lesson/lesson.css")
     files = (*(_APP / name for name in shared), _FOLDER / "live.css")
     return f"{style_rules(DARK)}\n{compact_style(*files)}", bundle(_FOLDER / "live.js")
 

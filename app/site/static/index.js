@@ -6,7 +6,7 @@
  * @typedef {{name: string, file: string, title: string, text: string, group: string}} Scene
  */
 import { element } from "../../export/static/parts.js";
-import { arrived, isFound } from "../../features/gallery/finding.js";
+import { isFound, moveByKey } from "../../features/gallery/finding.js";
 
 /** Under this the last search is kept, for the way back. */
 const KEY = "softrod-search";
@@ -93,12 +93,6 @@ function follow() {
   cardOf(at).scrollIntoView({ block: "center" });
 }
 
-/** @param {HTMLElement | undefined} card */
-function focus(card) {
-  card?.focus({ preventScroll: true });
-  card?.scrollIntoView({ block: "nearest" });
-}
-
 search.addEventListener("input", () => {
   filter();
   clearTimeout(late);
@@ -112,25 +106,17 @@ document.addEventListener("click", ({ target }) => {
 document.addEventListener("keydown", (event) => {
   const { target, key } = event;
   if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
-  const cards = found().map(cardOf);
-  const from = cards.findIndex((card) => card === target);
   if (key === "Escape") {
     seek("");
     address({});
     if (target === search) search.blur();
-  } else if (target === search && key === "Enter") cards[0]?.click();
-  else if (target === search && key === "ArrowDown") focus(cards[0]);
-  else if (from >= 0 && /^(Arrow(Up|Down|Left|Right)|Home|End)$/.test(key)) {
-    const to = arrived(key, from, cards.map((card) => card.getBoundingClientRect()));
-    if (key === "ArrowUp" && to === from) search.focus();
-    else focus(cards[to]);
   } else if (target !== search && key === "/") {
     search.focus();
     search.select();
-  } else if (target !== search && key.length === 1 && key !== " ") {
-    search.focus(); // which takes the letter
+  } else {
+    moveByKey(event, search, found().map(cardOf));
     return;
-  } else return;
+  }
   event.preventDefault();
 });
 const shadow = () => (dark.ariaPressed = String(root.hasAttribute("data-dark")));
