@@ -15,7 +15,7 @@ from sim.errors import InputError, SettingError
 from sim.settings import scene_of_step
 from sim.store.files import encode_scene
 
-from ..export.clip import Shot
+from ..export.clip import ClipFrame
 from ..export.picture import png
 from ..stage.plan import Picture
 from .kept import LOGS, log_path
@@ -97,7 +97,7 @@ def _picture(work: Work, room: Room, stop: int) -> bytes | None:
         scene = scene if place.step is None else scene_of_step(scene, place.step)
         if len(work.points) != len(scene.masses):  # the teacher has given another body
             return None
-        return png(Shot(scene, Picture(np.array(work.points), damage=work.damage)), PICTURE_SIZE)
+        return png(ClipFrame(scene, Picture(np.array(work.points), damage=work.damage)), PICTURE_SIZE)
     except (InputError, SettingError):
         return None
 

@@ -19,7 +19,7 @@ from sim.store.files import write_file
 
 from ..command import CsvComma
 from ..session.log import read_log
-from .clip import LONGEST, SHORTEST, Shot
+from .clip import LONGEST, SHORTEST, ClipFrame
 from .formats import FORMATS, Format, Options, Source
 from .keyframes import FASTEST, FPS, SLOWEST
 from .model import PX_PER_METRE
@@ -78,7 +78,7 @@ class Export(_Files):
         moments = self._moments(seconds, self.fps if any(each.has_rate for each in paths) else None)
         # The body at the start of a film; of a log there is only its end.
         begin = moments[0 if self.inputs is None else -1]
-        source = Source(begin, self._shots(moments), self.seconds)
+        source = Source(begin, self._frames(moments), self.seconds)
         console = Console(stderr=True)
         for each, path in paths.items():
             with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
@@ -151,10 +151,10 @@ class Export(_Files):
             console.print(f"softrod: {self.inputs}: {differs}", highlight=False)
         return moments
 
-    def _shots(self, moments: list[sim.Moment]) -> list[Shot]:
+    def _frames(self, moments: list[sim.Moment]) -> list[ClipFrame]:
         """What pictures, films and replays show."""
         if not self.race:
-            return list(map(Shot.of, moments))
+            return list(map(ClipFrame.of, moments))
         from sim.edit.terrain import on_terrain
 
         from .making import simulated

@@ -96,13 +96,13 @@ def gif(
 def _paint(clip: Clip, interval: float, size: tuple[int, int], dark: bool) -> Iterator[Image.Image]:
     painter: Painter | None = None
     window: Window | None = None
-    for shot in clip.at(interval):
-        if painter is None or painter.scene is not shot.scene:
-            painter = Painter(shot.scene, size, dark, window=window)
+    for frame in clip.at(interval):
+        if painter is None or painter.scene is not frame.scene:
+            painter = Painter(frame.scene, size, dark, window=window)
             if window is None:  # the same for the whole film
                 window = Window.fit(painter.sketch, clip.scene.view.frame, size, clip.places())
-                painter = Painter(shot.scene, size, dark, window=window)
-        yield painter.paint(shot.picture)
+                painter = Painter(frame.scene, size, dark, window=window)
+        yield painter.paint(frame.picture)
 
 
 class _Colors:

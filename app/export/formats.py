@@ -17,7 +17,7 @@ from .animation import animated_glb
 from .body.body import Body
 from .body.data import body_csv, body_json
 from .body.program import c_program, python_program
-from .clip import Clip, Shot
+from .clip import Clip, ClipFrame
 from .keyframes import FPS, motion_csv
 from .live.live import live_html
 from .live.program import javascript_program
@@ -34,12 +34,12 @@ class Source:
 
     Attributes:
         body: the body of live files, data and programs.
-        shots: the motion; pictures and models show its last moment.
+        frames: the motion; pictures and models show its last moment.
         seconds: how much of the motion a clip has, simulated seconds before its end.
     """
 
     body: sim.Moment
-    shots: list[Shot]
+    frames: list[ClipFrame]
     seconds: float
 
     def clip(self) -> Clip:
@@ -48,7 +48,7 @@ class Source:
         Raises:
             InputError: see `Clip`.
         """
-        return Clip(self.shots, self.seconds)
+        return Clip(self.frames, self.seconds)
 
 
 @dataclass(frozen=True)
@@ -143,7 +143,7 @@ def _picture(source: Source, options: Options) -> Made:
     from .film import size_of  # it loads what a server can begin without
     from .picture import png
 
-    last = source.shots[-1]
+    last = source.frames[-1]
     size = options.size or size_of(last.scene, longer=PICTURE)
     return Made({"png": png(last, size, options.dark)})
 
@@ -155,7 +155,7 @@ def _film(source: Source, options: Options) -> Made:
 
 
 def _model(source: Source, options: Options) -> Made:
-    last = source.shots[-1]
+    last = source.frames[-1]
     return Made({"glb": glb(last.scene, last.picture, options.scale)})
 
 

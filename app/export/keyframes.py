@@ -47,5 +47,7 @@ def motion_csv(clip: Clip, rate: int, decimal_comma: bool = False) -> bytes:
     masses = len(clip.scene.masses)
     check_size(clip, rate, 2 * masses)
     head = ("time", *(f"{axis}{i}" for i in range(masses) for axis in "xy"))
-    rows = ((k / rate, *shot.picture.positions.ravel().tolist()) for k, shot in enumerate(clip.frames(rate)))
+    rows = (
+        (k / rate, *frame.picture.positions.ravel().tolist()) for k, frame in enumerate(clip.frames_at(rate))
+    )
     return csv_text((head, *rows), decimal_comma, "{:.10g}".format).encode()

@@ -14,10 +14,10 @@ from sim.edit.terrain import center
 from sim.scene.types import Damage, shown_name
 
 from ..stage.plan import Picture
-from .clip import Shot
+from .clip import ClipFrame
 
 
-def race(moments: list[sim.Moment], others: list[sim.Moment]) -> list[Shot]:
+def race(moments: list[sim.Moment], others: list[sim.Moment]) -> list[ClipFrame]:
     """The moments of a body with those of another one beside it: as one scene that is only drawn.
 
     Args:
@@ -36,7 +36,7 @@ def race(moments: list[sim.Moment], others: list[sim.Moment]) -> list[Shot]:
         return replace(before, positions=before.positions + share * (later - before.positions))
 
     return [
-        Shot(drawn, _side_by_side(one, other, Picture.of(moment), rival_at(moment.time)))
+        ClipFrame(drawn, _side_by_side(one, other, Picture.of(moment), rival_at(moment.time)))
         for moment in moments
     ]
 

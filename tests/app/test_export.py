@@ -21,9 +21,9 @@ from PIL import Image
 import sim
 from app.export import film, model, replay
 from app.export.bundle import BundleError, bundle
-from app.export.clip import Clip, Shot
+from app.export.clip import Clip, ClipFrame
 from app.export.formats import FORMATS
-from app.export.workshop import Workshop
+from app.server.background import BackgroundWorker
 from app.session import commands
 from app.session.session import Session
 from app.stage.plan import Picture
@@ -57,7 +57,7 @@ def test_a_clip_has_the_last_seconds_of_one_body_only() -> None:
     )]  # fmt: skip
     clip = Clip([*other, *swing(ROPE, 0.5)])
     assert clip.seconds == pytest.approx(0.5)
-    assert {len(shot.picture.positions) for shot in clip.shots} == {5}
+    assert {len(shot.picture.positions) for shot in clip.frames} == {5}
     with pytest.raises(InputError, match="press Play"):
         Clip(swing(ROPE, 0.1))
     with pytest.raises(InputError, match="press Play"):
@@ -180,7 +180,7 @@ def test_what_breaks_yields_or_is_set_anew_is_in_a_replay() -> None:
     stiff = changed(ROPE, gravity=(0.0, 5.0))
     damage = Damage(broken=(2,))
     for k in range(30, 61):
-        shots[k] = Shot(stiff, replace(shots[k].picture, damage=damage))
+        shots[k] = ClipFrame(stiff, replace(shots[k].picture, damage=damage))
     about, _ = parts(replay.replay_html(Clip(shots)).decode())
     assert about["plans"] == [0, 30]
     assert about["damages"] == [0, 30]
@@ -328,10 +328,10 @@ def test_the_command_shows_a_recorded_log(tmp_path: Path, softrod: Softrod) -> N
     assert softrod("export", "ring", "--inputs", log, "--html", out).returncode == 1
 
 
-# ------------------------------------------------------------------------- the workshop
-def test_the_workshop_does_one_thing_after_the_other_and_survives_a_defect() -> None:
+# ------------------------------------------------------------------------- the background
+def test_the_worker_does_one_thing_after_the_other_and_survives_a_defect() -> None:
     done: list[int] = []
-    shop, last = Workshop(), threading.Event()
+    shop, last = BackgroundWorker(), threading.Event()
 
     def defect() -> None:
         raise RuntimeError("a defect")

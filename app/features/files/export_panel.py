@@ -1,6 +1,6 @@
 """The part of the Share tab from which a user takes something home, see `app.export.formats`.
 
-Handlers only hand work to the workshop. The picture is made by the page itself, which has all that is drawn.
+Handlers only queue work in the background. The page itself makes the picture, since it has all that is drawn.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ import viser
 
 from sim.errors import InputError
 
-from ...export.clip import Shot
+from ...export.clip import ClipFrame
 from ...export.formats import FORMATS, Format, Options, Source
-from ...export.workshop import Breath, workshop
+from ...server.background import YieldGil, file_worker
 from ...session.notices import Notice
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_press
@@ -77,17 +77,17 @@ class ExportPanel:
             return
         self._progress.value = 0.0
         self._progress.visible = True
-        workshop.submit(lambda: self._work(wanted))
+        file_worker.submit(lambda: self._work(wanted))
 
     def _work(self, wanted: Format) -> None:
-        breath, shown = Breath(), 0
+        yield_gil, shown = YieldGil(), 0
 
         def tell(part: float) -> None:
             nonlocal shown
             if round(20.0 * part) > shown:
                 shown = round(20.0 * part)
                 self._progress.value = 100.0 * part
-            breath.take()
+            yield_gil.pause()
 
         page, name, button = self._page, self._session.scene.name, wanted.button
         assert button is not None
@@ -117,8 +117,8 @@ class ExportPanel:
         if not moments:
             raise InputError("there is no body yet")
         # A model is of the body alone, without a ghost.
-        shots = [Shot.of(moment, ghost if wanted.of == "motion" else None) for moment, ghost in moments]
-        return Source(moments[-1][0], shots, seconds)
+        frames = [ClipFrame.of(moment, ghost if wanted.of == "motion" else None) for moment, ghost in moments]
+        return Source(moments[-1][0], frames, seconds)
 
     def _tell(self, kind: Any, title: str, text: str) -> None:
         self._page.notify(Notice(kind, title, text))

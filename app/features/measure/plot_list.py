@@ -16,7 +16,7 @@ import viser
 from sim.errors import InputError
 from sim.scene.types import shown_name
 
-from ...export.workshop import workshop
+from ...server.background import file_worker
 from ...session.notices import Notice
 from ...session.plots import MAX_PLOTS, Plot, Wish, curve
 from ...stage.colors import palette
@@ -257,7 +257,7 @@ class PlotList:
 
             self._client.send_file_download(name, plot_png(plot, drawn, colors, title), save_immediately=True)
 
-        workshop.submit(make)
+        file_worker.submit(make)
 
     def _hear(self, shown: _Shown) -> None:
         """Have the first quantity of a plot heard, as far as it is past."""
