@@ -27,8 +27,14 @@ from .glb_file import GlbFile
 from .keyframes import check_size
 from .model import MAX_PARTS, MUSCLES, PLATE, PX_PER_METRE, Solid, ball, plate, spring_solid, walls
 
-_OF_MASS, _OF_SPRING, _OF_MUSCLE = 3, 7, 3
-"""Numbers of each frame: a place; a turn and a size, for a spring is where its first mass is; a size."""
+_OF_MASS = 3
+"""Numbers of a mass in each frame: its place."""
+
+_OF_SPRING = 7
+"""Of a spring: a rotation and a size; its place is that of its first mass."""
+
+_OF_MUSCLE = 3
+"""Of a muscle: its size; it lies where its spring or its mass is."""
 
 
 def animated_glb(clip: Clip, rate: int, scale: float = PX_PER_METRE) -> bytes:
@@ -177,9 +183,9 @@ class _Animation:
         return self.file.add("nodes", name=name, mesh=mesh, translation=place.tolist(), scale=sizes, **turned)
 
     def _sizes(self, values: Floats) -> int | None:
-        """Keyframes of (frames, 3) sizes, which are zero from when on something is no more.
+        """Keyframes of (frames, 3) sizes, which are zero once something has vanished.
 
-        It is as large as before until that very frame: it does not shrink on the way there.
+        Until that very frame it keeps its size: it does not shrink on the way there.
         """
         gone = np.flatnonzero((values == 0.0).all(1))
         if not gone.size or gone[0] == 0:
@@ -196,12 +202,12 @@ class _Animation:
 
     def _sampler(self, values: Floats) -> int | None:
         """Keyframes of (frames, k) values, or None where they are all the same."""
-        told = values.astype(np.float32)
-        if (told == told[0]).all():
+        rows = values.astype(np.float32)
+        if (rows == rows[0]).all():
             return None
         if self._clock is None:
             self._clock = self.file.array(self._times, bounds=True)
-        output = self.file.array(told)
+        output = self.file.array(rows)
         self._samplers.append({"input": self._clock, "output": output, "interpolation": "LINEAR"})
         return len(self._samplers) - 1
 

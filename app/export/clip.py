@@ -1,4 +1,4 @@
-"""A piece of a body's motion: what films, replays and keyframes are made of."""
+"""A part of a body's motion, from which films, replays and keyframes are made."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LONGEST = 60.0
 
 @dataclass(frozen=True)
 class ClipFrame:
-    """One moment.
+    """One moment of a clip.
 
     Attributes:
         scene: the body and its settings then.

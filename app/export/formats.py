@@ -61,8 +61,8 @@ class Options:
         dark: whether pictures and films are on dark paper.
         scale: px in a metre of a model.
         rate: keyframes a second.
-        decimal_comma: as of `sim.csv_text.csv_text`.
-        tell: hears now and then which part is done, 0..1.
+        decimal_comma: whether tables have decimal commas, see `sim.csv_text.csv_text`.
+        report: is called from time to time with the fraction that is done, 0..1.
     """
 
     name: str
@@ -71,7 +71,7 @@ class Options:
     scale: float = PX_PER_METRE
     rate: int = FPS
     decimal_comma: bool = False
-    tell: Callable[[float], None] = lambda _: None
+    report: Callable[[float], None] = lambda _: None
 
 
 @dataclass(frozen=True)
@@ -151,7 +151,7 @@ def _picture(source: Source, options: Options) -> Made:
 def _film(source: Source, options: Options) -> Made:
     from .film import gif
 
-    return Made({"gif": gif(source.clip(), options.size, options.dark, options.tell)})
+    return Made({"gif": gif(source.clip(), options.size, options.dark, options.report)})
 
 
 def _model(source: Source, options: Options) -> Made:

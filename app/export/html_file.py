@@ -1,7 +1,7 @@
 """One HTML file that shows a body anywhere and without a server.
 
-The file may load nothing and talk to nobody (its policy says so), and runs only the script whose digest it
-names. What comes from a scene is text in it, never markup.
+Its content security policy lets the file load nothing and connect to nobody, and run only the scripts whose
+digests it names. What comes from a scene is text in it, never markup.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _FASTEST = 2.0
 
 @dataclass(frozen=True)
 class Bar:
-    """What a file has over its title to lead to others.
+    """What stands over the title of a file and leads to others.
 
     Attributes:
         html: of the bar.
@@ -72,11 +72,11 @@ def html_file(
         bar: what leads to other files, for one that is not alone.
     """
     title = html.escape(shown_name(scene))
-    told = f'<p class="note">{html.escape(note)}</p>\n' if note else ""
+    noted = f'<p class="note">{html.escape(note)}</p>\n' if note else ""
     over = f"\n{bar.html}" if bar else ""
     header = f"""<header>{over}
 <h1>{title}</h1>
-{told}<p>{html.escape(scene.description)}</p>
+{noted}<p>{html.escape(scene.description)}</p>
 <p role="alert"></p>
 <noscript><p>The motion is shown by a script, which this browser does not run.</p></noscript>
 </header>"""
@@ -178,7 +178,7 @@ def stage(scene: sim.Scene, places: Floats) -> dict[str, object]:
 
     Args:
         scene: what is shown.
-        places: (k, 2) px, some of which its masses take up beside the scene's frame.
+        places: (k, 2) px, where its masses are, which may be beyond the scene's frame.
     """
     sketch = Sketch.plain(scene)
     xmin, ymin, xmax, ymax = scene.view.frame

@@ -8,17 +8,20 @@ from sim.errors import InputError
 from .clip import Clip
 
 FPS = 60
-"""Frames a second, unless there is another number."""
+"""Frames a second by default."""
 
-SLOWEST, FASTEST = 1, 240
-"""Frames a second."""
+SLOWEST = 1
+"""Frames a second, at least."""
+
+FASTEST = 240
+"""Frames a second, at most."""
 
 MAX_NUMBERS = 10_000_000
 """In a file."""
 
 
 def check_size(clip: Clip, rate: int, numbers: int) -> None:
-    """Refuses a motion that would make too large a file.
+    """Refuse a motion that would make too large a file.
 
     Args:
         clip: the motion.

@@ -26,7 +26,7 @@ MAX_NUMBERS = 1_200_000
 """Coordinates in a file."""
 
 STEPS = 65536
-"""To how many steps at least positions are kept between the least and the greatest coordinate of a clip."""
+"""Steps, at least, to which coordinates are rounded between the least and the greatest one of a clip."""
 
 _FOLDER = Path(__file__).parent / "static"
 _ICONS = {"play": ICONS["play"], "pause": ICONS["pause"], "again": ICONS["reset"]}
@@ -57,7 +57,7 @@ def _looks() -> tuple[str, str]:
 
 
 def _described(clip: Clip) -> tuple[dict[str, object], str]:
-    """What the script is told, see static/replay.js, and arrays as pages get them: plans, damages, frames."""
+    """The `About` of `static/replay.js`, and arrays as pages get them: plans, damages, frames."""
     scene = clip.scene
     bodies = 2 if any(frame.picture.ghost is not None for frame in clip.frames) else 1
     interval = 1.0 / RATE

@@ -141,13 +141,15 @@ def _index(scenes: Sequence[Shown], title: str) -> bytes:
 {sections}
 </main>
 <footer>Made with softrod. These pages need no server and no network.</footer>"""
-    told = [
+    searched = [
         {"name": one.name, "file": one.file, "title": one.title, "text": one.text, "group": one.group}
         for one in scenes
     ]
     style = f"{style_rules(DARK)}\n{compact_style(_CARDS, _FOLDER / 'index.css')}"
     script = bundle(_FOLDER / "index.js")
-    return document(title, body, [style], [script], {"scenes": told}, early_script(), images="'self' data:")
+    return document(
+        title, body, [style], [script], {"scenes": searched}, early_script(), images="'self' data:"
+    )
 
 
 def _anchor(group: str) -> str:

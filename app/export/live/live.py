@@ -23,11 +23,11 @@ from .lesson import lesson_data, lesson_notes, listed, scenes_of_steps
 from .sliders import TUTORIAL, missing_labels, sliders
 
 DARK = "[data-dark]*"
-"""Where the paper is dark, see `static/dark.js`."""
+"""Selects dark paper, see `static/dark.js`."""
 
 _FOLDER = Path(__file__).parent / "static"
 _APP = Path(__file__).parents[2]
-"""Whose dialogs and lessons look the same in a file."""
+"""The folder with the dialogs and lessons that look the same in a file."""
 
 
 def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[str]]:
@@ -101,7 +101,7 @@ def _looks() -> tuple[str, str]:
 
 
 def _about(moment: sim.Moment) -> dict[str, Any]:
-    """What the script is told, see `About` in `static/live.js`."""
+    """The `About` of `static/live.js`."""
     scene = moment.scene
     about = _moving(moment)
     keys = {key: _per_second(scene, key) if scene.arrow_keys is not None else None for key in ("up", "right")}
@@ -115,7 +115,7 @@ def _about(moment: sim.Moment) -> dict[str, Any]:
 
 
 def _moving(moment: sim.Moment) -> dict[str, Any]:
-    """What a step of a lesson can change of it."""
+    """The part of it that a step of a lesson can change."""
     scene = moment.scene
     return {
         "body": body_data(moment),
@@ -127,13 +127,13 @@ def _moving(moment: sim.Moment) -> dict[str, Any]:
 
 
 def _per_second(scene: sim.Scene, key: str) -> dict[str, float]:
-    """What a held key does in a second, as `Presses` of `static/steps.js`."""
+    """The effect of a held key in a second, the `Presses` of `static/steps.js`."""
     presses, steps = presses_of(scene, frozenset((key,))), 1.0 / scene.integrator.dt
     return {"factor": math.exp(min(math.log(presses.factor) * steps, 700.0)), "angle": presses.angle * steps}
 
 
 def _notes(scene: sim.Scene) -> list[str]:
-    """What the file does otherwise than softrod, or cannot do."""
+    """How the file differs from softrod: sentences without a full stop."""
     notes = []
     begins = scenes_of_steps(scene)
     if any(at.integrator.method != TUTORIAL for at in (scene, *begins)):

@@ -47,7 +47,8 @@ KEYS = frozenset(_SETS)
 """Of the settings and choices that a file has."""
 
 _HIDDEN = frozenset(("tolerance", "dt", "rest_angle", "turbulence"))
-"""Whose absence nobody needs to be told: `_is_shown` has the reasons, and no file controls its error."""
+"""Settings whose absence a file does not mention: no file controls its error, and `_is_shown` has the reasons
+of the others."""
 
 
 def sliders(scene: sim.Scene) -> list[dict[str, Any]]:

@@ -82,7 +82,7 @@ class ExportPanel:
     def _work(self, wanted: Format) -> None:
         yield_gil, shown = YieldGil(), 0
 
-        def tell(part: float) -> None:
+        def report(part: float) -> None:
             nonlocal shown
             if round(20.0 * part) > shown:
                 shown = round(20.0 * part)
@@ -93,8 +93,8 @@ class ExportPanel:
         assert button is not None
         try:
             source = self._source(wanted)
-            tell(0.3)
-            options = Options(name, dark=page.looks.dark, decimal_comma=page.commas.on, tell=tell)
+            report(0.3)
+            options = Options(name, dark=page.looks.dark, decimal_comma=page.commas.on, report=report)
             made = wanted.make(source, options)
             if made.notes:
                 about = "About the file" if button.icon else "About the program"

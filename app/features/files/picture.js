@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * A picture of what the page shows: viser's canvas, drawn anew at twice the size, with all that softrod draws under and
+ * A picture of what the page shows: viser's canvas, drawn again at twice the size, with all that softrod draws under and
  * over it, and the scene's title and the time. It is made in the browser and downloaded from there.
  *
  * Every SVG and canvas element belongs to it whose class begins with `softrod-`, unless it is a part of a button or of
@@ -181,7 +181,7 @@ async function picture() {
 
 let busy = false;
 
-/** Makes a picture, and has the browser keep it as a file. */
+/** Makes a picture, and has the browser save it as a file. */
 export async function takePicture() {
   if (busy) return;
   busy = true;

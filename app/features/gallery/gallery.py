@@ -58,7 +58,7 @@ class Gallery:
         self._mail.tell(OfferGallery(why=why))
 
     def changed(self) -> None:
-        """Have the page ask anew, if it shows it."""
+        """Have the page ask for the scenes again, if it shows them."""
         self._mail.tell(ShelfChanged())
 
     def open(self, ask: OpenScene) -> None:
@@ -151,6 +151,6 @@ def _picture(path: Path, dark: bool) -> str:
 
 @functools.lru_cache(maxsize=2 * MAX_PAINTED)
 def painted(path: Path, _: int, dark: bool) -> str:
-    """The picture of the scene that a file had at a time; the last ones are kept."""
+    """The picture of the scene that a file had at a time; the last ones are cached."""
     data = thumbnails.picture(read_scene(path), dark)
     return f"data:image/webp;base64,{base64.b64encode(data).decode()}"

@@ -8,7 +8,7 @@
 import { element } from "../../export/static/parts.js";
 import { isFound, moveByKey } from "../../features/gallery/finding.js";
 
-/** Under this the last search is kept, for the way back. */
+/** Under this name the last search is stored, for the way back. */
 const KEY = "softrod-search";
 /** Milliseconds after the last letter after which the address has the search: browsers limit how often it may change. */
 const REST = 300;
@@ -34,15 +34,15 @@ function address(fields) {
   history.replaceState(null, "", text ? `#${text}` : location.pathname + location.search);
 }
 
-function keep() {
+function store() {
   try {
     sessionStorage.setItem(KEY, search.value);
   } catch {
-    // A frame of another site may keep nothing; then the way back leads to all scenes.
+    // A frame of another site may store nothing; then the way back leads to all scenes.
   }
 }
 
-function kept() {
+function stored() {
   try {
     return sessionStorage.getItem(KEY) ?? "";
   } catch {
@@ -63,7 +63,7 @@ function filter() {
   }
   count.value = search.value.trim() ? `${hits.size} of ${all}` : all;
   none.textContent = hits.size ? "" : "No scene has all of these words.";
-  keep();
+  store();
 }
 
 /** @param {string} text */
@@ -85,7 +85,7 @@ function follow() {
     return;
   }
   if (asked.has("search")) seek(asked.get("search") ?? "");
-  else if (at) seek(isFound(at, kept()) ? kept() : "");
+  else if (at) seek(isFound(at, stored()) ? stored() : "");
   else filter();
   if (!at) return;
   address({ search: search.value });

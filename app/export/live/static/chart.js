@@ -16,8 +16,11 @@ import { said } from "./readings.js";
 
 /** Simulated seconds that a plot over time shows. */
 const SPAN = 10;
-/** Pixels: left and right of the curves, above, below. */
-const [LEFT, RIGHT, TOP, BOTTOM] = [62, 10, 8, 22];
+/** Margins of the curves, pixels: numbers have room at the left and below. */
+const LEFT = 62;
+const RIGHT = 10;
+const TOP = 8;
+const BOTTOM = 22;
 /** Lines of the grid in one direction. */
 const LINES = 4;
 /** Colours of the curves, in turn. */

@@ -38,7 +38,7 @@ const blows = new WeakMap();
 /** @typedef {{speed: number, direction: number, gusts: number}} Blow */
 
 /**
- * Set the wind. Gusts keep their waves: these are as much stronger as the wind, and it carries them along.
+ * Set the wind. Gusts have the waves of the file: in proportion to the wind, which carries them along.
  *
  * @param {Body} body @param {Partial<Blow>} change
  */
