@@ -18,7 +18,6 @@ from sim.errors import InputError
 from sim.scene.types import shown_name
 
 from ..stage.colors import linear
-from ..stage.plan import broken_of
 from ..stage.shapes import meshes
 from ..stage.sketch import Floats, Sketch
 from . import instances
@@ -111,12 +110,10 @@ class _Animation:
         sketch, nodes = self._sketch, []
         if not len(sketch.springs):
             return nodes
-        drawn = [instances.every_spring(sketch, frame.picture) for frame in self._frames]
+        drawn = [instances.springs(sketch, frame.picture) for frame in self._frames]
         half = np.unwrap([each.angles for each in drawn], axis=0) / 2.0
         turns = np.stack((0.0 * half, 0.0 * half, np.sin(half), np.cos(half)), axis=-1)
         sizes = np.array([np.stack((s.lengths, s.widths, s.widths), -1) for s in drawn]) * self._metres
-        for k, frame in enumerate(self._frames):
-            sizes[k, list(broken_of(frame.picture.damage))] = 0.0
         mesh = self._mesh("spring", self._solid(spring_solid(sketch)), sketch.palette.rest)
         self._turns = [self._sampler(turns[:, s]) for s in range(len(sketch.springs))]
         self._first_turns = turns[0]
@@ -135,12 +132,9 @@ class _Animation:
             part = sketch.muscles[sketch.muscles[:, 0] == of_joints, 1].astype(int)
             if not len(part):
                 continue
-            sizes = np.zeros((len(self._frames), len(part), 3))
-            for k, frame in enumerate(self._frames):
-                drawn = instances.every_muscle(sketch, frame.picture, of_joints)
-                whole = instances.whole_muscles(sketch, frame.picture, of_joints)
-                size = np.stack((drawn.lengths, drawn.widths, PLATE * drawn.widths), -1)
-                sizes[k] = self._metres * whole[:, None] * size
+            drawn = [instances.muscles(sketch, frame.picture, of_joints) for frame in self._frames]
+            sizes = np.array([np.stack((m.lengths, m.widths, PLATE * m.widths), -1) for m in drawn])
+            sizes *= self._metres
             mesh = self._mesh("muscle", self._solid(plate(meshes()[flat])), sketch.palette.muscle)
             for k, i in enumerate(part.tolist()):
                 mass = int(sketch.joint_mass[i] if of_joints else sketch.springs[i, 0])

@@ -103,11 +103,11 @@ def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trim
     if len(pins.angles):
         found["supports"] = _copies(plate(meshes()["pin"]), pins, PLATE * pins.widths)
     if len(sketch.springs):
-        springs = instances.springs(sketch, picture)
+        springs = instances.springs(sketch, picture).seen()
         solid = spring_solid(sketch)
         found["springs"] = _copies(solid, springs, springs.widths)
     for name, flat, of_joints in MUSCLES:
-        muscles = instances.muscles(sketch, picture, of_joints)
+        muscles = instances.muscles(sketch, picture, of_joints).seen()
         if len(muscles.angles):
             found[f"muscles of {name}s"] = _copies(plate(meshes()[flat]), muscles, PLATE * muscles.widths)
     if len(rest):

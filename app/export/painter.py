@@ -232,6 +232,7 @@ class _Pen:
         from matplotlib.path import Path
         from matplotlib.transforms import IdentityTransform
 
+        parts = parts.seen()
         if not len(parts.angles):
             return
         shape = _area(meshes()[mesh].outlines)

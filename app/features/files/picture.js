@@ -11,6 +11,7 @@
 import { hold } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
 import { SVG } from "../../stage/overlay.js";
+import { download } from "../../ui/download.js";
 import { timeNow } from "../../ui/transport.js";
 import { viser } from "../../ui/viser/viser.js";
 import { PANEL } from "../../ui/viser/widgets.js";
@@ -189,11 +190,7 @@ export async function takePicture() {
     const made = await picture();
     const file = await new Promise((/** @type {BlobCallback} */ done) => made.toBlob(done, "image/png"));
     if (!file) throw new Error("the picture could not be packed");
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(file);
-    link.download = `${(told().title ?? "").replace(/[^\p{L}\p{N} ._-]+/gu, "-").slice(0, 80) || "softrod"}.png`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+    download(file, `${(told().title ?? "").replace(/[^\p{L}\p{N} ._-]+/gu, "-").slice(0, 80) || "softrod"}.png`);
   } finally {
     busy = false;
   }

@@ -1,5 +1,6 @@
 // @ts-check
 /* The page that makes a table of a video: its frames, what is marked in them, and what that becomes. */
+import { download } from "../../ui/download.js";
 import { HALF, cutOut, find, greyOf } from "./follow.js";
 import { rateOf } from "./rate.js";
 import { tableOf } from "./table.js";
@@ -261,11 +262,7 @@ function save() {
   const unit = /** @type {HTMLInputElement} */ (byId("unit")).value.replace(/[^\p{L}\p{N}]/gu, "") || "px";
   const down = /** @type {HTMLSelectElement} */ (byId("direction")).value === "down";
   const scale = { origin, pixels: b ? drawn / length : 1, unit: b ? unit : "px", down };
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([tableOf(points, times, scale)], { type: "text/csv" }));
-  link.download = "video.csv";
-  link.click();
-  URL.revokeObjectURL(link.href);
+  download(new Blob([tableOf(points, times, scale)], { type: "text/csv" }), "video.csv");
   const saved = b ? "Saved." : "Saved in pixels: no ruler was drawn.";
   say(`${saved} Drop the file on the page with the body to see it there and to fit it.`);
 }

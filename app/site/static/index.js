@@ -6,6 +6,7 @@
  * @typedef {{name: string, file: string, title: string, text: string, group: string}} Scene
  */
 import { element } from "../../export/static/parts.js";
+import { kept, store } from "../../ui/kept/storage.js";
 import { isFound, moveByKey } from "../../features/gallery/finding.js";
 
 /** Under this name the last search is stored, for the way back. */
@@ -34,22 +35,6 @@ function address(fields) {
   history.replaceState(null, "", text ? `#${text}` : location.pathname + location.search);
 }
 
-function store() {
-  try {
-    sessionStorage.setItem(KEY, search.value);
-  } catch {
-    // A frame of another site may store nothing; then the way back leads to all scenes.
-  }
-}
-
-function stored() {
-  try {
-    return sessionStorage.getItem(KEY) ?? "";
-  } catch {
-    return "";
-  }
-}
-
 /** Show the scenes that are searched for. */
 function filter() {
   const hits = new Set(found());
@@ -63,7 +48,7 @@ function filter() {
   }
   count.value = search.value.trim() ? `${hits.size} of ${all}` : all;
   none.textContent = hits.size ? "" : "No scene has all of these words.";
-  store();
+  store(KEY, search.value);
 }
 
 /** @param {string} text */
@@ -77,7 +62,7 @@ function follow() {
   const asked = new URLSearchParams(location.hash.slice(1));
   const find = (/** @type {string | null} */ wanted) =>
     scenes.find(({ name }) => name === wanted) ?? scenes.find(({ file }) => file === wanted);
-  const [scene, at] = [asked.get("scene"), find(asked.get("at"))];
+  const [scene, at, last] = [asked.get("scene"), find(asked.get("at")), kept(KEY) ?? ""];
   if (scene !== null) {
     const to = find(scene);
     if (to) location.replace(`${to.file}.html`);
@@ -85,7 +70,7 @@ function follow() {
     return;
   }
   if (asked.has("search")) seek(asked.get("search") ?? "");
-  else if (at) seek(isFound(at, stored()) ? stored() : "");
+  else if (at) seek(isFound(at, last) ? last : "");
   else filter();
   if (!at) return;
   address({ search: search.value });

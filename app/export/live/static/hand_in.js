@@ -5,6 +5,7 @@
  * @typedef {import("./answers.js").Sheet} Sheet
  */
 import { make, makeButton } from "../../../ui/dialog.js";
+import { download } from "../../../ui/download.js";
 import { element } from "../../static/parts.js";
 import { packed } from "./answers.js";
 import { qrCode } from "./qr.js";
@@ -13,8 +14,6 @@ import { qrCode } from "./qr.js";
 const MAX_NAME = 20;
 /** Modules of light paper around a QR code. */
 const QUIET = 4;
-/** Milliseconds after which a browser has saved a file that it was given. */
-const SAVED = 1e4;
 
 /** A field for a line of text. @param {string} label @param {string} value @param {number} most letters @param {(text: string) => void} take */
 export function lineField(label, value, most, take) {
@@ -59,10 +58,8 @@ export function addHandIn(sheet, frame, rename) {
 
 /** @param {Sheet} sheet */
 function save(sheet) {
-  const url = URL.createObjectURL(new Blob([JSON.stringify(sheet)], { type: "application/json" }));
   const name = (sheet.name || sheet.id).replace(/[^\p{L}\p{N}]+/gu, "-");
-  Object.assign(make("a", ""), { href: url, download: `answers-${name}.json` }).click();
-  setTimeout(() => URL.revokeObjectURL(url), SAVED);
+  download(new Blob([JSON.stringify(sheet)], { type: "application/json" }), `answers-${name}.json`);
 }
 
 /** @param {HTMLCanvasElement} canvas @param {boolean[][]} modules */
