@@ -19,6 +19,7 @@ from app.export.live.data import body_data
 from app.export.live.lesson import MEASURED
 from app.export.live.live import live_html
 from app.export.live.program import javascript_program
+from app.export.live.sliders import KEYS
 from sim.settings import set_value
 from sim.store.files import list_scenes
 from tests.amount import NIGHT, part_of
@@ -217,7 +218,9 @@ def test_sliders_set_what_they_set_in_the_page() -> None:
         "flag-pole": {"wind_speed": 900.0, "wind_direction": 35.0, "turbulence": 0.3, "gravity": 100.0},
         "jelly": {"wall_friction": 1.5, "linear_stiffness": 9000.0, "linear_damping": 3.0},
         "pile": {"contact_stiffness": 400.0, "contact_friction": 1.2, "air_friction": 0.002},
-        "tutorial-3.3": {"rest_angle": 25.0, "rest_length_scale": 1.3, "angular_stiffness": 700.0},
+        "tutorial-3.3": {
+            "rest_angle": 25.0, "rest_length_scale": 1.3, "angular_stiffness": 700.0, "angular_damping": 12.0,
+        },
         "tutorial-3.2": {"template": 90.0},
         "rope": {"tempo": 3.3, "rest_angle": 12.0, "rest_length_scale": 0.9},
         "rod": {
@@ -225,6 +228,7 @@ def test_sliders_set_what_they_set_in_the_page() -> None:
             "ground_forward": 0.1, "ground_backward": 1.0, "ground_sideways": 0.6,
         },
     }  # fmt: skip
+    assert {key for values in changes.values() for key in values} == KEYS - {"dt", "force_law"}
     for name, values in changes.items():
         scene = sim.load_scene(name)
         if "drag_across" in values:
