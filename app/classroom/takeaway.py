@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import math
 import re
@@ -11,11 +10,12 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
+from sim.csv_text import csv_text
 from sim.errors import InputError, SettingError
 from sim.settings import scene_of_step
 from sim.store.files import encode_scene
 
-from ..export.clip import Shot
+from ..export.clip import ClipFrame
 from ..export.picture import png
 from ..stage.plan import Picture
 from .kept import LOGS, log_path
@@ -97,7 +97,7 @@ def _picture(work: Work, room: Room, stop: int) -> bytes | None:
         scene = scene if place.step is None else scene_of_step(scene, place.step)
         if len(work.points) != len(scene.masses):  # the teacher has given another body
             return None
-        return png(Shot(scene, Picture(np.array(work.points), damage=work.damage)), PICTURE_SIZE)
+        return png(ClipFrame(scene, Picture(np.array(work.points), damage=work.damage)), PICTURE_SIZE)
     except (InputError, SettingError):
         return None
 
@@ -158,16 +158,9 @@ def _yes(on: bool) -> str:
 
 
 def _table(rows: Iterable[Sequence[str | float]], decimal_comma: bool) -> str:
-    """CSV. A text that a spreadsheet would take for a formula has an apostrophe before it."""
-    made = io.StringIO()
-    writer = csv.writer(made, delimiter=";" if decimal_comma else ",", lineterminator="\r\n")
-    for row in rows:
-        writer.writerow([_cell(value, decimal_comma) for value in row])
-    return "\ufeff" + made.getvalue()
+    """CSV in UTF-8 with the mark by which spreadsheets know that; a number that is not finite is left out."""
+    return "\ufeff" + csv_text((map(_finite, row) for row in rows), decimal_comma, "{:.6g}".format)
 
 
-def _cell(value: str | float, decimal_comma: bool) -> str:
-    if isinstance(value, str):
-        return f"'{value}" if value[:1] in ("=", "+", "-", "@") else value
-    text = f"{value:.6g}" if math.isfinite(value) else ""
-    return text.replace(".", ",") if decimal_comma else text
+def _finite(cell: str | float) -> str | float | None:
+    return None if isinstance(cell, float) and not math.isfinite(cell) else cell

@@ -18,17 +18,22 @@ from sim.errors import InputError
 from sim.scene.types import shown_name
 
 from ..stage.colors import linear
-from ..stage.plan import broken_of
 from ..stage.shapes import meshes
 from ..stage.sketch import Floats, Sketch
 from . import instances
-from .clip import Clip, Shot
+from .clip import Clip, ClipFrame
 from .glb_file import GlbFile
 from .keyframes import check_size
 from .model import MAX_PARTS, MUSCLES, PLATE, PX_PER_METRE, Solid, ball, plate, spring_solid, walls
 
-_OF_MASS, _OF_SPRING, _OF_MUSCLE = 3, 7, 3
-"""Numbers of each frame: a place; a turn and a size, for a spring is where its first mass is; a size."""
+_OF_MASS = 3
+"""Numbers of a mass in each frame: its place."""
+
+_OF_SPRING = 7
+"""Of a spring: a rotation and a size; its place is that of its first mass."""
+
+_OF_MUSCLE = 3
+"""Of a muscle: its size; it lies where its spring or its mass is."""
 
 
 def animated_glb(clip: Clip, rate: int, scale: float = PX_PER_METRE) -> bytes:
@@ -48,7 +53,7 @@ def animated_glb(clip: Clip, rate: int, scale: float = PX_PER_METRE) -> bytes:
         raise InputError(f"a model has {MAX_PARTS} masses and springs at most")
     muscles = len(Sketch.plain(scene).muscles)
     check_size(clip, rate, _OF_MASS * count + _OF_SPRING * springs + _OF_MUSCLE * muscles)
-    return _Animation(scene, list(clip.frames(rate)), rate, scale).file.bytes()
+    return _Animation(scene, list(clip.frames_at(rate)), rate, scale).file.bytes()
 
 
 class _Animation:
@@ -56,22 +61,22 @@ class _Animation:
 
     Args:
         scene: the body.
-        shots: its motion.
-        rate: shots a second.
+        frames: its motion.
+        rate: frames a second.
         scale: px in a metre.
     """
 
-    def __init__(self, scene: sim.Scene, shots: list[Shot], rate: int, scale: float) -> None:
-        self.file, self._sketch, self._shots = GlbFile(), Sketch.plain(scene), shots
+    def __init__(self, scene: sim.Scene, frames: list[ClipFrame], rate: int, scale: float) -> None:
+        self.file, self._sketch, self._frames = GlbFile(), Sketch.plain(scene), frames
         # From the page's world to metres.
         self._metres = 1.0 / (scale * self._sketch.mapping.scale)
-        self._times = np.arange(len(shots))[:, None] / rate
+        self._times = np.arange(len(frames))[:, None] / rate
         self._clock: int | None = None
         self._samplers: list[dict[str, Any]] = []
         self._channels: list[dict[str, Any]] = []
         self._meshes: dict[tuple[str, tuple[float, ...]], int] = {}
         to_world = self._sketch.mapping.to_world
-        places = self._metres * np.array([to_world(shot.picture.positions) for shot in shots])
+        places = self._metres * np.array([to_world(frame.picture.positions) for frame in frames])
         nodes = self._masses(places) + self._springs(places) + self._muscles(places) + self._walls(scene)
         root = self.file.add("nodes", name="body", children=nodes)
         tree = self.file.tree
@@ -94,7 +99,7 @@ class _Animation:
             self._channel(nodes[-1], "translation", self._places[i])
         if len(sketch.pinned):
             support = self._mesh("support", self._solid(plate(meshes()["pin"])), sketch.ink_colors()[0])
-            widths = self._metres * instances.pins(sketch, self._shots[0].picture).widths
+            widths = self._metres * instances.pins(sketch, self._frames[0].picture).widths
             for i, width in zip(sketch.pinned.tolist(), widths.tolist(), strict=True):
                 nodes.append(self._node(f"support {i}", support, places[0, i], [width, width, PLATE * width]))
                 self._channel(nodes[-1], "translation", self._places[i])
@@ -105,12 +110,10 @@ class _Animation:
         sketch, nodes = self._sketch, []
         if not len(sketch.springs):
             return nodes
-        drawn = [instances.every_spring(sketch, shot.picture) for shot in self._shots]
+        drawn = [instances.springs(sketch, frame.picture) for frame in self._frames]
         half = np.unwrap([each.angles for each in drawn], axis=0) / 2.0
         turns = np.stack((0.0 * half, 0.0 * half, np.sin(half), np.cos(half)), axis=-1)
         sizes = np.array([np.stack((s.lengths, s.widths, s.widths), -1) for s in drawn]) * self._metres
-        for frame, shot in enumerate(self._shots):
-            sizes[frame, list(broken_of(shot.picture.damage))] = 0.0
         mesh = self._mesh("spring", self._solid(spring_solid(sketch)), sketch.palette.rest)
         self._turns = [self._sampler(turns[:, s]) for s in range(len(sketch.springs))]
         self._first_turns = turns[0]
@@ -129,12 +132,9 @@ class _Animation:
             part = sketch.muscles[sketch.muscles[:, 0] == of_joints, 1].astype(int)
             if not len(part):
                 continue
-            sizes = np.zeros((len(self._shots), len(part), 3))
-            for frame, shot in enumerate(self._shots):
-                drawn = instances.every_muscle(sketch, shot.picture, of_joints)
-                whole = instances.whole_muscles(sketch, shot.picture, of_joints)
-                size = np.stack((drawn.lengths, drawn.widths, PLATE * drawn.widths), -1)
-                sizes[frame] = self._metres * whole[:, None] * size
+            drawn = [instances.muscles(sketch, frame.picture, of_joints) for frame in self._frames]
+            sizes = np.array([np.stack((m.lengths, m.widths, PLATE * m.widths), -1) for m in drawn])
+            sizes *= self._metres
             mesh = self._mesh("muscle", self._solid(plate(meshes()[flat])), sketch.palette.muscle)
             for k, i in enumerate(part.tolist()):
                 mass = int(sketch.joint_mass[i] if of_joints else sketch.springs[i, 0])
@@ -177,9 +177,9 @@ class _Animation:
         return self.file.add("nodes", name=name, mesh=mesh, translation=place.tolist(), scale=sizes, **turned)
 
     def _sizes(self, values: Floats) -> int | None:
-        """Keyframes of (frames, 3) sizes, which are zero from when on something is no more.
+        """Keyframes of (frames, 3) sizes, which are zero once something has vanished.
 
-        It is as large as before until that very frame: it does not shrink on the way there.
+        Until that very frame it keeps its size: it does not shrink on the way there.
         """
         gone = np.flatnonzero((values == 0.0).all(1))
         if not gone.size or gone[0] == 0:
@@ -196,12 +196,12 @@ class _Animation:
 
     def _sampler(self, values: Floats) -> int | None:
         """Keyframes of (frames, k) values, or None where they are all the same."""
-        told = values.astype(np.float32)
-        if (told == told[0]).all():
+        rows = values.astype(np.float32)
+        if (rows == rows[0]).all():
             return None
         if self._clock is None:
             self._clock = self.file.array(self._times, bounds=True)
-        output = self.file.array(told)
+        output = self.file.array(rows)
         self._samplers.append({"input": self._clock, "output": output, "interpolation": "LINEAR"})
         return len(self._samplers) - 1
 

@@ -14,6 +14,8 @@ _WHOLE = re.compile(r'^import \* as (\w+) from "(\.[\w./-]+)";$', re.MULTILINE)
 _AS = re.compile(r"(\w+) as (\w+)")
 _EXPORT = re.compile(r"^export ((?:async )?function|const|class) (\w+)", re.MULTILINE)
 _COMMENT = re.compile(r"[ \t]*/\*\*.*?\*/\n?|^[ \t]*//[^\n]*\n", re.DOTALL | re.MULTILINE)
+_STYLE_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_INDENT = re.compile(r"\n\s+")
 _LEFT = re.compile(r"^(import|export)\b.*", re.MULTILINE)
 _TYPE = re.compile(r'^ \* @typedef \{import\("\./[\w.]+"\)\.(\w+)\} \1\n', re.MULTILINE)
 _HEAD = re.compile(r"^// @ts-check\n", re.MULTILINE)
@@ -28,7 +30,7 @@ class BundleError(ValueError):
 
 
 def bundle(start: Path) -> str:
-    """A module and all that it imports, as the text of one module without comments.
+    """A module and all that it imports, as the text of one module without comments and indentation.
 
     Each of them becomes a function that returns what it exports.
 
@@ -38,12 +40,20 @@ def bundle(start: Path) -> str:
     names: dict[Path, str] = {}
     parts: list[str] = []
     text = _included(start.resolve(), names, parts)[0]
-    return "\n".join((*parts, text))
+    return _INDENT.sub("\n", "\n".join((*parts, text)))
+
+
+def compact_style(*paths: Path) -> str:
+    """The text of style sheets without comments and indentation."""
+    text = "\n".join(path.read_text(encoding="utf-8") for path in paths)
+    return _INDENT.sub("\n", _STYLE_COMMENT.sub("", text))
 
 
 def _included(path: Path, names: dict[Path, str], parts: list[str]) -> tuple[str, list[str]]:
     """The text of a module without its imports and exports, after all that it needs, and what it exports."""
     text = _COMMENT.sub("", path.read_text(encoding="utf-8"))
+    if any(line.replace(r"\`", "").count("`") % 2 for line in text.splitlines()):
+        raise BundleError(f"{path}: a template of several lines is not known to the bundler")
 
     def module(where: str) -> str:
         other = (path.parent / where).resolve()

@@ -1,4 +1,4 @@
-"""A piece of a body's motion: what films, replays and keyframes are made of."""
+"""A part of a body's motion, from which films, replays and keyframes are made."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ LONGEST = 60.0
 
 
 @dataclass(frozen=True)
-class Shot:
-    """One moment.
+class ClipFrame:
+    """One moment of a clip.
 
     Attributes:
         scene: the body and its settings then.
@@ -35,25 +35,25 @@ class Shot:
     picture: Picture
 
     @staticmethod
-    def of(moment: Moment, ghost: Moment | None = None) -> Shot:
+    def of(moment: Moment, ghost: Moment | None = None) -> ClipFrame:
         """A moment of a body, and one of a second body at the same time."""
         other = (ghost.positions, ghost.damage) if ghost is not None else (None, None)
-        return Shot(moment.scene, Picture.of(moment, *other))
+        return ClipFrame(moment.scene, Picture.of(moment, *other))
 
 
 class Clip:
     """Moments of one body, ascending in time.
 
     Args:
-        shots: at least one; those before the body got other parts are left out.
+        frames: at least one; those before the body got other parts are left out.
         seconds: simulated seconds before the last one, beyond which they are left out, too.
 
     Raises:
         InputError: a position is not a finite number, or what is left is shorter than `SHORTEST`.
     """
 
-    def __init__(self, shots: Iterable[Shot], seconds: float = LONGEST) -> None:
-        every = list(shots)
+    def __init__(self, frames: Iterable[ClipFrame], seconds: float = LONGEST) -> None:
+        every = list(frames)
         if not every:
             raise InputError("there is no motion yet; press Play first")
         begin = len(every) - 1
@@ -62,8 +62,8 @@ class Clip:
             if every[begin].picture.time <= last.picture.time - seconds + 1e-9:
                 break
             begin -= 1
-        self.shots = every[begin:]
-        self._times = [shot.picture.time for shot in self.shots]
+        self.frames = every[begin:]
+        self._times = [frame.picture.time for frame in self.frames]
         # A step may be longer than what is asked for.
         self.seconds = min(self._times[-1] - self._times[0], seconds)
         if self.seconds < SHORTEST:
@@ -71,38 +71,38 @@ class Clip:
                 f"there are only {self.seconds:.2g} s of motion, and {SHORTEST:g} s are needed; "
                 "press Play, and try again a moment later"
             )
-        if not all(np.isfinite(shot.picture.positions).all() for shot in self.shots):
+        if not all(np.isfinite(frame.picture.positions).all() for frame in self.frames):
             raise InputError("a position is not a finite number")
 
     @property
     def scene(self) -> sim.Scene:
         """The body as it is at the end."""
-        return self.shots[-1].scene
+        return self.frames[-1].scene
 
     def places(self) -> Floats:
         """(k, 2) px, the corners of what each moment takes up."""
-        corners = [(p.min(0), p.max(0)) for p in (shot.picture.positions for shot in self.shots)]
+        corners = [(p.min(0), p.max(0)) for p in (frame.picture.positions for frame in self.frames)]
         return np.array(corners).reshape(-1, 2)
 
     def count(self, interval: float) -> int:
         """How many moments an interval of so many seconds apart there are, the last one among them."""
         return int(self.seconds / interval + 1e-6) + 1
 
-    def at(self, interval: float) -> Iterable[Shot]:
+    def at(self, interval: float) -> Iterable[ClipFrame]:
         """Moments an interval of so many seconds apart, ascending; the last is the last of all."""
         for k in range(self.count(interval) - 1, -1, -1):
-            yield self._between(self._times[-1] - k * interval) if k else self.shots[-1]
+            yield self._between(self._times[-1] - k * interval) if k else self.frames[-1]
 
-    def frames(self, rate: float) -> Iterable[Shot]:
+    def frames_at(self, rate: float) -> Iterable[ClipFrame]:
         """Moments at so many a second, ascending; the first is where the clip begins."""
         begin = self._times[-1] - self.seconds
         return (self._between(begin + k / rate) for k in range(self.count(1.0 / rate)))
 
-    def _between(self, time: float) -> Shot:
+    def _between(self, time: float) -> ClipFrame:
         after = max(bisect_right(self._times, time), 1)
-        if after == len(self.shots):
-            return self.shots[-1]
-        one, two = self.shots[after - 1], self.shots[after]
+        if after == len(self.frames):
+            return self.frames[-1]
+        one, two = self.frames[after - 1], self.frames[after]
         share = (time - one.picture.time) / (two.picture.time - one.picture.time)
         before, later = one.picture, two.picture
         ghost = before.ghost

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, make_dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from rich.console import Console
 from rich.progress import Progress
@@ -20,72 +19,38 @@ from sim.store.files import write_file
 
 from ..command import CsvComma
 from ..session.log import read_log
-from .clip import LONGEST, SHORTEST, Clip, Shot
-from .keyframes import FASTEST, FPS, SLOWEST, motion_csv
-
-PICTURE = 1280
-"""Pixels of a picture's longer side."""
+from .clip import LONGEST, SHORTEST, ClipFrame
+from .formats import FORMATS, Format, Options, Source
+from .keyframes import FASTEST, FPS, SLOWEST
+from .model import PX_PER_METRE
 
 _SIZE = re.compile(r"(\d{2,4})x(\d{2,4})")
 
-_ENDINGS = {
-    "csv": ("zip",),
-    "python": ("py",),
-    "javascript": ("js", "mjs"),
-    "live": ("html",),
-    "motion": ("csv",),
-    "animation": ("glb",),
-}
-"""Of files whose option has another name."""
+if TYPE_CHECKING:
 
-_OF_BODY = frozenset(("live", "json", "csv", "python", "c", "javascript"))
-"""What needs no motion."""
+    class _Files:
+        """The files to write, an option for each row of `FORMATS`."""
 
-_RACES = frozenset(("png", "gif", "html"))
-"""What can show two bodies."""
-
-_KEYFRAMES = frozenset(("motion", "animation"))
-"""What has frames at a rate of its own."""
+else:
+    _Files = make_dataclass(
+        "_Files", [(f.flag, Annotated[Path | None, arg(help=f.about)], None) for f in FORMATS]
+    )
 
 
 @dataclass
-class Export:
+class Export(_Files):
     """Write a picture, a film, a replay, a model, data or a program of a scene, or of a log that a page
     recorded."""
 
     scene: Annotated[Positional[str], arg(metavar="SCENE")] = ""
     """A preset's name or a file's path; a recorded log has its own."""
-    png: Path | None = None
-    """A picture of the end, FILE.png."""
-    gif: Path | None = None
-    """A film, FILE.gif."""
-    html: Path | None = None
-    """A replay that any browser shows without a network, FILE.html."""
-    live: Path | None = None
-    """The body itself, which moves and is dragged in any browser without a network, FILE.html."""
-    glb: Path | None = None
-    """A model of the end in three dimensions, FILE.glb."""
-    motion: Path | None = None
-    """Where all masses are in each frame, as a table in CSV, FILE.csv."""
-    animation: Path | None = None
-    """A model in three dimensions that moves, with keyframes, FILE.glb."""
-    json: Path | None = None
-    """The body's numbers as plain arrays, FILE.json."""
-    csv: Path | None = None
-    """The body's numbers as tables in CSV, FILE.zip."""
-    python: Path | None = None
-    """A program in Python with NumPy that moves the body by the tutorial's step, FILE.py."""
-    c: Path | None = None
-    """The same in C99, for a game's loop: FILE.c and, beside it, FILE.h."""
-    javascript: Path | None = None
-    """A module in JavaScript for games, which moves, pushes and drags the body, FILE.js or FILE.mjs."""
     seconds: float = 5.0
     """Simulated seconds, 0..60: of a log the last ones."""
     after: float = 0.0
     """Simulated seconds before these."""
     race: str = ""
-    """Another scene, whose body moves beside this one on the same terrain, in --png, --gif and --html."""
-    scale: float = 1000.0
+    """Another scene, whose body moves along with this one on the same terrain, in --png, --gif and --html."""
+    scale: float = PX_PER_METRE
     """Px in a metre, in --glb and --animation, 0.001..1e9."""
     fps: int = FPS
     """Frames a second of --motion and --animation, 1..240."""
@@ -107,23 +72,33 @@ class Export:
         Raises:
             InputError, SceneError, SettingError: it cannot be done; what is not written yet is not written.
         """
-        wanted = {"png": self.png, "gif": self.gif, "html": self.html, "glb": self.glb}
-        wanted |= {"live": self.live, "json": self.json, "csv": self.csv, "python": self.python, "c": self.c}
-        wanted |= {"javascript": self.javascript, "motion": self.motion, "animation": self.animation}
-        outputs = {kind: path for kind, path in wanted.items() if path is not None}
-        size = self._checked(outputs)
-        rate = self.fps if _KEYFRAMES & set(outputs) else None
-        moments = self._moments(0.0 if set(outputs) <= _OF_BODY else self.seconds, rate)
-        makers = self._makers(moments, self._shots(moments), size)
-        for kind, path in outputs.items():
-            made = makers[kind]()
-            files = made if isinstance(made, dict) else {path: made}
-            for file, data in files.items():
+        paths: dict[Format, Path] = {f: path for f in FORMATS if (path := getattr(self, f.flag)) is not None}
+        size = self._checked(paths)
+        seconds = 0.0 if all(each.of == "body" for each in paths) else self.seconds
+        moments = self._moments(seconds, self.fps if any(each.has_rate for each in paths) else None)
+        # The body at the start of a film; of a log there is only its end.
+        begin = moments[0 if self.inputs is None else -1]
+        source = Source(begin, self._frames(moments), self.seconds)
+        console = Console(stderr=True)
+        for each, path in paths.items():
+            with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
+                task = progress.add_task("making", total=1.0)
+                made = each.make(
+                    source,
+                    Options(
+                        path.stem, size, self.dark, self.scale, self.fps, self.csv_comma,
+                        lambda part, task=task, progress=progress: progress.update(task, completed=part),
+                    ),
+                )  # fmt: skip
+            for note in made.notes:
+                print(f"softrod: {path}: {note}", file=sys.stderr)
+            for number, (ending, data) in enumerate(made.files.items()):
+                file = path.with_suffix(f".{ending}") if number else path
                 write_file(file, data)
                 print(f"{file}: {len(data) / 1000:.0f} kB")
         return 0
 
-    def _checked(self, outputs: dict[str, Path]) -> tuple[int, int] | None:
+    def _checked(self, paths: dict[Format, Path]) -> tuple[int, int] | None:
         """The size, before any time goes into simulating.
 
         Raises:
@@ -131,20 +106,18 @@ class Export:
         """
         from .painter import LARGEST, SMALLEST
 
-        if not outputs:
-            raise InputError(
-                "export: name what to write, with --png, --gif, --html, --live, --glb, --motion, "
-                "--animation, --json, --csv, --python, --c or --javascript"
-            )
-        for kind, path in outputs.items():
-            endings = [f".{ending}" for ending in _ENDINGS.get(kind, (kind,))]
+        if not paths:
+            *first, last = (f"--{each.flag}" for each in FORMATS)
+            raise InputError(f"export: name what to write, with {', '.join(first)} or {last}")
+        for each, path in paths.items():
+            endings = [f".{ending}" for ending in each.endings]
             if path.suffix.lower() not in endings:
-                raise InputError(f"--{kind} {path}: the file must end in {' or '.join(endings)}")
+                raise InputError(f"--{each.flag} {path}: the file must end in {' or '.join(endings)}")
             if not path.parent.is_dir():
-                raise InputError(f"--{kind} {path}: the folder {path.parent} does not exist")
-        if self.race and (self.inputs is not None or not set(outputs) <= _RACES):
+                raise InputError(f"--{each.flag} {path}: the folder {path.parent} does not exist")
+        if self.race and (self.inputs is not None or not all(each.races for each in paths)):
             raise InputError("--race: it is shown by --png, --gif and --html, of a scene and not of a log")
-        least = SHORTEST if {"gif", "html", *_KEYFRAMES} & set(outputs) else 0.0
+        least = SHORTEST if any(each.of == "motion" for each in paths) else 0.0
         if not least <= self.seconds <= LONGEST:
             raise InputError(f"--seconds: {self.seconds:g} is not in the range {least:g}..{LONGEST:g} s")
         if not 1e-3 <= self.scale <= 1e9:
@@ -178,10 +151,10 @@ class Export:
             console.print(f"softrod: {self.inputs}: {differs}", highlight=False)
         return moments
 
-    def _shots(self, moments: list[sim.Moment]) -> list[Shot]:
+    def _frames(self, moments: list[sim.Moment]) -> list[ClipFrame]:
         """What pictures, films and replays show."""
         if not self.race:
-            return list(map(Shot.of, moments))
+            return list(map(ClipFrame.of, moments))
         from sim.edit.terrain import on_terrain
 
         from .making import simulated
@@ -192,62 +165,3 @@ class Export:
         for each in (moments, others):
             print(result(each))
         return race(moments, others)
-
-    def _makers(
-        self, moments: list[sim.Moment], shots: list[Shot], size: tuple[int, int] | None
-    ) -> dict[str, Callable[[], bytes | dict[Path, bytes]]]:
-        from . import film, picture, replay
-        from .body.body import Body
-        from .body.data import body_csv, body_json
-        from .body.program import c_program, python_program
-        from .live.live import live_html
-        from .live.program import javascript_program
-
-        last = shots[-1]
-        # The start of a film; of a log there is only its end.
-        begin = moments[0 if self.inputs is None else -1]
-
-        def clip() -> Clip:
-            return Clip(shots, self.seconds)
-
-        def noted(made: tuple[bytes, list[str]], path: Path | None) -> bytes:
-            data, notes = made
-            for note in notes:
-                print(f"softrod: {path}: {note}", file=sys.stderr)
-            return data
-
-        def in_c() -> dict[Path, bytes]:
-            assert self.c is not None
-            source, header, notes = c_program(Body.of(begin), self.c.stem)
-            return {self.c: noted((source, notes), self.c), self.c.with_suffix(".h"): header}
-
-        def model() -> bytes:
-            from .model import glb
-
-            return glb(last.scene, last.picture, self.scale)
-
-        def animated() -> bytes:
-            from .animation import animated_glb
-
-            return animated_glb(clip(), self.fps, self.scale)
-
-        def moving() -> bytes:
-            console = Console(stderr=True)
-            with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
-                task = progress.add_task("painting", total=1.0)
-                return film.gif(clip(), size, self.dark, lambda part: progress.update(task, completed=part))
-
-        return {
-            "png": lambda: picture.png(last, size or film.size_of(last.scene, longer=PICTURE), self.dark),
-            "gif": moving,
-            "html": lambda: replay.replay_html(clip()),
-            "glb": model,
-            "motion": lambda: motion_csv(clip(), self.fps, self.csv_comma),
-            "animation": animated,
-            "json": lambda: body_json(Body.of(begin)),
-            "csv": lambda: body_csv(Body.of(begin), self.csv_comma),
-            "live": lambda: noted(live_html(begin), self.live),
-            "python": lambda: noted(python_program(Body.of(begin)), self.python),
-            "c": in_c,
-            "javascript": lambda: noted(javascript_program(begin), self.javascript),
-        }

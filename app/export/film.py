@@ -32,14 +32,17 @@ MAX_PIXELS = 160_000_000
 _SAMPLES = 6
 """Frames from which the film's colours are taken."""
 
-_COLORS, _EXACT = 255, 16
-"""Of a film, and how many of them are the most frequent ones as they are."""
+_COLORS = 255
+"""Colours of a film, of the 256 that a GIF can have."""
+
+_EXACT = 16
+"""How many of them are the most frequent ones, unchanged."""
 
 _CELLS = 64
 """On each side of the cube of colours: what is in one cell gets the same colour of the film."""
 
 Progress = Callable[[float], None]
-"""Is called now and then with the part that is done, 0..1; what it raises ends the work."""
+"""Called from time to time with the fraction that is done, 0..1; what it raises ends the work."""
 
 
 def size_of(scene: sim.Scene, clip: Clip | None = None, longer: int = WIDTH) -> tuple[int, int]:
@@ -66,13 +69,13 @@ def gif(
         clip: what is shown.
         size: width and height, pixels, 16..4096 each; by the clip's shape unless given.
         dark: whether on dark paper.
-        progress: hears how far it is.
+        progress: is told how far it is, see `Progress`.
     """
     size = size or size_of(clip.scene, clip)
     ticks = TICKS
     while clip.count(ticks * TICK) * size[0] * size[1] > MAX_PIXELS:
         ticks += 1
-    tell = progress or (lambda _: None)
+    report = progress or (lambda _: None)
     count = clip.count(ticks * TICK)
     film = _paint(clip, ticks * TICK, size, dark)
     reduce = _Colors(clip, size, dark).reduce
@@ -80,7 +83,7 @@ def gif(
     def frames() -> Iterator[Image.Image]:
         for done, image in enumerate(film, start=1):
             yield reduce(image)
-            tell(0.95 * done / count)
+            report(0.95 * done / count)
 
     rest = frames()
     first, out = next(rest), io.BytesIO()
@@ -89,27 +92,27 @@ def gif(
     first.save(
         out, "GIF", save_all=True, append_images=rest, duration=durations, loop=0, optimize=False, disposal=1
     )
-    tell(1.0)
+    report(1.0)
     return out.getvalue()
 
 
 def _paint(clip: Clip, interval: float, size: tuple[int, int], dark: bool) -> Iterator[Image.Image]:
     painter: Painter | None = None
     window: Window | None = None
-    for shot in clip.at(interval):
-        if painter is None or painter.scene is not shot.scene:
-            painter = Painter(shot.scene, size, dark, window=window)
+    for frame in clip.at(interval):
+        if painter is None or painter.scene is not frame.scene:
+            painter = Painter(frame.scene, size, dark, window=window)
             if window is None:  # the same for the whole film
                 window = Window.fit(painter.sketch, clip.scene.view.frame, size, clip.places())
-                painter = Painter(shot.scene, size, dark, window=window)
-        yield painter.paint(shot.picture)
+                painter = Painter(frame.scene, size, dark, window=window)
+        yield painter.paint(frame.picture)
 
 
 class _Colors:
     """The colours of a film: 255 that are nearest to those of some of its frames.
 
     How often there is a colour counts by its square root, or all of them would be paper. The most frequent
-    ones are kept as they are: Pillow's own way would turn white paper into nearly white paper.
+    ones stay as they are: Pillow's own quantisation would turn white paper into nearly white paper.
     """
 
     def __init__(self, clip: Clip, size: tuple[int, int], dark: bool) -> None:

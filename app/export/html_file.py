@@ -1,7 +1,7 @@
 """One HTML file that shows a body anywhere and without a server.
 
-The file may load nothing and talk to nobody (its policy says so), and runs only the script whose digest it
-names. What comes from a scene is text in it, never markup.
+Its content security policy lets the file load nothing and connect to nobody, and run only the scripts whose
+digests it names. What comes from a scene is text in it, never markup.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 import sim
 from sim.scene.types import shown_name
 
+from ..stage.looks import FRACTIONS, SPEEDS
 from ..stage.plan import encode_plan
 from ..stage.shapes import meshes
 from ..stage.sketch import Floats, Sketch
@@ -30,10 +31,13 @@ from .window import bounds
 
 _MESHES = ("disc", "ring", "pin", "bar", "slice")
 
+_FASTEST = 2.0
+"""The largest speed of a file's clock, s/s."""
+
 
 @dataclass(frozen=True)
 class Bar:
-    """What a file has over its title to lead to others.
+    """What stands over the title of a file and leads to others.
 
     Attributes:
         html: of the bar.
@@ -68,11 +72,11 @@ def html_file(
         bar: what leads to other files, for one that is not alone.
     """
     title = html.escape(shown_name(scene))
-    told = f'<p class="note">{html.escape(note)}</p>\n' if note else ""
+    noted = f'<p class="note">{html.escape(note)}</p>\n' if note else ""
     over = f"\n{bar.html}" if bar else ""
     header = f"""<header>{over}
 <h1>{title}</h1>
-{told}<p>{html.escape(scene.description)}</p>
+{noted}<p>{html.escape(scene.description)}</p>
 <p role="alert"></p>
 <noscript><p>The motion is shown by a script, which this browser does not run.</p></noscript>
 </header>"""
@@ -126,7 +130,7 @@ def document(
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="generator" content="softrod">
 <title>{html.escape(title)}</title>
-<link rel="icon" href="{_icon()}">
+<link rel="icon" href="{_favicon()}">
 {head}
 </head>
 <body>
@@ -138,8 +142,23 @@ def document(
     return text.encode()
 
 
+def speed_options() -> str:
+    """The options of a list of speeds, up to what a browser computes in time."""
+    return "".join(
+        f'<option value="{speed:g}"{" selected" * (speed == 1)}>{FRACTIONS.get(speed, int(speed))}×</option>'
+        for speed in SPEEDS
+        if speed <= _FASTEST
+    )
+
+
+def icon(**paths: str) -> str:
+    """An icon of outlines in 24 by 24, each with its name as its class."""
+    found = "".join(f'<path class="{name}" d="{path}"/>' for name, path in paths.items())
+    return f'<svg viewBox="0 0 24 24" aria-hidden="true">{found}</svg>'
+
+
 @cache
-def _icon() -> str:
+def _favicon() -> str:
     """The page's icon in an address of its own: a browser would ask a file's server for one otherwise."""
     svg = (Path(__file__).parents[1] / "pages" / "sandbox" / "icon.svg").read_text(encoding="utf-8")
     return f"data:image/svg+xml,{quote(' '.join(svg.split()), safe=' /:=')}"
@@ -159,7 +178,7 @@ def stage(scene: sim.Scene, places: Floats) -> dict[str, object]:
 
     Args:
         scene: what is shown.
-        places: (k, 2) px, some of which its masses take up beside the scene's frame.
+        places: (k, 2) px, where its masses are, which may be beyond the scene's frame.
     """
     sketch = Sketch.plain(scene)
     xmin, ymin, xmax, ymax = scene.view.frame

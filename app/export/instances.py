@@ -54,6 +54,14 @@ class Instances(NamedTuple):
         places, angles, lengths, widths, colors = self
         return Instances(places[which], angles[which], lengths[which], widths[which], colors[which])
 
+    def only(self, which: NDArray[np.bool_]) -> Instances:
+        """As many copies, of which the others have no size."""
+        return self._replace(lengths=which * self.lengths, widths=which * self.widths)
+
+    def seen(self) -> Instances:
+        """The copies that have a size."""
+        return self.some(self.lengths > 0.0)
+
 
 def to_world(sketch: Sketch, positions: Floats) -> Floats:
     """(n, 2) in the page's world of (n, 2) px."""
@@ -61,12 +69,7 @@ def to_world(sketch: Sketch, positions: Floats) -> Floats:
 
 
 def springs(sketch: Sketch, picture: Picture) -> Instances:
-    """Coils or bars; none for a spring that is broken."""
-    return every_spring(sketch, picture).some(_whole(len(sketch.springs), broken_of(picture.damage)))
-
-
-def every_spring(sketch: Sketch, picture: Picture) -> Instances:
-    """As `springs`, with those that are broken."""
+    """Coils or bars, without a size where a spring is broken."""
     start, angles, lengths = _between(sketch, picture.positions)
     moved = picture.damage.set_lengths if picture.damage is not None else ()
     stretch, _ = _swings(sketch, picture)
@@ -77,39 +80,26 @@ def every_spring(sketch: Sketch, picture: Picture) -> Instances:
     if not sketch.bars:
         # A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
         widths = widths * np.clip(np.sqrt(rest / np.maximum(lengths, 1e-12)), THINNEST, THICKEST)
-    return Instances(start, angles, lengths, widths, _colored(strain_colors(sketch), strain))
+    coils = Instances(start, angles, lengths, widths, _colored(strain_colors(sketch), strain))
+    return coils.only(_whole(len(lengths), broken_of(picture.damage)))
 
 
 def muscles(sketch: Sketch, picture: Picture, of_joints: bool) -> Instances:
-    """Bellies along springs, or halos around the masses of joints; none where what they move is broken."""
-    return every_muscle(sketch, picture, of_joints).some(whole_muscles(sketch, picture, of_joints))
-
-
-def whole_muscles(sketch: Sketch, picture: Picture, of_joints: bool) -> NDArray[np.bool_]:
-    """(k,) whether what each muscle moves is not broken."""
-    part, gone = _part_of_muscles(sketch, of_joints), np.array(broken_of(picture.damage), np.int64)
-    if of_joints:
-        return ~(np.isin(sketch.joint_a[part], gone) | np.isin(sketch.joint_b[part], gone))
-    return ~np.isin(part, gone)
-
-
-def every_muscle(sketch: Sketch, picture: Picture, of_joints: bool) -> Instances:
-    """As `muscles`, with those of what is broken."""
-    rows, part = sketch.muscles[sketch.muscles[:, 0] == of_joints], _part_of_muscles(sketch, of_joints)
+    """Bellies along springs, or halos around the masses of joints; without a size on what is broken."""
+    rows = sketch.muscles[sketch.muscles[:, 0] == of_joints]
+    part = rows[:, 1].astype(np.int64)
+    whole = _whole(len(sketch.springs), broken_of(picture.damage))
     breath = (1.0 if of_joints else -1.0) * np.sign(rows[:, 2]) * _waves(sketch, rows, picture.time)
     if of_joints:
         tip = sketch.joint_mass[part]
         places, angles = to_world(sketch, picture.positions)[tip], np.zeros(len(part))
         lengths = widths = HALO * (1.0 + BREATH * breath) * sketch.radius[tip]
+        moves = whole[sketch.joint_a[part]] & whole[sketch.joint_b[part]]
     else:
         places, angles, lengths = (each[part] for each in _between(sketch, picture.positions))
         widths = BELLY * (1.0 + BREATH * breath) * sketch.thickness[part] * (1.0 if sketch.bars else 2.0)
-    return Instances(places, angles, lengths, widths, _colored(muscle_colors(sketch), breath))
-
-
-def _part_of_muscles(sketch: Sketch, of_joints: bool) -> NDArray[np.int64]:
-    """(k,) the springs or the joints that muscles move."""
-    return sketch.muscles[sketch.muscles[:, 0] == of_joints, 1].astype(np.int64)
+        moves = whole[part]
+    return Instances(places, angles, lengths, widths, _colored(muscle_colors(sketch), breath)).only(moves)
 
 
 def _swings(sketch: Sketch, picture: Picture) -> tuple[Floats, Floats]:
@@ -134,25 +124,24 @@ def _waves(sketch: Sketch, rows: Floats, time: float) -> Floats:
 
 
 def yielded(sketch: Sketch, picture: Picture) -> Instances:
-    """Bars along the springs that have yielded and are not broken."""
+    """Bars along springs, which have a size where these have yielded and are not broken."""
     start, angles, lengths = _between(sketch, picture.positions)
     count = len(lengths)
     moved = picture.damage.set_lengths if picture.damage is not None else ()
     marked = np.abs(np.array(moved) if moved else np.zeros(count)) > YIELDED * sketch.rest_length
     marked &= _whole(count, broken_of(picture.damage))
     colors = np.tile(sketch.ink_colors()[3], (count, 1))
-    return Instances(start, angles, lengths, CREASE * sketch.thickness, colors).some(marked)
+    return Instances(start, angles, lengths, CREASE * sketch.thickness, colors).only(marked)
 
 
 def ghost(sketch: Sketch, picture: Picture) -> Instances:
-    """Thin bars for the springs of a second body, which there must be."""
+    """Thin bars along the springs of a second body, which there must be; without a size on a broken one."""
     assert picture.ghost is not None
     start, angles, lengths = _between(sketch, picture.ghost)
-    whole = _whole(len(lengths), picture.ghost_broken)
-    start, angles, lengths = start[whole], angles[whole], lengths[whole]
     count = len(lengths)
     colors = np.tile(sketch.ink_colors()[2], (count, 1))
-    return Instances(start, angles, lengths, np.full(count, GHOST_WIDTH), colors)
+    bars = Instances(start, angles, lengths, np.full(count, GHOST_WIDTH), colors)
+    return bars.only(_whole(count, picture.ghost_broken))
 
 
 def deviations(sketch: Sketch, picture: Picture, rest_angles: Floats) -> Floats:
@@ -176,8 +165,8 @@ def deviations(sketch: Sketch, picture: Picture, rest_angles: Floats) -> Floats:
 def wedges(sketch: Sketch, picture: Picture, rest_angles: Floats) -> Instances:
     """Thin triangles from the rest angle to the present one, `sketch.slices` of them for each whole joint."""
     off = deviations(sketch, picture, rest_angles)
-    broken = np.array(broken_of(picture.damage), np.int64)
-    whole = ~(np.isin(sketch.joint_a, broken) | np.isin(sketch.joint_b, broken))
+    holds = _whole(len(sketch.springs), broken_of(picture.damage))
+    whole = holds[sketch.joint_a] & holds[sketch.joint_b]
     off, tip, sense = off[whole], sketch.joint_mass[whole], sketch.joint_sense[whole]
     world, slices = to_world(sketch, picture.positions), sketch.slices
     ends = sketch.springs[sketch.joint_b[whole]]

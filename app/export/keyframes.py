@@ -8,17 +8,20 @@ from sim.errors import InputError
 from .clip import Clip
 
 FPS = 60
-"""Frames a second, unless there is another number."""
+"""Frames a second by default."""
 
-SLOWEST, FASTEST = 1, 240
-"""Frames a second."""
+SLOWEST = 1
+"""Frames a second, at least."""
+
+FASTEST = 240
+"""Frames a second, at most."""
 
 MAX_NUMBERS = 10_000_000
 """In a file."""
 
 
 def check_size(clip: Clip, rate: int, numbers: int) -> None:
-    """Refuses a motion that would make too large a file.
+    """Refuse a motion that would make too large a file.
 
     Args:
         clip: the motion.
@@ -47,5 +50,7 @@ def motion_csv(clip: Clip, rate: int, decimal_comma: bool = False) -> bytes:
     masses = len(clip.scene.masses)
     check_size(clip, rate, 2 * masses)
     head = ("time", *(f"{axis}{i}" for i in range(masses) for axis in "xy"))
-    rows = ((k / rate, *shot.picture.positions.ravel().tolist()) for k, shot in enumerate(clip.frames(rate)))
+    rows = (
+        (k / rate, *frame.picture.positions.ravel().tolist()) for k, frame in enumerate(clip.frames_at(rate))
+    )
     return csv_text((head, *rows), decimal_comma, "{:.10g}".format).encode()

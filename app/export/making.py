@@ -28,7 +28,7 @@ def simulated(
         seconds: how long, s.
         after: simulated seconds before the first moment.
         console: for the progress bar.
-        rate: frames a second for each of which there are the last step before it and the next one, too.
+        rate: frames a second; the steps just before and after each frame are captured as well.
 
     Raises:
         InputError: the body becomes unstable; the sentence says when and why.
@@ -54,7 +54,7 @@ def simulated(
 
 
 def _steps(seconds: float, dt: float) -> int:
-    """The whole time steps in some seconds; a hair more, as in `Simulation.advance`."""
+    """The number of whole time steps in some seconds, rounded as `Simulation.advance` does."""
     return int(seconds / dt + 1e-9)
 
 

@@ -1,8 +1,8 @@
 """A pose as a model in three dimensions: a GLB file, for programs such as Blender and for viewers on the web.
 
-Masses are balls, springs coils or bars, wedges, supports, muscles and walls plates. What else surrounds a
-body is left out. glTF measures in metres: a px is a millimetre unless another scale is asked for, the middle
-of the scene's frame is the origin, and y is up.
+Masses are balls, springs are coils or bars; wedges, supports, muscles and walls are plates. Wind, media and
+the ground are left out. glTF measures in metres: a px is a millimetre by default, the middle of the scene's
+frame is the origin, and y points up.
 """
 
 from __future__ import annotations
@@ -32,14 +32,20 @@ PX_PER_METRE = 1000.0
 MAX_PARTS = 20_000
 """Masses and springs together, beyond which a file would be too large for most viewers."""
 
-_WIRE, _SIDES, _SAMPLES = 0.15, 6, 12
-"""Radius of a coil's wire in those of the coil, sides of the wire, and its places in a turn."""
+_WIRE = 0.15
+"""Radius of a coil's wire, in radii of the coil."""
+
+_SIDES = 6
+"""Sides of the wire's cross-section."""
+
+_SAMPLES = 12
+"""Cross-sections of the wire in a turn of the coil."""
 
 PLATE = 0.3
 """Thickness of wedges, supports and muscles, in radii of their mass or in their width."""
 
 MUSCLES = ("spring", "belly", False), ("joint", "disc", True)
-"""Of each kind of muscle what it moves, the flat mesh of its plate, and whether it is a joint's."""
+"""For each kind of muscle: what it moves, the flat mesh of its plate, and whether it is a joint's."""
 
 Solid = tuple[Floats, NDArray[np.int64]]
 """Vertices (k, 3) and triangles (m, 3)."""
@@ -87,7 +93,7 @@ def glb(scene: sim.Scene, picture: Picture, scale: float = PX_PER_METRE) -> byte
 
 
 def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trimesh]:
-    """What there is, by name, in the page's world."""
+    """The meshes by name, in the page's world."""
     count, rest = len(sketch.radius), np.array([joint.rest_angle for joint in scene.angular_springs])
     discs = instances.masses(sketch, picture)
     fills = discs.some(slice(count, 2 * count))
@@ -97,11 +103,11 @@ def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trim
     if len(pins.angles):
         found["supports"] = _copies(plate(meshes()["pin"]), pins, PLATE * pins.widths)
     if len(sketch.springs):
-        springs = instances.springs(sketch, picture)
+        springs = instances.springs(sketch, picture).seen()
         solid = spring_solid(sketch)
         found["springs"] = _copies(solid, springs, springs.widths)
     for name, flat, of_joints in MUSCLES:
-        muscles = instances.muscles(sketch, picture, of_joints)
+        muscles = instances.muscles(sketch, picture, of_joints).seen()
         if len(muscles.angles):
             found[f"muscles of {name}s"] = _copies(plate(meshes()[flat]), muscles, PLATE * muscles.widths)
     if len(rest):

@@ -214,7 +214,7 @@ class _Pen:
         Args:
             lines: (k, 2) each.
             color, width, opacity: of all.
-            crisp: whether they are moved onto whole pixels, of which they take one at least.
+            crisp: whether they are aligned with whole pixels, and at least one pixel wide.
             round_ends: whether they end in half circles.
         """
         if lines:
@@ -232,6 +232,7 @@ class _Pen:
         from matplotlib.path import Path
         from matplotlib.transforms import IdentityTransform
 
+        parts = parts.seen()
         if not len(parts.angles):
             return
         shape = _area(meshes()[mesh].outlines)

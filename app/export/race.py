@@ -14,11 +14,11 @@ from sim.edit.terrain import center
 from sim.scene.types import Damage, shown_name
 
 from ..stage.plan import Picture
-from .clip import Shot
+from .clip import ClipFrame
 
 
-def race(moments: list[sim.Moment], others: list[sim.Moment]) -> list[Shot]:
-    """The moments of a body with those of another one beside it: as one scene that is only drawn.
+def race(moments: list[sim.Moment], others: list[sim.Moment]) -> list[ClipFrame]:
+    """The frames of two bodies in one scene, which is only drawn.
 
     Args:
         moments: of the one, ascending in time.
@@ -36,7 +36,7 @@ def race(moments: list[sim.Moment], others: list[sim.Moment]) -> list[Shot]:
         return replace(before, positions=before.positions + share * (later - before.positions))
 
     return [
-        Shot(drawn, _side_by_side(one, other, Picture.of(moment), rival_at(moment.time)))
+        ClipFrame(drawn, _side_by_side(one, other, Picture.of(moment), rival_at(moment.time)))
         for moment in moments
     ]
 
@@ -53,7 +53,7 @@ def _together(one: sim.Scene, other: sim.Scene) -> sim.Scene:
     """Both bodies in the surroundings and the view of the first, with rest lengths as they are in each."""
     changed = msgspec.structs.replace
     n, s = len(one.masses), len(one.linear_springs)
-    # There is one beat to a scene: muscles that keep to another one are drawn at rest.
+    # A scene has one beat: muscles that follow another one are drawn at rest.
     in_time = one.beat == other.beat
     beat = one.beat or other.beat
     rests = {} if in_time or not one.beat else {"muscle": msgspec.UNSET}

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 
 from sim.scene.types import shown_name
 
-from ..stage.looks import FRACTIONS, ICONS, SPEEDS, style_rules
+from ..stage.looks import ICONS, style_rules
 from ..stage.plan import encode_damage, encode_frame
 from ..stage.sketch import Floats
 from ..wire.sections import joined
-from .bundle import bundle
-from .clip import Clip, Shot
-from .html_file import html_file, packed, plans, stage
+from .bundle import bundle, compact_style
+from .clip import Clip, ClipFrame
+from .html_file import html_file, icon, packed, plans, speed_options, stage
 
 RATE = 60.0
 """Frames a second; fewer of a large body."""
@@ -27,11 +27,10 @@ MAX_NUMBERS = 1_200_000
 """Coordinates in a file."""
 
 STEPS = 65536
-"""To how many steps at least positions are kept between the least and the greatest coordinate of a clip."""
+"""Steps, at least, to which coordinates are rounded between the least and the greatest one of a clip."""
 
 _FOLDER = Path(__file__).parent / "static"
 _ICONS = {"play": ICONS["play"], "pause": ICONS["pause"], "again": ICONS["reset"]}
-_FASTEST = 2.0
 
 
 def replay_html(clip: Clip) -> bytes:
@@ -40,19 +39,12 @@ def replay_html(clip: Clip) -> bytes:
     about, data = _described(clip)
     title = shown_name(scene)
     style, script = _looks()
-    icons = "".join(f'<path class="{name}" d="{path}"/>' for name, path in _ICONS.items())
-    speeds = "".join(
-        f'<option value="{speed:g}"{" selected" * (speed == 1)}>{FRACTIONS.get(speed, int(speed))}×</option>'
-        for speed in SPEEDS
-        if speed <= _FASTEST
-    )
     body = f"""<canvas id="canvas" role="img" aria-label="{html.escape(title)}"></canvas>
 <div class="bar">
-<button id="play" type="button" data-icon="play" aria-label="Play">
-<svg viewBox="0 0 24 24" aria-hidden="true">{icons}</svg></button>
+<button id="play" type="button" data-icon="play" aria-label="Play">{icon(**_ICONS)}</button>
 <input id="time" type="range" min="0" max="1" step="any" value="0" aria-label="Time shown">
 <output id="clock" for="time"></output>
-<select id="speed" aria-label="Speed">{speeds}</select>
+<select id="speed" aria-label="Speed">{speed_options()}</select>
 </div>"""
     return html_file(scene, body, style, script, {"about": about, "data": data})
 
@@ -62,47 +54,47 @@ def _looks() -> tuple[str, str]:
     """The styles and the script."""
     script = bundle(_FOLDER / "replay.js")
     colors = style_rules("@media (prefers-color-scheme: dark){*}")
-    return colors + (_FOLDER / "replay.css").read_text(encoding="utf-8"), script
+    return colors + compact_style(_FOLDER / "file.css", _FOLDER / "replay.css"), script
 
 
 def _described(clip: Clip) -> tuple[dict[str, object], str]:
-    """What the script is told, see static/replay.js, and arrays as pages get them: plans, damages, frames."""
+    """The `About` of `static/replay.js`, and arrays as pages get them: plans, damages, frames."""
     scene = clip.scene
-    bodies = 2 if any(shot.picture.ghost is not None for shot in clip.shots) else 1
+    bodies = 2 if any(frame.picture.ghost is not None for frame in clip.frames) else 1
     interval = 1.0 / RATE
     while clip.count(interval) * 2 * bodies * len(scene.masses) > MAX_NUMBERS and clip.count(interval) > 2:
         interval *= 1.25
-    shots = list(clip.at(interval))
+    frames = list(clip.at(interval))
     every: dict[int, list[NDArray[np.float32]]] = {}
     damages: dict[int, NDArray[np.float32]] = {}
-    for number, (shot, before) in enumerate(zip(shots, [None, *shots], strict=False)):
-        if before is None or shot.scene is not before.scene:
-            every[number] = plans(shot.scene)
-        damage = encode_damage(0, shot.picture)
+    for number, (frame, before) in enumerate(zip(frames, [None, *frames], strict=False)):
+        if before is None or frame.scene is not before.scene:
+            every[number] = plans(frame.scene)
+        damage = encode_damage(0, frame.picture)
         if before is None or not np.array_equal(damage, encode_damage(0, before.picture)):
             damages[number] = damage
     about: dict[str, object] = {
-        "frames": len(shots),
+        "frames": len(frames),
         "interval": interval,
         **stage(scene, clip.places()),
         "plans": list(every),
         "damages": list(damages),
     }
-    arrays = joined(*(plan for both in every.values() for plan in both), *damages.values(), *_frames(shots))
+    arrays = joined(*(plan for both in every.values() for plan in both), *damages.values(), *_encoded(frames))
     return about, packed(arrays)
 
 
-def _frames(shots: list[Shot]) -> list[NDArray[np.float32]]:
+def _encoded(frames: list[ClipFrame]) -> list[NDArray[np.float32]]:
     """Frames in which positions have no more digits than can be seen, so that they take less when packed."""
-    places = np.concatenate([shot.picture.positions for shot in shots])
+    places = np.concatenate([frame.picture.positions for frame in frames])
     quantum = 2.0 ** np.floor(np.log2(max(float(np.ptp(places, axis=0).max()), 1e-9) / STEPS))
 
     def rounded(positions: Floats) -> Floats:
         return np.round(positions / quantum) * quantum
 
-    frames = []
-    for picture in (shot.picture for shot in shots):
+    arrays = []
+    for picture in (frame.picture for frame in frames):
         ghost = None if picture.ghost is None else rounded(picture.ghost)
         rough = replace(picture, positions=rounded(picture.positions), ghost=ghost)
-        frames.append(encode_frame(0, rough))
-    return frames
+        arrays.append(encode_frame(0, rough))
+    return arrays

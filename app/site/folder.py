@@ -1,4 +1,4 @@
-"""The folder of a gallery: written aside, then put in its place, and nothing else in it is touched.
+"""The folder of a gallery: files are written to a subfolder first, then moved, and no other file is touched.
 
 `softrod-gallery.json` says which files are the gallery's. Whatever else is in the folder stays as it is.
 """
@@ -128,11 +128,11 @@ class Folder:
         finally:
             shutil.rmtree(aside, ignore_errors=True)
             if not is_marked:
-                self._forsake(is_new)
+                self._clean_up(is_new)
         return size
 
-    def _forsake(self, is_new: bool) -> None:
-        """Leave nothing of a first gallery of which nothing is there, nor its folder if that is new."""
+    def _clean_up(self, is_new: bool) -> None:
+        """Remove what a failed first run has left: the marker, and the folder if it is new."""
         with contextlib.suppress(OSError):
             if [entry.name for entry in self._path.iterdir()] == [MARKER]:
                 (self._path / MARKER).unlink()

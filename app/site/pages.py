@@ -12,7 +12,7 @@ from pathlib import Path
 import sim
 from sim.errors import InputError
 
-from ..export.bundle import bundle
+from ..export.bundle import bundle, compact_style
 from ..export.html_file import Bar, document
 from ..export.live.live import DARK, early_script, live_html
 from ..features.gallery import thumbnails
@@ -23,6 +23,7 @@ from .folder import INDEX
 TITLE = "Ropes and soft bodies"
 
 _FOLDER = Path(__file__).parent / "static"
+_CARDS = Path(__file__).parents[1] / "features" / "gallery" / "gallery.css"
 
 _ABOUT = (
     "Each picture opens a body that moves: drag it, bend it, change its numbers. It runs in the browser, and "
@@ -74,7 +75,7 @@ def _painted(scene: Shown, dark: bool) -> bytes:
 
 # ------------------------------------------------------------------------- pages
 def _live(scene: Shown, before: Shown | None, after: Shown | None) -> bytes:
-    bar = Bar(_bar(scene, before, after), *_parts("bar"))
+    bar = Bar(_bar(scene, before, after), *_bar_parts())
     try:
         return live_html(sim.Simulation(scene.scene).capture(), bar)[0]
     except InputError as error:
@@ -99,6 +100,12 @@ def _bar(scene: Shown, before: Shown | None, after: Shown | None) -> str:
 </nav>"""
 
 
+@cache
+def _bar_parts() -> tuple[str, str]:
+    """The style and the script of the bar."""
+    return compact_style(_FOLDER / "bar.css"), bundle(_FOLDER / "bar.js")
+
+
 def _icon(name: str) -> str:
     return f'<svg class="icon" viewBox="0 0 24 24" aria-hidden="true">{_ICONS[name]}</svg>'
 
@@ -112,7 +119,7 @@ def _index(scenes: Sequence[Shown], title: str) -> bytes:
     )
     sections = "\n".join(
         f'<section id="{_anchor(group)}" aria-labelledby="{_anchor(group)}-title">\n'
-        f'<h2 id="{_anchor(group)}-title">{html.escape(group)}</h2>\n<ul>\n'
+        f'<h2 id="{_anchor(group)}-title">{html.escape(group)}</h2>\n<ul class="softrod-cards">\n'
         + "\n".join(map(_card, members))
         + "\n</ul>\n</section>"
         for group, members in groups
@@ -123,8 +130,8 @@ def _index(scenes: Sequence[Shown], title: str) -> bytes:
 <p>{_ABOUT}</p>
 </header>
 <div id="tools">
-<input id="search" type="search" placeholder="Find a scene" aria-label="Find a scene" autocomplete="off"
- aria-keyshortcuts="/">
+<input id="search" class="softrod-search" type="search" placeholder="Find a scene" aria-label="Find a scene"
+ autocomplete="off" aria-keyshortcuts="/">
 <output id="count" for="search">{count}</output>
 <button id="dark" type="button" title="Dark page" aria-label="Dark page">{_icon("dark")}</button>
 <nav aria-label="Groups">{jumps if len(groups) > 1 else ""}</nav>
@@ -134,13 +141,15 @@ def _index(scenes: Sequence[Shown], title: str) -> bytes:
 {sections}
 </main>
 <footer>Made with softrod. These pages need no server and no network.</footer>"""
-    told = [
+    searched = [
         {"name": one.name, "file": one.file, "title": one.title, "text": one.text, "group": one.group}
         for one in scenes
     ]
-    style, script = _parts("index")
-    styles = [f"{style_rules(DARK)}\n{style}"]
-    return document(title, body, styles, [script], {"scenes": told}, early_script(), images="'self' data:")
+    style = f"{style_rules(DARK)}\n{compact_style(_CARDS, _FOLDER / 'index.css')}"
+    script = bundle(_FOLDER / "index.js")
+    return document(
+        title, body, [style], [script], {"scenes": searched}, early_script(), images="'self' data:"
+    )
 
 
 def _anchor(group: str) -> str:
@@ -157,13 +166,8 @@ def _card(scene: Shown) -> str:
     )
     id = f"at={scene.file}"
     return (
-        f'<li><a id="{id}" href="{_page(scene)}" aria-labelledby="{id}-title" aria-describedby="{id}-line">'
+        f'<li class="softrod-card"><a class="softrod-open" id="{id}" href="{_page(scene)}" '
+        f'aria-labelledby="{id}-title" aria-describedby="{id}-line">'
         f'{images}<b id="{id}-title">{html.escape(scene.title)}</b>'
         f'<span id="{id}-line">{html.escape(scene.line)}</span></a></li>'
     )
-
-
-@cache
-def _parts(name: str) -> tuple[str, str]:
-    """The style and the script of a kind of page."""
-    return (_FOLDER / f"{name}.css").read_text(encoding="utf-8"), bundle(_FOLDER / f"{name}.js")

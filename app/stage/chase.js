@@ -7,7 +7,8 @@ import { onFit, shift } from "./camera.js";
 import { onPicture, shown } from "./canvas.js";
 import { toWorld } from "./draw.js";
 import { kept, store } from "../ui/kept/storage.js";
-import { screen, worldAt } from "./screen.js";
+import { worldAt } from "./screen.js";
+import { screen } from "../ui/viser/screen.js";
 import { viser } from "../ui/viser/viser.js";
 
 const NAME = "softrod-chase";

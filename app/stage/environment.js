@@ -11,6 +11,7 @@
  * @typedef {{x: number, y: number}} Point pixels of the window
  */
 
+import { roundDown } from "./axes.js";
 import {
   CREST, DENSE, GRAIN, GRAINS, HATCH, PARTS, POINT, RIPPLE, RIPPLES, STREAK, STREAKS, STROKE,
 } from "./looks.js";
@@ -78,10 +79,7 @@ export function uncovered({ surface }, others) {
 }
 
 /** Between two of the grid's thick lines, px. @param {number} size of the scene's frame, px: the larger of its sides */
-function majorStep(size) {
-  const power = 10 ** Math.floor(Math.log10(size / 5));
-  return power * ([5, 2].find((step) => step * power <= (size / 5) * (1 + 1e-9)) ?? 1);
-}
+const majorStep = (size) => roundDown(size / 5);
 
 /**
  * Between two lines of the grid that can be seen, px.

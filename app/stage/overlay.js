@@ -6,7 +6,9 @@ import { onTold, told } from "../wire/channel.js";
 import { wrapped } from "./draw.js";
 import { addEdgeArrow } from "./edge.js";
 import { freePlace } from "./label.js";
-import { onScreen, screen } from "./screen.js";
+import { roundDown, roundUp } from "./axes.js";
+import { onScreen } from "./screen.js";
+import { screen } from "../ui/viser/screen.js";
 import { viser } from "../ui/viser/viser.js";
 
 /**
@@ -119,26 +121,10 @@ export function sight(frame = shown().frame) {
   return { plan, frame, on, places: onScreen(plan, frame.positions, on), box, floor: floorOf(box) };
 }
 
-/**
- * A round length: the next of 1, 2, 5, 10, 20, ... at or above.
- *
- * @param {number} least
- */
-export function roundUp(least) {
-  const power = 10 ** Math.floor(Math.log10(least));
-  return power * (/** @type {number} */ ([1, 2, 5, 10].find((step) => step * power >= least * (1 - 1e-9))));
-}
-
 /** A round length in words; of a metre, parts are in cm. @param {number} size @param {string} unit */
 export function lengthText(size, unit) {
   const inCm = unit === "m" && size < 1 && size >= 0.01;
   return `${Number((inCm ? 100 * size : size).toPrecision(1))} ${inCm ? "cm" : unit}`;
-}
-
-/** A round length: the last of these at or below. @param {number} most */
-export function roundDown(most) {
-  const power = 10 ** Math.floor(Math.log10(most));
-  return power * (/** @type {number} */ ([10, 5, 2, 1].find((step) => step * power <= most * (1 + 1e-9))));
 }
 
 /**

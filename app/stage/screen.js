@@ -1,32 +1,13 @@
 // @ts-check
-/** Between the scene, the page's world and the screen: the camera looks straight at the plane z = 0. */
-import { viser } from "../ui/viser/viser.js";
+/** Between the scene, the world in which bodies are drawn and the screen. Arithmetic only, without a page. */
 
 /** @typedef {import("./environment.js").Screen} Screen */
-
-/** How the world lies on the screen now. @returns {Screen | null} */
-export function screen() {
-  const { canvas, camera, nodeRefFromName } = viser() ?? {};
-  const root = nodeRefFromName?.[""];
-  if (!canvas || !camera || !root) return null;
-  camera.updateMatrixWorld();
-  const box = canvas.getBoundingClientRect();
-  /** @param {number} x */
-  const project = (x) => {
-    const point = camera.position.clone().set(x, 0, 0).applyMatrix4(root.matrixWorld).project(camera);
-    return { x: box.left + ((point.x + 1) / 2) * box.width, y: box.top + ((1 - point.y) / 2) * box.height };
-  };
-  const [origin, one] = [project(0), project(1)];
-  const step = one.x - origin.x;
-  // At the very beginning the camera is not in its place.
-  return step > 0 && Number.isFinite(step + origin.x + origin.y) ? { ...origin, step } : null;
-}
 
 /**
  * Where masses are on the screen: x and y of each.
  *
  * @param {import("./plan.js").Plan} plan
- * @param {Float32Array} positions px of the scene
+ * @param {ArrayLike<number>} positions px of the scene
  * @param {Screen} on
  */
 export function onScreen(plan, positions, on) {
@@ -46,6 +27,9 @@ export function onScreen(plan, positions, on) {
  * @param {Screen} on
  */
 export const worldAt = (place, on) => ({ x: (place.x - on.x) / on.step, y: (on.y - place.y) / on.step });
+
+/** Pixels from a mass within which it is taken hold of, by the kind of pointer. */
+export const REACH = { mouse: 12, pen: 16, touch: 26 };
 
 /** A number of the world as a message has it. @param {number} value */
 export const wireNumber = (value) => Number(value.toFixed(6));

@@ -185,7 +185,7 @@ export type Measured = { tell: "measured"; numbers: Float32Array };
 export type Fan = { tell: "fan"; numbers: Float32Array; draws: number; masses: number; rate: number };
 /** Show the gallery, and why. */
 export type OfferGallery = { tell: "offerGallery"; why: string };
-/** There are other scenes than before. */
+/** Scenes were saved, renamed or deleted. */
 export type ShelfChanged = { tell: "shelfChanged" };
 /** All scenes, and the name of the present one. */
 export type Scenes = { tell: "scenes"; scenes: Entry[]; present: string; teaches: boolean };

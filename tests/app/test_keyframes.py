@@ -17,7 +17,7 @@ from rich.console import Console
 import sim
 from app.export import keyframes
 from app.export.animation import animated_glb
-from app.export.clip import Clip, Shot
+from app.export.clip import Clip, ClipFrame
 from app.export.keyframes import motion_csv
 from app.export.making import simulated
 from app.export.model import glb
@@ -30,7 +30,7 @@ EULER = sim.Integrator(method="symplectic_euler")
 
 
 def clip_of(scene: sim.Scene, seconds: float, rate: int) -> Clip:
-    return Clip(map(Shot.of, simulated(scene, seconds, 0.0, Console(quiet=True), rate)), seconds)
+    return Clip(map(ClipFrame.of, simulated(scene, seconds, 0.0, Console(quiet=True), rate)), seconds)
 
 
 class Animated:
@@ -184,7 +184,7 @@ def test_a_spring_that_breaks_vanishes() -> None:
         assert (sizes[-1] == 0.0).all() != lasts
         if not lasts:
             # Until the frame in which it is no more it is as large as it was: it does not shrink away.
-            assert len(sizes) == len(list(clip.frames(60))) + 1
+            assert len(sizes) == len(list(clip.frames_at(60))) + 1
             gone = int(np.flatnonzero(sizes[:, 0] == 0.0)[0])
             assert (sizes[gone - 1] == sizes[gone - 2]).all()
             assert (sizes[gone:] == 0.0).all()
@@ -231,7 +231,7 @@ def test_muscles_lie_on_what_they_move_and_swell(kind: str) -> None:
     if kind == "spring":
         assert animated.tip(name) == pytest.approx(animated.values("mass 2", "translation"), abs=2e-7)
         picture = replace(Picture.at_start(scene), damage=Damage(broken=(1,)))
-        gone = animated_glb(Clip([Shot(scene, replace(picture, time=t)) for t in (0.0, 0.5)]), 40)
+        gone = animated_glb(Clip([ClipFrame(scene, replace(picture, time=t)) for t in (0.0, 0.5)]), 40)
         assert (Animated(gone).values(name, "scale") == 0.0).all()
     still = trimesh.load_scene(io.BytesIO(glb(scene, Picture.at_start(scene))), file_type="glb")
     assert f"muscles of {kind}s" in still.geometry

@@ -86,13 +86,3 @@ def test_tables_may_have_decimal_commas() -> None:
     room.take(1, an_answer(1, Work(found=1.25)))
     (row,), _ = tables(pack(room, decimal_comma=True), ";")
     assert row["answer"] == "1,25"
-
-
-@pytest.mark.parametrize("sign", ["=", "+", "-", "@"])
-def test_no_line_is_a_formula_in_a_table(sign: str) -> None:
-    room = a_room()
-    room.enter("0" * 32)
-    room.go(0, Phase.EXPLAIN)
-    room.take(1, an_answer(1, Line(f"{sign}SUM(A1)")))
-    (row,), _ = tables(pack(room))
-    assert row["answer"] == f"'{sign}SUM(A1)"

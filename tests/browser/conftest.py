@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 import viser
 from msgspec.structs import replace
-from playwright.sync_api import Browser, Playwright, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Page, Playwright, ViewportSize, sync_playwright
 
 import sim
 from app.pages.sandbox.tab import Submit, Tab
@@ -125,6 +125,47 @@ def serve() -> Iterator[Serve]:
             compiler.wait()
             url = f"http://127.0.0.1:{server.get_port()}"
             yield lambda name: Served(url, ticker, sim.load_scene(name), show_first)
+
+
+class Visits:
+    """Opens files and pages, each in a browser profile of its own.
+
+    Attributes:
+        asked: the addresses of all that was requested.
+        errors: of all pages.
+    """
+
+    def __init__(self, browser: Browser) -> None:
+        self._browser = browser
+        self._contexts: list[BrowserContext] = []
+        self.asked: list[str] = []
+        self.errors: list[str] = []
+
+    def __call__(self, address: str, size: tuple[int, int] = DESKTOP, **how: Any) -> Page:
+        """Open an address; what is on the disk without a network."""
+        viewport: ViewportSize = {"width": size[0], "height": size[1]}
+        context = self._browser.new_context(viewport=viewport, offline=address.startswith("file:"), **how)
+        self._contexts.append(context)
+        page = context.new_page()
+        page.on("request", lambda request: self.asked.append(request.url))
+        page.on("pageerror", lambda error: self.errors.append(str(error)))
+        page.on("console", lambda message: self.errors.append(message.text))
+        page.goto(address)
+        return page
+
+    def close(self) -> None:
+        """Close all of them."""
+        for context in self._contexts:
+            context.close()
+
+
+@pytest.fixture
+def visit(browser: Browser) -> Iterator[Visits]:
+    """Opens files and pages, and looks after the test whether they had errors."""
+    visits = Visits(browser)
+    yield visits
+    visits.close()
+    assert not visits.errors
 
 
 @pytest.fixture(scope="session")

@@ -9,8 +9,6 @@ from pathlib import Path
 import numpy as np
 from msgspec.structs import replace
 from PIL import Image
-from playwright.sync_api import Browser
-from playwright.sync_api import Page as BrowserPage
 
 import sim
 from app.export.clip import Clip
@@ -18,7 +16,7 @@ from app.export.replay import replay_html
 from app.session import commands
 from app.stage.colors import palette
 from tests.app.clips import swing
-from tests.browser.conftest import OpenPage
+from tests.browser.conftest import OpenPage, Visits
 from tests.browser.driver import Desk, until
 
 _LAYER = """() => {
@@ -115,26 +113,14 @@ def test_each_button_gives_its_file_and_what_it_cannot_do_is_told(open_page: Ope
     desk.until(lambda: "press Play" in str(desk.notices()), "there is no past to show")
 
 
-def opened(page: BrowserPage, path: Path) -> None:
-    """Open a file, and wait until it shows something."""
-    page.goto(path.as_uri())
-    page.wait_for_function("window.__softrod !== undefined")
-
-
-def test_a_replay_plays_from_a_file_without_a_network(browser: Browser, tmp_path: Path) -> None:
+def test_a_replay_plays_from_a_file_without_a_network(visit: Visits, tmp_path: Path) -> None:
     evil = "</script><script>window.evil = 1</script><img src=x onerror='window.evil = 1'>"
     scene = replace(sim.rope(masses=5, length=200.0), title=evil)
     shots = swing(scene, 1.25)
     path = tmp_path / "replay.html"
     path.write_bytes(replay_html(Clip(shots)))
-    context = browser.new_context(offline=True, viewport={"width": 600, "height": 500}, color_scheme="dark")
-    page = context.new_page()
-    errors: list[str] = []
-    requests: list[str] = []
-    page.on("pageerror", lambda error: errors.append(str(error)))
-    page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
-    page.on("request", lambda request: requests.append(request.url))
-    opened(page, path)
+    page = visit(path.as_uri(), (600, 500), color_scheme="dark")
+    page.wait_for_function("window.__softrod !== undefined")
     # It plays by itself, and ends in the pose in which the clip ends.
     until(page, lambda: page.evaluate("__softrod.shown().time > 2.3"), "it plays")
     until(page, lambda: not page.evaluate("__softrod.playing()"), "it has ended")
@@ -164,6 +150,4 @@ def test_a_replay_plays_from_a_file_without_a_network(browser: Browser, tmp_path
     assert page.evaluate("window.evil") is None
     assert page.title() == evil
     assert page.locator("h1").inner_text() == evil
-    assert requests == [path.as_uri()]
-    assert not errors
-    context.close()
+    assert visit.asked == [path.as_uri()]

@@ -4,44 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, ViewportSize
+from playwright.sync_api import Page
 
 import sim
 from app.export.live.live import live_html
+from tests.browser.conftest import Visits
 from tests.browser.driver import Point, until
 
 Open = Callable[..., Page]
 
 
 @pytest.fixture
-def open_file(browser: Browser, tmp_path: Path) -> Iterator[Open]:
+def open_file(visit: Visits, tmp_path: Path) -> Iterator[Open]:
     """Opens the live file of a preset, and looks after the test whether it asked for anything."""
-    asked: list[str] = []
-    errors: list[str] = []
-    contexts = []
 
-    def open_one(name: str, size: tuple[int, int] = (880, 580), has_touch: bool = False) -> Page:
+    def open_one(name: str, **how: Any) -> Page:
         path = tmp_path / f"{name}.html"
         path.write_bytes(live_html(sim.Simulation(sim.load_scene(name)).capture())[0])
-        viewport: ViewportSize = {"width": size[0], "height": size[1]}
-        context = browser.new_context(viewport=viewport, offline=True, has_touch=has_touch)
-        contexts.append(context)
-        page = context.new_page()
-        page.on("request", lambda request: asked.append(request.url))
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.on("console", lambda message: errors.append(message.text))
-        page.goto(path.as_uri())
+        page = visit(path.as_uri(), **how)
         until(page, lambda: page.evaluate("window.__softrod?.now().body.time > 0"), "the body moves")
         return page
 
     yield open_one
-    for context in contexts:
-        context.close()
-    assert not errors
-    assert [url for url in asked if not url.startswith("file:")] == []
-    assert len(asked) == len(contexts)
+    assert [path.as_uri() for path in tmp_path.iterdir()] == visit.asked
 
 
 def place(page: Page, mass: int) -> Point:

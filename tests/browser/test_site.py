@@ -5,16 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 from urllib.parse import quote
 
 import pytest
 from msgspec.structs import replace
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Page
 
 import sim
 from app.site import pages
 from app.site.entries import shown
 from app.site.folder import Folder
+from tests.browser.conftest import Visits
 from tests.browser.driver import until
 from tests.browser.sites import served
 
@@ -49,29 +51,18 @@ def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def open_index(browser: Browser, root: Path) -> Iterator[Open]:
+def open_index(visit: Visits, root: Path) -> Iterator[Open]:
     """Opens the index, and looks after the test whether anything has left its folder."""
-    asked: list[str] = []
-    errors: list[str] = []
-    contexts = []
-    base = f"{(root / PLACE).as_uri()}/"
+    bases = {f"{(root / PLACE).as_uri()}/"}
 
-    def open_one(address: str = "", base: str = base, **how: object) -> Page:
-        context = browser.new_context(offline=base.startswith("file:"), **how)  # type: ignore[arg-type]
-        contexts.append((context, base))
-        page = context.new_page()
-        page.on("request", lambda request: asked.append(request.url.removeprefix(base)))
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.on("console", lambda message: errors.append(message.text))
-        page.goto(f"{base}index.html{address}")
-        return page
+    def open_one(address: str = "", base: str = min(bases), **how: Any) -> Page:
+        bases.add(base)
+        return visit(f"{base}index.html{address}", **how)
 
     yield open_one
-    for context, _ in contexts:
-        context.close()
-    assert not errors
-    inside = r"index\.html(#.*)?|[a-z0-9.-]+\.html|pictures/(light|dark)/[a-z0-9.-]+\.webp|data:image/svg.*"
-    assert [address for address in asked if not re.fullmatch(inside, address)] == []
+    inside = r"(index\.html(#.*)?|[a-z0-9.-]+\.html|pictures/(light|dark)/[a-z0-9.-]+\.webp)"
+    inside = f"({'|'.join(map(re.escape, bases))}){inside}|data:image/svg.*"
+    assert [address for address in visit.asked if not re.fullmatch(inside, address)] == []
 
 
 def lives(page: Page, name: str) -> None:
@@ -91,7 +82,7 @@ def focused(page: Page) -> str:
 
 
 def test_from_the_disk_by_keys_alone(open_index: Open, tmp_path: Path) -> None:
-    page = open_index(viewport={"width": 880, "height": 580}, accept_downloads=True)
+    page = open_index(accept_downloads=True)
     count = page.locator("#count")
     assert count.inner_text() == "9 scenes"
     assert page.evaluate("window.hurt") is None
@@ -129,7 +120,7 @@ def test_from_the_disk_by_keys_alone(open_index: Open, tmp_path: Path) -> None:
     assert page.get_by_role("button", name="Dark page").get_attribute("aria-pressed") == "true"
 
 
-def test_a_page_is_saved_as_one_file_that_lives_alone(open_index: Open, tmp_path: Path) -> None:
+def test_a_page_saved_as_one_file_lives_alone(open_index: Open, visit: Visits, tmp_path: Path) -> None:
     page = open_index("#scene=ring", accept_downloads=True)
     lives(page, "ring")
     with page.expect_download() as download:
@@ -137,21 +128,17 @@ def test_a_page_is_saved_as_one_file_that_lives_alone(open_index: Open, tmp_path
     assert download.value.suggested_filename == "ring.html"
     saved = tmp_path / "alone.html"
     download.value.save_as(saved)
-    alone = page.context.new_page()
-    errors: list[str] = []
-    alone.on("pageerror", lambda error: errors.append(str(error)))
-    alone.on("console", lambda message: errors.append(message.text))
-    alone.goto(saved.as_uri())
+    alone = visit(saved.as_uri())
+    assert visit.asked.pop() == saved.as_uri()
     lives(alone, "alone")
     assert alone.locator("nav, a").count() == 0
     assert alone.get_by_role("heading", level=1).inner_text() == sim.load_scene("ring").title
-    assert not errors
 
 
 def test_from_a_server_deep_inside_in_the_dark_on_a_phone(open_index: Open, root: Path) -> None:
     with served(root) as port:
         base = f"http://127.0.0.1:{port}/{quote(PLACE)}/"
-        phone = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "color_scheme": "dark"}
+        phone = {"size": (390, 844), "has_touch": True, "color_scheme": "dark"}
         page = open_index("#search=rope", base, **phone)
         assert page.locator("#search").input_value() == "rope"
         shown_images = "[...document.images].filter((image) => image.checkVisibility())"

@@ -21,7 +21,7 @@ from rich.console import Console
 
 import sim
 from app.export.animation import animated_glb
-from app.export.clip import Clip, Shot
+from app.export.clip import Clip, ClipFrame
 from app.export.live.program import javascript_program
 from app.export.making import simulated
 from app.export.model import glb
@@ -70,8 +70,8 @@ def _models(folder: Path) -> Iterator[Command]:
     paths = []
     for name in part_of([info.name for info in list_scenes() if info.built_in], 6):
         moments = simulated(sim.load_scene(name), 0.3, 0.0, Console(quiet=True), 30)
-        clip = Clip(map(Shot.of, moments))
-        still = glb(clip.scene, clip.shots[-1].picture)
+        clip = Clip(map(ClipFrame.of, moments))
+        still = glb(clip.scene, clip.frames[-1].picture)
         for kind, data in (("still", still), ("animated", animated_glb(clip, 30))):
             paths.append(folder / f"{name}.{kind}.glb")
             paths[-1].write_bytes(data)

@@ -103,6 +103,14 @@ class Element extends Target {
   removeAttribute = (name) => this.attributes.delete(name);
   toggleAttribute = (name, on) => (on ? this.setAttribute(name, "") : this.removeAttribute(name));
   append = (...children) => children.forEach((child) => this.insertBefore(child));
+  replaceChildren(...children) {
+    for (const child of [...this.children]) child.remove();
+    this.append(...children);
+  }
+  prepend(child) {
+    this.append(child);
+    this.children.unshift(this.children.pop());
+  }
   insertBefore(child) {
     child.remove();
     child.parentElement = this;
@@ -178,7 +186,7 @@ class Element extends Target {
   }
 }
 const reflect = (name, get, set) => Object.defineProperty(Element.prototype, name, { get, set });
-for (const [name, attribute] of [["className", "class"], ["type", "type"], ["ariaLabel", "aria-label"], ["ariaExpanded", "aria-expanded"]]) {
+for (const [name, attribute] of [["className", "class"], ["type", "type"], ["ariaLabel", "aria-label"], ["ariaExpanded", "aria-expanded"], ["ariaPressed", "aria-pressed"]]) {
   reflect(name, function () { return this.getAttribute(attribute) ?? ""; }, function (value) { this.setAttribute(attribute, value); });
 }
 reflect("hidden", function () { return this.hasAttribute("hidden"); }, function (on) { this.toggleAttribute("hidden", on); });

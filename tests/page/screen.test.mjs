@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { become, show } from "./page.mjs";
 import { edgeArrow } from "../../app/stage/edge.js";
-import { addOverlay, degrees, jointAngles, lengthText, roundDown, roundUp } from "../../app/stage/overlay.js";
+import { axisMarks, rangeOf, roundDown, roundUp } from "../../app/stage/axes.js";
+import { addOverlay, degrees, jointAngles, lengthText } from "../../app/stage/overlay.js";
 import { nearest, onScreen, worldAt } from "../../app/stage/screen.js";
 
 const plan = (flip) => ({
@@ -30,6 +31,18 @@ test("the nearest mass within reach is taken, or the one whose disc it is", () =
   assert.equal(nearest(places, radii, { x: 18, y: 0 }, 14), 1);
   assert.equal(nearest(places, radii, { x: 15, y: 14 }, 14), -1);
   assert.equal(nearest(places, radii, { x: 138, y: 0 }, 14), 2);
+});
+
+test("an axis is marked at round numbers, and has room beyond its values", () => {
+  assert.deepEqual(axisMarks(-0.31, 0.72, 4), [0, 0.5]);
+  assert.deepEqual(axisMarks(3, 47, 5), [10, 20, 30, 40]);
+  assert.deepEqual(axisMarks(-0.3, 0.3, 3), [-0.2, 0, 0.2]);
+  assert.deepEqual(rangeOf([]), [0, 1]);
+  const [low, high] = rangeOf([[0, 10], [20]]);
+  assert.ok(low < 0 && low > -2 && high > 20 && high < 22);
+  // Values that are nearly equal have an axis all the same.
+  const [from, to] = rangeOf([[500, 500]]);
+  assert.ok(axisMarks(from, to, 4).length >= 2);
 });
 
 test("a joint's arc turns as the joint does", () => {

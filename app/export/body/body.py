@@ -61,7 +61,7 @@ class Body:
         wind: of the mean wind, px/s.
         gusts: whether the wind has gusts.
         loops: gases and liquids.
-        beat: what the muscles keep to, or None if there are none.
+        beat: of the muscles, or None if there are none.
         spring_muscles, joint_muscles: the muscles that move, by spring and by joint.
     """
 

@@ -151,7 +151,7 @@ def body_csv(body: Body, decimal_comma: bool = False) -> bytes:
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, rows in tables.items():
-            text = csv_text((map(_cell, row) for row in rows), decimal_comma)
+            text = csv_text(rows, decimal_comma)
             # Without the time of day, the same body makes the same file.
             archive.writestr(zipfile.ZipInfo(f"{name}.csv"), text, zipfile.ZIP_DEFLATED)
     return out.getvalue()
@@ -256,10 +256,3 @@ def _table(columns: Columns, scene: sim.Scene) -> list[Sequence[Any]]:
 def _unit(name: str, scene: sim.Scene) -> str:
     unit = _UNITS.get(name) or _MORE_UNITS.get(name, "")
     return unit.replace("L", scene.view.unit)
-
-
-def _cell(value: Any) -> Any:
-    """A text that no spreadsheet takes for a formula, and everything else as it is."""
-    if isinstance(value, str):
-        return f"'{value}" if value[:1] in ("=", "+", "-", "@", "\t", "\r") else value
-    return value

@@ -24,20 +24,20 @@ from sim.scene.types import ForceLaw, Method, is_damageable, shown_name
 from .body import Body
 
 _MARGIN = 0.8
-"""Part of the largest stable time step that a program takes of a scene whose own is too long: a body that is
-dragged and bent becomes stiffer."""
+"""Fraction of the largest stable time step that a program takes where the scene's own is too long: a body
+that is dragged and bent becomes stiffer."""
 
 STEPS = 400
-"""Time steps that a program does unless it is told another number."""
+"""Time steps that a program makes by default."""
 
 WIDTH = 100
 """Characters of a line of a program at most, but for what stands in one row of a table."""
 
 LICENCE = "SPDX-License-Identifier: MIT; Copyright (c) 2026 The softrod authors"
-"""The line of every program that is taken home."""
+"""The line at the top of every exported program."""
 
 _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 .,:;()+-^/")
-"""What is left of a user's text in a comment: nothing that could end the comment or mean anything in it."""
+"""Characters of a user's text that a comment may have: none could end the comment or mean anything in it."""
 
 _DIRECTIVE = re.compile(r" *# (?P<word>ifdef (?P<asked>\w+)|else|endif)")
 
@@ -169,7 +169,7 @@ class Plan:
         return list(grips.walls) if grips is not None and self.body.walls[:, _GRIP].any() else []
 
     def _resisted(self) -> list[tuple[float | int, ...]]:
-        """A row for each spring that a medium or the ground resists, with the weights that its ends bear."""
+        """A row for each spring that a medium or the ground resists, with the weights on its ends."""
         body, ground = self.body, self.body.scene.ground
         whole = np.flatnonzero(~body.broken)
         if not ground:
@@ -222,7 +222,7 @@ def python_program(body: Body) -> tuple[bytes, list[str]]:
 
 
 def c_program(body: Body, name: str = "softbody") -> tuple[bytes, bytes, list[str]]:
-    """A source in C99 that needs no library but that of mathematics, its header, and the notes, as of
+    """A source in C99 that needs only the mathematics library, its header, and notes as those of
     `python_program`.
 
     Args:
@@ -264,7 +264,7 @@ def c_program(body: Body, name: str = "softbody") -> tuple[bytes, bytes, list[st
 
 
 def _masses(body: Body) -> list[tuple[float | int, ...]]:
-    """The rows of a program's masses in C: which are held is always told, since it may be changed."""
+    """The rows of a program's masses in C, always with which are held, since that may be changed."""
     columns = [*body.positions.T, *body.velocities.T, body.mass, body.held.astype(int)]
     if body.loads:
         columns += np.array(
@@ -294,14 +294,14 @@ def _filled(name: str, plan: Plan, places: dict[str, str]) -> bytes:
     Args:
         name: of the template.
         plan: of the program.
-        places: what stands in them, beside the plan's numbers, by what follows GIVEN_.
+        places: texts by what follows GIVEN_, in addition to the plan's numbers.
     """
-    features, kept, shown = plan.features(), [], [True]
+    features, lines, shown = plan.features(), [], [True]
     template = Path(__file__).with_name("templates") / name
     for line in template.read_text(encoding="ascii").splitlines():
         match = _DIRECTIVE.fullmatch(line)
         if match is None:
-            kept += [line] * all(shown)
+            lines += [line] * all(shown)
         elif match["asked"]:
             shown.append(features[match["asked"]])
         elif match["word"] == "else":
@@ -309,7 +309,7 @@ def _filled(name: str, plan: Plan, places: dict[str, str]) -> bytes:
         else:
             shown.pop()
     given = plan.numbers() | places
-    text = re.sub(r"\bGIVEN_(\w+)", lambda place: given[place[1]], "\n".join((*kept, "")))
+    text = re.sub(r"\bGIVEN_(\w+)", lambda place: given[place[1]], "\n".join((*lines, "")))
     return re.sub(r"\n{4,}", "\n\n\n", text).encode("ascii")
 
 
@@ -327,7 +327,7 @@ def check_law(body: Body) -> None:
 def time_step(body: Body) -> tuple[float, list[str]]:
     """The length of a program's steps by symplectic Euler, s, and how these differ from the scene's.
 
-    It is the scene's time step, or the largest whole part of it that the body bears with a margin.
+    It is the scene's time step, or the largest whole fraction of it that is stable with a margin.
     """
     method, dt = body.scene.integrator.method, body.scene.integrator.dt
     notes = []

@@ -14,9 +14,7 @@ from sim.settings import CHOICES, SETTINGS, scene_of_step
 
 from ...lessons import goal_text, lesson_code
 from ...session.plots import Wish, wish_of
-
-TUTORIAL = "symplectic_euler"
-"""The method by which a file moves a body exactly as softrod does."""
+from .sliders import KEYS, TUTORIAL
 
 MEASURED = frozenset(
     (
@@ -113,17 +111,12 @@ def scenes_of_steps(scene: sim.Scene) -> list[sim.Scene]:
     return [scene_of_step(scene, number) for number in range(len(steps))]
 
 
-def lesson_notes(scene: sim.Scene, keys: frozenset[str]) -> list[str]:
-    """What of a scene's lesson a file does without: sentences without a full stop.
-
-    Args:
-        scene: whose lesson it is.
-        keys: of the settings and choices that a file has.
-    """
+def lesson_notes(scene: sim.Scene) -> list[str]:
+    """What a file leaves out of a scene's lesson: sentences without a full stop."""
     steps = scene.lesson.steps if scene.lesson is not None else ()
     begins = list(zip(steps, scenes_of_steps(scene), strict=True))
     named = {**SETTINGS, **CHOICES}
-    controls = {key for step in steps for key in step.controls if key not in keys}
+    controls = {key for step in steps for key in step.controls if key not in KEYS}
     missing = {named[key].label if key in named else key for key in controls}
     plots = {text for step, at in begins for text in step.plots or () if not _is_drawn(wish_of(text), at)}
     notes = []

@@ -14,47 +14,20 @@ import sim
 from sim.motion.quantities import ENERGY_UNIT, unit_in
 from sim.motion.stepping import presses_of
 from sim.scene.types import shown_name
-from sim.settings import CHOICES, SETTINGS, TEMPLATES, set_value, settings_of
-from sim.settings.recipes import Setting
 
-from ...stage.looks import FRACTIONS, ICONS, SPEEDS, style_rules
-from ..bundle import bundle
-from ..html_file import Bar, html_file, packed, plans, stage
+from ...stage.looks import ICONS, style_rules
+from ..bundle import bundle, compact_style
+from ..html_file import Bar, html_file, icon, packed, plans, speed_options, stage
 from .data import body_data
-from .lesson import TUTORIAL, lesson_data, lesson_notes, listed, scenes_of_steps
-
-KEYS = (
-    "linear_stiffness",
-    "linear_damping",
-    "angular_stiffness",
-    "angular_damping",
-    "rest_length_scale",
-    "rest_angle",
-    "template",
-    "tempo",
-    "gravity",
-    "air_friction",
-    "wind_speed",
-    "wind_direction",
-    "turbulence",
-    "drag_across",
-    "drag_along",
-    "ground_forward",
-    "ground_backward",
-    "ground_sideways",
-    "wall_friction",
-    "contact_stiffness",
-    "contact_friction",
-    "dt",
-)
-"""Settings that a file has sliders for, as in `static/settings.js`."""
+from .lesson import lesson_data, lesson_notes, listed, scenes_of_steps
+from .sliders import TUTORIAL, missing_labels, sliders
 
 DARK = "[data-dark]*"
-"""Where the paper is dark, see `static/dark.js`."""
+"""Selects dark paper, see `static/dark.js`."""
 
 _FOLDER = Path(__file__).parent / "static"
 _APP = Path(__file__).parents[2]
-"""Whose dialogs and lessons look the same in a file."""
+"""The folder with the dialogs and lessons that look the same in a file."""
 
 
 def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[str]]:
@@ -72,15 +45,9 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
     style, script = _looks()
     notes = _notes(scene)
     note = f"In this file {'; '.join(notes)}." if notes else ""
-    paths = {name: f'<path class="{name}" d="{path}"/>' for name, path in ICONS.items()}
-    play, reset = _icon(paths["play"] + paths["pause"]), _icon(paths["reset"])
-    speeds = "".join(
-        f'<option value="{speed:g}"{" selected" * (speed == 1)}>{FRACTIONS.get(speed, int(speed))}×</option>'
-        for speed in SPEEDS
-        if speed <= 2.0
-    )
+    play, reset = icon(play=ICONS["play"], pause=ICONS["pause"]), icon(reset=ICONS["reset"])
     arrows = "".join(
-        f'<button type="button" value="{key}" aria-label="{label}">{sign}</button>'
+        f'<button type="button" data-softrod-key="{key}" aria-label="{label}">{sign}</button>'
         for key, sign, label in (
             ("left", "←", "Left: rest angles less"),
             ("up", "↑", "Up: longer"),
@@ -109,7 +76,7 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 <button id="play" type="button" data-icon="play" aria-label="Play">{play}</button>
 <button id="step" type="button" aria-label="One step">+1</button>
 <button id="reset" type="button" aria-label="Reset">{reset}</button>
-<select id="speed" aria-label="Speed">{speeds}</select>
+<select id="speed" aria-label="Speed">{speed_options()}</select>
 <button id="follow" type="button" aria-label="Follow the pointer" aria-pressed="false">Follow</button>
 <div id="pad" hidden>{arrows}</div>
 <output id="clock"></output>
@@ -117,10 +84,6 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 </div>
 <p id="says" class="hidden" role="status"></p>"""
     return html_file(scene, body, style, script, {"about": _about(moment)}, note, early_script(), bar), notes
-
-
-def _icon(paths: str) -> str:
-    return f'<svg viewBox="0 0 24 24" aria-hidden="true">{paths}</svg>'
 
 
 @cache
@@ -132,14 +95,13 @@ def early_script() -> str:
 @cache
 def _looks() -> tuple[str, str]:
     """The styles and the script."""
-    shared = ("ui/dialogs.css", "features/lesson/lesson.css")
+    shared = ("export/static/file.css", "ui/dialogs.css", "features/lesson/lesson.css")
     files = (*(_APP / name for name in shared), _FOLDER / "live.css")
-    rules = (style_rules(DARK), *(path.read_text(encoding="utf-8") for path in files))
-    return "\n".join(rules), bundle(_FOLDER / "live.js")
+    return f"{style_rules(DARK)}\n{compact_style(*files)}", bundle(_FOLDER / "live.js")
 
 
 def _about(moment: sim.Moment) -> dict[str, Any]:
-    """What the script is told, see `About` in `static/live.js`."""
+    """The `About` of `static/live.js`."""
     scene = moment.scene
     about = _moving(moment)
     keys = {key: _per_second(scene, key) if scene.arrow_keys is not None else None for key in ("up", "right")}
@@ -147,93 +109,39 @@ def _about(moment: sim.Moment) -> dict[str, Any]:
     about |= {
         "joint": 0 if scene.angular_springs else -1,
         "energyUnit": unit_in(ENERGY_UNIT, scene.view.unit),
-        "speed": 1.0,
-        "foremost": [setting["key"] for setting in about["settings"]],
         "lesson": lesson_data(scene, about, _moving) if scene.lesson is not None else None,
     }
     return about
 
 
 def _moving(moment: sim.Moment) -> dict[str, Any]:
-    """What a step of a lesson can change of it."""
+    """The part of it that a step of a lesson can change."""
     scene = moment.scene
     return {
         "body": body_data(moment),
         "method": TUTORIAL if scene.integrator.method == TUTORIAL else "verlet",
         "dt": scene.integrator.dt,
-        "settings": [_setting(scene, setting) for setting in settings_of(scene) if _is_shown(scene, setting)]
-        + ([_law(scene)] if CHOICES["force_law"].applies(scene) else []),
+        "settings": sliders(scene),
         "plans": [packed(plan) for plan in plans(scene)],
     }
 
 
 def _per_second(scene: sim.Scene, key: str) -> dict[str, float]:
-    """What a held key does in a second, as `Presses` of `static/steps.js`."""
+    """The effect of a held key in a second, the `Presses` of `static/steps.js`."""
     presses, steps = presses_of(scene, frozenset((key,))), 1.0 / scene.integrator.dt
     return {"factor": math.exp(min(math.log(presses.factor) * steps, 700.0)), "angle": presses.angle * steps}
 
 
-def _is_shown(scene: sim.Scene, setting: Setting) -> bool:
-    match setting.key:
-        case "rest_angle":
-            return scene.template is None
-        case "dt":
-            return scene.integrator.method == TUTORIAL
-        case "turbulence":
-            return setting.read(scene) > 0.0  # without any gusts there are none to scale
-    return setting.key in KEYS
-
-
-def _setting(scene: sim.Scene, setting: Setting) -> dict[str, Any]:
-    low, high = setting.slider
-    told: dict[str, Any] = {
-        "key": setting.key,
-        "label": setting.label,
-        "unit": setting.unit.replace("px", scene.view.unit),
-        "low": low,
-        "high": high,
-        "logarithmic": setting.logarithmic,
-        "value": setting.read(scene),
-    }
-    if setting.key == "template":
-        by_template = (set_value(scene, "template", float(angle)) for angle in TEMPLATES)
-        data = [body_data(sim.Simulation(other).capture()) for other in by_template]
-        told["options"] = [[angle, f"{angle}°"] for angle in sorted(TEMPLATES)]
-        told["stiffness"] = {
-            str(angle): one["jointStiffness"][0] for angle, one in zip(TEMPLATES, data, strict=True)
-        }
-    return told
-
-
-def _law(scene: sim.Scene) -> dict[str, Any]:
-    """The force law, which is chosen from a list."""
-    choice = CHOICES["force_law"]
-    options = [list(option) for option in choice.options.items()]
-    return {
-        "key": choice.key,
-        "label": choice.label,
-        "unit": "",
-        "value": choice.read(scene),
-        "options": options,
-    }
-
-
 def _notes(scene: sim.Scene) -> list[str]:
-    """What the file does otherwise than softrod, or cannot do."""
+    """How the file differs from softrod: sentences without a full stop."""
     notes = []
     begins = scenes_of_steps(scene)
     if any(at.integrator.method != TUTORIAL for at in (scene, *begins)):
         notes.append("the body moves by velocity Verlet, without error control")
     if scene.bodies:
         notes.append("the shape of the body is fixed")
-    shown = {
-        setting.label
-        for setting in settings_of(scene)
-        if not _is_shown(scene, setting) and setting.key in SETTINGS
-    }
-    shown -= {"Tolerance", "Time step", "Rest angle", "Turbulence"}
-    if shown:
-        notes.append(f"there is no slider for {listed(sorted(shown))}")
+    if missing := missing_labels(scene):
+        notes.append(f"there is no slider for {listed(missing)}")
     if scene.lesson is not None:
-        notes += lesson_notes(scene, frozenset((*KEYS, "force_law")))
+        notes += lesson_notes(scene)
     return notes

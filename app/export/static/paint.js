@@ -1,13 +1,13 @@
 // @ts-check
 /**
- * Draws a body into a canvas, with what the page draws by: for files that live without a server.
+ * Draws a body into a canvas by the same modules as the page: for files without a server.
  *
  * @typedef {import("../../stage/plan.js").Plan} Plan
  * @typedef {import("../../stage/plan.js").Frame} Frame
  * @typedef {import("../../stage/plan.js").Damage} Damage
  * @typedef {import("../../stage/draw.js").Instances} Instances
  * @typedef {import("../../stage/environment.js").Screen} Screen
- * @typedef {object} Stage what a file says of how its body is shown
+ * @typedef {object} Stage how a file shows its body
  * @property {number} size of the scene's frame, px: the larger of its sides
  * @property {number[]} box left, right, low and high of what is shown, in the page's world
  * @property {string} springs the mesh that springs are drawn with
@@ -19,11 +19,11 @@ import * as draw from "../../stage/draw.js";
 import { moving, standing, streaks } from "../../stage/environment.js";
 import { ARROW, LAYERS, MARGIN } from "../../stage/looks.js";
 
-/** What is smaller than that, in the world, is not to be seen. */
+/** Size, in units of the world, below which an instance is left out; those that have vanished are half as large. */
 const UNSEEN = 2e-6;
 
 /**
- * Fills copies of a mesh; those that follow each other in one colour are one area, without seams.
+ * Fills copies of a mesh; consecutive ones of one colour are one area, without seams.
  *
  * @param {CanvasRenderingContext2D} to
  * @param {number[][]} lines

@@ -1,13 +1,13 @@
 // @ts-check
 /**
- * The script of a replay file: reads the motion that the file holds, and draws it into a canvas with what the page
- * draws by. It fetches nothing.
+ * The script of a replay file: reads the motion in the file, and draws it into a canvas by the same modules as the page.
+ * It fetches nothing.
  *
- * @typedef {object} Moving what it says of its motion
+ * @typedef {object} Moving what the file says about its motion
  * @property {number} frames how many
  * @property {number} interval seconds between two
- * @property {number[]} plans from which frame on there is each; its arrays are on white and on dark paper
- * @property {number[]} damages from which frame on there is each
+ * @property {number[]} plans the frame from which on each is valid; each has arrays for white and for dark paper
+ * @property {number[]} damages the frame from which on each is valid
  * @typedef {import("./paint.js").Stage & Moving} About what the file says
  */
 import { between, readDamage, readFrame, readPlan, UNHARMED } from "../../stage/plan.js";
@@ -15,8 +15,10 @@ import { sections } from "../../wire/unpack.js";
 import { paint } from "./paint.js";
 import { element, unpacked } from "./parts.js";
 
-/** Seconds that an arrow key goes. */
-const [NUDGE, LEAP] = [0.1, 1];
+/** Seconds by which an arrow key moves the time. */
+const NUDGE = 0.1;
+/** The same with Shift. */
+const LEAP = 1;
 
 /** @param {About} about @param {ArrayBuffer} data the arrays of plans, damages and frames, as pages get them */
 function readMotion(about, data) {
@@ -27,7 +29,7 @@ function readMotion(about, data) {
   /** @template {{from: number}} T @param {T[]} list @param {number} frame */
   const present = (list, frame) => list.filter(({ from }) => from <= frame).at(-1);
   return {
-    /** What there is at a time, seconds from the beginning. @param {number} time @param {boolean} dark */
+    /** What is shown at a time, seconds from the beginning. @param {number} time @param {boolean} dark */
     at(time, dark) {
       const at = time / about.interval;
       const before = Math.min(Math.max(Math.floor(at + 1e-6), 0), frames.length - 1);
@@ -119,9 +121,8 @@ function player(about, motion) {
 
 try {
   const [about, text] = ["about", "data"].map((id) => element(id, HTMLScriptElement).textContent ?? "");
-  const told = /** @type {About} */ (JSON.parse(about));
-  const motion = readMotion(told, await unpacked(JSON.parse(text)));
-  player(told, motion);
+  const given = /** @type {About} */ (JSON.parse(about));
+  player(given, readMotion(given, await unpacked(JSON.parse(text))));
 } catch (error) {
   const said = document.querySelector("[role=alert]");
   if (said) said.textContent = "This browser cannot play the file; a newer one can.";

@@ -5,7 +5,9 @@
  * again (Jakobsen 2001, Advanced Character Physics).
  */
 import { onSight, putUp, redrawMarks, SVG } from "../../stage/overlay.js";
-import { screen, worldAt, wireNumber } from "../../stage/screen.js";
+import { worldAt, wireNumber } from "../../stage/screen.js";
+import { ARROWS } from "../../ui/hands/arrow_keys.js";
+import { screen } from "../../ui/viser/screen.js";
 
 /** @typedef {import("../../stage/overlay.js").Sight} Sight */
 /** @typedef {[number, number]} Place in the page's world */
@@ -161,7 +163,7 @@ export class OwnGhost {
     grip.addEventListener("pointermove", follow);
     grip.addEventListener("keydown", (event) => {
       const on = screen();
-      const to = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] }[event.key];
+      const to = ARROWS[event.key];
       if (!to || !on) return;
       event.preventDefault();
       event.stopPropagation();

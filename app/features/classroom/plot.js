@@ -1,5 +1,6 @@
 // @ts-check
 /** The class's plot: what each seat found over what it set, a point a seat. */
+import { axisMarks } from "../../stage/axes.js";
 import { SVG } from "../../stage/overlay.js";
 
 /** @typedef {import("../../wire/wire.js").Found} Found */
@@ -26,17 +27,8 @@ export function axis(numbers, logarithmic) {
   /** @param {number} number */
   const part = (number) => (scale(number) - low + margin) / (high - low + 2 * margin);
   const [from, to] = [low - margin, high + margin];
-  const marks = logarithmic ? powers(10 ** from, 10 ** to) : steps(from, to);
+  const marks = logarithmic ? powers(10 ** from, 10 ** to) : axisMarks(from, to, MAX_MARKS);
   return { part, marks };
-}
-
-/** Round numbers in a range, evenly. @param {number} low @param {number} high */
-function steps(low, high) {
-  const least = (high - low) / MAX_MARKS;
-  const power = 10 ** Math.floor(Math.log10(least));
-  const step = ([1, 2, 5, 10].find((one) => one * power >= least) ?? 10) * power;
-  const first = Math.ceil(low / step);
-  return Array.from({ length: Math.floor(high / step) - first + 1 }, (_, i) => Number(((first + i) * step).toPrecision(12)));
 }
 
 /** Powers of ten in a range; with 2 and 5 between them where that is few. @param {number} low @param {number} high */

@@ -8,10 +8,10 @@
  */
 import { make, makeButton } from "../../ui/dialog.js";
 import { editing, onEditing } from "./editing.js";
-import { ARROWS } from "../../ui/hands/key_table.js";
+import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
 import { makeSvg, set } from "../../stage/overlay.js";
-import { screen } from "../../stage/screen.js";
+import { screen } from "../../ui/viser/screen.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { onUnderlay } from "../../stage/underlay.js";
 import { viser } from "../../ui/viser/viser.js";

@@ -39,7 +39,7 @@ class FilesFeature(Feature):
 
     def __init__(self, page: Page) -> None:
         super().__init__(page)
-        # In the queue of what the page had kept: a link comes after that.
+        # In the queue of what the browser had stored of its page: a link comes after that.
         self._sharing = Sharing(
             page, lambda scene: page.soon(lambda: page.session.post(commands.Open(scene))), page.for_others
         )

@@ -1,4 +1,4 @@
-"""What a page asks of links, and is told of them."""
+"""Messages about links."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class Share(Ask, frozen=True):
 
     Attributes:
         page: the page's own address, without what stands after its folder.
-        short: as an address that the server keeps, instead of a link that holds the scene.
+        short: whether as an address whose scene the server stores, instead of a link that holds the scene.
         controls: which there are for whoever opens it: as they are anyway, the bar of time alone, or that and
             the sliders that make most of the scene.
     """

@@ -9,14 +9,14 @@ import { OPEN } from "../../ui/viser/widgets.js";
 import { packed } from "../../ui/kept/keep.js";
 import { sendParts } from "../../ui/kept/links.js";
 
-/** Bytes of a file at most: more than any scene or log may have. */
-const MOST = 8_000_000;
+/** Bytes of a file, at most: more than any scene or log may have. */
+const MAX_BYTES = 8_000_000;
 const KINDS = "application/json,.json,.jsonl,.csv,.tsv,.txt,.dat";
 
 /** @param {File | undefined} file */
 async function open(file) {
   if (!file) return;
-  if (file.size > MOST) send({ do: "unsent", what: "file" });
+  if (file.size > MAX_BYTES) send({ do: "unsent", what: "file" });
   else sendParts("file", `${encodeURIComponent(file.name)}:${await packed(file)}`);
 }
 

@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * A picture of what the page shows: viser's canvas, drawn anew at twice the size, with all that softrod draws under and
+ * A picture of what the page shows: viser's canvas, drawn again at twice the size, with all that softrod draws under and
  * over it, and the scene's title and the time. It is made in the browser and downloaded from there.
  *
  * Every SVG and canvas element belongs to it whose class begins with `softrod-`, unless it is a part of a button or of
@@ -12,6 +12,7 @@ import { hold } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
 import { SVG } from "../../stage/overlay.js";
 import { timeNow } from "../../ui/clock.js";
+import { download } from "../../ui/download.js";
 import { viser } from "../../ui/viser/viser.js";
 import { PANEL } from "../../ui/viser/widgets.js";
 
@@ -181,7 +182,7 @@ async function picture() {
 
 let busy = false;
 
-/** Makes a picture, and has the browser keep it as a file. */
+/** Makes a picture, and has the browser save it as a file. */
 export async function takePicture() {
   if (busy) return;
   busy = true;
@@ -189,11 +190,7 @@ export async function takePicture() {
     const made = await picture();
     const file = await new Promise((/** @type {BlobCallback} */ done) => made.toBlob(done, "image/png"));
     if (!file) throw new Error("the picture could not be packed");
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(file);
-    link.download = `${(told().title ?? "").replace(/[^\p{L}\p{N} ._-]+/gu, "-").slice(0, 80) || "softrod"}.png`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+    download(file, `${(told().title ?? "").replace(/[^\p{L}\p{N} ._-]+/gu, "-").slice(0, 80) || "softrod"}.png`);
   } finally {
     busy = false;
   }

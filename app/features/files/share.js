@@ -9,8 +9,8 @@ const TOO_LONG = 8000;
 
 /** What can be shared, and what it is good for. */
 const KINDS = {
-  short: ["A short address", "To type or to photograph: for a class. This server keeps the scene, and has to run when it is opened."],
-  long: ["A link that holds the scene", "To send and to keep: any softrod opens it, also next year. Nothing is kept on the server."],
+  short: ["A short address", "To type or to photograph: for a class. This server stores the scene, and has to run when it is opened."],
+  long: ["A link that holds the scene", "To send and to keep: any softrod opens it, even next year. Nothing is stored on the server."],
 };
 /** Which controls there are for whoever opens it. */
 const CONTROLS = {

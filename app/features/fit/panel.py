@@ -22,7 +22,7 @@ from sim.edit.edit import Edit
 from sim.errors import InputError, SceneError, SettingError
 from sim.settings import settings_of
 
-from ...export.workshop import Breath, Workshop
+from ...server.background import BackgroundWorker, YieldGil
 from ...session import commands
 from ...ui import readouts
 from ...ui.page import Page
@@ -51,7 +51,7 @@ _NOT_SOUGHT = ("dt", "tolerance", "template")
 
 NONE = np.zeros(0, np.float32)
 
-_shop = Workshop()
+_worker = BackgroundWorker()
 
 
 class _Stopped(Exception):
@@ -235,7 +235,7 @@ class FitPanel:
         self._result.content = _text("The fit begins ...")
         self._page.mail.tell(Fan(numbers=NONE))
         scene = self._session.simulation.capture().scene
-        _shop.submit(partial(self._run, table, scene, vary, texts, scale))
+        _worker.submit(partial(self._run, table, scene, vary, texts, scale))
 
     def _refuse(self, matches: tuple[Match, ...], vary: list[str]) -> None:
         scene, numbers = self._session.scene, sum(each.column.values.size for each in matches)
@@ -261,18 +261,18 @@ class FitPanel:
         match: dict[str, str],
         scale: float | None,
     ) -> None:
-        breath = Breath()
+        yield_gil = YieldGil()
 
         def progress(what: str) -> None:
             if self._table is not table:
                 raise _Stopped
             self._page.later(partial(self._tell, table, f"Fitting: {what} ..."))
-            breath.take()
+            yield_gil.pause()
 
         try:
             found = sim.fit(scene, table, vary, match, scale, progress)
             begin = float(table.time[0]) if "start" in vary else 0.0
-            seen = fan(found, float(table.time[-1]) - begin, breath)
+            seen = fan(found, float(table.time[-1]) - begin, yield_gil)
             self._page.later(partial(self._take_found, table, scene, found, seen))
         except (InputError, SceneError, SettingError) as error:
             self._page.later(partial(self._say, error))
@@ -323,13 +323,13 @@ _OF_JOINTS = ("angular_stiffness", "angular_damping")
 """What is sought at first: where there are joints, that they bend is what is seen."""
 
 
-def fan(found: Fit, seconds: float, breath: Breath) -> Fan:
+def fan(found: Fit, seconds: float, yield_gil: YieldGil) -> Fan:
     """How bodies move whose numbers scatter as the data leave them open.
 
     Args:
         found: the fit.
         seconds: for how long; a body of many masses is followed for a shorter time, see `MAX_OF_FAN`.
-        breath: is taken after each body.
+        yield_gil: pauses after each body.
     """
     masses = len(found.scene.masses)
     dt = found.scene.integrator.dt
@@ -341,7 +341,7 @@ def fan(found: Fit, seconds: float, breath: Breath) -> Fan:
         for k in range(frames):
             places[k, i] = body.positions
             body.step(every)
-        breath.take()
+        yield_gil.pause()
     numbers = np.clip(np.nan_to_num(places), -1e7, 1e7).astype(np.float32).ravel()  # one may run away
     return Fan(numbers=numbers, draws=DRAWS, masses=masses, rate=1.0 / (every * dt))
 

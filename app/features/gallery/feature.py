@@ -1,4 +1,4 @@
-"""The gallery: all scenes on cards, to open one, to use one in a class, and to keep one's own in order."""
+"""The gallery: all scenes on cards, to open one, to use one in a class, and to manage one's own."""
 
 from __future__ import annotations
 

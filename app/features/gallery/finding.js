@@ -33,3 +33,37 @@ export function arrived(key, from, places) {
   });
   return best;
 }
+
+/** Moves the focus to a card. @param {HTMLElement | undefined} card */
+export function focusCard(card) {
+  card?.focus({ preventScroll: true });
+  card?.scrollIntoView({ block: "nearest" });
+}
+
+/**
+ * Moves the focus by keys: arrows go from card to card and back to the field of the search, letters go there from anywhere.
+ *
+ * @param {KeyboardEvent} event
+ * @param {HTMLElement} search
+ * @param {HTMLElement[]} cards that are shown, in reading order
+ * @param {HTMLElement | undefined} [first] the card to which one gets from the search
+ * @returns {boolean} whether that was the key
+ */
+export function moveByKey(event, search, cards, first = cards[0]) {
+  const { target, key } = event;
+  const from = cards.findIndex((card) => card === target);
+  if (target === search) {
+    if (key === "Enter") cards[0]?.click();
+    else if (key === "ArrowDown") focusCard(first);
+    else return false;
+  } else if (from >= 0 && /^(Arrow(Up|Down|Left|Right)|Home|End)$/.test(key)) {
+    const to = arrived(key, from, cards.map((card) => card.getBoundingClientRect()));
+    if (key === "ArrowUp" && to === from) search.focus();
+    else focusCard(cards[to]);
+  } else {
+    if (key.length === 1 && key !== " " && !(target instanceof HTMLInputElement)) search.focus(); // which takes the letter
+    return false;
+  }
+  event.preventDefault();
+  return true;
+}

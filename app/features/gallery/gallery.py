@@ -13,6 +13,7 @@ from pathlib import Path
 from app.classroom.room import Refused
 from sim.edit.texts import renamed
 from sim.errors import SceneError
+from sim.scene.types import Scene
 from sim.store import own_scenes
 from sim.store.files import read_scene
 
@@ -58,20 +59,23 @@ class Gallery:
         self._mail.tell(OfferGallery(why=why))
 
     def changed(self) -> None:
-        """Have the page ask anew, if it shows it."""
+        """Have the page ask for the scenes again, if it shows them."""
         self._mail.tell(ShelfChanged())
 
     def open(self, ask: OpenScene) -> None:
         """Open a scene; if it cannot be read, nothing changes."""
-        try:
-            # Only what is listed: a name could be the path of any file.
-            if (info := self._shelf.find(ask.name)) is None:
-                raise SceneError(f"there is no scene called {ask.name!r} any more")
-            scene = read_scene(info.path)
-        except SceneError as error:
-            self._notify(Notice("error", "That scene cannot be opened", str(error)))
-        else:
+        if scene := self._read(ask.name, "That scene cannot be opened"):
             self._session.post(commands.Open(scene))
+
+    def _read(self, name: str, failure: str) -> Scene | None:
+        """A listed scene, since a name could be the path of any file; if it cannot be read, say so."""
+        try:
+            if (info := self._shelf.find(name)) is None:
+                raise SceneError(f"there is no scene called {name!r} any more")
+            return read_scene(info.path)
+        except SceneError as error:
+            self._notify(Notice("error", failure, str(error)))
+            return None
 
     def list(self, ask: ListScenes) -> None:
         """Send the page all scenes, then the pictures of those that are saved as they get ready."""
@@ -102,12 +106,8 @@ class Gallery:
         if begin is None:
             self._mail.tell(UsedInClass(address="", command=command))
             return
-        try:
-            if (info := self._shelf.find(ask.name)) is None:
-                raise SceneError(f"there is no scene called {ask.name!r} any more")
-            scene = read_scene(info.path)
-        except SceneError as error:
-            self._notify(Notice("error", "That scene cannot be used in a class", str(error)))
+        scene = self._read(ask.name, "That scene cannot be used in a class")
+        if scene is None:
             return
 
         def do() -> None:
@@ -151,6 +151,6 @@ def _picture(path: Path, dark: bool) -> str:
 
 @functools.lru_cache(maxsize=2 * MAX_PAINTED)
 def painted(path: Path, _: int, dark: bool) -> str:
-    """The picture of the scene that a file had at a time; the last ones are kept."""
+    """The picture of the scene that a file had at a time; the last ones are cached."""
     data = thumbnails.picture(read_scene(path), dark)
     return f"data:image/webp;base64,{base64.b64encode(data).decode()}"

@@ -1,4 +1,4 @@
-"""What a page asks of scenes, and is told of them."""
+"""Messages about the scenes of the gallery."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class OfferGallery(Event, frozen=True, kw_only=True):
 
 
 class ShelfChanged(Event, frozen=True, kw_only=True):
-    """There are other scenes than before."""
+    """Scenes were saved, renamed or deleted."""
 
 
 class Entry(Struct, frozen=True, kw_only=True):

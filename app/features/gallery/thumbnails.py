@@ -1,6 +1,6 @@
 """The small pictures of the gallery. `python -m app.features.gallery.thumbnails` makes those of the presets.
 
-They are kept with the page's files, with the digest of the scene file that each was made from.
+They are stored among the page's files, with the digest of the scene file that each was made from.
 """
 
 from __future__ import annotations
@@ -23,8 +23,11 @@ FOLDER = Path(__file__).parent / "thumbnails"
 SIZE = (264, 176)
 """Pixels of a picture."""
 
-ROOM, LEAST = 1.3, 0.4
-"""Sides of what is shown: as multiples of the body's, and as parts of those of the scene's frame at least."""
+ROOM = 1.3
+"""Sides of what is shown, in sides of the body."""
+
+LEAST = 0.4
+"""Smallest sides of what is shown, in sides of the scene's frame."""
 
 AFTER = 0.6
 """Simulated seconds after which a preset has its picture taken: most have left their first pose by then."""
@@ -85,7 +88,7 @@ def write() -> None:
         simulation.advance(AFTER)
         for dark, file in zip((False, True), files, strict=True):
             write_atomically(file, picture(scene, dark, Picture.of(simulation)))
-        print(f"{name}: made anew")
+        print(f"{name}: made")
     names = {file_name(name, dark) for name in wanted for dark in (False, True)}
     for file in FOLDER.glob("*.webp"):
         if file.name not in names:

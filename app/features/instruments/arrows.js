@@ -7,7 +7,7 @@
  * @typedef {import("../../stage/edge.js").Box} Box
  */
 import { arrow, head, headOf } from "../../stage/arrow_shapes.js";
-import { roundUp } from "../../stage/overlay.js";
+import { roundUp } from "../../stage/axes.js";
 
 /** Sets of numbers that are stored to interpolate between. */
 const MAX_SETS = 8;

@@ -14,7 +14,7 @@
  * @typedef {{kind: Kind, points: Point[], watch?: Watch}} Placed an instrument on the canvas, as it is stored
  * @typedef {import("../../stage/screen.js").Screen} Screen
  */
-import { roundUp } from "../../stage/overlay.js";
+import { roundUp } from "../../stage/axes.js";
 import { nearest, worldAt } from "../../stage/screen.js";
 
 /** Number of points. @type {Record<Kind, number>} */

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Before:
-    """What a user had switched on before a lesson, which comes back after it."""
+class ToolsBeforeLesson:
+    """What a user had switched on before a lesson, and gets back after it."""
 
     plots: tuple[Wish, ...]
     arrows: frozenset[str]
@@ -43,9 +43,9 @@ class LessonFeature(Feature):
         super().__init__(page)
         self._panel: LessonPanel | None = None
         self._board = Board(page)
-        self._before: Before | None = None
+        self._before: ToolsBeforeLesson | None = None
         self._said_closed: Lesson | None = None
-        self._is_looked_at: bool | None = None
+        self._is_seen: bool | None = None
 
     def hear(self, said: FromPage) -> None:
         """See `Feature`."""
@@ -60,8 +60,8 @@ class LessonFeature(Feature):
         self._panel, self._board = None, Board(self.page)
         if self.page.has_lesson:
             self._panel = LessonPanel(self.page, panel.tab("Lesson"))
-            if self._is_looked_at is not None:
-                self._panel.plots.looked_at = self._is_looked_at
+            if self._is_seen is not None:
+                self._panel.plots.looked_at = self._is_seen
 
     def build(self) -> None:
         """See `Feature`."""
@@ -71,9 +71,9 @@ class LessonFeature(Feature):
             text = "Here is its body alone; the steps come with the class."
             page.notify(Notice("info", "A class goes through this lesson now", text))
         if self._panel is None:
-            self._give_back()
+            self._restore_tools()
             return
-        self._before = self._before or self._switched_on()
+        self._before = self._before or self._current_tools()
         self._panel.build()
         keys = self._panel.controls
         known = {dial.key: dial for dial in dials_of(self.session.scene)}
@@ -101,24 +101,24 @@ class LessonFeature(Feature):
 
     # --------------------------------------------------------------------- inside
     def _see(self, on: bool) -> None:
-        self._is_looked_at = on
+        self._is_seen = on
         if self._panel is not None:
             self._panel.plots.looked_at = on
 
-    def _switched_on(self) -> Before:
+    def _current_tools(self) -> ToolsBeforeLesson:
         """What the user has switched on; a ghost in the middle of a lesson is the lesson's."""
         measure, instruments = self.page.find(MeasureFeature), self.page.find(InstrumentsFeature)
         ghost, compare = self.session.ghost, commands.Compare("", "")
         if ghost is not None and not self.session.lesson_begun:
             compare = commands.Compare(ghost.method, ghost.law, ghost.finer)
-        return Before(
+        return ToolsBeforeLesson(
             measure.wishes if measure is not None else (),
             instruments.arrows if instruments is not None else frozenset(),
             compare,
         )
 
-    def _give_back(self) -> None:
-        """After a lesson, what there was before it."""
+    def _restore_tools(self) -> None:
+        """After a lesson, restore what was switched on before it."""
         if self._before is None:
             return
         before, self._before = self._before, None
@@ -126,5 +126,5 @@ class LessonFeature(Feature):
             instruments.show_arrows(before.arrows)
         if (measure := self.page.find(MeasureFeature)) is not None:
             measure.remember(before.plots)
-        if not self.page.makes_lesson:  # where a step was tried, it is back already
+        if not self.page.makes_lesson:  # after the trial of a step it is back already
             self.session.post(before.ghost)

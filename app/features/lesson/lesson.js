@@ -1,78 +1,69 @@
 // @ts-check
 /**
- * A lesson in the panel's first tab: one step at a time. A question comes first, and the body waits until it is
- * answered. Then it is tried: what to do and what to watch. What is right is told last, when the user asks for it.
- * How far the lesson is outlives a reload.
+ * A lesson in the panel's first tab, one step at a time. How far it is outlives a reload.
+ *
+ * @typedef {import("./run.js").Given} Given
+ * @typedef {LessonRun<import("./run.js").Step, Given>} Run
  */
 import { onTold, send, told } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { perform } from "../../wire/perform.js";
 import { kept, store } from "../../ui/kept/storage.js";
-import { lessonCard } from "./card.js";
+import { LessonRun } from "./run.js";
 
-/**
- * @typedef {import("../../wire/wire.js").LessonStep} Step
- * @typedef {object} Progress
- * @property {string} lesson
- * @property {number} at the step
- * @property {(number | null)[]} answers the choice at each step
- * @property {boolean[]} told whether it was told at each step what is right
- */
-
+/** Under this name the tab stores `{lesson, at, answers, told}`: each step's choice, and whether the right one was revealed. */
 const NAME = "softrod-lesson";
-/** Milliseconds between two looks whether viser has made the place of the lesson anew. */
+/** Milliseconds between two looks whether viser has made the place of the lesson again. */
 const LOOK_EVERY = 100;
 
-/** @type {Step[]} */
-let steps = [];
-/** @type {Progress} */
-let progress = { lesson: "", at: 0, answers: [], told: [] };
-/** @type {HTMLElement | null} */
-let card = null;
-
-/** What was kept of a lesson, or its beginning. @param {string} lesson @param {number} count of its steps */
-function progressOf(lesson, count) {
-  const fresh = { lesson, at: 0, answers: Array(count).fill(null), told: Array(count).fill(false) };
-  try {
-    const old = JSON.parse(kept(NAME) ?? "null");
-    const fits = old?.lesson === lesson && old.at >= 0 && old.at < count;
-    return fits && old.answers?.length === count && old.told?.length === count ? /** @type {Progress} */ (old) : fresh;
-  } catch {
-    return fresh;
-  }
-}
-
-/** @param {import("../../wire/wire.js").Lesson} lesson */
-function take(lesson) {
-  steps = lesson.steps;
-  progress = progressOf(JSON.stringify(steps), steps.length);
-  keepProgress();
-  begunIn = "";
-  beginPresent();
-  show();
-}
-
+/** @type {HTMLElement} */
+let card;
+/** @type {Run | null} */
+let run = null;
 /** The opening of the lesson's scene, as the server counts them, in which a step was begun. */
 let begunIn = "";
-
 /** The step at which the lesson is to begin the next time, without any answers. @type {number | null} */
 let first = null;
+
 /** Has the lesson begin at a step the next time that its tab comes. @param {number} step */
 export const beginNextAt = (step) => (first = step);
 
-/** Begins a step: the scene anew, as the step wants it. @param {number} step */
-function enter(step) {
-  progress.at = step;
-  tell();
-  keepProgress();
-  show();
-  card?.querySelector("h2")?.focus();
+/** @returns {Given} */
+const blank = () => ({ choice: null, known: false });
+
+/** What was stored of a lesson, or its beginning. @param {string} lesson @param {number} count of its steps @returns {{at: number, given: Given[]}} */
+function progressOf(lesson, count) {
+  try {
+    const old = JSON.parse(kept(NAME) ?? "null");
+    const fits = old?.lesson === lesson && old.at >= 0 && old.at < count;
+    if (fits && old.answers?.length === count && old.told?.length === count) {
+      return { at: old.at, given: Array.from({ length: count }, (_, i) => ({ choice: old.answers[i], known: old.told[i] })) };
+    }
+  } catch {
+    // Not as this version stores it.
+  }
+  return { at: 0, given: Array.from({ length: count }, blank) };
 }
 
-/** Tells the server which step begins. The body need not wait for a question that is answered. */
-function tell() {
-  const answered = steps[progress.at].question !== null && progress.answers[progress.at] !== null;
-  send({ do: "beginStep", step: progress.at, how: answered ? "run" : "wait" });
+/** @param {import("../../wire/wire.js").Lesson} lesson */
+function take({ steps }) {
+  const name = JSON.stringify(steps);
+  const { at, given } = progressOf(name, steps.length);
+  /** @type {Run} */
+  const taken = new LessonRun(card, steps, at, given, {
+    blank,
+    begin: (waits) => send({ do: "beginStep", step: taken.at, how: waits ? "wait" : "run" }),
+    run: () => perform("run"),
+    store() {
+      const answers = taken.given.map(({ choice }) => choice);
+      store(NAME, JSON.stringify({ lesson: name, at: taken.at, answers, told: taken.given.map(({ known }) => known) }));
+    },
+  });
+  run = taken;
+  run.host.store(false);
+  begunIn = "";
+  beginPresent();
+  if (steps.length) run.show();
 }
 
 /**
@@ -84,68 +75,19 @@ function beginPresent() {
   const opening = `${page}.${scene}`;
   // Its tab is not there while it is being made.
   if (page && lesson === undefined) begunIn = "";
-  if (!page || lesson === undefined || steps.length === 0 || begunIn === opening) return;
+  if (!page || lesson === undefined || !run?.steps.length || begunIn === opening) return;
   begunIn = opening;
   if (first !== null) {
-    progress = { lesson: JSON.stringify(steps), at: first, answers: steps.map(() => null), told: steps.map(() => false) };
+    run.at = first;
+    run.given = run.steps.map(blank);
     first = null;
-    keepProgress();
-    show();
+    run.changed();
   }
-  if (lesson) send({ do: "beginStep", step: progress.at, how: "on" });
-  else tell();
+  if (lesson) send({ do: "beginStep", step: run.at, how: "on" });
+  else run.begin();
 }
 
-const keepProgress = () => store(NAME, JSON.stringify(progress));
-
-/** The first choice starts the body; until it is told what is right, another one can be made. @param {number} choice */
-function answer(choice) {
-  const first = progress.answers[progress.at] === null;
-  progress.answers[progress.at] = choice;
-  keepProgress();
-  if (first) perform("run");
-  show();
-  focusOn(first ? ".softrod-lesson-do" : ".softrod-choice[aria-pressed=true]");
-}
-
-/** Tells what is right. */
-function reveal() {
-  progress.told[progress.at] = true;
-  keepProgress();
-  show();
-  focusOn(".softrod-verdict");
-}
-
-/** The present step anew, as if nothing had been answered. */
-function again() {
-  progress.answers[progress.at] = null;
-  progress.told[progress.at] = false;
-  enter(progress.at);
-}
-
-/** Screen readers read on from there. @param {string} selector */
-function focusOn(selector) {
-  const found = card?.querySelector(selector);
-  if (found instanceof HTMLElement) found.focus();
-}
-
-/** Puts the present step into the card. */
-function show() {
-  const { at, answers, told: known } = progress;
-  const step = steps[at];
-  if (!card || !step) return;
-  const shown = { step, at, count: steps.length, chosen: answers[at], known: known[at] };
-  card.replaceChildren(...lessonCard(shown, { answer, reveal, again, enter, startOver }));
-}
-
-/** The lesson from its first step on, without any answers. */
-function startOver() {
-  progress.answers.fill(null);
-  progress.told.fill(false);
-  enter(0);
-}
-
-/** Makes the card of lessons, and keeps it in its place in the panel, which viser makes anew now and then. */
+/** Makes the card of lessons, and keeps it in its place in the panel, which viser makes again now and then. */
 function begin() {
   card = make("section", "softrod-lesson");
   card.ariaLabel = "Lesson";
@@ -153,10 +95,9 @@ function begin() {
   onTold("pageState", beginPresent);
   setInterval(() => {
     const place = document.getElementById("softrod-lesson");
-    if (card && place && card.parentElement !== place) place.replaceChildren(card);
+    if (place && card.parentElement !== place) place.replaceChildren(card);
     document.documentElement.toggleAttribute("data-softrod-lesson", place !== null);
   }, LOOK_EVERY);
-  show();
 }
 
 /** @type {import("../../ui/feature.js").Feature<"lesson">} */

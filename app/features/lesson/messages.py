@@ -1,4 +1,4 @@
-"""What a page says of its scene's lesson, and is told of it."""
+"""Messages about the lesson of a page's scene."""
 
 from __future__ import annotations
 

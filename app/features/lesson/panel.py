@@ -71,7 +71,7 @@ class LessonPanel:
         self.plots.build()
 
     def begin(self, begin: BeginStep) -> None:
-        """Go to a step: the scene is opened anew as the step wants it, and waits for an answer if it asks.
+        """Go to a step: open the scene as the step sets it up, and wait for an answer if there is a question.
 
         A page that is in the middle of it only has its sliders and plots shown.
         """

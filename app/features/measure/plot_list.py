@@ -11,7 +11,7 @@ import viser
 from sim.errors import InputError
 from sim.scene.types import shown_name
 
-from ...export.workshop import workshop
+from ...server.background import file_worker
 from ...session.notices import Notice
 from ...session.plots import MAX_PLOTS, Plot, Wish, curve
 from ...stage.colors import palette
@@ -100,7 +100,7 @@ class _OpenPlot:
 
             self._send(".png", plot_png(plot, drawn, colors, title))
 
-        workshop.submit(make)
+        file_worker.submit(make)
 
     def play(self, seconds: float) -> None:
         """Send the past of the first quantity as a melody."""

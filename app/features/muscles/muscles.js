@@ -9,6 +9,7 @@ import { has, onTold, send, told } from "../../wire/channel.js";
 import { change, editing, onEditing } from "../edit/editing.js";
 import { beatsAt, countMuscles } from "../../stage/swing.js";
 import { make, makeButton } from "../../ui/dialog.js";
+import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { floorOf, makeSvg, set } from "../../stage/overlay.js";
 import { across, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf, stepOf, wayOf, waveOf } from "./marks.js";
 import { addMuscleMarks } from "./body_marks.js";
@@ -42,8 +43,6 @@ const CLOCK_EVERY = 100;
 
 const HOW = "Drag a mark sideways: when it moves. Up or down: how far.";
 const NOWHERE = { later: 0, stretch: 0, turn: 0 };
-/** @type {Record<string, [number, number]>} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** Whether a mark's part is selected. @param {Mark} mark */
 const isSelected = ({ joint, part }) => editing.selected[joint ? "joints" : "springs"].includes(part);

@@ -16,7 +16,7 @@ import sim
 from sim.analysis.advice import ERRORS, Advice, compare_methods
 from sim.errors import InputError, SceneError
 
-from ...export.workshop import Workshop
+from ...server.background import BackgroundWorker
 from ...session.notices import Notice
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command
@@ -24,7 +24,7 @@ from ...ui.viser.handlers import add_command
 MAX_MASSES = 200
 """Masses of a body for which a page does that; `softrod study` does it for more."""
 
-_shop = Workshop()
+_worker = BackgroundWorker()
 
 
 class MethodPanel:
@@ -73,7 +73,7 @@ class MethodPanel:
     def _ask(self) -> None:
         if self._busy.acquire(blocking=False):
             self._working = True
-            _shop.submit(self._try_all)
+            _worker.submit(self._try_all)
 
     def _try_all(self) -> None:
         page = self._page

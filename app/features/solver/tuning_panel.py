@@ -24,7 +24,7 @@ from sim.edit.tune import as_far_as_stable, damp_springs, is_limited, with_numbe
 from sim.errors import InputError, SceneError
 from sim.settings import Setting
 
-from ...export.workshop import Workshop
+from ...server.background import BackgroundWorker
 from ...session import commands
 from ...session.notices import Notice
 from ...session.session import Session
@@ -42,7 +42,7 @@ _TAKEN = 1.0
 _SLIDERS = "frequency", "damping"
 """What the sliders wish."""
 
-_shop = Workshop()
+_worker = BackgroundWorker()
 
 
 class Tuner:
@@ -81,7 +81,7 @@ class Tuner:
             )
         elif is_compiled(scene):
             self._at_work = True
-            _shop.submit(lambda: self._work(scene))
+            _worker.submit(lambda: self._work(scene))
         else:
             self.told, self.trouble = None, "comes when it is compiled"
 
@@ -320,7 +320,7 @@ class TuningPanel:
         """Have what is wished fulfilled in the thread, unless it is busy for this page."""
         if self._wished and self._busy.acquire(blocking=False):
             self._working = True
-            _shop.submit(self._fulfil)
+            _worker.submit(self._fulfil)
 
     def _fulfil(self) -> None:
         try:
@@ -379,7 +379,7 @@ class TuningPanel:
                 self._busy.release()
                 self._begin()
 
-        _shop.submit(run)
+        _worker.submit(run)
 
     def _stabler(self, scene: sim.Scene) -> None:
         made, step = sim.make_stable(scene), f"{1e3 * scene.integrator.dt:.3g} ms"

@@ -1,1 +1,1 @@
-"""The page on which a device tries, before a class, whether it can take part."""
+"""The page that checks, before a class, whether a device can take part."""

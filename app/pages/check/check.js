@@ -1,19 +1,21 @@
 // @ts-check
 /*
- * Tries what a pupil's page needs, and says in words what it found. Any browser is to be able to say that it is too old:
- * so this is no module, and uses nothing that came after 2012.
+ * Checks what a pupil's page needs, and says in words what it found. Even a browser that is too old has to be able to say
+ * so: this is no module, and uses nothing that came after 2012.
  */
 (function () {
   var script = /** @type {HTMLScriptElement} */ (document.currentScript || document.querySelector("script[data-protocol]"));
   /** As in `connection.js`. */
   var HURRY = Number(/** @type {any} */ (window).__softrodHurry) || 1;
-  /** Milliseconds that a connection has to come about, and for which pictures are counted then. */
+  /** Milliseconds in which a connection has to come about. */
   var PATIENCE = 3000 / HURRY;
+  /** Milliseconds for which pictures are counted then. */
   var COUNTED = 1500 / HURRY;
-  /** Milliseconds of a round trip beyond which drags lag, and pictures a second below which bodies jerk. */
+  /** Milliseconds of a round trip beyond which drags lag. */
   var SLOW = 250;
+  /** Pictures a second below which motion jerks. */
   var JERKY = 20;
-  /** Milliseconds by which two clocks may differ; the server tells its own by the second. */
+  /** Milliseconds by which two clocks may differ; the server's has a resolution of a second. */
   var APART = 60000;
   /** Bytes of messages below which a batch of the server's has none: it is a sign of life. */
   var EMPTY = 80;
@@ -81,7 +83,7 @@
     var request = new XMLHttpRequest();
     request.open("GET", address);
     request.timeout = PATIENCE;
-    // What the browser has kept from before says nothing of the network now.
+    // A cached answer would say nothing about the network.
     request.setRequestHeader("Cache-Control", "no-cache");
     if (address === REACH) request.setRequestHeader("X-Softrod-Origin", location.protocol + "//" + location.host);
     request.onloadend = function () {
@@ -99,7 +101,7 @@
     }
   }
 
-  function keeps() {
+  function stores() {
     try {
       localStorage.setItem("softrod-check", "1");
       localStorage.removeItem("softrod-check");
@@ -286,12 +288,12 @@
     if (answer.status === 200 && /javascript/.test(answer.getResponseHeader("Content-Type") || "")) {
       say("good", "Its scripts come, in " + (new Date().getTime() - page) + " ms.");
     } else {
-      say("bad", "The scripts of the class's pages do not come.", "Something on the way keeps them out. " + HOTSPOT);
+      say("bad", "The scripts of the class's pages do not come.", "Something on the way blocks them. " + HOTSPOT);
     }
     if (draws()) say("good", "This browser can show a class.");
     else say("bad", "This browser cannot show a class: it is too old, or has WebGL 2 switched off.", "Use a current Chrome, Edge, Firefox or Safari.");
-    if (keeps()) say("good", "Answers are kept in this browser until they have arrived.");
-    else say("fair", "This browser keeps nothing: an answer that has not arrived is lost by a reload.", "Leave the private window, or allow the page to store data.");
+    if (stores()) say("good", "This browser stores answers until they have arrived.");
+    else say("fair", "This browser stores nothing: an answer that has not arrived is lost by a reload.", "Leave the private window, or allow the page to store data.");
     ask(REACH, function (now) {
       var apart = Math.abs(new Date().getTime() - new Date(now.getResponseHeader("Date") || NaN).getTime());
       if (apart > APART) say("fair", "Its clock and the teacher's differ by " + Math.round(apart / 60000) + " minutes.", "A class does not mind, but addresses with https may be refused.");

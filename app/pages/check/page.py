@@ -1,4 +1,4 @@
-"""The page on which a device tries whether it can take part: small, and without anything of viser's."""
+"""The page that checks whether a device can take part: small, and without any of viser's scripts."""
 
 from __future__ import annotations
 

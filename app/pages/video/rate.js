@@ -5,7 +5,7 @@
 const ENOUGH = 4;
 
 /**
- * Frames a second, to a hundredth; null where there are too few times to tell. A frame that was not caught leaves a
+ * Frames a second, to a hundredth; null where there are too few times. A frame that was missed leaves a
  * difference of several frames.
  * @param {number[]} times of frames, s, in any order, each at least once
  */

@@ -1,5 +1,6 @@
 // @ts-check
 /* The page that makes a table of a video: its frames, what is marked in them, and what that becomes. */
+import { download } from "../../ui/download.js";
 import { HALF, cutOut, find, greyOf } from "./follow.js";
 import { rateOf } from "./rate.js";
 import { tableOf } from "./table.js";
@@ -11,11 +12,14 @@ import { tableOf } from "./table.js";
 const COLOURS = ["#d55e00", "#0072b2", "#009e73"];
 /** Frames of the longest video. */
 const MAX_FRAMES = 20000;
-/** Milliseconds in which a browser tells the time of a frame, unless it shows the same one as before. */
+/** Milliseconds in which a browser reports the time of a frame, unless it shows the same one as before. */
 const PATIENCE = 500;
-/** How fast a video is played to find its rate, and how many frames of it; slower where there are more than a few a second. */
-const [NORMAL, SLOW, FEW] = [/** @type {const} */ ([0.5, 24]), /** @type {const} */ ([0.1, 16]), 45];
-/** Milliseconds in which the next frame comes while it is played, if any does. */
+/** The speed at which a video is played to find its rate, and for how many frames. */
+const NORMAL = /** @type {const} */ ([0.5, 24]);
+/** The same for a video of more frames a second than `FEW`. */
+const SLOW = /** @type {const} */ ([0.1, 16]);
+const FEW = 45;
+/** Milliseconds in which the next frame has to come while a video plays. */
 const LISTENED = 2000;
 
 /** @template {HTMLElement} T @param {string} id @returns {T} */
@@ -45,7 +49,7 @@ let origin = { x: 0, y: 0 };
 let tool = "0";
 let frame = 0;
 let following = false;
-/** Time of the frame that is shown, as the browser told it, s; null where it never tells. @type {number | null} */
+/** Time of the frame that is shown, as reported by the browser, s; null where it reports none. @type {number | null} */
 let shownAt = null;
 /** Seeking goes on one after the other. */
 let queue = Promise.resolve();
@@ -66,7 +70,7 @@ async function open(file) {
   video.src = URL.createObjectURL(file);
   if (!(await come) || !video.videoWidth) return say(`${file.name}: this browser cannot show it as a video`);
   if (!Number.isFinite(video.duration)) {
-    // What a browser records has no length in its header; the end tells it.
+    // What a browser records has no length in its header; only its end shows it.
     const end = heard("seeked");
     video.currentTime = 1e9;
     await end;
@@ -86,21 +90,21 @@ async function open(file) {
   await show(0);
   say(
     (found === null
-      ? "This browser does not tell how many frames come in a second: say it beside the slider. "
-      : `It has ${found} frames a second; if it does not, correct that beside the slider. `) +
+      ? "This browser does not report how many frames come in a second: enter it next to the slider. "
+      : `It has ${found} frames a second; if it does not, correct that next to the slider. `) +
       "Then click a point in the frame. Follow looks for it in the next ones.",
   );
 }
 
-/** How many frames come in a second, from some that are played; null where that cannot be told. */
+/** The frame rate, determined from some frames that are played; null where that is not possible. */
 async function playedRate() {
   const rate = rateOf(await playedTimes(...NORMAL));
-  // Of many frames a second a screen shows some only, and a slow device too few to tell.
+  // Of many frames a second a screen shows only some, and a slow device too few.
   return rate === null || rate > FEW ? rateOf(await playedTimes(...SLOW)) ?? rate : rate;
 }
 
 /**
- * Times of the first frames, as the browser tells them while it plays, s.
+ * Times of the first frames, as the browser reports them while it plays, s.
  * @param {number} speed
  * @param {number} count of frames, at most
  */
@@ -149,14 +153,14 @@ function show(wanted) {
 async function seek(wanted) {
   const seeked = heard("seeked");
   /** @type {Promise<number | null>} */
-  const told = new Promise((done) => {
+  const reported = new Promise((done) => {
     if (!("requestVideoFrameCallback" in video)) return done(null);
     return video.requestVideoFrameCallback((_, { mediaTime }) => done(mediaTime));
   });
   // The middle of a frame, so that rounding leads to no other.
   video.currentTime = Math.min((wanted + 0.5) / framesASecond(), video.duration);
   await seeked;
-  const time = await Promise.race([told, new Promise((done) => setTimeout(done, PATIENCE, null))]);
+  const time = await Promise.race([reported, new Promise((done) => setTimeout(done, PATIENCE, null))]);
   frame = wanted;
   shownAt = time ?? shownAt;
   times.set(frame, shownAt ?? wanted / framesASecond());
@@ -258,11 +262,7 @@ function save() {
   const unit = /** @type {HTMLInputElement} */ (byId("unit")).value.replace(/[^\p{L}\p{N}]/gu, "") || "px";
   const down = /** @type {HTMLSelectElement} */ (byId("direction")).value === "down";
   const scale = { origin, pixels: b ? drawn / length : 1, unit: b ? unit : "px", down };
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([tableOf(points, times, scale)], { type: "text/csv" }));
-  link.download = "video.csv";
-  link.click();
-  URL.revokeObjectURL(link.href);
+  download(new Blob([tableOf(points, times, scale)], { type: "text/csv" }), "video.csv");
   const saved = b ? "Saved." : "Saved in pixels: no ruler was drawn.";
   say(`${saved} Drop the file on the page with the body to see it there and to fit it.`);
 }

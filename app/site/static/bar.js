@@ -1,6 +1,7 @@
 // @ts-check
 /** The bar of a page of a gallery: the page as a file of its own, and a key that leads back. */
 import { element } from "../../export/static/parts.js";
+import { download } from "../../ui/download.js";
 
 /** The page as it came, before its script changes anything. */
 const whole = /** @type {HTMLElement} */ (document.documentElement.cloneNode(true));
@@ -9,11 +10,7 @@ const whole = /** @type {HTMLElement} */ (document.documentElement.cloneNode(tru
 function save(name) {
   whole.querySelector("#bar")?.remove();
   delete whole.dataset.dark;
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([`<!doctype html>\n${whole.outerHTML}\n`], { type: "text/html" }));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+  download(new Blob([`<!doctype html>\n${whole.outerHTML}\n`], { type: "text/html" }), name);
 }
 
 function addBar() {

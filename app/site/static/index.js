@@ -6,9 +6,10 @@
  * @typedef {{name: string, file: string, title: string, text: string, group: string}} Scene
  */
 import { element } from "../../export/static/parts.js";
-import { arrived, isFound } from "../../features/gallery/finding.js";
+import { kept, store } from "../../ui/kept/storage.js";
+import { isFound, moveByKey } from "../../features/gallery/finding.js";
 
-/** Under this the last search is kept, for the way back. */
+/** Under this name the last search is stored, for the way back. */
 const KEY = "softrod-search";
 /** Milliseconds after the last letter after which the address has the search: browsers limit how often it may change. */
 const REST = 300;
@@ -34,22 +35,6 @@ function address(fields) {
   history.replaceState(null, "", text ? `#${text}` : location.pathname + location.search);
 }
 
-function keep() {
-  try {
-    sessionStorage.setItem(KEY, search.value);
-  } catch {
-    // A frame of another site may keep nothing; then the way back leads to all scenes.
-  }
-}
-
-function kept() {
-  try {
-    return sessionStorage.getItem(KEY) ?? "";
-  } catch {
-    return "";
-  }
-}
-
 /** Show the scenes that are searched for. */
 function filter() {
   const hits = new Set(found());
@@ -63,7 +48,7 @@ function filter() {
   }
   count.value = search.value.trim() ? `${hits.size} of ${all}` : all;
   none.textContent = hits.size ? "" : "No scene has all of these words.";
-  keep();
+  store(KEY, search.value);
 }
 
 /** @param {string} text */
@@ -77,7 +62,7 @@ function follow() {
   const asked = new URLSearchParams(location.hash.slice(1));
   const find = (/** @type {string | null} */ wanted) =>
     scenes.find(({ name }) => name === wanted) ?? scenes.find(({ file }) => file === wanted);
-  const [scene, at] = [asked.get("scene"), find(asked.get("at"))];
+  const [scene, at, last] = [asked.get("scene"), find(asked.get("at")), kept(KEY) ?? ""];
   if (scene !== null) {
     const to = find(scene);
     if (to) location.replace(`${to.file}.html`);
@@ -85,18 +70,12 @@ function follow() {
     return;
   }
   if (asked.has("search")) seek(asked.get("search") ?? "");
-  else if (at) seek(isFound(at, kept()) ? kept() : "");
+  else if (at) seek(isFound(at, last) ? last : "");
   else filter();
   if (!at) return;
   address({ search: search.value });
   cardOf(at).focus({ preventScroll: true });
   cardOf(at).scrollIntoView({ block: "center" });
-}
-
-/** @param {HTMLElement | undefined} card */
-function focus(card) {
-  card?.focus({ preventScroll: true });
-  card?.scrollIntoView({ block: "nearest" });
 }
 
 search.addEventListener("input", () => {
@@ -112,25 +91,17 @@ document.addEventListener("click", ({ target }) => {
 document.addEventListener("keydown", (event) => {
   const { target, key } = event;
   if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
-  const cards = found().map(cardOf);
-  const from = cards.findIndex((card) => card === target);
   if (key === "Escape") {
     seek("");
     address({});
     if (target === search) search.blur();
-  } else if (target === search && key === "Enter") cards[0]?.click();
-  else if (target === search && key === "ArrowDown") focus(cards[0]);
-  else if (from >= 0 && /^(Arrow(Up|Down|Left|Right)|Home|End)$/.test(key)) {
-    const to = arrived(key, from, cards.map((card) => card.getBoundingClientRect()));
-    if (key === "ArrowUp" && to === from) search.focus();
-    else focus(cards[to]);
   } else if (target !== search && key === "/") {
     search.focus();
     search.select();
-  } else if (target !== search && key.length === 1 && key !== " ") {
-    search.focus(); // which takes the letter
+  } else {
+    moveByKey(event, search, found().map(cardOf));
     return;
-  } else return;
+  }
   event.preventDefault();
 });
 const shadow = () => (dark.ariaPressed = String(root.hasAttribute("data-dark")));

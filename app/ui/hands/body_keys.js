@@ -1,19 +1,12 @@
 // @ts-check
-/**
- * The body by keys alone, for those who have no pointer: a stop of the Tab key over the canvas. There the arrows
- * choose a mass, Space takes hold of it and lets go, and the arrows then move it. A live region says what happened.
- */
+/** The body by keys alone: a stop of the Tab key over the canvas, and a live region that says what happened. */
 import { onPicture, shown } from "../../stage/canvas.js";
 import { onTold, send, told } from "../../wire/channel.js";
+import { toWorld } from "../../stage/draw.js";
 import { choose, chosenMass } from "../../stage/overlay.js";
 import { freeHand, freshHand, handAt } from "./hands.js";
-import { ARROWS } from "./key_table.js";
+import { KeyHand } from "./key_hand.js";
 import { wireNumber } from "../../stage/screen.js";
-
-/** How far an arrow moves a mass, in units of the world: a hundredth of the scene's frame. */
-const STEP = 0.06;
-/** How many times farther with Shift. */
-const FAR = 5;
 
 /** @param {number} count of broken springs */
 const brokenText = (count) => `${count || "No"} ${count === 1 ? "spring" : "springs"} broken`;
@@ -29,90 +22,50 @@ export function addBodyKeys() {
   live.setAttribute("role", "status");
   document.body.prepend(stop);
   document.body.append(live);
-  /** @param {string} text */
-  const say = (text) => (live.textContent = text);
-
-  /** Where the mass in hand is, in the world; null while none is. @type {{x: number, y: number} | null} */
-  let hand = null;
-  /** Its number. */
+  /** Where the mass in hand is, in the world. */
+  let at = { x: 0, y: 0 };
   let number = -1;
-  const name = () => {
-    const { pictured: plan } = shown();
-    return plan ? `mass ${chosenMass()} of 0 to ${plan.radius.length - 1}` : "no mass";
-  };
-  const where = () => {
-    const { pictured: plan, frame } = shown();
-    const mass = chosenMass();
-    if (!plan || !frame || mass < 0) return null;
-    const [x, y] = frame.positions.subarray(2 * mass, 2 * mass + 2);
-    return { x: (x - plan.x) * plan.scale, y: (y - plan.y) * plan.scale * plan.flip };
-  };
-  const letGo = () => {
-    if (!hand) return;
-    hand = null;
-    send({ do: "drop", hand: number });
-    freeHand(number);
-    say(`${name()} let go`);
-  };
-
-  /** The mass that was chosen when the focus went, for when a dialog gives it back; -1 at first. */
-  let last = -1;
-  stop.addEventListener("focus", () => {
-    choose(last < 0 ? Math.max(shown().pictured?.driven ?? 0, 0) : last);
-    say(`${name()}. Arrows choose, Space takes hold`);
+  const keys = new KeyHand({
+    count: () => shown().pictured?.radius.length ?? 0,
+    chosen: chosenMass,
+    choose,
+    grab(mass) {
+      const { pictured: plan, frame } = shown();
+      if (!plan || !frame) return false;
+      number = freshHand();
+      if (number < 0) return false;
+      const [x, y] = toWorld(plan, frame.positions.subarray(2 * mass, 2 * mass + 2));
+      at = { x, y };
+      send({ do: "grab", hand: number, mass, x: wireNumber(x), y: wireNumber(y) });
+      send({ do: "pick", mass });
+      return true;
+    },
+    move(x, y) {
+      at = { x: at.x + x, y: at.y + y };
+      send({ do: "at", hands: [handAt(number, at)] });
+    },
+    drop() {
+      send({ do: "drop", hand: number });
+      freeHand(number);
+    },
+    say: (text) => (live.textContent = text),
   });
-  stop.addEventListener("blur", () => {
-    letGo();
-    last = chosenMass();
-    choose(-1);
-  });
-  window.addEventListener("blur", letGo); // also where the connection is lost
-  onPicture((_, { radius }) => {
-    last = Math.min(last, radius.length - 1);
-    if (chosenMass() < radius.length) return;
-    choose(radius.length - 1);
-    say(name());
-  });
-  stop.addEventListener("keydown", (event) => {
-    const { pictured: plan } = shown();
-    if (!plan || event.ctrlKey || event.metaKey || event.altKey) return;
-    const move = ARROWS[event.key];
-    if (event.code === "Space" || event.key === "Enter") {
-      const at = where();
-      if (hand) letGo();
-      else if (at && (number = freshHand()) >= 0) {
-        hand = at;
-        const mass = chosenMass();
-        send({ do: "grab", hand: number, mass, x: wireNumber(at.x), y: wireNumber(at.y) });
-        send({ do: "pick", mass });
-        say(`${name()} in hand. Arrows move it`);
-      }
-    } else if (move && hand) {
-      const step = STEP * (event.shiftKey ? FAR : 1);
-      hand = { x: hand.x + move[0] * step, y: hand.y + move[1] * step };
-      send({ do: "at", hands: [handAt(number, hand)] });
-    } else if (move) {
-      const count = plan.radius.length;
-      choose((chosenMass() + (event.key === "ArrowRight" || event.key === "ArrowDown" ? 1 : count - 1)) % count);
-      say(name());
-    } else return;
-    event.preventDefault();
-    event.stopPropagation();
-  });
+  stop.addEventListener("focus", () => keys.focus(shown().pictured?.driven ?? 0));
+  stop.addEventListener("blur", () => keys.blur());
+  window.addEventListener("blur", () => keys.letGo()); // also where the connection is lost
+  onPicture(() => keys.recount());
+  stop.addEventListener("keydown", (event) => keys.press(event));
 
   let before = told();
   onTold("pageState", () => {
     const now = told();
     stop.ariaLabel = `Body of ${shown().plan?.radius.length ?? 0} masses`;
-    if (before.scene !== undefined && now.scene !== before.scene) {
-      letGo();
-      last = -1;
-    }
+    if (before.scene !== undefined && now.scene !== before.scene) keys.forget();
     const news = [];
     if (now.offer && !before.offer) news.push("The body exploded and is stopped");
     else if (before.page && Boolean(now.playing) !== Boolean(before.playing)) news.push(now.playing ? "Running" : "Paused");
     if (before.scene === now.scene && now.broken !== before.broken) news.push(brokenText(now.broken ?? 0));
-    if (news.length) say(news.join(". "));
+    if (news.length) live.textContent = news.join(". ");
     before = now;
   });
 }

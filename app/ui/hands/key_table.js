@@ -7,9 +7,6 @@
  */
 import { COMMANDS } from "../../wire/commands.js";
 
-/** Where arrows point, y upwards. @type {Record<string, [number, number]>} */
-export const ARROWS = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
-
 /** What the places of keys have on them on an American keyboard. @type {Record<string, string>} */
 const PLACES = { Space: " ", Comma: ",", Period: "." };
 

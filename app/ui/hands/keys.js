@@ -1,14 +1,14 @@
 // @ts-check
 /** Keys and the arrow pad: what is held, and what is pressed once. */
 import { onTold, send, told } from "../../wire/channel.js";
+import { ARROWS, heldArrow } from "./arrow_keys.js";
+import { listenToPad, releasePad } from "./arrow_pad.js";
 import { commandOf } from "./key_table.js";
 import { perform } from "../../wire/perform.js";
 import { nextStep } from "../clock.js";
 import { NUMBER_BOX } from "../viser/widgets.js";
 
 /** @typedef {import("../../wire/wire.js").Keys["held"][number]} Key */
-/** @type {Record<string, Key>} */
-const ARROWS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right" };
 /** What Space presses, once it was reached by keys. */
 const PRESSED = "button, input, [role=tab], [role=button]";
 /** What Space is typed into, or opens. */
@@ -92,7 +92,7 @@ const release = (key) => {
   if (held.delete(key)) sendHeld();
 };
 const releaseAll = () => {
-  for (const button of document.querySelectorAll(".softrod-on")) button.classList.remove("softrod-on");
+  releasePad();
   if (held.size) {
     held.clear();
     sendHeld();
@@ -129,7 +129,7 @@ function press(event) {
     return;
   }
   if (!isFree(event) || isSlider(event.target) || isTaken(event)) return;
-  const arrow = ARROWS[event.key];
+  const arrow = heldArrow(event);
   if (arrow) {
     swallow(event);
     hold(arrow);
@@ -140,51 +140,6 @@ function press(event) {
   if (!once) return;
   if (event.repeat && !REPEATED.has(once)) return;
   perform(once === "step" ? nextStep() : once);
-}
-
-/** @param {Event} event @returns {HTMLElement | null} */
-const padKey = (event) =>
-  event.target instanceof Element ? event.target.closest("[data-softrod-key]") : null;
-
-/** @param {HTMLElement} button @param {boolean} down */
-const pressPad = (button, down) => {
-  button.classList.toggle("softrod-on", down);
-  const key = /** @type {Key} */ (button.dataset.softrodKey);
-  if (down) hold(key);
-  else release(key);
-};
-
-function listenToPad() {
-  /** What each finger presses; the pad may be taken out of the page meanwhile. @type {Map<number, HTMLElement>} */
-  const fingers = new Map();
-  document.addEventListener("pointerdown", (event) => {
-    const button = padKey(event);
-    if (!button) return;
-    event.preventDefault();
-    button.setPointerCapture(event.pointerId);
-    fingers.set(event.pointerId, button);
-    pressPad(button, true);
-  });
-  for (const kind of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
-    document.addEventListener(kind, ({ pointerId }) => {
-      const button = fingers.get(pointerId);
-      if (button && fingers.delete(pointerId)) pressPad(button, false);
-    });
-  }
-  for (const kind of /** @type {const} */ (["keydown", "keyup"])) {
-    document.addEventListener(kind, (event) => {
-      const button = padKey(event);
-      if (!button || (event.code !== "Space" && event.key !== "Enter")) return;
-      event.preventDefault();
-      pressPad(button, kind === "keydown");
-    });
-  }
-  // The Tab key may go on while Space is down.
-  document.addEventListener("focusout", (event) => {
-    const button = padKey(event);
-    if (button?.classList.contains("softrod-on")) pressPad(button, false);
-  });
-  document.addEventListener("contextmenu", (event) => padKey(event) && event.preventDefault());
 }
 
 /** Once something is chosen from a box, keys act on the scene and not on the box. */
@@ -207,7 +162,7 @@ export function listenToKeys() {
   window.addEventListener(
     "keyup",
     (event) => {
-      const arrow = ARROWS[event.key];
+      const arrow = heldArrow(event);
       if (arrow) {
         release(arrow);
         if (!isTyping(event.target)) swallow(event);
@@ -222,5 +177,5 @@ export function listenToKeys() {
   window.addEventListener("blur", releaseAll);
   document.addEventListener("visibilitychange", releaseAll);
   setInterval(() => held.size && sendHeld(), REPEAT);
-  listenToPad();
+  listenToPad(hold, release);
 }

@@ -7,11 +7,10 @@ import { shown } from "../../stage/canvas.js";
 import { send, told } from "../../wire/channel.js";
 import { editing } from "../../features/edit/editing.js";
 import { areFree, freeHand, freshHand, handAt } from "./hands.js";
-import { nearest, onScreen, wireNumber, screen, worldAt } from "../../stage/screen.js";
+import { nearest, onScreen, REACH, wireNumber, worldAt } from "../../stage/screen.js";
+import { screen } from "../viser/screen.js";
 import { viser } from "../viser/viser.js";
 
-/** Pixels from a mass within which it is taken hold of. */
-const REACH = { mouse: 12, pen: 16, touch: 26, disc: 0 };
 /** Pixels within which a press counts as a click. */
 const CLICK = 4;
 /** Milliseconds after a finger on the background in which a second one is for the view, whatever is under it. */
@@ -47,7 +46,8 @@ export function massAt(place, kind, others = []) {
   if (!plan || !frame || !on) return -1;
   const radii = plan.radius.map((radius) => radius * on.step);
   for (const mass of others) radii[mass] = NaN;
-  return nearest(onScreen(plan, frame.positions, on), radii, place, REACH[/** @type {"mouse"} */ (kind)] ?? REACH.mouse);
+  const reach = kind === "disc" ? 0 : (REACH[/** @type {"mouse"} */ (kind)] ?? REACH.mouse);
+  return nearest(onScreen(plan, frame.positions, on), radii, place, reach);
 }
 
 /** @param {Place} place */

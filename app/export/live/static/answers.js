@@ -13,25 +13,27 @@
  * @property {"softrod-answers"} format
  * @property {1} version
  * @property {string} lesson eight hexadecimal digits that tell lessons apart
- * @property {string} id ten hexadecimal digits that were drawn by lot in this browser
+ * @property {string} id ten random hexadecimal digits, the same for all sheets of this browser
  * @property {number} turn counts the sheets of this browser: a later one has the larger number
  * @property {string} name that was typed, or empty
  * @property {StepAnswer[]} steps
  * @typedef {{left: number, top: number, width: number, height: number}} Frame px, from the corner with the least x and y
  */
 
-/** What a text begins with. */
+/** How each text begins. */
 const MARK = "SR1";
-/** Letters of a text, at most. */
-const MOST = 150;
-/** Bytes of what is packed, at most, the two of the check among them. */
-const ROOM = Math.floor(((MOST - MARK.length) * 5) / 8);
+/** Letters of a text, at most; the QR code of `qr.js` has room for 154. */
+const MAX_LETTERS = 150;
+/** Bytes that are packed, at most, including the two of the checksum. */
+const ROOM = Math.floor(((MAX_LETTERS - MARK.length) * 5) / 8);
 /** Bytes of a name, at most. */
-const NAME = 24;
+const MAX_NAME = 24;
 /** Letters of five bits each: none that a keyboard with another layout would take for a sign. */
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ234567";
-/** Of what a step has beside its choice. */
-const [LINE, PLACES] = [0, 1];
+/** The kind of a part of the text that is a line. */
+const LINE = 0;
+/** The kind of a part that is a prediction. */
+const PLACES = 1;
 
 /** A text in UTF-8, cut between two letters to so many bytes. @param {string} text @param {number} most */
 function bytesOf(text, most) {
@@ -43,7 +45,7 @@ function bytesOf(text, most) {
   return [...bytes];
 }
 
-/** The check of some bytes: CRC-16/CCITT. @param {number[]} bytes */
+/** The checksum of some bytes: CRC-16/CCITT. @param {number[]} bytes */
 function check(bytes) {
   let sum = 0xffff;
   for (const byte of bytes) {
@@ -75,7 +77,7 @@ export function packed({ lesson, id, turn, name, steps }, frame) {
     const [low, high] = [steps[i], steps[i + 1]].map((step) => (step ? (step.choice ?? -1) + 1 + (step.reached ? 8 : 0) : 0));
     bytes.push(low | (high << 4));
   }
-  const called = bytesOf(name, NAME);
+  const called = bytesOf(name, MAX_NAME);
   bytes.push(called.length, ...called);
   /** @type {string[]} */
   const left = [];

@@ -4,7 +4,7 @@
  * wind, a medium, the ground, walls, gases and liquids. `sim/physics.py` has the same with its derivations; the names are those of `sim`.
  *
  * Positions and velocities are flat: x and y of the first mass, of the second one, and so on. x grows to the right; which
- * way y grows is the scene's matter, and no force asks for it. Lengths are in px, angles of rest in degrees.
+ * way y grows is up to the scene, and no force depends on it. Lengths are in px, angles of rest in degrees.
  */
 import { addContact, gripSprings, stickToSprings } from "./contact.js";
 import { wave } from "./muscles.js";
@@ -131,7 +131,7 @@ export class Body {
     this.hardened.set(data.yielded?.hardened ?? []);
     /** How far rest lengths move in the step that is being made, px. */
     this.yielding = new Float64Array(this.springs);
-    // In each evaluation: of each spring its vector, px, its length, px, and the force on its b end, kg px/s².
+    // Of each spring, in each evaluation: its vector, px, its length, px, and the force on its b end, kg px/s².
     this.vectors = new Float64Array(2 * this.springs);
     this.lengths = new Float64Array(this.springs);
     this.forces = new Float64Array(2 * this.springs);
@@ -171,7 +171,7 @@ export class Body {
     return this.broken[this.heldSprings[2 * j]] + this.broken[this.heldSprings[2 * j + 1]] > 0;
   }
 
-  /** Find anew what follows from rest angles, stiffnesses and broken springs; to be called after these were changed. */
+  /** Update what follows from rest angles, stiffnesses and broken springs; call it after changing these. */
   refresh() {
     if (this.ground) {
       this.bearers.fill(0);
@@ -262,7 +262,7 @@ export class Body {
     return Math.atan2(this.#cross(p, q), this.#dot(p, q)) / DEGREE;
   }
 
-  // What runs at every step makes no arrays: a browser would spend half of its time on clearing them away.
+  // What runs at every step allocates no arrays: half of the time would go into collecting them.
   #addSprings() {
     const { velocities: v, accelerations: a, ends, vectors, lengths, forces } = this;
     this.measure();

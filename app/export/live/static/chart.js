@@ -10,40 +10,21 @@
  * @property {string} overUnit
  * @property {boolean} turned whether y grows downwards
  */
+import { axisMarks, rangeOf } from "../../../stage/axes.js";
 import { make } from "../../../ui/dialog.js";
 import { said } from "./readings.js";
 
 /** Simulated seconds that a plot over time shows. */
 const SPAN = 10;
-/** Pixels: left and right of the curves, above, below. */
-const [LEFT, RIGHT, TOP, BOTTOM] = [62, 10, 8, 22];
-/** Range of an axis on either side, at least, as a part of the largest value on it: its marks have different numbers. */
-const MIN_PART = 2e-3;
-/** Lines of the grid, about. */
+/** Margins of the curves, pixels: numbers have room at the left and below. */
+const LEFT = 62;
+const RIGHT = 10;
+const TOP = 8;
+const BOTTOM = 22;
+/** Lines of the grid in one direction. */
 const LINES = 4;
 /** Colours of the curves, in turn. */
 const COLORS = ["brand", "pulled", "torque-plus", "torque-minus", "held"];
-
-/** A round number at least as large. @param {number} value */
-function roundUp(value) {
-  const size = 10 ** Math.floor(Math.log10(value));
-  return size * ([1, 2, 5].find((part) => part * size >= value) ?? 10);
-}
-
-/** Low and high of some values, with a little room. @param {number[][]} all @returns {[number, number]} */
-function rangeOf(all) {
-  let [low, high] = [Infinity, -Infinity];
-  for (const values of all) {
-    for (const value of values) {
-      if (value < low) low = value;
-      if (value > high) high = value;
-    }
-  }
-  if (!(high >= low)) return [0, 1];
-  const least = MIN_PART * Math.max(Math.abs(low), Math.abs(high), 1);
-  const room = Math.max(0.06 * (high - low), least);
-  return [low - room, high + room];
-}
 
 /** @param {Plot} plot @returns {{element: HTMLElement, draw: (record: Recording) => void}} */
 export function makeChart(plot) {
@@ -89,25 +70,20 @@ export function makeChart(plot) {
     };
     Object.assign(to, { lineWidth: 1, strokeStyle: color("line"), fillStyle: color("text"), font: "12px system-ui, sans-serif" });
     to.beginPath();
-    /** @param {number} a @param {number} b @param {(value: number) => void} mark */
-    const marks = (a, b, mark) => {
-      const step = roundUp((b - a) / LINES);
-      for (let value = Math.ceil(a / step) * step; value <= b; value += step) mark(Math.abs(value) < step / 1e6 ? 0 : value);
-    };
     to.textAlign = "right";
     to.textBaseline = "middle";
-    marks(low, high, (value) => {
+    for (const value of axisMarks(low, high, LINES)) {
       to.moveTo(LEFT, y(value));
       to.lineTo(width - RIGHT, y(value));
       to.fillText(said(value), LEFT - 6, y(value));
-    });
+    }
     to.textAlign = "center";
     to.textBaseline = "top";
-    marks(from, until, (value) => {
+    for (const value of axisMarks(from, until, LINES)) {
       to.moveTo(x(value), TOP);
       to.lineTo(x(value), height - BOTTOM);
       to.fillText(`${said(value)}${over ? "" : " s"}`, Math.min(x(value), width - 16), height - BOTTOM + 5);
-    });
+    }
     to.stroke();
     Object.assign(to, { lineWidth: 2, lineJoin: "round" });
     curves.forEach((values, i) => {

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * The time of a live file: how many steps each picture is due, and how long they are. What a browser cannot compute in
- * time makes the clock late, and the file says so.
+ * The time of a live file: how many steps are due for each picture, and how long they are. If there is not enough time to
+ * compute them, the clock lags, and the file says so.
  *
  * @typedef {import("./body.js").Body} Body
  * @typedef {import("./steps.js").Hand} Hand
@@ -11,15 +11,15 @@ import { Past } from "./past.js";
 import { StabilityMeter } from "./stability.js";
 import { advance, METHODS } from "./steps.js";
 
-/** Longest time between two pictures that is caught up with, s. */
+/** Longest time between two pictures that is made up for, s; after a longer one, as in a tab in the background, time has stood. */
 const LONGEST = 0.1;
-/** Part of the stability limit that steps of chosen length have. */
+/** Fraction of the stability limit that a step of Verlet has. */
 const SAFETY = 0.4;
-/** Steps of chosen length are this long at most, s: springs may turn far in a longer one. */
+/** Longest step of Verlet, s: springs may turn far in a longer one. */
 const LONGEST_STEP = 1 / 240;
-/** Milliseconds of a picture that computing may take. */
+/** Milliseconds that computing may take for a picture: of the 16 at 60 Hz, the rest is for drawing. */
 const BUDGET = 11;
-/** Seconds of computing after which how stiff the body is now is looked at again. */
+/** Seconds between two computations of the stability limit. */
 const LOOK_EVERY = 0.5;
 /** Coordinate, px, beyond which a body has run away. */
 const FAR = 1e6;
@@ -142,7 +142,7 @@ export class Clock {
     if (isFinite && body.positions.every((value) => Math.abs(value) < FAR)) {
       this.good.positions.set(body.positions);
       this.good.velocities.set(body.velocities);
-      this.past.keep();
+      this.past.record();
       return true;
     }
     body.positions.set(this.good.positions);
@@ -158,19 +158,19 @@ export class Clock {
     if (method !== "symplectic_euler") return "It was moved or set up too violently";
     const { positions, velocities, jointStiffness, jointDamping } = body;
     const arrays = [positions, velocities, jointStiffness, jointDamping];
-    const keep = arrays.map((array) => array.slice());
+    const before = arrays.map((array) => array.slice());
     const limitNow = () => new StabilityMeter(body, method).look();
     // Its speed is a consequence of running away.
     velocities.fill(0);
     positions.set(body.data.positions);
     const atStart = limitNow();
-    if (!(dt > atStart)) positions.set(keep[0]);
+    if (!(dt > atStart)) positions.set(before[0]);
     const limit = dt > atStart ? atStart : this.least;
     jointStiffness.fill(0);
     jointDamping.fill(0);
     body.refresh();
     const linear = limitNow();
-    arrays.forEach((array, i) => array.set(keep[i]));
+    arrays.forEach((array, i) => array.set(before[i]));
     body.refresh();
     this.meter.limit = limit;
     if (!(dt > limit)) {

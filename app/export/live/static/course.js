@@ -1,7 +1,6 @@
 // @ts-check
 /**
- * A lesson in a live file: its card is the page's. What was answered stays in this browser, and can be handed in as a file
- * or as a QR code.
+ * A lesson in a live file. What was answered stays in this browser.
  *
  * @typedef {import("./answers.js").Point} Point
  * @typedef {import("./answers.js").Sheet} Sheet
@@ -9,267 +8,168 @@
  * @typedef {import("./live.js").About} About
  * @typedef {import("./quantities.js").Goal} Goal
  * @typedef {import("./quantities.js").Recording} Recording
- * @typedef {import("../../../features/lesson/card.js").Step & LiveStep} Step
+ * @typedef {import("../../../wire/wire.js").LessonStep & LiveStep} Step
  * @typedef {object} LiveStep
  * @property {string[]} controls keys of the settings whose sliders stand below the text
  * @property {Plot[]} plots
- * @property {number} predict s after which the body is asked to be where it was predicted; 0 for no such prediction
+ * @property {number} predict s after which the body is to be where it was predicted; 0 for no such prediction
  * @property {Goal | null} goal
  * @property {string} goalText the goal in words
- * @property {Partial<Omit<About, "body">> & {body: Partial<import("./body.js").BodyData>}} about what is otherwise than in the file
+ * @property {Partial<Omit<About, "body">> & {body: Partial<import("./body.js").BodyData>}} about what differs from the file
  * @typedef {{code: string, frame: import("./answers.js").Frame, steps: Step[]}} Lesson
- * @typedef {object} Answered
+ * @typedef {object} Given
  * @property {number | null} choice
- * @property {boolean} known whether it was told what is right
- * @property {Point[] | null} places
+ * @property {boolean} known whether the right answer was revealed
+ * @property {Point[] | null} places the prediction
  * @property {string} line
- * @property {boolean} reached
- * @typedef {object} Does what a lesson does to the body
- * @property {(step: Step, waits: boolean) => void} begin it as a step wants it
+ * @property {boolean} reached whether the goal was
+ * @typedef {object} Stored what the browser stores
+ * @property {number} at the present step
+ * @property {string} id
+ * @property {number} turn counts the changes of answers
+ * @property {string} name
+ * @property {Given[]} steps
+ * @typedef {object} Body what a lesson does to the body
+ * @property {(step: Step, waits: boolean) => void} begin sets it up as a step wants it
  * @property {() => void} run
  * @property {() => Point[]} places where the masses are
  */
 import { make, makeButton } from "../../../ui/dialog.js";
-import { lessonCard } from "../../../features/lesson/card.js";
+import { LessonRun } from "../../../features/lesson/run.js";
 import { element } from "../../static/parts.js";
-import { packed } from "./answers.js";
-import { qrCode } from "./qr.js";
+import { addHandIn, lineField } from "./hand_in.js";
 import { said } from "./readings.js";
 
-/** Letters of a line and of a name, as a class takes them. */
-const [MAX_LETTERS, MAX_NAME] = [140, 20];
-/** Modules of light paper around a QR code. */
-const QUIET = 4;
+/** Letters of a line, as a class takes them. */
+const MAX_LETTERS = 140;
 /** Milliseconds between two updates of how far a goal is. */
-const EVERY = 200;
+const UPDATE_EVERY = 200;
 
-/** What was kept, or null; a browser may forbid it. @param {string} name */
-function kept(name) {
+/** @returns {Given} */
+const blank = () => ({ choice: null, known: false, places: null, line: "", reached: false });
+
+/** What was stored, or the beginning. A browser may forbid to store anything. @param {string} name @param {number} count of steps @returns {Stored} */
+function stored(name, count) {
+  const id = [...crypto.getRandomValues(new Uint8Array(5))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+  const fresh = { at: 0, id, turn: 0, name: "", steps: Array.from({ length: count }, blank) };
   try {
-    return JSON.parse(localStorage.getItem(name) ?? "null");
+    const old = JSON.parse(localStorage.getItem(name) ?? "null");
+    return old?.steps?.length === count && old.steps[old.at] ? old : fresh;
   } catch {
-    return null;
+    return fresh;
   }
 }
 
-/** @param {string} name @param {unknown} value */
-function keep(name, value) {
-  try {
-    localStorage.setItem(name, JSON.stringify(value));
-  } catch {
-    // It is forbidden, or full: the answers last as long as the file is open.
-  }
-}
-
-/** @returns {Answered} */
-const nothing = () => ({ choice: null, known: false, places: null, line: "", reached: false });
-
-/** @param {Lesson} lesson @param {Does} does */
-export function addCourse({ code, frame, steps }, does) {
-  const place = `softrod-answers-${code}`;
-  const fresh = {
-    at: 0, id: [...crypto.getRandomValues(new Uint8Array(5))].map((byte) => byte.toString(16).padStart(2, "0")).join(""),
-    turn: 0, name: "", steps: steps.map(nothing),
-  };
-  const old = kept(place);
-  const state = /** @type {typeof fresh} */ (old?.steps?.length === steps.length && steps[old.at] ? old : fresh);
-  const card = element("lesson", HTMLElement);
-  const store = () => keep(place, state);
+export class Course {
   /** @type {Recording | null} */
-  let record = null;
-  let due = 0;
-  /** Whether the run has stood at the moment that was predicted. */
-  let stood = false;
-  const goal = make("p", "softrod-goal");
-  goal.setAttribute("role", "status");
+  #record = null;
+  /** When the goal is updated next, ms. */
+  #due = 0;
+  /** Whether the run was stopped at the moment that was predicted. */
+  #stood = false;
+  #goal = make("p", "softrod-goal");
 
-  const present = () => ({ step: steps[state.at], given: state.steps[state.at] });
-  /** Whether the body is to wait: for a prediction, or an answer. */
-  const waits = () => {
-    const { step, given } = present();
-    return (step.predict > 0 && !given.places) || (step.question !== null && given.choice === null);
-  };
-  const begin = () => {
-    stood = false;
-    does.begin(present().step, waits());
-  };
-  /** @param {string} selector */
-  const focus = (selector) => {
-    const found = card.querySelector(selector);
-    if (found instanceof HTMLElement) found.focus();
-  };
-  const changed = () => {
-    state.turn++;
-    store();
-    show();
-  };
-
-  const acts = {
-    /** @param {number} choice */
-    answer(choice) {
-      const waited = waits();
-      present().given.choice = choice;
-      changed();
-      if (waited && !waits()) does.run();
-      focus(waited && !waits() ? ".softrod-lesson-do" : ".softrod-choice[aria-pressed=true]");
-    },
-    reveal() {
-      present().given.known = true;
-      changed();
-      focus(".softrod-verdict");
-    },
-    again() {
-      const { line, reached } = present().given;
-      state.steps[state.at] = { ...nothing(), line, reached };
-      changed();
-      begin();
-    },
-    /** @param {number} step */
-    enter(step) {
-      state.at = step;
-      store();
-      show();
-      begin();
-      focus("h2");
-    },
-    startOver() {
-      state.steps = steps.map(nothing);
-      state.turn++;
-      acts.enter(0);
-    },
-  };
-
-  function prediction() {
-    const { step, given } = present();
-    if (!(step.predict > 0)) return [];
-    const text = given.places
-      ? `The thin line is your prediction for ${step.predict} s.`
-      : `Drag the masses to where they will be after ${step.predict} s. Then press the button.`;
-    const button = makeButton("It will be there", () => {
-      given.places = does.places();
-      changed();
-      begin();
-      if (!waits()) focus(".softrod-lesson-do");
-    }, "softrod-button softrod-first");
-    return [make("p", "", text), ...(given.places ? [] : [button])];
-  }
-
-  function line() {
-    const { given } = present();
-    const label = make("label", "softrod-line", "In your own words: ");
-    const input = make("input", "");
-    Object.assign(input, { maxLength: MAX_LETTERS, value: given.line, autocomplete: "off" });
-    input.addEventListener("input", () => {
-      given.line = input.value.trim();
-      state.turn++;
-      store();
+  /** @param {Lesson} lesson @param {Body} body */
+  constructor({ code, frame, steps }, body) {
+    this.code = code;
+    this.body = body;
+    this.name = `softrod-answers-${code}`;
+    this.state = stored(this.name, steps.length);
+    this.#goal.setAttribute("role", "status");
+    /** @type {LessonRun<Step, Given>} */
+    this.run = new LessonRun(element("lesson", HTMLElement), steps, this.state.at, this.state.steps, {
+      blank,
+      begin: (waits) => this.#begin(waits),
+      run: body.run,
+      store: (isAnswer) => this.#store(isAnswer),
+      more: () => this.#more(),
     });
-    label.append(input);
-    return label;
+    addHandIn(() => this.sheet(), frame, (name) => {
+      this.state.name = name;
+      this.#store(true);
+    });
+    this.run.show();
   }
 
-  function show() {
-    const { step, given } = present();
-    const done = [...(step.goal ? [goal] : []), ...(step.question || step.predict ? [line()] : [])];
-    const shown = {
-      step, at: state.at, count: steps.length, chosen: given.choice, known: given.known,
-      waits: step.predict > 0 && !given.places, more: { asked: prediction(), done },
-    };
-    card.replaceChildren(...lessonCard(shown, acts));
-    tellGoal();
+  /** @param {boolean} waits */
+  #begin(waits) {
+    this.#stood = false;
+    this.body.begin(this.run.step, waits);
   }
 
-  function tellGoal() {
-    const { step, given } = present();
+  /** @param {boolean} isAnswer */
+  #store(isAnswer) {
+    const { at, given } = this.run;
+    Object.assign(this.state, { at, steps: given, turn: this.state.turn + Number(isAnswer) });
+    try {
+      localStorage.setItem(this.name, JSON.stringify(this.state));
+    } catch {
+      // It is forbidden, or full: the answers last as long as the file is open.
+    }
+  }
+
+  /** What the card has besides the question and what to do. */
+  #more() {
+    const { step, present } = this.run;
+    this.#showGoal();
+    const line = lineField("In your own words: ", present.line, MAX_LETTERS, (text) => {
+      present.line = text;
+      this.#store(true);
+    });
+    return { asked: this.#prediction(), done: [...(step.goal ? [this.#goal] : []), ...(step.question || step.predict ? [line] : [])] };
+  }
+
+  #prediction() {
+    const { run } = this;
+    const { predict } = run.step;
+    if (!predict) return [];
+    if (!run.isToPredict) return [make("p", "", `The thin line is your prediction for ${predict} s.`)];
+    const text = `Drag the masses to where they will be after ${predict} s. Then press the button.`;
+    const button = makeButton("It will be there", () => {
+      run.present.places = this.body.places();
+      run.changed();
+      run.begin();
+      if (!run.waits) run.focus(".softrod-lesson-do");
+    }, "softrod-button softrod-first");
+    return [make("p", "", text), button];
+  }
+
+  #showGoal() {
+    const { step, present } = this.run;
     if (!step.goal) return;
-    const now = record && Number.isFinite(record.reading) ? ` Now: ${said(record.reading)}.` : "";
-    const text = `${given.reached ? "Reached" : "Goal"}: ${step.goalText}.${given.reached ? "" : now}`;
-    if (goal.textContent !== text) goal.textContent = text;
+    const reading = this.#record?.reading ?? NaN;
+    const now = !present.reached && Number.isFinite(reading) ? ` Now: ${said(reading)}.` : "";
+    const text = `${present.reached ? "Reached" : "Goal"}: ${step.goalText}.${now}`;
+    if (this.#goal.textContent !== text) this.#goal.textContent = text;
+  }
+
+  /**
+   * A picture is shown.
+   *
+   * @param {number} time of the body, s @param {Recording} record of its run
+   * @returns {boolean} whether the run is to stop, since this is the moment that was predicted
+   */
+  look(time, record) {
+    this.#record = record;
+    const { step, present } = this.run;
+    if (record.reached && !present.reached) {
+      present.reached = true;
+      this.run.changed();
+    }
+    const now = performance.now();
+    if (now >= this.#due) {
+      this.#due = now + UPDATE_EVERY;
+      this.#showGoal();
+    }
+    if (this.#stood || !step.predict || !present.places || time < step.predict) return false;
+    this.#stood = true;
+    return true;
   }
 
   /** @returns {Sheet} */
-  const sheet = () => ({
-    format: "softrod-answers", version: 1, lesson: code, id: state.id, turn: state.turn, name: state.name,
-    steps: state.steps.map(({ choice, line: text, places, reached }) => ({ choice, line: text, places, reached })),
-  });
-  addHandIn(sheet, frame, state.name, (name) => {
-    state.name = name;
-    state.turn++;
-    store();
-  });
-  show();
-  return {
-    begin,
-    /** What is predicted for the present step. */
-    predicted: () => present().given.places,
-    /** A picture is shown at a time: whether the run is to stand, since it is the moment that was predicted. @param {number} time @param {Recording} seen */
-    look(time, seen) {
-      record = seen;
-      const { step, given } = present();
-      if (seen.reached && !given.reached) {
-        given.reached = true;
-        changed();
-      }
-      const at = performance.now();
-      if (at >= due) {
-        due = at + EVERY;
-        tellGoal();
-      }
-      if (stood || !(step.predict > 0) || !given.places || time < step.predict) return false;
-      stood = true;
-      return true;
-    },
-    sheet,
-  };
-}
-
-/**
- * What hands the answers in.
- *
- * @param {() => Sheet} sheet @param {import("./answers.js").Frame} frame @param {string} called @param {(name: string) => void} rename
- */
-function addHandIn(sheet, frame, called, rename) {
-  const box = element("answers", HTMLDetailsElement);
-  box.hidden = false;
-  const label = make("label", "softrod-line", "Your name or nickname, if your teacher wants one: ");
-  const input = make("input", "");
-  Object.assign(input, { maxLength: MAX_NAME, value: called, autocomplete: "off" });
-  label.append(input);
-  const canvas = make("canvas", "qr");
-  canvas.setAttribute("role", "img");
-  canvas.ariaLabel = "QR code of the answers";
-  const text = make("code", "");
-  const note = make("p", "");
-  const draw = () => {
-    const { text: letters, left } = packed(sheet(), frame);
-    text.textContent = letters;
-    note.textContent = `The QR code is the text below it, ${letters.length} letters.${left.length ? ` It has no room for ${left.join(" and ")}; the file has all.` : ""}`;
-    paintQr(canvas, qrCode(letters));
-  };
-  const save = makeButton("Save answers as a file", () => {
-    const url = URL.createObjectURL(new Blob([JSON.stringify(sheet())], { type: "application/json" }));
-    const link = make("a", "");
-    const name = (sheet().name || sheet().id).replace(/[^\p{L}\p{N}]+/gu, "-");
-    Object.assign(link, { href: url, download: `answers-${name}.json` }).click();
-    setTimeout(() => URL.revokeObjectURL(url), 1e4);
-  }, "softrod-button softrod-first");
-  input.addEventListener("input", () => {
-    rename(input.value.trim());
-    draw();
-  });
-  box.addEventListener("toggle", () => box.open && draw());
-  box.append(make("p", "", "Nothing leaves this file by itself. Give your teacher the file, or show the QR code."), label, save, canvas, note, text);
-  // What is answered while it is open.
-  document.addEventListener("click", () => box.open && draw());
-}
-
-/** @param {HTMLCanvasElement} canvas @param {boolean[][]} modules */
-function paintQr(canvas, modules) {
-  const to = canvas.getContext("2d");
-  if (!to) return;
-  canvas.width = canvas.height = modules.length + 2 * QUIET;
-  to.fillStyle = "#fff";
-  to.fillRect(0, 0, canvas.width, canvas.height);
-  to.fillStyle = "#000";
-  modules.forEach((line, row) => line.forEach((dark, column) => dark && to.fillRect(column + QUIET, row + QUIET, 1, 1)));
+  sheet() {
+    const { id, turn, name } = this.state;
+    const steps = this.run.given.map(({ choice, line, places, reached }) => ({ choice, line, places, reached }));
+    return { format: "softrod-answers", version: 1, lesson: this.code, id, turn, name, steps };
+  }
 }

@@ -1,8 +1,8 @@
 // @ts-check
 /**
- * Whether a file is on dark paper: the attribute `data-dark` of its root says it, and whoever changes that is a switch. It
- * runs before anything is shown, so that nothing flashes. Until somebody presses a switch, the system decides; then the
- * browser keeps it for all such files of a place.
+ * Whether a file is on dark paper, which is the attribute `data-dark` of its root; a switch changes that attribute. This
+ * runs before anything is shown, so that nothing flashes. The system decides, until somebody presses a switch: that is
+ * stored in the browser for all files of one origin.
  */
 {
   const KEY = "softrod-dark";
@@ -11,13 +11,13 @@
   const isDark = () => root.hasAttribute("data-dark");
 
   const apply = () => {
-    let kept = null;
+    let stored = null;
     try {
-      kept = localStorage.getItem(KEY);
+      stored = localStorage.getItem(KEY);
     } catch {
-      // A frame of another site may keep nothing.
+      // A frame of another site may store nothing.
     }
-    root.toggleAttribute("data-dark", kept === null ? night.matches : kept === "yes");
+    root.toggleAttribute("data-dark", stored === null ? night.matches : stored === "yes");
     switched.takeRecords();
   };
   const switched = new MutationObserver(() => {

@@ -78,7 +78,7 @@ export class SoftBody extends Body {
     return copy;
   }
 
-  /** Begin anew: all that was done to the body is gone; `method` and `beforeStep` stay, and so do its arrays. */
+  /** Start again as if nothing had been done to the body; `method` and `beforeStep` stay, and so do its arrays. */
   reset() {
     this.#take(new SoftBody(this.data, this.dt));
   }
@@ -122,12 +122,12 @@ export class SoftBody extends Body {
   }
 
   /**
-   * Go on by some time: as many steps as fit into it, the rest being kept for the next call.
+   * Go on by some time: as many steps as fit into it. The rest is added to the time of the next call.
    *
    * @param {number} seconds
    * @param {number} [most] s, that one call does; what is more is left out, so that a game goes on after a long pause
    *   instead of catching up for ever
-   * @returns {boolean} as of `step`
+   * @returns {boolean} see `step`
    */
   advance(seconds, most = 0.25) {
     finite("advance", seconds, most);

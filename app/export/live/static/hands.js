@@ -1,171 +1,153 @@
 // @ts-check
 /**
  * Hands on the body of a live file: by mouse, pen and several fingers, and by keys alone while the canvas has the focus.
- * There the arrows choose a mass, Space takes hold of it and lets go, and the arrows then move it.
  *
  * @typedef {import("./body.js").Body} Body
+ * @typedef {import("./steps.js").Hand} Hand
  * @typedef {import("../../../stage/plan.js").Plan} Plan
  * @typedef {import("../../../stage/environment.js").Screen} Screen
  */
+import { KeyHand } from "../../../ui/hands/key_hand.js";
+import { nearest, onScreen, REACH, worldAt } from "../../../stage/screen.js";
 import { element } from "../../static/parts.js";
 
-/** Pixels from the rim of a mass within which it is taken hold of. */
-const REACH = { mouse: 12, pen: 16, touch: 26 };
-/** How far an arrow moves a mass, in units of the world, and how many times farther with Shift. */
-const [STEP, FAR] = [0.06, 5];
 /** The hand of the keys among those of pointers. */
 const KEYS = -1;
+/** Pixels between the rim of the mass that the keys have chosen and the ring around it. */
+const GAP = 6;
 
-/** @type {Record<string, [number, number]>} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+export class Hands {
+  /** Where each hand leads its mass, by pointer. @type {Map<number, Hand>} */
+  #led = new Map();
+  /** Whether the ringed mass follows the pointer. */
+  follows = false;
+  /** Where the pointer is, px. @type {{x: number, y: number} | null} */
+  #pointer = null;
+  /** The mass that the keys have chosen, or -1. */
+  #chosen = -1;
+  #keys;
 
-/**
- * @param {HTMLCanvasElement} canvas
- * @param {{body: () => Body, plan: () => Plan, place: () => Screen}} of what is shown now
- */
-export function addHands(canvas, { body, plan, place }) {
-  /** Each hand's mass, and where it leads it, px. @type {Map<number, {mass: number, x: number, y: number}>} */
-  const led = new Map();
-  /** The mass that the keys have chosen. */
-  let chosen = -1;
-  /** Whether the ringed mass follows the pointer, and where that is, px. */
-  let follows = false;
-  /** @type {{x: number, y: number} | null} */
-  let pointer = null;
-  const says = element("says", HTMLElement);
-
-  /** Where a mass is on the screen. @param {number} mass */
-  const onScreen = (mass) => {
-    const { positions } = body();
-    const { scale, x, y, flip } = plan();
-    const on = place();
-    return {
-      x: on.x + on.step * (positions[2 * mass] - x) * scale,
-      y: on.y - on.step * (positions[2 * mass + 1] - y) * scale * flip,
-    };
-  };
-  /** Where a place on the canvas is, px. @param {number} left @param {number} top */
-  const inScene = (left, top) => {
-    const { scale, x, y, flip } = plan();
-    const on = place();
-    return { x: x + (left - on.x) / on.step / scale, y: y + ((on.y - top) / on.step / scale) * flip };
-  };
-  /** The nearest mass within reach, or -1. @param {number} left @param {number} top @param {number} reach */
-  const massAt = (left, top, reach) => {
-    const { radius } = plan();
-    const { step } = place();
-    let [found, least] = [-1, reach];
-    for (let m = 0; m < radius.length; m++) {
-      const at = onScreen(m);
-      const far = Math.hypot(at.x - left, at.y - top) - radius[m] * step;
-      if (far < least) [found, least] = [m, far];
+  /** @param {HTMLCanvasElement} canvas @param {{body: Body, plan: Plan, place: Screen}} shown what is shown now */
+  constructor(canvas, shown) {
+    this.canvas = canvas;
+    this.shown = shown;
+    canvas.addEventListener("pointerleave", () => (this.#pointer = null));
+    canvas.addEventListener("pointerdown", (event) => this.#press(event));
+    canvas.addEventListener("pointermove", (event) => this.#move(event));
+    for (const kind of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
+      canvas.addEventListener(kind, ({ pointerId }) => {
+        this.#led.delete(pointerId);
+        canvas.classList.toggle("holds", this.#led.size > 0);
+      });
     }
-    return found;
-  };
-  /** @param {PointerEvent} event */
-  const spot = ({ clientX, clientY }) => {
-    const box = canvas.getBoundingClientRect();
-    return [clientX - box.left, clientY - box.top];
-  };
+    // Two fingers of which one holds a mass do not zoom; its pointer is pressed before its touch starts.
+    canvas.addEventListener("touchstart", (event) => this.#led.size && event.preventDefault(), { passive: false });
+    this.#keys = this.#keyHand();
+    canvas.addEventListener("focus", () => canvas.matches(":focus-visible") && this.#keys.focus(shown.plan.driven));
+    canvas.addEventListener("blur", () => this.#keys.blur());
+    canvas.addEventListener("keydown", (event) => this.#keys.press(event));
+  }
 
-  canvas.addEventListener("pointerleave", () => (pointer = null));
-  canvas.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    const [left, top] = spot(event);
-    pointer = inScene(left, top);
-    const mass = massAt(left, top, REACH[/** @type {"mouse"} */ (event.pointerType)] ?? REACH.mouse);
-    if (mass < 0) return;
-    event.preventDefault();
-    canvas.setPointerCapture(event.pointerId);
-    for (const [hand, { mass: other }] of led) if (other === mass) led.delete(hand);
-    led.set(event.pointerId, { mass, x: body().positions[2 * mass], y: body().positions[2 * mass + 1] });
-    canvas.classList.add("holds");
-  });
-  canvas.addEventListener("pointermove", (event) => {
-    const [left, top] = spot(event);
-    const hand = led.get(event.pointerId);
-    pointer = inScene(left, top);
-    if (hand) Object.assign(hand, pointer);
-    else if (event.pointerType === "mouse") canvas.classList.toggle("near", massAt(left, top, REACH.mouse) >= 0);
-  });
-  for (const kind of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
-    canvas.addEventListener(kind, ({ pointerId }) => {
-      led.delete(pointerId);
-      canvas.classList.toggle("holds", led.size > 0);
+  #keyHand() {
+    const says = element("says", HTMLElement);
+    return new KeyHand({
+      count: () => this.shown.body.masses,
+      chosen: () => this.#chosen,
+      choose: (mass) => (this.#chosen = mass),
+      grab: (mass) => {
+        this.#grab(KEYS, mass);
+        return true;
+      },
+      move: (x, y) => {
+        const { scale, flip } = this.shown.plan;
+        const hand = this.#led.get(KEYS);
+        if (hand) Object.assign(hand, { x: hand.x + x / scale, y: hand.y + (y / scale) * flip });
+      },
+      drop: () => this.#led.delete(KEYS),
+      say: (text) => (says.textContent = text),
     });
   }
-  // Two fingers of which one holds a mass do not zoom; its pointer is pressed before its touch starts.
-  canvas.addEventListener("touchstart", (event) => led.size && event.preventDefault(), { passive: false });
-  const name = () => `mass ${chosen} of 0 to ${body().masses - 1}`;
-  canvas.addEventListener("focus", () => {
-    if (!canvas.matches(":focus-visible")) return;
-    if (chosen < 0) chosen = Math.min(body().masses - 1, Math.max(0, plan().driven));
-    says.textContent = `${name()}. Arrows choose another one, Space takes hold of it.`;
-  });
-  canvas.addEventListener("blur", () => {
-    led.delete(KEYS);
-    chosen = -1;
-  });
-  canvas.addEventListener("keydown", (event) => {
-    const { key, shiftKey, repeat, ctrlKey, metaKey, altKey } = event;
-    if (chosen < 0 || ctrlKey || metaKey || altKey) return;
-    const hand = led.get(KEYS);
-    if (key === " ") {
-      event.preventDefault();
-      event.stopPropagation();
-      if (repeat) return;
-      if (hand) led.delete(KEYS);
-      else led.set(KEYS, { mass: chosen, x: body().positions[2 * chosen], y: body().positions[2 * chosen + 1] });
-      says.textContent = `${name()} ${hand ? "let go" : "taken hold of; arrows move it"}`;
-      return;
-    }
-    const arrow = ARROWS[key];
-    if (!arrow) return;
+
+  /** @param {number} hand @param {number} mass */
+  #grab(hand, mass) {
+    const { positions } = this.shown.body;
+    this.#led.set(hand, { mass, x: positions[2 * mass], y: positions[2 * mass + 1] });
+  }
+
+  /** Where the masses are in the canvas. */
+  #places() {
+    const { body, plan, place } = this.shown;
+    return onScreen(plan, body.positions, place);
+  }
+
+  /** The mass under a pointer, or -1. @param {PointerEvent} event */
+  #massAt({ offsetX: x, offsetY: y, pointerType }) {
+    const { plan, place } = this.shown;
+    const radii = plan.radius.map((radius) => radius * place.step);
+    return nearest(this.#places(), radii, { x, y }, REACH[/** @type {"mouse"} */ (pointerType)] ?? REACH.mouse);
+  }
+
+  /** Where a pointer is, px. @param {PointerEvent} event */
+  #spot({ offsetX, offsetY }) {
+    const { plan: { scale, x, y, flip }, place } = this.shown;
+    const at = worldAt({ x: offsetX, y: offsetY }, place);
+    return { x: x + at.x / scale, y: y + (at.y / scale) * flip };
+  }
+
+  /** @param {PointerEvent} event */
+  #press(event) {
+    if (event.button !== 0) return;
+    this.#pointer = this.#spot(event);
+    const mass = this.#massAt(event);
+    if (mass < 0) return;
     event.preventDefault();
-    event.stopPropagation();
-    if (hand) {
-      const { scale, flip } = plan();
-      const way = (STEP / scale) * (shiftKey ? FAR : 1);
-      hand.x += way * arrow[0];
-      hand.y += way * arrow[1] * flip;
-    } else {
-      const { masses } = body();
-      chosen = (chosen + masses + (arrow[0] + arrow[1] > 0 ? 1 : -1)) % masses;
-      says.textContent = name();
+    this.canvas.setPointerCapture(event.pointerId);
+    for (const [hand, { mass: other }] of this.#led) if (other === mass) this.#led.delete(hand);
+    this.#grab(event.pointerId, mass);
+    this.canvas.classList.add("holds");
+  }
+
+  /** @param {PointerEvent} event */
+  #move(event) {
+    const hand = this.#led.get(event.pointerId);
+    this.#pointer = this.#spot(event);
+    if (hand) Object.assign(hand, this.#pointer);
+    else if (event.pointerType === "mouse") this.canvas.classList.toggle("near", this.#massAt(event) >= 0);
+  }
+
+  /** The hands, each with its mass and where that is to be. @returns {Hand[]} */
+  get all() {
+    const mass = this.shown.plan.driven;
+    const follows = this.follows && this.#pointer && mass >= 0 && !this.#led.size;
+    return follows ? [{ mass, .../** @type {{x: number, y: number}} */ (this.#pointer) }] : [...this.#led.values()];
+  }
+
+  letGo() {
+    this.#keys.letGo();
+    this.#led.clear();
+  }
+
+  /** Put the masses where hands have them, while the clock stands. */
+  moveAtOnce() {
+    const { positions, velocities } = this.shown.body;
+    for (const { mass, x, y } of this.all) {
+      positions[2 * mass] = x;
+      positions[2 * mass + 1] = y;
+      velocities[2 * mass] = velocities[2 * mass + 1] = 0;
     }
-  });
+  }
 
-  /** The hands, each with its mass and where that is to be. */
-  const hands = () => {
-    const mass = plan().driven;
-    return follows && pointer && mass >= 0 && !led.size ? [{ mass, ...pointer }] : [...led.values()];
-  };
-
-  return {
-    hands,
-    /** Have the ringed mass follow the pointer, or no longer. */
-    follow: () => (follows = !follows),
-    follows: () => follows,
-    letGo: () => led.clear(),
-    /** Put the masses where hands have them, while the clock stands. */
-    moveAtOnce() {
-      const { positions, velocities } = body();
-      for (const { mass, x, y } of hands()) {
-        positions[2 * mass] = x;
-        positions[2 * mass + 1] = y;
-        velocities[2 * mass] = velocities[2 * mass + 1] = 0;
-      }
-    },
-    /** Mark the mass that the keys have chosen. */
-    mark() {
-      const to = canvas.getContext("2d");
-      if (chosen < 0 || !to || document.activeElement !== canvas) return;
-      const at = onScreen(chosen);
-      to.beginPath();
-      to.arc(at.x, at.y, plan().radius[chosen] * place().step + 6, 0, 2 * Math.PI);
-      to.lineWidth = led.has(KEYS) ? 4 : 2;
-      to.strokeStyle = getComputedStyle(document.documentElement).getPropertyValue("--softrod-brand");
-      to.stroke();
-    },
-  };
+  /** Mark the mass that the keys have chosen. */
+  mark() {
+    const to = this.canvas.getContext("2d");
+    const mass = this.#chosen;
+    if (mass < 0 || !to || document.activeElement !== this.canvas) return;
+    const { plan, place } = this.shown;
+    const places = this.#places();
+    to.beginPath();
+    to.arc(places[2 * mass], places[2 * mass + 1], plan.radius[mass] * place.step + GAP, 0, 2 * Math.PI);
+    to.lineWidth = this.#led.has(KEYS) ? 4 : 2;
+    to.strokeStyle = getComputedStyle(document.documentElement).getPropertyValue("--softrod-brand");
+    to.stroke();
+  }
 }

@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * What springs and joints bear: beyond a limit a spring yields or breaks, and a joint yields. `sim/forces/limits.py` has
+ * Limits of springs and joints, beyond which a spring yields or breaks, and a joint yields. `sim/forces/limits.py` has
  * the derivation.
  *
  * @typedef {import("./body.js").Body} Body
@@ -28,7 +28,7 @@ function setBy(body, s) {
   return Math.max((Math.sign(force) * over) / (stiffness + limits.hardening[s]), least);
 }
 
-/** Likewise how far the rest angle of a joint moves, radians. @param {Body} body @param {number} j */
+/** How far the rest angle of a joint moves by yielding, radians. @param {Body} body @param {number} j */
 function bentBy(body, j) {
   const { limits } = body.data;
   const stiffness = body.jointStiffness[j];

@@ -1,10 +1,11 @@
 // @ts-check
 /**
- * The script of a live file: a body that moves, is dragged, and has sliders, in one file without a server. It draws with
- * what the page draws by, and fetches nothing.
+ * The script of a live file: a body that moves, is dragged, and has sliders, in one file without a server. It draws by the same
+ * modules as the page, and fetches nothing.
  *
  * @typedef {import("./body.js").BodyData} BodyData
  * @typedef {import("./settings.js").Setting} Setting
+ * @typedef {import("../../../stage/plan.js").Plan} Plan
  * @typedef {object} Told
  * @property {BodyData} body
  * @property {"symplectic_euler" | "verlet"} method
@@ -12,11 +13,8 @@
  * @property {Setting[]} settings
  * @property {import("./steps.js").Presses | null} up what the key Up does in a second; null where arrow keys do nothing
  * @property {import("./steps.js").Presses | null} right the same for the key Right
- * @property {number} joint whose angle is read out, or -1
- * @property {string} unit of length
+ * @property {number} joint whose angle is shown, or -1
  * @property {string} energyUnit
- * @property {number} speed at which the clock runs at first
- * @property {string[]} foremost keys of the settings whose sliders are not folded
  * @property {import("./course.js").Lesson | null} lesson
  * @property {string[]} plans arrays as pages get them: the plan on white and on dark paper
  * @typedef {import("../../static/paint.js").Stage & Told} About
@@ -27,23 +25,16 @@ import { element, unpacked } from "../../static/parts.js";
 import { Body } from "./body.js";
 import { makeChart } from "./chart.js";
 import { Clock } from "./clock.js";
-import { addCourse } from "./course.js";
-import { addHands } from "./hands.js";
-import { addPanel } from "./panel.js";
+import { Course } from "./course.js";
+import { Hands } from "./hands.js";
+import { Panel } from "./panel.js";
 import { Recording } from "./quantities.js";
 import { partOfLimit } from "./readings.js";
 import { write } from "./settings.js";
 import { isDark } from "./view.js";
 
-/** The body and its time, as they are now; another one after a reset. @param {About} about */
-function begin(about) {
-  const body = new Body(about.body);
-  return { body, clock: new Clock(body, about.method, about.dt) };
-}
-
-/** The two plans of a body: on white and on dark paper. @param {About} about */
-const plansOf = (about) =>
-  Promise.all(about.plans.map(async (text) => readPlan(new Float32Array(await unpacked(text)))));
+/** The two plans of a body: on white and on dark paper. @param {string[]} texts */
+const readPlans = (texts) => Promise.all(texts.map(async (text) => readPlan(new Float32Array(await unpacked(text)))));
 
 /** What has yielded and broken, as the drawing has it. @param {Body} body */
 function damageOf(body) {
@@ -52,123 +43,175 @@ function damageOf(body) {
   return { ...UNHARMED, broken, setLength: Float32Array.from(body.setLength), setAngle: Float32Array.from(body.setAngle) };
 }
 
-/** @param {About} about @param {import("../../../stage/plan.js").Plan[][]} plans of the body, and of each step of its lesson */
-function run(about, plans) {
-  const canvas = element("canvas", HTMLCanvasElement);
-  /** What is shown: the file's body, or that of a step. */
-  let shown = about;
-  let [white, dark] = plans[0];
-  const plan = () => (isDark() ? dark : white);
-  element("follow", HTMLButtonElement).hidden = white.driven < 0;
-  let now = begin(about);
-  let record = new Recording({ goal: null, names: [] });
+/** A body and all that is done with it. */
+export class Live {
+  playing = false;
+  speed = 1;
   /** @type {ReturnType<typeof makeChart>[]} */
-  let charts = [];
-  let [playing, speed, before] = [false, about.speed, 0];
-  const place = () => screenOf(shown, canvas);
-  /** @param {import("./settings.js").Setting} setting @param {number | string} value */
-  const put = (setting, value) => {
-    write(now.body, setting, value);
-    if (setting.key === "dt") now.clock.dt = Number(value);
-  };
-  const look = () => record.take(now.body, !now.clock.exploded, partOfLimit(now.clock));
-  const reset = () => {
-    now = begin(shown);
-    for (const [setting, value] of panel.values()) put(setting, value);
-    record = new Recording(record);
-    look();
-    hands.letGo();
-  };
-  const panel = addPanel(about, {
-    play: () => set(!playing),
-    step: () => {
-      set(false);
-      now.clock.meter.look();
-      if (!now.clock.exploded) now.clock.advance(now.clock.step, 1, hands.hands(), panel.presses());
-    },
-    reset: () => {
-      reset();
-      set(true);
-    },
-    back: () => {
-      now.clock.goBack();
-      hands.letGo();
-    },
-    follow: () => hands.follow(),
-    speed: (value) => (speed = value),
-    changed: (setting, value) => {
-      put(setting, value);
-      now.clock.changed();
-    },
-  });
-  const hands = addHands(canvas, { body: () => now.body, plan, place });
-  /** @param {boolean} on */
-  function set(on) {
-    playing = on && !now.clock.exploded;
-    before = performance.now();
+  #charts = [];
+  #record = new Recording({ goal: null, names: [] });
+  /** When the last picture was drawn, ms. */
+  #before = performance.now();
+
+  /** @param {About} about @param {Plan[][]} plans of the body, and of each step of its lesson */
+  constructor(about, plans) {
+    this.about = about;
+    this.canvas = element("canvas", HTMLCanvasElement);
+    /** What is shown: the file's body, or that of a step. */
+    this.shown = about;
+    this.plans = plans;
+    this.present = plans[0];
+    element("follow", HTMLButtonElement).hidden = plans[0][0].driven < 0;
+    this.clock = this.#newClock();
+    this.panel = new Panel(about, this);
+    this.hands = new Hands(this.canvas, this);
+    this.course = about.lesson && new Course(about.lesson, {
+      begin: (step, waits) => this.#begin(about.lesson?.steps.indexOf(step) ?? 0, step, waits),
+      run: () => this.play(true),
+      places: () => Array.from({ length: this.body.masses }, (_, m) => [this.body.positions[2 * m], this.body.positions[2 * m + 1]]),
+    });
+    document.body.classList.toggle("taught", this.course !== null);
+    if (this.course) this.course.run.begin();
+    else {
+      this.panel.setUp(about.settings, about.settings.map(({ key }) => key));
+      this.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+    }
   }
-  const { lesson } = about;
-  const course = lesson && addCourse(lesson, {
-    begin: (step, waits) => {
-      shown = { ...about, ...step.about, body: { ...about.body, ...step.about.body } };
-      [white, dark] = plans[1 + lesson.steps.indexOf(step)];
-      panel.setUp(shown.settings, step.controls);
-      charts = step.plots.map(makeChart);
-      element("charts", HTMLElement).replaceChildren(...charts.map(({ element }) => element));
-      record = new Recording({ goal: step.goal, names: step.plots.flatMap(({ names, over }) => (over ? [...names, over] : names)) });
-      reset();
-      set(!waits);
-    },
-    run: () => set(true),
-    places: () => Array.from({ length: now.body.masses }, (_, m) => [now.body.positions[2 * m], now.body.positions[2 * m + 1]]),
-  });
-  const draw = () => {
-    const { body } = now;
-    const drawn = plan();
-    drawn.restAngle = Float32Array.from(body.restAngle);
-    if (drawn.wind.length) {
-      drawn.wind = Float32Array.from([...body.wind, ...body.waves.flatMap((wave) => wave.slice(0, 5))]);
+
+  get plan() {
+    return this.present[Number(isDark())];
+  }
+
+  /** Where the world is in the canvas. */
+  get place() {
+    return screenOf(this.shown, this.canvas);
+  }
+
+  get body() {
+    return this.clock.body;
+  }
+
+  /** The clock of the body where it begins. */
+  #newClock() {
+    const { body, method, dt } = this.shown;
+    return new Clock(new Body(body), method, dt);
+  }
+
+  /** Begin a step of the lesson. @param {number} at @param {import("./course.js").Step} step @param {boolean} waits */
+  #begin(at, step, waits) {
+    const { about } = this;
+    this.shown = { ...about, ...step.about, body: { ...about.body, ...step.about.body } };
+    this.present = this.plans[1 + at];
+    this.panel.setUp(this.shown.settings, step.controls);
+    this.#charts = step.plots.map(makeChart);
+    element("charts", HTMLElement).replaceChildren(...this.#charts.map(({ element }) => element));
+    this.#record = new Recording({ goal: step.goal, names: step.plots.flatMap(({ names, over }) => (over ? [...names, over] : names)) });
+    this.#reset();
+    this.play(!waits);
+  }
+
+  #reset() {
+    this.clock = this.#newClock();
+    for (const [setting, value] of this.panel.values) this.#set(setting, value);
+    this.#record = new Recording(this.#record);
+    this.#look();
+    this.hands.letGo();
+  }
+
+  /** @param {Setting} setting @param {number | string} value */
+  #set(setting, value) {
+    if (setting.key === "dt") this.clock.dt = Number(value);
+    else write(this.body, setting, value);
+  }
+
+  #look() {
+    this.#record.take(this.body, !this.clock.exploded, partOfLimit(this.clock));
+  }
+
+  // ----------------------------------------------------------------------- what controls do
+  /** @param {boolean} on */
+  play(on) {
+    this.playing = on && !this.clock.exploded;
+    this.#before = performance.now();
+  }
+
+  toggle() {
+    this.play(!this.playing);
+  }
+
+  /** Do one time step. */
+  step() {
+    this.play(false);
+    const { clock } = this;
+    clock.meter.look();
+    if (!clock.exploded) clock.advance(clock.step, 1, this.hands.all, this.panel.presses);
+  }
+
+  /** From the beginning, with the sliders as they are. */
+  restart() {
+    this.#reset();
+    this.play(true);
+  }
+
+  /** To before the body ran away. */
+  goBack() {
+    this.clock.goBack();
+    this.hands.letGo();
+  }
+
+  /** Have the ringed mass follow the pointer, or no longer. */
+  follow() {
+    this.hands.follows = !this.hands.follows;
+  }
+
+  /** @param {Setting} setting @param {number | string} value */
+  change(setting, value) {
+    this.#set(setting, value);
+    this.clock.changed();
+  }
+
+  // ----------------------------------------------------------------------- pictures
+  /** Go on to a picture, and ask for the next. @param {number} now ms */
+  next(now) {
+    const { clock, hands, course } = this;
+    if (this.playing) {
+      clock.go(((now - this.#before) / 1e3) * this.speed, hands.all, this.panel.presses);
+      if (course) this.#look();
+      if (course?.look(this.body.time, this.#record)) this.playing = false;
+    } else if (!clock.exploded) hands.moveAtOnce();
+    this.#before = now;
+    if (clock.exploded) this.playing = false;
+    this.#draw();
+    requestAnimationFrame((later) => this.next(later));
+  }
+
+  #draw() {
+    const { body, plan } = this;
+    plan.restAngle = Float32Array.from(body.restAngle);
+    if (plan.wind.length) {
+      plan.wind = Float32Array.from([...body.wind, ...body.waves.flatMap((wave) => wave.slice(0, 5))]);
     }
     // A slider may have set another tempo.
-    if (body.muscles) drawn.muscles.set([body.muscles.frequency, body.muscles.phase]);
-    const predicted = course?.predicted();
+    if (body.muscles) plan.muscles.set([body.muscles.frequency, body.muscles.phase]);
+    const predicted = this.course?.run.present.places;
     const frame = {
       generation: 0, time: body.time, lengthScale: body.scale, angleShift: body.shift,
       positions: Float32Array.from(body.positions), ghost: predicted ? Float32Array.from(predicted.flat()) : null,
     };
-    paint(shown, canvas, { plan: drawn, frame, damage: damageOf(body) });
-    hands.mark();
-    panel.show(shown, now, playing, hands.follows());
-    for (const chart of charts) chart.draw(record);
-  };
-  /** @param {number} time ms */
-  const next = (time) => {
-    if (playing) {
-      now.clock.go(((time - before) / 1e3) * speed, hands.hands(), panel.presses());
-      if (course) look();
-      if (course?.look(now.body.time, record)) playing = false;
-    } else if (!now.clock.exploded) hands.moveAtOnce();
-    before = time;
-    if (now.clock.exploded) playing = false;
-    draw();
-    requestAnimationFrame(next);
-  };
-  document.body.classList.toggle("taught", course !== null);
-  if (course) course.begin();
-  else {
-    panel.setUp(about.settings, about.foremost);
-    set(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+    paint(this.shown, this.canvas, { plan, frame, damage: damageOf(body) });
+    this.hands.mark();
+    this.panel.show();
+    for (const chart of this.#charts) chart.draw(this.#record);
   }
-  before = performance.now();
-  requestAnimationFrame(next);
-  // For the browser tests.
-  Object.assign(window, { __softrod: { now: () => now, place, plan, sheet: course?.sheet } });
 }
 
 try {
   const about = /** @type {About} */ (JSON.parse(element("about", HTMLScriptElement).textContent ?? ""));
   const all = [about, ...(about.lesson?.steps ?? []).map((step) => ({ ...about, ...step.about }))];
-  run(about, await Promise.all(all.map((one) => plansOf(/** @type {About} */ (one)))));
+  const live = new Live(about, await Promise.all(all.map(({ plans }) => readPlans(plans))));
+  requestAnimationFrame((now) => live.next(now));
+  // For the browser tests.
+  Object.assign(window, { __softrod: { now: () => live, place: () => live.place, plan: () => live.plan, sheet: () => live.course?.sheet() } });
 } catch (error) {
   const said = document.querySelector("[role=alert]");
   if (said) said.textContent = "This browser cannot show the file; a newer one can.";

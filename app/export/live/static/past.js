@@ -5,16 +5,18 @@
  * @typedef {import("./body.js").Body} Body
  */
 
-/** Simulated seconds between two moments that are kept, and how many there are. */
-const [EVERY, KEPT] = [0.25, 8];
-/** Times its rest length to which a spring is pulled in a body that runs away. */
+/** Simulated seconds between two moments that are stored. */
+const EVERY = 0.25;
+/** Moments that are stored, the last two seconds. */
+const MAX_MOMENTS = 8;
+/** Stretch of a spring, in rest lengths, from which on a body counts as running away. */
 const TORN = 4;
-/** What changes while a body moves, beside its time. */
+/** Arrays that change while a body moves. */
 const ARRAYS = /** @type {const} */ (["positions", "velocities", "broken", "setLength", "setAngle", "hardened"]);
 
 /** @param {Body} body */
 function momentOf(body) {
-  // Maps of grips are made anew in each step.
+  // Each step makes new maps of grips.
   const { time, scale, shift, fillings, grips, wallGrips } = body;
   return { time, scale, shift, fillings, grips, wallGrips: [...wallGrips], arrays: ARRAYS.map((name) => body[name].slice()) };
 }
@@ -27,11 +29,11 @@ export class Past {
     this.moments = [momentOf(body)];
   }
 
-  /** Keep the present moment, if the last one that was kept is some time ago, and the body is not running away. */
-  keep() {
+  /** Store the present moment, if the last one is old enough, and the body is not running away. */
+  record() {
     if (this.body.time < this.moments[this.moments.length - 1].time + EVERY || this.#isTorn()) return;
     this.moments.push(momentOf(this.body));
-    if (this.moments.length > KEPT) this.moments.shift();
+    if (this.moments.length > MAX_MOMENTS) this.moments.shift();
   }
 
   #isTorn() {

@@ -1,13 +1,17 @@
 // @ts-check
 /**
  * QR codes of one size: version 5 with the least correction (5-L), for up to 154 capital letters, digits and some signs
- * (ISO/IEC 18004). All data is one block, so there is little to it.
+ * (ISO/IEC 18004). All data is one block, so that nothing is interleaved.
  */
 
-/** Modules of a side, and letters at most. */
-const [SIZE, MOST] = [37, 154];
-/** Codewords of data, and of correction. */
-const [DATA, EXTRA] = [108, 26];
+/** Modules of a side. */
+const SIZE = 37;
+/** Letters, at most. */
+const MAX_LETTERS = 154;
+/** Codewords of data. */
+const DATA = 108;
+/** Codewords of error correction. */
+const EXTRA = 26;
 const LETTERS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ $%*+-./:";
 /** The mask (row + column) % 2, and the bits that name it and the correction, with their own correction. */
 const FORMAT = 0b111011111000100;
@@ -63,7 +67,7 @@ function codewords(text) {
  * @returns {boolean[][]}
  */
 export function qrCode(text) {
-  if (text.length > MOST) throw new RangeError("the text is too long for this QR code");
+  if (text.length > MAX_LETTERS) throw new RangeError("the text is too long for this QR code");
   /** @type {(boolean | null)[][]} null where data is to come */
   const grid = Array.from({ length: SIZE }, () => Array(SIZE).fill(null));
   /** Squares in each other around a place. @param {number} row @param {number} column @param {number} reach @param {number[]} light */
@@ -80,7 +84,7 @@ export function qrCode(text) {
   for (let i = 0; i < 15; i++) {
     const bit = ((FORMAT >> i) & 1) === 1;
     const near = i < 6 ? i : i < 8 ? i + 1 : i < 9 ? 7 : 14 - i;
-    // Beside the upper left square, and once more beside the two others.
+    // Next to the upper left square, and again next to the two others.
     if (i < 8) [grid[near][8], grid[8][SIZE - 1 - i]] = [bit, bit];
     else [grid[8][near], grid[SIZE - 15 + i][8]] = [bit, bit];
   }

@@ -15,7 +15,7 @@ import { energies } from "./energy.js";
 import { swings } from "./swings.js";
 
 const DEGREE = Math.PI / 180;
-/** Simulated seconds of which a period is read off, at most. */
+/** Simulated seconds from which a period is determined, at most. */
 const SPAN = 60;
 
 /** By kind of part and what is measured of it. @type {Record<string, (body: Body, index: number) => number>} */

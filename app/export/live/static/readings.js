@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * What a live file says of its body in numbers: an angle, energies, how near its step is to the limit.
+ * The numbers that a live file shows: an angle, energies, and how near the time step is to its limit.
  *
  * @typedef {import("./body.js").Body} Body
  * @typedef {import("./clock.js").Clock} Clock
@@ -10,10 +10,12 @@ import { make } from "../../../ui/dialog.js";
 import { YIELDED } from "../../../stage/looks.js";
 import { energies } from "./energy.js";
 
-/** Part of real time below which it is said that the browser does not keep up. */
+/** Fraction of real time below which the file says that it is slowed down. */
 const SLOW = 0.95;
-/** Part of the stability limit from which on it is told over the body, and above which it is a warning. */
-const [NEAR, WARN] = [0.8, 0.7];
+/** Fraction of the stability limit from which on the step is shown over the body. */
+const NEAR = 0.8;
+/** Fraction from which on its bar has the colour of a warning. */
+const WARN = 0.7;
 
 /** A number as it is read. @param {number} value */
 export const said = (value) =>
@@ -50,7 +52,7 @@ export function head(about, body, clock, playing) {
   return [make("b", "", states.join(" · ")), ...(part >= (about.lesson ? Number.MIN_VALUE : NEAR) ? [bar(clock, part)] : [])];
 }
 
-/** The numbers beside the body. @param {About} about @param {Body} body @param {Clock} clock @returns {HTMLElement[]} */
+/** The numbers in the panel. @param {About} about @param {Body} body @param {Clock} clock @returns {HTMLElement[]} */
 export function numbers(about, body, clock) {
   /** @param {string} title @param {[string, string][]} rows */
   const table = (title, rows) => {

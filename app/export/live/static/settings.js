@@ -1,11 +1,10 @@
 // @ts-check
 /**
- * The numbers of a body that sliders set, by the keys of `sim.settings`. What a body's parts have in different sizes keeps
- * its proportions, and rest angles are all turned by as much.
+ * The numbers of a body that sliders set. Where the parts of a body have different numbers, these keep their proportions, and
+ * rest angles are all turned by the same angle.
  *
  * @typedef {import("./body.js").Body} Body
- * @typedef {import("./body.js").BodyData} BodyData
- * @typedef {object} Setting
+ * @typedef {object} Setting as `app/export/live/sliders.py` writes it, from the catalogue `sim.settings`
  * @property {string} key
  * @property {string} label
  * @property {string} unit
@@ -13,21 +12,25 @@
  * @property {number} high
  * @property {boolean} logarithmic
  * @property {number | string} value at first
+ * @property {string[]} sets the name of what sets it, and of what in the body
  * @property {[value: number | string, label: string][]} [options] where it is chosen from a list
  * @property {Record<string, number>} [stiffness] of joints, kg/s², by the rest angle in degrees: for the tutorial's templates
  */
 import { setTempo } from "./muscles.js";
 
 const DEGREE = Math.PI / 180;
+/** Where a wall has its friction. */
+const FRICTION = 5;
+
+/** An angle in (-180, 180] degrees. @param {number} angle */
+const turned = (angle) => angle - 360 * Math.ceil((angle - 180) / 360);
 
 /**
- * Set all numbers of an array in proportion to what the file has of them.
+ * The numbers of parts whose largest, or first, was `first` and is to be `value`: the same parts of each other as before.
  *
- * @param {Float64Array | number[]} numbers @param {readonly number[]} own @param {number} value @param {number} first
+ * @param {number[]} own @param {number} value @param {Setting} setting whose value is the first
  */
-function scale(numbers, own, value, first) {
-  for (let i = 0; i < own.length; i++) numbers[i] = first ? own[i] * (value / first) : value;
-}
+const scaled = (own, value, { value: first }) => own.map((number) => (first ? number * (value / Number(first)) : value));
 
 /** How the wind of a body was set: px/s, degrees from the right upwards, and the part of its own gusts. @type {WeakMap<Body, Blow>} */
 const blows = new WeakMap();
@@ -35,7 +38,7 @@ const blows = new WeakMap();
 /** @typedef {{speed: number, direction: number, gusts: number}} Blow */
 
 /**
- * Set the wind. Gusts keep their waves: these are as much stronger as the wind, and it carries them along.
+ * Set the wind. Gusts have the waves of the file: in proportion to the wind, which carries them along.
  *
  * @param {Body} body @param {Partial<Blow>} change
  */
@@ -51,47 +54,42 @@ function blow(body, change) {
   body.waves = waves.map(([kx, ky, du, dv, phase]) => [kx, ky, du * part, dv * part, phase, -(kx * x + ky * y)]);
 }
 
-/** @type {Record<string, (body: Body, value: number, setting: {value: number, stiffness?: Record<string, number>}) => void>} */
-const WRITE = {
-  linear_stiffness: (body, value, { value: first }) => scale(body.stiffness, body.data.stiffness, value, first),
-  linear_damping: (body, value, { value: first }) => scale(body.damping, body.data.damping, value, first),
-  angular_stiffness: (body, value, { value: first }) => scale(body.jointStiffness, body.data.jointStiffness, value, first),
-  angular_damping: (body, value, { value: first }) => scale(body.jointDamping, body.data.jointDamping, value, first),
-  rest_length_scale: (body, value, { value: first }) => (body.scale = value / first),
-  rest_angle: (body, value, { value: first }) => {
-    body.data.restAngle.forEach((angle, j) => (body.restAngle[j] = turned(angle + value - first)));
+/**
+ * What sets a number or a choice, by the first name in `Setting.sets`; `names` are the others.
+ *
+ * @type {Record<string, (body: any, value: any, names: string[], setting: Setting) => void>}
+ */
+const SETTERS = {
+  field: (body, value, names) => {
+    const name = names[names.length - 1];
+    const owner = names.length > 1 ? body[names[0]] : body;
+    if (owner) owner[name] = value;
   },
-  template: (body, value, { stiffness }) => {
+  all: (body, value, [name], setting) => body[name].set(scaled(body.data[name], value, setting)),
+  stretch: (body, value, _, { value: first }) => (body.scale = value / Number(first)),
+  turn: (body, value, _, { value: first }) => {
+    body.restAngle.set(body.data.restAngle.map((/** @type {number} */ angle) => turned(angle + value - Number(first))));
+  },
+  template: (body, value, _, { stiffness }) => {
     body.restAngle.fill(value);
-    body.jointStiffness.fill(stiffness?.[String(value)] ?? 0);
+    body.jointStiffness.fill(stiffness?.[value] ?? 0);
   },
   tempo: (body, value) => body.muscles && setTempo(body.muscles, value, body.time),
-  gravity: (body, value, { value: first }) => {
+  gravity: (body, value, _, setting) => {
     const { gravity, down } = body.data;
-    body.gravity = first ? gravity.map((part) => part * (value / first)) : [0, value * down];
+    body.gravity = setting.value ? scaled(gravity, value, setting) : [0, value * down];
   },
-  air_friction: (body, value) => (body.airFriction = value),
-  wind_speed: (body, value) => blow(body, { speed: value }),
-  wind_direction: (body, value) => blow(body, { direction: value }),
-  turbulence: (body, value, { value: first }) => blow(body, { gusts: value / first }),
-  drag_across: (body, value) => body.medium && (body.medium.across = value),
-  drag_along: (body, value) => body.medium && (body.medium.along = value),
-  ground_forward: (body, value) => body.ground && (body.ground.forward = value),
-  ground_backward: (body, value) => body.ground && (body.ground.backward = value),
-  ground_sideways: (body, value) => body.ground && (body.ground.sideways = value),
-  wall_friction: (body, value, { value: first }) => {
-    body.walls.forEach((wall, i) => (wall[5] = first ? body.data.walls[i][5] * (value / first) : value));
+  wind: (body, value, [name]) => blow(body, { [name]: value }),
+  gusts: (body, value, _, { value: first }) => blow(body, { gusts: value / Number(first) }),
+  walls: (body, value, _, setting) => {
+    const frictions = scaled(body.data.walls.map((/** @type {number[]} */ wall) => wall[FRICTION]), value, setting);
+    frictions.forEach((friction, i) => (body.walls[i][FRICTION] = friction));
   },
-  contact_stiffness: (body, value) => body.contact && (body.contact.stiffness = value),
-  contact_friction: (body, value) => body.contact && (body.contact.friction = value),
 };
-
-/** An angle in (-180, 180] degrees. @param {number} angle */
-const turned = (angle) => angle - 360 * Math.ceil((angle - 180) / 360);
 
 /** Set a number or a choice of a body. @param {Body} body @param {Setting} setting @param {number | string} value */
 export function write(body, setting, value) {
-  if (setting.key === "force_law") body.law = /** @type {import("./body.js").ForceLaw} */ (value);
-  else WRITE[setting.key]?.(body, Number(value), { ...setting, value: Number(setting.value) });
+  const [setter, ...names] = setting.sets;
+  SETTERS[setter]?.(body, value, names, setting);
   body.refresh();
 }

@@ -7,8 +7,10 @@
  * @typedef {import("./body.js").Body} Body
  */
 
-/** Power iterations of a first look, and of a later one that begins with the motion found before. */
-const [FIRST, LATER] = [60, 6];
+/** Power iterations of a first look. */
+const FIRST = 60;
+/** Power iterations of a later one, which starts with the motion found before. */
+const LATER = 6;
 /** Size of the start of a first look that a later one begins with, too, relative to the motion found before. */
 const NOISE = 0.03;
 /** Of the damping in the condition above. */
@@ -31,7 +33,7 @@ export class StabilityMeter {
   /** Look at the body as it is; returns the limit, s. */
   look() {
     const { body } = this;
-    const keep = [body.positions.slice(), body.velocities.slice()];
+    const state = [body.positions.slice(), body.velocities.slice()];
     const scale = this.limit < Infinity ? this.limit : 1e-3;
     let limit = Infinity;
     // A little of all motions, for the one found before may be that of another body than the one that is stiffest now.
@@ -43,7 +45,7 @@ export class StabilityMeter {
       const norm = Math.sqrt(this.#product(this.motion, this.motion));
       if (!(norm > 0)) break;
       const w = this.motion.map((value) => value / norm);
-      const [byPosition, byVelocity] = [this.#along(w, keep, "positions"), this.#along(w, keep, "velocities")];
+      const [byPosition, byVelocity] = [this.#along(w, state, "positions"), this.#along(w, state, "velocities")];
       const [k, c] = [this.#product(w, byPosition), (this.weight / 2) * this.#product(w, byVelocity)];
       // dt² k + 2 dt c = 4
       limit = k > 0 ? (Math.sqrt(c * c + 4 * k) - c) / k : c > 0 ? 2 / c : Infinity;
@@ -52,8 +54,8 @@ export class StabilityMeter {
       if (!next.every(Number.isFinite) || next.every((value) => value === 0)) break;
       this.motion = next;
     }
-    body.positions.set(keep[0]);
-    body.velocities.set(keep[1]);
+    body.positions.set(state[0]);
+    body.velocities.set(state[1]);
     this.looked = true;
     return (this.limit = limit > 0 ? limit : Infinity);
   }
@@ -67,15 +69,15 @@ export class StabilityMeter {
   /**
    * M⁻¹ K w or M⁻¹ C w, as a difference of accelerations.
    *
-   * @param {Float64Array} w @param {Float64Array[]} keep the state @param {"positions" | "velocities"} what changes
+   * @param {Float64Array} w @param {Float64Array[]} state positions and velocities, which are put back @param {"positions" | "velocities"} what changes
    */
-  #along(w, keep, what) {
+  #along(w, state, what) {
     const { body } = this;
-    const farthest = keep[0].reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    const farthest = state[0].reduce((most, value) => Math.max(most, Math.abs(value)), 0);
     const step = (1e-6 * (1 + farthest)) / w.reduce((most, value) => Math.max(most, Math.abs(value)), 1e-300);
     const sides = [step, -step].map((size) => {
-      body.positions.set(keep[0]);
-      body.velocities.set(keep[1]);
+      body.positions.set(state[0]);
+      body.velocities.set(state[1]);
       w.forEach((value, i) => {
         if (!body.held[i >> 1]) body[what][i] += size * value;
       });

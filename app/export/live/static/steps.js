@@ -10,8 +10,10 @@
 import { TURN } from "./body.js";
 import { settle, yieldHere } from "./limits.js";
 
-/** Range of the factor of all rest lengths. */
-const [SCALE_MIN, SCALE_MAX] = [0.01, 100];
+/** Smallest factor of all rest lengths. */
+const MIN_SCALE = 0.01;
+/** Largest factor of all rest lengths. */
+const MAX_SCALE = 100;
 
 /** Put the masses that go round where they are at a time (s). @param {Body} body @param {number} t */
 export function goRound(body, t) {
@@ -30,7 +32,7 @@ export function goRound(body, t) {
 /** Let held keys act for some time (s). @param {Body} body @param {Presses} presses @param {number} h */
 function press(body, { factor, angle }, h) {
   if (factor === 1 && angle === 0) return;
-  body.scale = Math.min(Math.max(body.scale * factor ** h, SCALE_MIN), SCALE_MAX);
+  body.scale = Math.min(Math.max(body.scale * factor ** h, MIN_SCALE), MAX_SCALE);
   const shift = body.shift + angle * h;
   body.shift = 180 - ((((180 - shift) % 360) + 360) % 360);
   body.refresh();
@@ -63,13 +65,13 @@ function eulerStep(body, h, lead) {
   lead(end, end);
 }
 
-/** Room for what a body was like at the begin of a step. @type {WeakMap<Body, {v: Float64Array, a: Float64Array}>} */
+/** Arrays for the state of a body at the beginning of a step, made once. @type {WeakMap<Body, {v: Float64Array, a: Float64Array}>} */
 const rooms = new WeakMap();
 
 /**
  * Velocity Verlet: x += h v + h²/2 a, v += h/2 (a + a'). Forces at the end of the step see the velocities v + h a.
  *
- * @param {Body} body @param {number} h s @param {(t: number, roundAt: number) => void} lead as of `eulerStep`
+ * @param {Body} body @param {number} h s @param {(t: number, roundAt: number) => void} lead see `eulerStep`
  */
 function verletStep(body, h, lead) {
   const { positions: x, velocities: v, accelerations: a, held } = body;

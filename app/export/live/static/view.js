@@ -3,15 +3,15 @@
 import { make, makeButton, makeDialog } from "../../../ui/dialog.js";
 import { element } from "../../static/parts.js";
 
-/** How many times larger all is for a projector. */
+/** Factor of all sizes for a projector. */
 const LARGER = 1.5;
 
-/** What keys do: always, and only where the body has something to do by them. @type {[string, string, ("arrows" | "follow")?][]} */
+/** What keys do; some only where the body uses them. @type {[string, string, ("arrows" | "follow")?][]} */
 const KEYS = [
   ["drag", "a mass is held while you drag it; several fingers drag several"],
   ["Space", "play or pause"],
   ["N", "one step"],
-  ["R", "reset: the body begins anew, with the sliders as they are"],
+  ["R", "reset: the body starts again, with the sliders as they are"],
   ["F", "the ringed mass follows the pointer, or stops", "follow"],
   ["↑ ↓ held", "springs get longer or shorter", "arrows"],
   ["→ ← held", "rest angles grow or shrink", "arrows"],
@@ -20,7 +20,7 @@ const KEYS = [
   ["?", "this help"],
 ];
 
-/** Whether the file is on dark paper; `dark.js` says where it is, and keeps it. */
+/** Whether the file is on dark paper, see `dark.js`. */
 export const isDark = () => document.documentElement.hasAttribute("data-dark");
 
 /** @param {{arrows: boolean, follow: boolean}} has what the body can do */

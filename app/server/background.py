@@ -1,4 +1,4 @@
-"""The one thread that makes files for all pages, so that none of them waits for another's film."""
+"""Work in the background, in one thread, which leaves pages at least half of the interpreter."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from collections.abc import Callable
 
 _log = logging.getLogger(__name__)
 
-LONGEST_BREATH = 0.05
+LONGEST_PAUSE = 0.05
 """Seconds that a worker pauses at most, to let pages have the interpreter."""
 
 
-class Workshop:
-    """Does one piece of work after the other; the thread is there from the first one on.
+class BackgroundWorker:
+    """Does one piece of work after the other, in a thread that starts with the first one.
 
-    It is no obstacle to the end of the program: what is half made then, nobody waits for.
+    It is a daemon thread: unfinished work is dropped when the program ends.
     """
 
     def __init__(self) -> None:
@@ -26,11 +26,11 @@ class Workshop:
         self._thread: threading.Thread | None = None
 
     def submit(self, work: Callable[[], None]) -> None:
-        """Have something done after all that waits; it may not raise."""
+        """Queue some work; it may not raise."""
         self._waiting.put(work)
         with self._lock:
             if self._thread is None:
-                self._thread = threading.Thread(target=self._run, name="softrod-export", daemon=True)
+                self._thread = threading.Thread(target=self._run, name="softrod-background", daemon=True)
                 self._thread.start()
 
     def _run(self) -> None:
@@ -39,19 +39,20 @@ class Workshop:
             try:
                 work()
             except Exception:
-                _log.exception("a file could not be made")
+                _log.exception("work in the background has failed")
 
 
-class Breath:
-    """Pauses for as long as was worked since the last pause: pages get at least half of the interpreter."""
+class YieldGil:
+    """Pauses for as long as was worked since the last pause."""
 
     def __init__(self) -> None:
         self._since = time.perf_counter()
 
-    def take(self) -> None:
-        """Pause now."""
-        time.sleep(min(time.perf_counter() - self._since, LONGEST_BREATH))
+    def pause(self) -> None:
+        """Pause now, for `LONGEST_PAUSE` at most."""
+        time.sleep(min(time.perf_counter() - self._since, LONGEST_PAUSE))
         self._since = time.perf_counter()
 
 
-workshop = Workshop()
+file_worker = BackgroundWorker()
+"""Makes files for all pages, so that none of them waits for another's film."""

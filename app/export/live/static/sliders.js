@@ -1,0 +1,64 @@
+// @ts-check
+/**
+ * The sliders and lists of a live file. What comes from the scene is text in them.
+ *
+ * @typedef {import("./settings.js").Setting} Setting
+ */
+import { make } from "../../../ui/dialog.js";
+import { said } from "./readings.js";
+
+/** Positions of a slider. */
+const PLACES = 1000;
+/** Digits of a number that a slider sets. */
+const DIGITS = 3;
+
+/** The number at a place of a slider. @param {Setting} setting @param {number} place 0 to PLACES */
+function valueAt({ low, high, logarithmic }, place) {
+  const part = place / PLACES;
+  const value = logarithmic ? low * (high / low) ** part : low + (high - low) * part;
+  return Number(value.toPrecision(DIGITS));
+}
+
+/** The place of a number on a slider. @param {Setting} setting @param {number} value */
+function placeOf({ low, high, logarithmic }, value) {
+  const part = logarithmic ? Math.log(Math.max(value, 1e-300) / low) / Math.log(high / low) : (value - low) / (high - low);
+  return Math.round(PLACES * Math.min(Math.max(part, 0), 1));
+}
+
+/** @param {Setting} setting @param {(value: number) => void} change @returns {HTMLElement[]} */
+function slider(setting, change) {
+  const input = make("input", "");
+  const shown = make("output", "");
+  const unit = setting.unit && setting.unit !== "°" ? ` ${setting.unit}` : setting.unit;
+  const show = (/** @type {number} */ value) => {
+    shown.textContent = said(value) + unit;
+    input.setAttribute("aria-valuetext", shown.textContent);
+  };
+  const first = Number(setting.value);
+  Object.assign(input, { type: "range", min: "0", max: String(PLACES), value: String(placeOf(setting, first)) });
+  show(first);
+  input.addEventListener("input", () => {
+    const value = valueAt(setting, Number(input.value));
+    show(value);
+    change(value);
+  });
+  return [shown, input];
+}
+
+/** @param {Setting} setting @param {[number | string, string][]} options @param {(value: number | string) => void} change */
+function list({ value: first }, options, change) {
+  const choose = make("select", "");
+  for (const [value, name] of options) choose.add(new Option(name, "", false, value === first));
+  choose.addEventListener("change", () => change(options[choose.selectedIndex][0]));
+  return [choose];
+}
+
+/** The row of a setting: a slider, or a list to choose from. @param {Setting} setting @param {(value: number | string) => void} change */
+export function settingRow(setting, change) {
+  const row = make("div", "row");
+  const label = make("label", "", setting.label);
+  const parts = setting.options ? list(setting, setting.options, change) : slider(setting, change);
+  label.htmlFor = parts[parts.length - 1].id = `setting-${setting.key}`;
+  row.append(label, ...parts);
+  return row;
+}
