@@ -111,11 +111,11 @@ export type Part = { do: "part"; kind: TextKind; number: number; of: number; let
 /** One of the choices of a question. */
 export type GiveVote = { do: "giveVote"; id: string; turn: number; stop: number; round: number; twin: number; choice: number };
 /** Where each mass will be. */
-export type GivePlaces = { do: "givePlaces"; id: string; turn: number; stop: number; round: number; twin: number; points: [number, number][] };
+export type GivePrediction = { do: "givePrediction"; id: string; turn: number; stop: number; round: number; twin: number; points: [number, number][] };
 /** An explanation. */
 export type GiveLine = { do: "giveLine"; id: string; turn: number; stop: number; round: number; twin: number; text: string };
-/** What the page's body did since the step began is to be handed in; the server has it. */
-export type HandIn = { do: "handIn"; id: string; turn: number; stop: number; round: number; twin: number };
+/** Hand in what the page's body did since the step began; the server has it. */
+export type GiveWork = { do: "giveWork"; id: string; turn: number; stop: number; round: number; twin: number };
 /** A hand goes up or down. */
 export type RaiseHand = { do: "raiseHand"; up: boolean };
 /** Another name is wanted: one of the class's, or the one that was typed. */
@@ -142,7 +142,7 @@ export type ToWall = { do: "toWall"; answer: string };
 export type Bring = { do: "bring"; text: string };
 /** Something is to be done with one seat. */
 export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
-export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Unread | Unsent | Who | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
+export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | PutMode | DriveMode | Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | Unread | Unsent | Who | Part | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
 /** A scene as the gallery shows it. */
 export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
@@ -160,7 +160,7 @@ export type LessonControl = { key: string; label: string };
 /** What a class looks at. */
 export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
 /** Something that the pupil at a page has given. */
-export type Given = { stop: number; round: number; twin: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string };
+export type Given = { stop: number; round: number; twin: number; kind: "line" | "prediction" | "vote" | "work"; choice: number; text: string };
 /** A line that the teacher has picked out. */
 export type WallLine = { text: string; color: string };
 /** What one seat found: a point of the class's plot. */
@@ -174,7 +174,7 @@ export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" |
 /** A seat, as the teacher sees it. */
 export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
 /** An answer, as the teacher sees it. */
-export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
+export type DeskAnswer = { id: string; seat: number; kind: "line" | "prediction" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
 /** What is selected. */
 export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
 /** What undo takes back, and what redo does again; empty for nothing. */

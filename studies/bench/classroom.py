@@ -320,9 +320,6 @@ PLAN = (
 Place = tuple[int, int, str]
 """What an answer is to: stop, round, and what is said."""
 
-_KINDS = {"Vote": "giveVote", "Ghost": "givePlaces", "Line": "giveLine", "Work": "handIn"}
-"""What is said, by what the class makes of it."""
-
 
 def _place(said: from_page.Give) -> Place:
     return said.stop, said.round, tag_of(type(said).__name__)
@@ -478,11 +475,11 @@ class Pupil:
                 said = from_page.GiveVote(*head, dice.randrange(3))
             case "places":
                 points = tuple((dice.uniform(-3.0, 3.0), dice.uniform(-3.0, 3.0)) for _ in range(masses))
-                said = from_page.GivePlaces(*head, points)
+                said = from_page.GivePrediction(*head, points)
             case "line":
                 said = from_page.GiveLine(*head, f"Because {self._turn}.")
             case _:
-                said = from_page.HandIn(*head)
+                said = from_page.GiveWork(*head)
         self.given[said.id] = said
         self.waiting = [old for old in self.waiting if _place(old) != _place(said)] + [said]
         if talk is not None:
@@ -537,7 +534,7 @@ def counted(pupils: list[Pupil], teacher: Teacher, room: Room) -> Outcome:
                 answer.id
                 for answer in room.answers.values()
                 if answer.seat == number
-                and (answer.stop, answer.round, _KINDS[type(answer.content).__name__]) == place
+                and (answer.stop, answer.round, f"give{type(answer.content).__name__}") == place
             ]
             accepted = [said for said in all_said if said.id in pupil.accepted]
             waits = any(said in pupil.waiting for said in all_said)

@@ -13,7 +13,7 @@ from PIL import Image
 
 import sim
 from app.classroom import kept
-from app.classroom.room import Ghost, Line, Phase, Vote, Work
+from app.classroom.answers import Line, Phase, Prediction, Vote, Work
 from app.classroom.takeaway import PICTURE_SIZE, log_path, pack
 from app.export.window import Window
 from app.stage.colors import palette
@@ -38,7 +38,7 @@ def test_everything_that_was_given_is_in_the_zip_once() -> None:
     seat = room.enter("0" * 32)
     room.go(0, Phase.ASK)
     room.take(1, an_answer(1, Vote(1)))
-    room.take(1, an_answer(2, Ghost(((0.5, 1.0), (2.0, 3.0), (4.0, 5.0), (6.0, 7.0)))))
+    room.take(1, an_answer(2, Prediction(((0.5, 1.0), (2.0, 3.0), (4.0, 5.0), (6.0, 7.0)))))
     room.go(0, Phase.EXPLAIN)
     room.take(1, an_answer(3, Line('=HYPERLINK("x")')))
     room.go(0, Phase.COLLECT)
