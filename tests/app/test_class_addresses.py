@@ -16,7 +16,6 @@ from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
 import sim
-from app.classroom import kept
 from app.classroom.live import Classes
 from app.gate import address, gate
 from app.gate.gate import GatedServer
@@ -29,8 +28,7 @@ NAMES = {"127.0.0.1": "lo", "192.168.1.7": "wlan0", "10.42.0.1": "ap0", "172.17.
 
 
 @pytest.fixture
-def classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Classes:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+def classes(class_folder: Path) -> Classes:
     made = Classes()
     made.begin((sim.rope(),))
     return made

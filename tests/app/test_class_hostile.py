@@ -40,6 +40,7 @@ from app.session.session import Session
 from app.wire import from_page
 from app.wire.messages import FromPage, messages, read
 from tests.amount import NIGHT
+from tests.app.classrooms import Pupil, Teacher, no_download
 from tests.app.hostile import CAMERA, HostilePage, eventually
 from tests.app.letters import Letters
 from tests.app.test_room import SECRETS, a_room, an_answer, asking
@@ -48,8 +49,7 @@ WRONG_KEYS = ("", "x", "0" * 22, "é", "x" * 100)
 
 
 @pytest.fixture
-def classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Classes:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+def classes(class_folder: Path) -> Classes:
     classes = Classes()
     for _ in range(2):
         classes.begin(a_room().scenes)
@@ -147,9 +147,8 @@ def who(number: int, teacher: str = "") -> str:
     ],
 )
 def test_only_the_class_tells_what_is_right_in_its_lesson(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, taught: str, alone: bool, query: str
+    class_folder: Path, taught: str, alone: bool, query: str
 ) -> None:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
     classes = Classes(alone)
     classroom = classes.begin([sim.load_scene(taught)])
     lesson = sim.load_scene("lesson-hooke").lesson
@@ -172,8 +171,7 @@ def test_only_the_class_tells_what_is_right_in_its_lesson(
         page.socket.close()
 
 
-def test_that_a_lesson_is_a_class_s_is_said_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+def test_that_a_lesson_is_a_class_s_is_said_once(class_folder: Path) -> None:
     classes = Classes(alone=False)
     classes.begin([sim.load_scene("lesson-hooke")])
     with serving(sim.rope(), "127.0.0.1", 0, allow_hosts=("laptop.local",), classes=classes) as (server, *_):
@@ -247,16 +245,10 @@ def test_a_hundred_forged_acts_of_a_teacher_and_none_is_done(classes: Classes, c
     other = list(classes)[1].room
     keys = (*WRONG_KEYS, other.key, classroom.room.code, classroom.room.key[:-1], classroom.room.key + "x")
     before, tried = msgspec.json.encode((classroom.room, other)), 0
-
-    def desk() -> DeskRole:
-        return DeskRole(classroom, Letters(), "", "", lambda *_: pytest.fail("a zip was saved"))
-
-    # A page is another role after every connection; the true teacher is there meanwhile.
-    teacher = desk()
-    teacher.introduce(from_page.Who("0" * 32, "", classroom.room.key), session)
-    makes = (lambda: SeatRole(classroom, Letters()), lambda: WallRole(classroom, Letters(), "", ""), desk)
+    Teacher(classroom)  # the true one is there meanwhile
+    makes = (SeatRole, lambda *of: WallRole(*of, "", ""), lambda *of: DeskRole(*of, "", "", no_download))
     for make, key, kind in itertools.product(makes, keys, messages(from_page.Lead)):
-        role = make()
+        role = make(classroom, Letters())  # a page is another role after every connection
         role.introduce(from_page.Who(f"{7:032x}", key, key), session)
         for _ in range(3):
             said = read(a_message(kind, dice))
@@ -284,26 +276,21 @@ def test_what_is_handed_in_is_read_off_by_the_server_alone(classroom: Class) -> 
     ):
         assert read(f"{head},{more}}}") is None
     # Nor is there a run to hand in while all look at one body, or of another step.
-    session, letters = Session(sim.rope(4), wait=False), Letters()
-    role = SeatRole(classroom, letters)
-    role.introduce(from_page.Who(f"{1:032x}"), session)
+    pupil = Pupil(classroom)
     classroom.room.go(0, Phase.COLLECT)
-    role.hear(from_page.GiveWork("0" * 16, 1, 1, 0, 0), session)
-    assert letters.sent[-1].refused == "There is no run to hand in now."
+    pupil.say(from_page.GiveWork("0" * 16, 1, 1, 0, 0))
+    assert pupil.letters.sent[-1].refused == "There is no run to hand in now."
     assert not classroom.room.answers
 
 
 def test_runs_are_handed_in_one_a_second_and_the_last_one_counts(classroom: Class) -> None:
     now = [100.0]
-    session, letters = Session(sim.rope(4), clock=lambda: now[0], wait=False), Letters()
-    role = SeatRole(classroom, letters)
-    role.introduce(from_page.Who(f"{1:032x}"), session)
+    pupil = Pupil(classroom, session=Session(sim.rope(4), clock=lambda: now[0], wait=False))
     classroom.room.go(0, Phase.COLLECT)
-    for number in range(200):
-        role.hear(from_page.GiveWork(f"{number:016x}", number, 0, 0, 0), session)
+    pupil.say(*(from_page.GiveWork(f"{number:016x}", number, 0, 0, 0) for number in range(200)))
     assert list(classroom.room.answers) == [f"{0:016x}"]
     now[0] += 1.1
-    role.hear(from_page.GiveWork(f"{150:016x}", 150, 0, 0, 0), session)
+    pupil.say(from_page.GiveWork(f"{150:016x}", 150, 0, 0, 0))
     assert list(classroom.room.answers) == [f"{150:016x}"]
     classroom.close()
     logs = list(kept.folder_of(classroom.room.code).rglob("*.jsonl"))
@@ -388,20 +375,17 @@ def test_thousands_of_secrets_keep_nobody_out_and_a_closed_door_stops_them() -> 
 
 
 def test_nobody_finds_the_digits_of_a_seat_by_trying_all(classroom: Class) -> None:
-    session, letters = Session(sim.rope(4), wait=False), Letters()
     moving = classroom.room.enter(SECRETS[0])
     classroom.room.offer_move(moving.number)
     moving.move = "77"
-    role = SeatRole(classroom, letters)
-    role.introduce(from_page.Who(f"{9:032x}"), session)
-    for number in range(100):
-        role.hear(from_page.TakeOver(f"{number:02}"), session)
+    pupil = Pupil(classroom, 9)
+    pupil.say(*(from_page.TakeOver(f"{number:02}") for number in range(100)))
     assert classroom.room.seats[moving.number].token == digest(SECRETS[0])
-    assert "too many tries" in letters.sent[-1].refused
+    assert "too many tries" in pupil.letters.sent[-1].refused
 
 
 def test_one_page_takes_one_seat(classroom: Class) -> None:
-    session, role = Session(sim.rope(4), wait=False), SeatRole(classroom, Letters())
+    pupil = Pupil(classroom, 0)
     for number in range(50):
-        role.introduce(from_page.Who(f"{number:032x}"), session)
+        pupil.introduce(number)
     assert len(classroom.room.seats) == 1

@@ -23,13 +23,6 @@ from app.classroom.live import Class, Classes, is_key
 from tests.app.test_room import SECRETS, a_room, an_answer
 
 
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Where the classes are."""
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path / "classes")
-    return tmp_path / "classes"
-
-
 def until_written(classroom: Class) -> None:
     while classroom.written != classroom.room.version:
         classroom.poll_writer()
@@ -58,7 +51,7 @@ def tended(classroom: Class, until: Callable[[], bool]) -> None:
         time.sleep(0.001)
 
 
-def test_a_class_goes_on_after_the_server_was_started_anew(folder: Path) -> None:
+def test_a_class_goes_on_after_the_server_was_started_anew(class_folder: Path) -> None:
     classes = Classes()
     classroom = classes.begin(a_room().scenes)
     seat = classroom.room.enter(SECRETS[0])
@@ -80,13 +73,13 @@ def test_a_class_goes_on_after_the_server_was_started_anew(folder: Path) -> None
     assert after.body(seat.number) == b"where it is"
     after.room.go(1, Phase.TRY)
     assert after.body(seat.number) is None
-    assert {path.stat().st_mode & 0o077 for path in folder.iterdir()} == {0}
+    assert {path.stat().st_mode & 0o077 for path in class_folder.iterdir()} == {0}
 
 
-def test_a_class_that_an_older_server_wrote_goes_on_with_all_that_was_given(folder: Path) -> None:
+def test_a_class_that_an_older_server_wrote_goes_on_with_all_that_was_given(class_folder: Path) -> None:
     data = (Path(__file__).parent / "class.json").read_bytes()
-    (folder / "ABCD").mkdir(parents=True)
-    (folder / "ABCD" / kept.FILE).write_bytes(data)
+    (class_folder / "ABCD").mkdir(parents=True)
+    (class_folder / "ABCD" / kept.FILE).write_bytes(data)
     room = kept.read("ABCD")
     assert room is not None
     given = [type(answer.content) for answer in room.answers.values()]
@@ -97,7 +90,7 @@ def test_a_class_that_an_older_server_wrote_goes_on_with_all_that_was_given(fold
     assert old.keys() - new.keys() == {"pushed"}, "which nothing can set any more"
 
 
-def test_a_class_goes_on_by_the_command_that_began_it(folder: Path) -> None:
+def test_a_class_goes_on_by_the_command_that_began_it(class_folder: Path) -> None:
     scenes = [sim.load_scene("lesson-hooke"), sim.rope(masses=4)]
     (classroom,) = taken_up(scenes)
     until_written(classroom)
@@ -119,7 +112,7 @@ def test_a_class_goes_on_by_the_command_that_began_it(folder: Path) -> None:
     assert kept.codes() == []
 
 
-def test_a_class_has_one_server(folder: Path) -> None:
+def test_a_class_has_one_server(class_folder: Path) -> None:
     scenes = [sim.rope(masses=4)]
     (classroom,) = taken_up(scenes)
     until_written(classroom)
@@ -133,7 +126,7 @@ def test_a_class_has_one_server(folder: Path) -> None:
     assert kept.read(code) is not None
 
 
-def test_a_teacher_s_secret_cannot_be_guessed(folder: Path) -> None:
+def test_a_teacher_s_secret_cannot_be_guessed(class_folder: Path) -> None:
     classes = Classes()
     keys = {classes.begin(a_room().scenes).room.key for _ in range(5)}
     assert len(keys) == 5
@@ -142,7 +135,7 @@ def test_a_teacher_s_secret_cannot_be_guessed(folder: Path) -> None:
 
 
 def test_nothing_is_acknowledged_before_it_is_on_the_disk(
-    folder: Path, monkeypatch: pytest.MonkeyPatch
+    class_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     classroom = Classes().begin(a_room().scenes)
     monkeypatch.setattr(kept, "write", lambda *_: (_ for _ in ()).throw(OSError("no room")))
@@ -163,7 +156,7 @@ def hand_in_a_run(classroom: Class, number: int) -> str:
 
 
 def test_a_full_disk_is_told_once_and_what_was_given_meanwhile_is_kept_when_there_is_room(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+    class_folder: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     seconds = itertools.count()
     classroom = Class(a_room(), clock=lambda: float(next(seconds)))
@@ -194,10 +187,10 @@ def test_a_full_disk_is_told_once_and_what_was_given_meanwhile_is_kept_when_ther
     # Of two runs, the later one stays.
     hand_in_a_run(classroom, 2)
     until_written(classroom)
-    assert len(list(folder.rglob("*.jsonl"))) == 1
+    assert len(list(class_folder.rglob("*.jsonl"))) == 1
 
 
-def test_answers_do_not_wait_for_the_zip(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_answers_do_not_wait_for_the_zip(class_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     classroom = Classes().begin(a_room().scenes)
     made = threading.Event()
     monkeypatch.setattr(live, "pack", lambda *_: made.wait(10.0) and b"")
@@ -209,7 +202,7 @@ def test_answers_do_not_wait_for_the_zip(folder: Path, monkeypatch: pytest.Monke
     made.set()
 
 
-def test_where_a_body_is_is_kept_only_for_seats_that_there_are(folder: Path) -> None:
+def test_where_a_body_is_is_kept_only_for_seats_that_there_are(class_folder: Path) -> None:
     classroom = Classes().begin(a_room().scenes)
     for secret in SECRETS[:3]:
         classroom.keep_body(classroom.room.enter(secret).number, b"x")
@@ -220,24 +213,24 @@ def test_where_a_body_is_is_kept_only_for_seats_that_there_are(folder: Path) -> 
     tended(classroom, lambda: sorted(kept.read_bodies(classroom.room.code)) == [1, 3])
 
 
-def test_at_the_end_nothing_is_left(folder: Path) -> None:
+def test_at_the_end_nothing_is_left(class_folder: Path) -> None:
     classes = Classes()
     classroom = classes.begin(a_room().scenes)
     seat = classroom.room.enter(SECRETS[0])
     classroom.keep_body(seat.number, b"x")
     until_written(classroom)
-    assert any(folder.rglob("*.json"))
+    assert any(class_folder.rglob("*.json"))
     classroom.end()
     tended(classroom, lambda: classroom.ended)
-    assert not list(folder.iterdir())
+    assert not list(class_folder.iterdir())
     assert classes.find(classroom.room.code) is None
     assert not classroom.room.seats
     assert not list(classes)  # its server forgets it
     classes.close()
-    assert not list(folder.iterdir())
+    assert not list(class_folder.iterdir())
 
 
-def test_a_class_that_cannot_be_deleted_goes_on(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_class_that_cannot_be_deleted_goes_on(class_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     classes = Classes()
     classroom = classes.begin(a_room().scenes)
     classroom.room.enter(SECRETS[0])
@@ -253,7 +246,7 @@ def test_a_class_that_cannot_be_deleted_goes_on(folder: Path, monkeypatch: pytes
         tended(classroom, lambda: bool(classroom.notices))
     title, text = classroom.notices.popleft()
     assert title == "The class goes on"
-    assert text == f"Its folder {folder / classroom.room.code} cannot be deleted: Permission denied."
+    assert text == f"Its folder {class_folder / classroom.room.code} cannot be deleted: Permission denied."
     # Answers are taken and kept as before, and it can be ended later.
     classroom.room.enter(SECRETS[1])
     until_written(classroom)
@@ -261,20 +254,20 @@ def test_a_class_that_cannot_be_deleted_goes_on(folder: Path, monkeypatch: pytes
     assert classroom.lesson_file().result()
     classroom.end()
     tended(classroom, lambda: classroom.ended)
-    assert not list(folder.iterdir())
+    assert not list(class_folder.iterdir())
 
 
 def test_what_a_killed_server_was_forgetting_is_forgotten(
-    folder: Path, monkeypatch: pytest.MonkeyPatch
+    class_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     classroom = Classes().begin(a_room().scenes)
     until_written(classroom)
     with monkeypatch.context() as patched:
         patched.setattr("shutil.rmtree", lambda _: None)
         kept.forget(classroom.room.code)
-    assert list(folder.rglob(kept.FILE))
+    assert list(class_folder.rglob(kept.FILE))
     taken_up([sim.rope(masses=4)])
-    assert not list(folder.rglob(kept.FILE))
+    assert not list(class_folder.rglob(kept.FILE))
 
 
 def bent(data: bytes, dice: random.Random) -> bytes:
@@ -294,7 +287,9 @@ def bent(data: bytes, dice: random.Random) -> bytes:
     return bytes(made)
 
 
-def test_a_file_that_makes_no_sense_is_left_alone(folder: Path, caplog: pytest.LogCaptureFixture) -> None:
+def test_a_file_that_makes_no_sense_is_left_alone(
+    class_folder: Path, caplog: pytest.LogCaptureFixture
+) -> None:
     """Its class does not go on, and the log says so; no server stops at it."""
     classroom = Classes().begin(a_room().scenes)
     classroom.room.enter(SECRETS[0])
@@ -302,19 +297,21 @@ def test_a_file_that_makes_no_sense_is_left_alone(folder: Path, caplog: pytest.L
     classroom.keep_body(1, b"x")
     tended(classroom, lambda: (kept.folder_of(classroom.room.code) / kept.BODIES).exists())
     kept.release(classroom.lock)
-    whole = {name: (folder / classroom.room.code / name).read_bytes() for name in (kept.FILE, kept.BODIES)}
+    whole = {
+        name: (class_folder / classroom.room.code / name).read_bytes() for name in (kept.FILE, kept.BODIES)
+    }
     dice, read = random.Random(1), 0
     for _ in range(200):
         for name, data in whole.items():
-            (folder / classroom.room.code / name).write_bytes(bent(data, dice))
+            (class_folder / classroom.room.code / name).write_bytes(bent(data, dice))
         room = kept.read(classroom.room.code)
         kept.read_bodies(classroom.room.code)
         read += room is not None  # what was bent was a name, or white space
     assert read < 100
     for code, text in (("ABCD", "{"), ("ABCE", '{"code": "ABCE"}'), ("notes", "")):
-        (folder / code).mkdir(parents=True)
-        (folder / code / kept.FILE).write_text(text)
-    (folder / classroom.room.code / kept.FILE).write_text("[" * 100_000)
+        (class_folder / code).mkdir(parents=True)
+        (class_folder / code / kept.FILE).write_text(text)
+    (class_folder / classroom.room.code / kept.FILE).write_text("[" * 100_000)
     caplog.clear()
     (other,) = taken_up([sim.rope(masses=4)])
     assert other.room.code not in ("ABCD", "ABCE", classroom.room.code)

@@ -5,14 +5,12 @@ from __future__ import annotations
 import csv
 import io
 import zipfile
-from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import sim
-from app.classroom import kept
 from app.classroom.answers import Line, Phase, Prediction, Vote, Work
 from app.classroom.takeaway import PICTURE_SIZE, log_path, pack
 from app.export.window import Window
@@ -20,10 +18,7 @@ from app.stage.colors import palette
 from app.stage.sketch import Sketch
 from tests.app.test_room import a_room, an_answer
 
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+pytestmark = pytest.mark.usefixtures("class_folder")
 
 
 def tables(data: bytes, delimiter: str = ",") -> tuple[list[dict[str, str]], list[dict[str, str]]]:

@@ -25,7 +25,7 @@ from app.features.classroom.roles import desk_address, seat_address, wall_addres
 from app.server.serve import serving
 from app.session.session import Session
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
-from tests.app.test_roles import a_desk
+from tests.app.classrooms import Teacher
 from tests.app.test_room import an_answer
 from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.driver import LIMIT, rough_context, until
@@ -296,16 +296,15 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
 
 
 def test_on_a_phone_a_pupil_comes_in_by_letters_and_answers_by_touch(school: School) -> None:
-    room, teachers = school.classroom.room, Session(a_lesson())
+    room = school.classroom.room
     with FRAME_LOCK:
-        teacher = a_desk(school.classroom, teachers)
+        teacher = Teacher(school.classroom, Session(a_lesson()))
 
     def go(phase: Phase) -> None:
         with FRAME_LOCK:
             room.go(0, phase)
-            teacher.frame(teachers)
-            teachers.drain()
-            teacher.frame(teachers)
+            teacher.frame()
+            teacher.frame()
 
     phone = school.open(f"{school.base}?room=QQQQ", PHONE, touch=True)
     expect(phone.locator(".softrod-warning")).to_contain_text("no class QQQQ")

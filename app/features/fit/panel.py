@@ -177,7 +177,7 @@ class FitPanel:
 
     # --------------------------------------------------------------------- what is offered
     def _offered(self) -> dict[str, str]:
-        """Return what can be fitted, with labels: settings that are no integers, and properties of the table."""
+        """Return what can be fitted, with labels: settings but integers, and properties of the table."""
         settings = {
             setting.key: setting.label
             for setting in settings_of(self._session.scene)
