@@ -76,9 +76,9 @@ export type TryStep = { do: "tryStep"; step: number };
 export type EndTrying = { do: "endTrying" };
 /** The lesson is to go. */
 export type DropLesson = { do: "dropLesson" };
-/** The body is to be put into a mode, with a part of the amplitude of a full bar. */
+/** Put the body into a mode, with a part of the amplitude of a full bar. */
 export type PutMode = { do: "putMode"; mode: number; part: number };
-/** A mode is to be driven as long as a bar is pressed; none (-1) from then on. */
+/** Drive a mode while a bar is pressed; stop driving (-1) when it is released. */
 export type DriveMode = { do: "driveMode"; mode: number };
 /** Do a command of the table, see `commands`. */
 export type Perform = { do: "perform"; command: CommandName };
@@ -185,9 +185,9 @@ export type Copied = { tell: "copied"; text: string };
 export type TextsTaken = { tell: "textsTaken"; refused: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
-/** Where a table says that masses were: time, x and y of each place; none where no table is open. */
+/** The measured places of a table: time, x and y of each; empty without a table. */
 export type Measured = { tell: "measured"; numbers: Float32Array };
-/** Bodies that go with what was measured about as well as the fitted one: (frames, draws, masses, 2) places, px, from time 0 on; none where no fit is shown. */
+/** Bodies that fit the table about as well as the fitted one: (frames, draws, masses, 2) places, px, from time 0 on; empty without a fit. */
 export type Fan = { tell: "fan"; numbers: Float32Array; draws: number; masses: number; rate: number };
 /** Show the gallery, and why. */
 export type OfferGallery = { tell: "offerGallery"; why: string };
@@ -217,15 +217,15 @@ export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; fie
 export type ShowMeasures = { tell: "showMeasures" };
 /** A plot is to be heard. */
 export type Melody = { tell: "melody"; name: string; unit: string; values: (number | null)[] };
-/** The slow vibrations of the body, where the page looks at them. */
+/** The slow vibrations of the body, while the strip of modes is open. */
 export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };
-/** Shapes of the modes, see `modes.feature.encode_shapes`; none while nobody looks. */
+/** Shapes of the modes, see `modes.feature.encode_shapes`; empty while the strip is closed. */
 export type ModeShapes = { tell: "modeShapes"; numbers: Float32Array };
-/** How much of each mode is in the motion now, see `modes.feature.encode_levels`. */
+/** How much of each mode is in the present motion, see `modes.feature.encode_levels`. */
 export type ModeLevels = { tell: "modeLevels"; numbers: Float32Array };
 /** The race of the body against another one, if there is one. */
 export type Race = { tell: "race"; on?: boolean; names?: [string, string]; ways?: [number, number]; seconds?: number; fair?: boolean; out?: string };
-/** Whether a race begins: a sentence that says why not, or nothing. */
+/** Whether a race begins: why not, in a sentence, or an empty text. */
 export type RaceAnswer = { tell: "raceAnswer"; problem: string };
 /** What the script has to know of the session and of the page. */
 export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };

@@ -324,6 +324,7 @@ def test_no_number_makes_a_class_that_cannot_be_read_again(content: Work | Predi
     [
         ("\u202eevil\u202c\u2066x", "evil x"),
         ("a\u200b\u200d\ufeffb\x00\x1b[31m", "a b [31m"),
+        ("\u200b\u2028", ""),
         ("<img src=x onerror=alert(1)>", "<img src=x onerror=alert(1)>"),
         ("\U0001f595", "\U0001f595"),
         ("z" + "\u0301\u0323" * 30 + "a", None),
