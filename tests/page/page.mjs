@@ -103,6 +103,11 @@ class Element extends Target {
   removeAttribute = (name) => this.attributes.delete(name);
   toggleAttribute = (name, on) => (on ? this.setAttribute(name, "") : this.removeAttribute(name));
   append = (...children) => children.forEach((child) => this.insertBefore(child));
+  replaceChildren(...children) {
+    this.textContent = "";
+    this.append(...children);
+  }
+  before = (child) => this.parentElement.append(child);
   insertBefore(child) {
     child.remove();
     child.parentElement = this;
