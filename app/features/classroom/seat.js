@@ -41,7 +41,7 @@ let prediction;
 export function addSeat() {
   const element = make("section", "softrod-class softrod-seat");
   element.ariaLabel = "Class";
-  spoken = make("p", "softrod-tell");
+  spoken = make("div", "softrod-tell");
   spoken.setAttribute("role", "status");
   document.body.append(spoken);
   keepInPlace(element);
