@@ -246,7 +246,11 @@ def test_a_hundred_forged_acts_of_a_teacher_and_none_is_done(classes: Classes, c
     keys = (*WRONG_KEYS, other.key, classroom.room.code, classroom.room.key[:-1], classroom.room.key + "x")
     before, tried = msgspec.json.encode((classroom.room, other)), 0
     Teacher(classroom)  # the true one is there meanwhile
-    makes = (SeatRole, lambda *of: WallRole(*of, "", ""), lambda *of: DeskRole(*of, "", "", no_download))
+    makes = (
+        SeatRole,
+        lambda room, mail: WallRole(room, mail, "", ""),
+        lambda room, mail: DeskRole(room, mail, "", "", no_download),
+    )
     for make, key, kind in itertools.product(makes, keys, messages(from_page.Lead)):
         role = make(classroom, Letters())  # a page is another role after every connection
         role.introduce(from_page.Who(f"{7:032x}", key, key), session)

@@ -57,7 +57,11 @@ def test_no_page_has_the_right_answer_before_it_is_told() -> None:
 @pytest.mark.parametrize("said", LED)
 @pytest.mark.parametrize(
     "make",
-    [SeatRole, lambda *of: WallRole(*of, "", ""), lambda *of: DeskRole(*of, "", "", no_download)],
+    [
+        SeatRole,
+        lambda room, mail: WallRole(room, mail, "", ""),
+        lambda room, mail: DeskRole(room, mail, "", "", no_download),
+    ],
 )
 def test_only_a_teacher_leads(classroom: Class, make: Callable[..., ClassRole], said: from_page.Lead) -> None:
     classroom.room.enter("0" * 32)
