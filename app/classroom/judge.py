@@ -1,7 +1,7 @@
-"""Whether a step's goal was reached: as the run goes on, and again from the log that was handed in.
+"""Whether a step's goal was reached: during the run, and again from the log that was handed in.
 
-A log is a file, and a file can be forged. So a judge does again what it says, and looks at everything that
-could be more than a pupil can do: the scene it begins with, what it sets, and where it goes back to.
+A log is a file, and a file can be forged. So a judge replays it, and checks everything that could be more
+than a pupil can do: the scene it begins with, what it sets, and where it goes back to.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ from ..session.log import Log, digest_of
 from ..session.replay import Player
 
 SPAN = 60.0
-"""Simulated seconds of which a period is read off, at most."""
+"""Longest simulated time from which a period is measured, s."""
 
 MAX_SECONDS = 3600.0
-"""Simulated time of a log that is judged, at most."""
+"""Longest simulated time of a log that is judged, s."""
 
 _SAMPLES_EVERY = 1.0 / 240.0
-"""Seconds between two samples of which a period is read off, at least."""
+"""Least time between two samples from which a period is measured, s."""
 
 
 class Meter:
-    """Takes a reading off a body in motion.
+    """Takes a reading from a moving body.
 
     Args:
         reading: what.
@@ -53,9 +53,9 @@ class Meter:
         self._last, self._at = math.nan, math.inf
 
     def take(self, simulation: sim.Simulation) -> float | None:
-        """The reading now; None where there is none, as of what does not swing.
+        """Return the present reading; None if there is none, as the period of a body that does not swing.
 
-        Time may have gone back: what was read after that is forgotten.
+        Time may have gone back: later samples are dropped.
         """
         now = simulation.time
         before = self._last if self._at <= now else math.nan
@@ -84,9 +84,9 @@ class GoalWatch:
         scene: of the body.
 
     Attributes:
-        reached: whether it has been; that stays so.
+        reached: whether it has been; never reset.
         value: the reading now, or None.
-        held: simulated seconds for which the reading has been in the range without a break.
+        held: simulated seconds for which the reading has been in the range without interruption.
 
     Raises:
         InputError: the scene has no such quantity.
@@ -100,7 +100,7 @@ class GoalWatch:
         self.held = 0.0
 
     def look(self, simulation: sim.Simulation) -> bool:
-        """Look at the body between two steps; returns `reached`."""
+        """Check the body between two steps; return `reached`."""
         goal = self._goal
         self.value = value = self._meter.take(simulation)
         low, high = -math.inf if goal.low is None else goal.low, math.inf if goal.high is None else goal.high
@@ -117,13 +117,13 @@ class GoalWatch:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a judge found.
+    """The result of judging a log.
 
     Attributes:
         refused: why the log cannot be what a pupil did; empty if it can.
         reached: whether the goal was; None without a goal.
         found: the last reading of what the step collects, or None.
-        steps: time steps done again.
+        steps: time steps that were replayed.
     """
 
     refused: str = ""
@@ -133,18 +133,18 @@ class Verdict:
 
 
 class _Forged(Exception):
-    """What a log says is more than a pupil can do."""
+    """A log has something that a pupil cannot do."""
 
 
 def judge(record: Log, scene: sim.Scene, step: Step, been: Collection[str] = ()) -> Verdict:
-    """Do again what a log says, and look whether it reached the goal of a step.
+    """Replay a log, and check whether it reached the goal of a step.
 
     Args:
-        record: what was handed in; nothing in it is trusted.
+        record: as handed in; nothing in it is trusted.
         scene: as the step begins.
         step: of the lesson.
-        been: digests of the moments at which the server itself has seen the body go on, as after a reload of
-            its page or when its kernels were ready, see `Recorder`.
+        been: digests of the moments at which the server itself let the body go on, as after a reload of its
+            page or when its kernels were ready, see `Recorder`.
     """
     try:
         _check_scene(record.scene, scene, step.controls, "the log begins with")
@@ -161,7 +161,7 @@ def _judge(record: Log, scene: sim.Scene, step: Step, seen: Collection[str]) -> 
     watch = GoalWatch(step.goal, record.scene) if step.goal is not None else None
     meter = Meter(step.collect, record.scene) if step.collect is not None else None
     found = None
-    # Where it has been: nobody goes back to where nobody was.
+    # All states so far: a pupil can go back only to one of these.
     been = {digest_of(simulation), *seen}
     while not player.ended:
         entry = player.upcoming
@@ -187,10 +187,10 @@ def _judge(record: Log, scene: sim.Scene, step: Step, seen: Collection[str]) -> 
 
 
 def _check_scene(has: sim.Scene, wanted: sim.Scene, controls: tuple[str, ...], what: str) -> None:
-    """Refuse another scene than the step's, but for what its sliders set.
+    """Refuse a scene that differs from the step's by more than its sliders can set.
 
     Raises:
-        _Forged: it is another one.
+        _Forged: it does.
     """
     for key in controls:
         try:
@@ -205,7 +205,7 @@ def _check_scene(has: sim.Scene, wanted: sim.Scene, controls: tuple[str, ...], w
 
 
 def _bare(scene: sim.Scene) -> sim.Scene:
-    """A scene without what does not move it."""
+    """Return a scene without what does not affect its motion."""
     plain = sim.Scene(name="x", masses=scene.masses)
     return msgspec.structs.replace(
         scene,

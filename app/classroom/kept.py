@@ -1,8 +1,8 @@
-"""Classes on disk: while one goes on, a file holds all of it, so that a server that ends goes on with it.
+"""Classes on disk: a running class is stored completely, so that a restarted server can resume it.
 
-A class is a folder that only its owner can read, with the room as one file and the logs that were handed in
-beside it. The file is replaced as a whole, so that it is never half written. When the class is ended, the
-folder goes. A lock beside the folder keeps two servers from going on with the same class.
+A class is a folder that only its owner can read, with a file of the room and the logs that were handed in.
+The file is replaced as a whole, so that it is never incomplete. When the class is ended, the folder is
+deleted. A lock next to the folder keeps two servers from running the same class.
 """
 
 from __future__ import annotations
@@ -24,10 +24,12 @@ from sim.store.files import write_atomically
 
 from .room import Room
 
-FILE, BODIES, LOGS = "class.json", "bodies.json", "logs"
+FILE = "class.json"
+BODIES = "bodies.json"
+LOGS = "logs"
 
 Bodies = dict[int, tuple[int, bytes]]
-"""By a seat's number, the stop that its body is at, and the keepsake of its session."""
+"""By the number of a seat: the stop of its body, and the keepsake of its session."""
 
 _CODE = re.compile(r"[A-Z]{4}")
 _GOING = ".going-"
@@ -35,25 +37,25 @@ _log = logging.getLogger(__name__)
 
 
 def classes_folder() -> Path:
-    """Where the classes are that go on; it need not exist."""
+    """Return the folder of all running classes; it need not exist."""
     return platformdirs.user_data_path("softrod", appauthor=False) / "classes"
 
 
 def folder_of(code: str) -> Path:
-    """The folder of a class."""
+    """Return the folder of a class."""
     return classes_folder() / code
 
 
 class Held(Exception):
-    """Another server goes on with the class."""
+    """Another server runs the class."""
 
 
 def hold(code: str) -> BaseFileLock | None:
     """Keep other servers from a class until the lock is released or the process ends.
 
     Returns:
-        the lock; None where the file system has no locks or the folder cannot be written, which whoever
-        writes the class is told.
+        the lock; None if the file system has no locks or the folder cannot be written: then writing the
+        class will fail, too.
 
     Raises:
         Held: another server has it.
@@ -71,15 +73,15 @@ def hold(code: str) -> BaseFileLock | None:
 
 
 def release(lock: BaseFileLock | None) -> None:
-    """Let other servers go on with a class."""
+    """Let other servers run a class."""
     if lock is not None:
         lock.release()
 
 
 def remove_lock(lock: BaseFileLock | None) -> None:
-    """Delete the lock of a class that is no more; `lock` as `hold` gave it."""
+    """Delete the lock of a class that was deleted; `lock` as `hold` returned it."""
     if lock is not None:
-        # While it is held: whoever waits for the file then finds no class beside it.
+        # While it is held: whoever waits for it then finds no class.
         Path(lock.lock_file).unlink(missing_ok=True)
         lock.release()
 
@@ -90,10 +92,10 @@ def write(
     """Write a class.
 
     Args:
-        room: as `encode` gives it.
+        room: as `encode` returns it.
         code: the class's.
-        logs: those of runs that it speaks of and that are not on the disk yet, by their names.
-        gone: names of logs that it speaks of no more.
+        logs: those that the room refers to and that are not on the disk yet, by their names.
+        gone: names of logs that the room no longer refers to.
 
     Raises:
         OSError: it cannot be written; the class's file is as it was.
@@ -109,39 +111,39 @@ def write(
 
 
 def log_path(code: str, name: str) -> Path:
-    """Where a log is kept that was handed in."""
+    """Return the path of a log that was handed in."""
     return folder_of(code) / LOGS / name
 
 
 def write_bodies(bodies: Bodies, code: str) -> None:
-    """Write where the pupils' bodies are, if the class has a folder.
+    """Write the pupils' bodies, if the class has a folder.
 
     Raises:
-        OSError: they cannot be written; what was there is as it was.
+        OSError: they cannot be written; the file is as it was.
     """
     if (folder := folder_of(code)).is_dir():
         write_atomically(folder / BODIES, msgspec.json.encode(bodies))
 
 
 def read_bodies(code: str) -> Bodies:
-    """Where the pupils' bodies were; nothing if that cannot be read, since they can begin anew."""
+    """Read the pupils' bodies; nothing if that fails, since they can start again."""
     path = folder_of(code) / BODIES
     try:
         return msgspec.json.decode(path.read_bytes(), type=Bodies)
     except FileNotFoundError:
         return {}
     except (OSError, ValueError, RecursionError) as error:
-        _log.warning("the bodies of the class %s begin anew: %s: %s", code, path, error)
+        _log.warning("the bodies of the class %s start again: %s: %s", code, path, error)
         return {}
 
 
 def encode(room: Room) -> bytes:
-    """What is written of a room."""
+    """Return a room as it is written."""
     return msgspec.json.encode(room)
 
 
 def codes() -> list[str]:
-    """Of the classes that there are on the disk."""
+    """Return the codes of the classes on the disk."""
     try:
         return sorted(folder.name for folder in classes_folder().iterdir() if _CODE.fullmatch(folder.name))
     except FileNotFoundError:
@@ -152,7 +154,7 @@ def codes() -> list[str]:
 
 
 def read(code: str) -> Room | None:
-    """A class on the disk; None for one that cannot be read, which is left alone and said in the log."""
+    """Read a class; None if that fails, which is logged, and the file is left alone."""
     folder = folder_of(code)
     try:
         room = msgspec.json.decode((folder / FILE).read_bytes(), type=Room)
@@ -165,13 +167,13 @@ def read(code: str) -> Room | None:
 
 
 def forget(code: str) -> None:
-    """Take away all that there is of a class on the disk.
+    """Delete a class from the disk.
 
     Raises:
-        OSError: something of it is still there, where it was.
+        OSError: some of it could not be deleted, and is where it was.
     """
     folder = folder_of(code)
-    # Under another name, nobody writes anything into the folder while it goes.
+    # Under another name, nobody writes anything into the folder meanwhile.
     away = folder.with_name(f"{_GOING}{secrets.token_hex(8)}")
     try:
         folder.rename(away)
@@ -180,7 +182,7 @@ def forget(code: str) -> None:
     try:
         shutil.rmtree(away)
     except FileNotFoundError:
-        # A server that starts sweeps such folders away, too.
+        # A server that was just started deletes such folders, too.
         shutil.rmtree(away, ignore_errors=True)
     except OSError:
         with contextlib.suppress(OSError):
@@ -189,6 +191,6 @@ def forget(code: str) -> None:
 
 
 def sweep() -> None:
-    """Take away what is left of classes that were being forgotten when a server was killed."""
+    """Delete what is left of classes that were being deleted when a server was killed."""
     for folder in classes_folder().glob(f"{_GOING}*"):
         shutil.rmtree(folder, ignore_errors=True)

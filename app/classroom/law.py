@@ -1,4 +1,4 @@
-"""The law that a class's points follow: a power law, by least squares in logarithms."""
+"""The power law that a class's points follow, by least squares of the logarithms."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ class PowerLaw:
 
 
 def power_law(points: Sequence[tuple[float, float]]) -> PowerLaw | None:
-    """The power law that points are closest to: the straight line of least squares through their logarithms.
+    """Fit a power law to points: a straight line through their logarithms, by least squares.
 
     Args:
         points: (x, y) each, in any units.
 
     Returns:
-        None where a number is not positive or not finite, or where all points have the same x.
+        None if a number is not positive or not finite, or if all points have the same x.
     """
     found = np.array(points, float).reshape(-1, 2)
     if len(found) < 2 or not np.isfinite(found).all() or (found <= 0.0).any():
         return None
     x, y = np.log(found).T
     away = x - x.mean()
-    # What differs by rounding alone is the same setting.
+    # Settings that differ only by rounding are the same.
     if np.abs(away).max() < 1e-6:
         return None
     exponent = float(away @ y / (away @ away))

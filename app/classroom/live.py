@@ -1,6 +1,6 @@
-"""The classes of a server while they go on: their rooms, who is there, and what is on the disk.
+"""The classes of a server while they run: their rooms, who is there, and what is on the disk.
 
-All of it is the ticker's, but for the writing of files.
+All of it belongs to the ticker's thread, except the writing of files.
 """
 
 from __future__ import annotations
@@ -13,53 +13,54 @@ from collections import deque
 from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, Protocol
+from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol
 
 import msgspec
 from filelock import BaseFileLock
 
 import sim
 from sim.scene.lesson import Lesson, Step
-from sim.settings import scene_of_step
+from sim.settings import CHOICES, scene_of_step
 
 from ..session.log import decode_log
 from ..stage.plan import Picture
 from ..stage.sketch import Floats
 from . import kept, names
+from .answers import Answer, Refused, Work
 from .judge import Verdict, judge
-from .room import MAX_STOPS, Answer, Refused, Room, Work, digest
+from .room import MAX_STOPS, Room, digest
 from .takeaway import pack
 
 if TYPE_CHECKING:
     import viser
 
 WRITE_EVERY = 0.1
-"""Seconds between two writings of a class; what was given in between is acknowledged together."""
+"""Seconds between two writes of a class; all answers given in between are acknowledged together."""
 
-AGAIN_AFTER = 2.0
-"""Seconds until a writing that failed is tried again."""
+RETRY_AFTER = 2.0
+"""Seconds after which a failed write is repeated."""
 
 BODIES_EVERY = 5.0
-"""Seconds between two writings of where the pupils' bodies are."""
+"""Seconds between two writes of the pupils' bodies."""
 
-MAX_TOLD = 5
-"""Sentences for the teacher that wait until a teacher's page is there."""
+MAX_NOTICES = 5
+"""Notices for the teacher that wait until a teacher's page is there."""
 
-MAX_TRIED = 5
-"""Devices that tried whether they can take part, of which the teacher is told."""
+MAX_CHECKS = 5
+"""Devices whose checks the teacher's page lists."""
 
 _log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
-class Front:
-    """What the teacher's page shows, for all who look at it: none of it changes any more.
+class SharedView:
+    """What one page shows to all others that look at it; immutable.
 
     Attributes:
-        number: of the plan of what is drawn: another one for everything that changed but the motion.
+        number: of the plan of what is drawn: another one for every change but motion.
         audience: the pages that have that plan or an earlier one, and are sent the pictures.
         scene: of the body.
-        opening: another number for every body that took the place of another, on whatever page.
+        opening: another number for every body that replaced another, on any page.
         rest_angles: (J,) degrees, as the page draws them.
         picture: where the masses are.
         playing: whether the clock runs.
@@ -77,11 +78,11 @@ class Front:
 
 
 Word = Literal["", "moving", "at rest", "paused", "exploded", "goal reached"]
-"""What a body does, as the teacher reads it; nothing while all look at one body."""
+"""The state of a body, as the teacher reads it; empty while all look at one body."""
 
 
 @dataclass(frozen=True)
-class Doing:
+class PupilStatus:
     """What a pupil's body does.
 
     Attributes:
@@ -96,8 +97,8 @@ class Doing:
 
 
 @dataclass(frozen=True)
-class Tried:
-    """What a device found that tried whether it can take part; see `app.wire.from_page.Checked`."""
+class DeviceCheck:
+    """What a device found out about whether it can take part; see `app.wire.from_page.Checked`."""
 
     trip: int
     rate: int
@@ -106,39 +107,48 @@ class Tried:
 
 
 class Pupil(Protocol):
-    """A pupil's page, as the teacher's can turn to it."""
+    """A pupil's page, as the teacher's page uses it."""
 
     def begin(self) -> None:
-        """Begin anew with the body of the present stop."""
+        """Start again with the body of the present stop."""
 
     def show(self, scene: sim.Scene) -> None:
-        """Have this scene instead."""
+        """Replace the body by this scene's."""
+
+
+class _Write(NamedTuple):
+    """A write under way: the room's version, the logs that go with it, and the logs that it deletes."""
+
+    version: int
+    logs: dict[str, bytes]
+    gone: set[str]
+    future: Future[None]
 
 
 class Class:
-    """A class that goes on.
+    """A running class.
 
     Args:
         room: its state.
-        bodies: where the pupils' bodies are, if it goes on.
-        lock: what keeps other servers from the class, if anything does.
+        bodies: where the pupils' bodies are, if it was resumed.
+        lock: keeps other servers from the class; None if nothing does.
         clock: wall time, s.
 
     Attributes:
         room, lock: as above.
-        front: what the teacher's page shows; None until there was one.
+        shared_view: what the teacher's page shows; None until there has been one.
         audience: the pages that look at it.
         teachers: how many pages of teachers there are.
         desk: the teacher's page whose body all look at.
-        pupils: the page that each seat has, by its number; the last one, where there are several.
-        given: by visitor, the numbers of the seats that were given to them by this server.
-        doing: what each seat's body does.
-        tried: what the last devices found that tried whether they can take part.
-        lent: what the wall shows of the seat that is on it; None without one.
-        run: the log of the present stop's run, once that has stood; empty before.
+        pupils: the page of each seat, by its number; the last one, where there are several.
+        granted: by visitor, the numbers of the seats that this server gave them.
+        statuses: what each seat's body does, by its number.
+        checks: the last devices that checked whether they can take part.
+        wall_feed: what the wall shows of the seat that is on it; None without one.
+        run: the log of the present stop's run, once that has stopped; empty before.
         written: version of the room that is on the disk.
-        trouble: why nothing can be kept now, in the system's words; empty while all is kept.
-        told: what the teacher has to be told once: a title and a sentence each.
+        trouble: why nothing can be stored now, in the system's words; empty while all is stored.
+        notices: a title and a sentence each, for the teacher to read once.
         ended: whether it is over.
     """
 
@@ -151,39 +161,40 @@ class Class:
     ) -> None:
         self.room = room
         self.lock = lock
-        self._bodies: kept.Bodies = bodies or {}
-        self._bodies_are_new = False
-        self._bodies_due = 0.0
-        self.front: Front | None = None
+        self.shared_view: SharedView | None = None
         self.audience: set[viser.ClientHandle] = set()
         self.teachers = 0
         self.desk: object | None = None
         self.pupils: dict[int, Pupil] = {}
-        self.given: dict[str, set[int]] = {}
-        self.doing: dict[int, Doing] = {}
-        self.tried: deque[Tried] = deque(maxlen=MAX_TRIED)
-        self.lent: Front | None = None
+        self.granted: dict[str, set[int]] = {}
+        self.statuses: dict[int, PupilStatus] = {}
+        self.checks: deque[DeviceCheck] = deque(maxlen=MAX_CHECKS)
+        self.wall_feed: SharedView | None = None
         self.run = b""
-        self._judged: list[tuple[str, Future[Verdict | None]]] = []
+        self.written = -1
+        self.trouble = ""
+        self.notices: deque[tuple[str, str]] = deque(maxlen=MAX_NOTICES)
         self.ended = False
         self._clock = clock
         self._scenes: dict[int, sim.Scene] = {}
-        # What answers wait for has a thread of its own; so has what takes longer, and what nobody waits for.
-        self._writer = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-class-{room.code}")
-        self._maker = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-maker-{room.code}")
-        self._judge = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-judge-{room.code}")
-        self._writing: _Writing | None = None
+        # Pupils wait for the writer alone; what takes longer, and what nobody waits for, has its own threads.
+        self._writer, self._maker, self._judge = (
+            ThreadPoolExecutor(1, thread_name_prefix=f"softrod-{name}-{room.code}")
+            for name in ("class", "maker", "judge")
+        )
+        self._judged: list[tuple[str, Future[Verdict | None]]] = []
+        self._write: _Write | None = None
+        self._due = 0.0
+        self._logs: dict[str, bytes] = {}  # that were handed in and are not on the disk yet
+        self._gone: set[str] = set()  # logs on the disk that the room no longer refers to
+        self._bodies: kept.Bodies = bodies or {}
+        self._bodies_are_new = False
+        self._bodies_due = 0.0
         self._writing_bodies: Future[None] | None = None
         self._ending: Future[None] | None = None
-        self._logs: dict[str, bytes] = {}  # that were handed in and are not on the disk yet
-        self._gone: set[str] = set()  # logs on the disk that the room speaks of no more
-        self._due = 0.0
-        self.written = -1
-        self.trouble = ""
-        self.told: deque[tuple[str, str]] = deque(maxlen=MAX_TOLD)
 
     def scene(self, stop: int) -> sim.Scene:
-        """The scene of a stop, as its step begins.
+        """Return the scene of a stop as its step begins, without its lesson: pages have cards of the class's.
 
         Raises:
             SettingError: the step cannot begin.
@@ -191,23 +202,34 @@ class Class:
         if stop not in self._scenes:
             place = self.room.stops[stop]
             scene = self.room.scenes[place.scene]
-            self._scenes[stop] = scene if place.step is None else scene_of_step(scene, place.step)
+            scene = scene if place.step is None else scene_of_step(scene, place.step)
+            self._scenes[stop] = msgspec.structs.replace(scene, lesson=None)
         return self._scenes[stop]
 
-    def keep(self, seat: int, body: bytes) -> None:
-        """Keep what a pupil's body does at the present stop, a keepsake, for when its page comes back."""
-        self._bodies[seat] = self.room.at, body
+    def first_setting(self) -> str:
+        """Return the key of the first number that the present step has a slider for; empty without one."""
+        controls = self.room.step.controls if self.room.step is not None else ()
+        return next((key for key in controls if key not in CHOICES), "")
+
+    def present(self) -> set[int]:
+        """Return the numbers of the seats that somebody sits at."""
+        seats = self.room.seats
+        return {number for number in self.pupils if number in seats and not seats[number].removed}
+
+    def keep_body(self, seat: int, keepsake: bytes) -> None:
+        """Store the state of a pupil's body at the present stop, for when its page comes back."""
+        self._bodies[seat] = self.room.at, keepsake
         self._bodies_are_new = True
 
     def body(self, seat: int) -> bytes | None:
-        """What was kept of a pupil's body at the present stop."""
+        """Return the keepsake of a pupil's body at the present stop."""
         stop, keepsake = self._bodies.get(seat, (-1, b""))
         return keepsake if stop == self.room.at else None
 
     def hand_in(
         self, answer: Answer, log: bytes, step: Step, scene: sim.Scene, been: Collection[str] = ()
     ) -> None:
-        """Take what a pupil hands in: the log is written with the class, and judged once more by itself.
+        """Take what a pupil hands in: the log is written with the class, and judged again by itself.
 
         Args:
             answer: with what the server saw of the run.
@@ -219,119 +241,106 @@ class Class:
             Refused: see `Room.take`.
         """
         name = f"{answer.id}.jsonl"
-        content = answer.content
-        if isinstance(content, Work):
-            answer = msgspec.structs.replace(answer, content=msgspec.structs.replace(content, log=name))
-        before = self.room.before(answer)
-        if not self.room.take(answer.seat, answer):
+        previous = self.room.previous(answer)
+        if not self.room.take(answer.seat, _with_work(answer, log=name)):
             return
         self._logs[name] = log
-        if before is not None and isinstance(before.content, Work):
-            self._logs.pop(before.content.log, None)
-            self._gone.add(before.content.log)
+        if previous is not None and isinstance(previous.content, Work):
+            self._logs.pop(previous.content.log, None)
+            self._gone.add(previous.content.log)
 
-        def look() -> Verdict | None:
+        def verdict() -> Verdict | None:
             is_last = answer.id in self.room.answers
             return judge(decode_log(log, "the log"), scene, step, been) if is_last else None
 
-        self._judged.append((answer.id, self._judge.submit(look)))
+        self._judged.append((answer.id, self._judge.submit(verdict)))
 
     def _take_verdicts(self) -> None:
-        """What the logs say goes before what was seen of the runs."""
+        """Correct what was seen of the runs by what their logs say."""
         for id, future in [one for one in self._judged if one[1].done()]:
             self._judged.remove((id, future))
-            answer = self.room.answers.get(id)
             if (error := future.exception()) is not None:
                 _log.error("a log of the class %s was not judged: %s", self.room.code, error)
-            elif (
-                answer is not None
-                and isinstance(answer.content, Work)
-                and (verdict := future.result()) is not None
-            ):
-                content = msgspec.structs.replace(
-                    answer.content,
-                    reached=verdict.reached and not verdict.refused,
-                    found=verdict.found,
-                    doubt=verdict.refused,
-                )
-                if content != answer.content:
-                    self.room.answers[id] = msgspec.structs.replace(answer, content=content)
-                    self.room.version += 1
+                continue
+            answer, verdict = self.room.answers.get(id), future.result()
+            if answer is None or verdict is None:
+                continue
+            reached = verdict.reached and not verdict.refused
+            judged = _with_work(answer, reached=reached, found=verdict.found, doubt=verdict.refused)
+            if judged != answer:
+                self.room.answers[id] = judged
+                self.room.version += 1
 
     def pack(self) -> Future[bytes]:
-        """Have made what the teacher takes home: it takes longer than other pages can wait for."""
+        """Make the zip that the teacher takes home, in a thread: it takes longer than a frame."""
         present = msgspec.json.decode(kept.encode(self.room), type=Room)
         return self._maker.submit(pack, present, dict(self._logs))
 
     def lesson_file(self) -> Future[bytes]:
-        """Have the scene of the present stop made into a file that lives without a server.
+        """Make the scene of the present stop into a file that works without a server, in a thread.
 
         The future fails with a `SettingError` where a step of its lesson cannot begin.
         """
-        scene = self.room.scenes[self.room.stops[self.room.at].scene]
-        return self._maker.submit(_live_file, scene)
+        return self._maker.submit(_live_file, self.room.scenes[self.room.stops[self.room.at].scene])
 
-    def tend(self) -> None:
-        """Have written what is new, if it is time; whatever is acknowledged is on the disk before."""
+    def poll_writer(self) -> None:
+        """Write what is new, if it is time, and see what has been written: only that is acknowledged."""
         self._take_verdicts()
         self._take_written()
         self._take_end()
         if self.ended or self._ending is not None:
             return
-        now = self._clock()
+        now, code = self._clock(), self.room.code
         if self._bodies_are_new and now >= self._bodies_due and self._writing_bodies is None:
             self._bodies_are_new, self._bodies_due = False, now + BODIES_EVERY
             seats = self.room.seats
             here = (number for number in self._bodies if number in seats and not seats[number].removed)
             self._bodies = {number: self._bodies[number] for number in here}
-            self._writing_bodies = self._maker.submit(kept.write_bodies, self._bodies.copy(), self.room.code)
-        if self._writing is not None or self.written == self.room.version or now < self._due:
-            return
-        self._due = now + WRITE_EVERY
-        logs, gone = self._logs.copy(), self._gone.copy()
-        future = self._writer.submit(kept.write, kept.encode(self.room), self.room.code, logs, gone)
-        self._writing = _Writing(self.room.version, logs, gone, future)
+            self._writing_bodies = self._maker.submit(kept.write_bodies, self._bodies.copy(), code)
+        if self._write is None and self.written != self.room.version and now >= self._due:
+            self._due = now + WRITE_EVERY
+            logs, gone = self._logs.copy(), self._gone.copy()
+            future = self._writer.submit(kept.write, kept.encode(self.room), code, logs, gone)
+            self._write = _Write(self.room.version, logs, gone, future)
 
     def _take_written(self) -> None:
-        """See what has become of what was being written."""
+        """Take the results of writes that are done."""
         if self._writing_bodies is not None and self._writing_bodies.done():
             error, self._writing_bodies = self._writing_bodies.exception(), None
             if error is not None and not self.trouble:
-                # Nothing that anybody gave: a body begins anew.
-                _log.warning("where the bodies of the class %s are was not kept: %s", self.room.code, error)
-        if self._writing is None or not self._writing.future.done():
+                # No answer is lost: a body starts again.
+                _log.warning("the bodies of the class %s were not stored: %s", self.room.code, error)
+        if self._write is None or not self._write.future.done():
             return
-        writing, self._writing = self._writing, None
-        error = writing.future.exception()
-        if error is None:
-            self.written = writing.version
-            self._logs = {name: log for name, log in self._logs.items() if name not in writing.logs}
-            self._gone -= writing.gone
+        write, self._write = self._write, None
+        if (error := write.future.exception()) is None:
+            self.written = write.version
+            self._logs = {name: log for name, log in self._logs.items() if name not in write.logs}
+            self._gone -= write.gone
         else:
-            self._due = self._clock() + AGAIN_AFTER
-        self._tell_trouble(error)
+            self._due = self._clock() + RETRY_AFTER
+        self._report(error)
 
-    def _tell_trouble(self, error: BaseException | None) -> None:
-        """Tell the teacher, and the server's log, once that nothing can be kept, and once that all is."""
-        trouble = "" if error is None else why(error)
+    def _report(self, error: BaseException | None) -> None:
+        """Tell the teacher and the server's log once that nothing can be stored, and once that all is."""
+        trouble = "" if error is None else reason_of(error)
         if trouble == self.trouble:
             return
         self.trouble = trouble
         if trouble:
             _log.error("the class %s cannot be written: %s", self.room.code, error)
-            self.told.append(
-                (
-                    "The class is not being kept",
-                    f"{trouble}. What pupils give now waits on their pages, and is gone if those are closed. "
-                    "Make room on the disk of the computer that holds the class, or take the zip home now.",
-                )
+            title = "The class is not being kept"
+            text = (
+                f"{trouble}. What pupils give now waits on their pages, and is gone if those are closed. "
+                "Make room on the disk of the computer that holds the class, or take the zip home now."
             )
         else:
             _log.error("the class %s is being written again", self.room.code)
-            self.told.append(("The class is being kept again", "All that was given is on the disk."))
+            title, text = "The class is being kept again", "All that was given is on the disk."
+        self.notices.append((title, text))
 
     def close(self) -> None:
-        """Write what is new, and wait for it; the server ends."""
+        """Write what is new, and wait for it; the server is shutting down."""
         self._judge.shutdown(wait=False, cancel_futures=True)
         self._maker.shutdown(wait=True, cancel_futures=True)
         self._writer.shutdown(wait=True)
@@ -347,49 +356,44 @@ class Class:
         kept.release(self.lock)
 
     def end(self) -> None:
-        """Have the class ended: nothing that anybody gave is kept, here or on the disk.
+        """Begin to end the class: all that anybody gave is deleted, here and on the disk.
 
-        `tend` sees to it. Where something of it cannot be taken from the disk, the class goes on, and the
-        teacher is told.
+        `poll_writer` completes it. If anything cannot be deleted, the class goes on, and the teacher
+        is told.
         """
         if self._ending is None and not self.ended:
             self._ending = self._writer.submit(kept.forget, self.room.code)
 
     def _take_end(self) -> None:
-        """See what has become of the end."""
+        """Complete the end of the class, once its folder is deleted."""
         if self._ending is None or not self._ending.done():
             return
         error, self._ending = self._ending.exception(), None
         if error is not None:
             self.written = -1  # some of it may be gone
             _log.error("the class %s cannot be ended: %s", self.room.code, error)
-            folder = kept.folder_of(self.room.code)
-            self.told.append(("The class goes on", f"Its folder {folder} cannot be deleted: {why(error)}."))
+            text = f"Its folder {kept.folder_of(self.room.code)} cannot be deleted: {reason_of(error)}."
+            self.notices.append(("The class goes on", text))
             return
         self.ended = True
         for executor in (self._judge, self._maker, self._writer):
             executor.shutdown(wait=False, cancel_futures=True)
         kept.remove_lock(self.lock)
-        self.room.seats.clear()
-        self.room.answers.clear()
-        self._bodies.clear()
-        self._logs.clear()
+        for stored in (self.room.seats, self.room.answers, self._bodies, self._logs):
+            stored.clear()
         self.room.version += 1
 
 
-@dataclass(frozen=True)
-class _Writing:
-    """What is being written of a class: its version, the logs that go with it, and those that go away."""
-
-    version: int
-    logs: dict[str, bytes]
-    gone: set[str]
-    future: Future[None]
-
-
-def why(error: BaseException) -> str:
-    """Why something could not be written, as in "No space left on device"."""
+def reason_of(error: BaseException) -> str:
+    """Return why something could not be written, as in "No space left on device"."""
     return (error.strerror if isinstance(error, OSError) else None) or str(error) or type(error).__name__
+
+
+def _with_work(answer: Answer, **changes: object) -> Answer:
+    """Return an answer whose run has other values; one that is no run as it is."""
+    if not isinstance(answer.content, Work):
+        return answer
+    return msgspec.structs.replace(answer, content=msgspec.structs.replace(answer.content, **changes))
 
 
 def _live_file(scene: sim.Scene) -> bytes:
@@ -398,18 +402,18 @@ def _live_file(scene: sim.Scene) -> bytes:
     return live_html(sim.Simulation(scene).capture())[0]
 
 
-FIRST = "lesson-hooke"
-"""What a class goes through for which no scene is named."""
+DEFAULT_SCENE = "lesson-hooke"
+"""The scene of a class for which none is named."""
 
 MAX_CLASSES = 20
-"""Classes that go on at once on a server."""
+"""Running classes of a server."""
 
 
 class Classes:
     """The classes of one server, by their codes.
 
     Args:
-        alone: whether the server is for classes alone: whoever else comes is asked to which one.
+        alone: whether the server is for classes alone: anybody else is asked which one they come to.
     """
 
     def __init__(self, alone: bool = True) -> None:
@@ -441,18 +445,17 @@ class Classes:
                 kept.release(lock)
             taken.add(room.code)
 
-    def take_up(self, scenes: Sequence[sim.Scene] | None, count: int, new: bool = False) -> None:
-        """Go on with the classes on the disk, and begin those that are missing.
+    def resume(self, scenes: Sequence[sim.Scene] | None, count: int, new: bool = False) -> None:
+        """Resume the classes on the disk, and begin those that are missing.
 
         Args:
-            scenes: that they go through; None for whatever they have.
+            scenes: their scenes; None for whatever they have.
             count: how many there are to be at least.
-            new: whether to forget those on the disk instead, but for what another server goes on with.
+            new: whether to delete those on the disk instead, except for those that another server runs.
 
         Raises:
-            Refused: a class on the disk has other scenes, another server goes on with it, or one cannot be
-                begun.
-            OSError: a class cannot be forgotten.
+            Refused: a class on the disk has other scenes, another server runs it, or one cannot be begun.
+            OSError: a class cannot be deleted.
         """
         kept.sweep()
         for code in kept.codes():
@@ -467,7 +470,7 @@ class Classes:
             elif new:
                 kept.forget(code)
                 kept.remove_lock(lock)
-            elif scenes is None or room.begun_with == tuple(scenes):
+            elif scenes is None or room.scenes == tuple(scenes):
                 if not is_free:
                     raise Refused(
                         f"Another softrod on this computer goes on with class {code}: end that one first, or "
@@ -480,21 +483,21 @@ class Classes:
                     f"Class {code}, which has other scenes, has not been ended: go on with it without naming "
                     "scenes, or forget it by --new."
                 )
-        more = scenes or next((one.room.begun_with for one in self), None) or (sim.load_scene(FIRST),)
+        more = scenes or next((one.room.scenes for one in self), None) or (sim.load_scene(DEFAULT_SCENE),)
         for _ in range(count - len(list(self))):
             self.begin(more)
 
-    def go_through(self, lesson: Lesson) -> bool:
-        """Whether one of the classes that go on goes through a lesson."""
+    def teach(self, lesson: Lesson) -> bool:
+        """Whether one of the running classes goes through a lesson."""
         return any(scene.lesson == lesson for one in self for scene in one.room.scenes)
 
     def find(self, code: str) -> Class | None:
-        """The class with that code, if it goes on."""
+        """Return the running class with that code."""
         found = self._classes.get(code)
         return None if found is None or found.ended else found
 
     def close(self) -> None:
-        """Have everything written; the server ends."""
+        """Write everything; the server is shutting down."""
         for one in self:
             one.close()
 
@@ -504,5 +507,5 @@ class Classes:
 
 
 def is_key(room: Room, key: str) -> bool:
-    """Whether somebody has the teacher's secret of a class."""
+    """Whether a text is the teacher's secret of a class."""
     return secrets.compare_digest(digest(key), digest(room.key))

@@ -1,4 +1,4 @@
-"""Names that a class gives out, so that nobody has to type one and none can be rude."""
+"""Names that a class assigns, so that nobody has to type one and none can be rude."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ ANIMALS = (
 )  # fmt: skip
 
 LETTERS = "ABCDEFGHJKMNPRSTUVWXYZ"
-"""What a class's code is made of: nothing that could be taken for a digit or for another letter."""
+"""Letters of a class's code: none that could be mistaken for a digit or for another letter."""
 
 _RUDE = frozenset(("ANUS", "ARSE", "BUTT", "CRAP", "CUNT", "DAMN", "FAGS", "FART", "FUCK", "NAZI", "PUSS"))
 _RUDE_STEMS = ("ASS", "CUM", "FAG", "FUK", "KKK", "SEX", "TWA", "WTF")
@@ -39,9 +39,9 @@ Choose = Callable[[int], int]
 
 
 def new_name(taken: Collection[str], choose: Choose = secrets.randbelow) -> str:
-    """A name such as "Blue Heron" that nobody has.
+    """Return a name such as "Blue Heron" that nobody has.
 
-    It is of an animal that nobody has, as long as there is one, and of one of the colours that fewest have.
+    Its animal is one that nobody has, as long as there is one, and its colour one of those that fewest have.
 
     Args:
         taken: names that are in use; fewer than there are names.
@@ -56,12 +56,12 @@ def new_name(taken: Collection[str], choose: Choose = secrets.randbelow) -> str:
 
 
 def color_of(name: str) -> str:
-    """The colour that goes with a name, as in "#2f6fb5"."""
+    """Return the colour in a name, as in "#2f6fb5"."""
     return COLORS[name.split()[0]]
 
 
 def new_code(taken: Collection[str], choose: Choose = secrets.randbelow) -> str:
-    """Four letters that no class has yet, and that are no word one would not want on a wall."""
+    """Return four letters that no class has yet, and that are no word that does not belong on a wall."""
     while True:
         code = "".join(LETTERS[choose(len(LETTERS))] for _ in range(4))
         if code not in taken and code not in _RUDE and not any(stem in code for stem in _RUDE_STEMS):

@@ -1,7 +1,7 @@
 """Answers that pupils gave to a lesson in a file of their own, as a file and as the text of a QR code.
 
-Both hold the same sheet; `app/export/live/static/answers.js` writes them. The text is shorter: it rounds what
-was predicted, and cuts the last line. Nothing in either is trusted.
+Both have the same sheet; `app/export/live/static/answers.js` writes them. The text is shorter: it rounds
+predictions, and cuts the last line. Nothing in either is trusted.
 
 The text is "SR1" and then bytes in base 32 (RFC 4648, without padding):
 
@@ -30,13 +30,14 @@ from msgspec import Meta, Struct
 import sim
 
 from ..lessons import lesson_code
-from .room import Answer, Coordinate, Ghost, Line, Refused, Room, Vote
+from .answers import Answer, AnyContent, Line, Points, Prediction, Refused, Vote
+from .room import Room
 
 MARK = "SR1"
-"""What a text begins with."""
+"""First letters of a text."""
 
-LARGEST = 20_000
-"""Letters of a file, at most: however they are written in a message, the server takes it."""
+MAX_LENGTH = 20_000
+"""Letters of a file: even if each is escaped, the message is within the server's limit."""
 
 _NO_TEXT = "That is no code of answers: it begins with SR1 and has letters and digits."
 _NO_FILE = "That file has no answers to a lesson."
@@ -46,15 +47,12 @@ _ENDS = 192, 64
 """A byte of a place at the high and at the low end of the frame."""
 
 
-Places = Annotated[tuple[tuple[Coordinate, Coordinate], ...], Meta(min_length=1, max_length=2000)]
-
-
 class StepAnswer(Struct, frozen=True, forbid_unknown_fields=True):
-    """What a sheet has of one step; see `Sheet` in `answers.js`."""
+    """The answers to one step; see `Sheet` in `answers.js`."""
 
     choice: Annotated[int, Meta(ge=0, le=4)] | None = None
     line: Annotated[str, Meta(max_length=600)] = ""
-    places: Places | None = None
+    places: Points | None = None
     reached: bool = False
 
 
@@ -63,10 +61,10 @@ class Sheet(Struct, frozen=True, forbid_unknown_fields=True):
 
     Attributes:
         lesson: see `app.lessons.lesson_code`.
-        id: drawn by lot in the pupil's browser.
+        id: random, made by the pupil's browser.
         turn: counts that browser's sheets.
-        name: that was typed, or empty.
-        steps: what was answered at each.
+        name: as typed, or empty.
+        steps: the answers to each step.
     """
 
     format: Literal["softrod-answers"]
@@ -78,13 +76,13 @@ class Sheet(Struct, frozen=True, forbid_unknown_fields=True):
     steps: Annotated[tuple[StepAnswer, ...], Meta(min_length=1, max_length=20)]
 
 
-class Taken(NamedTuple):
-    """What a class has taken of a sheet.
+class Imported(NamedTuple):
+    """The result of importing a sheet.
 
     Attributes:
         name: of the seat that has its answers.
-        new, known: how many answers count from now on, and how many the class had or has a later one for.
-        reached: numbers of the steps, from 1, whose goals its file says were reached.
+        new, known: how many answers are new, and how many the class had already or has a later one for.
+        reached: numbers of the steps, from 1, whose goals were reached according to the sheet.
     """
 
     name: str
@@ -96,21 +94,21 @@ class Taken(NamedTuple):
 _decoder = msgspec.json.Decoder(Sheet)
 
 
-def take(room: Room, text: str) -> Taken:
-    """Have a class take a sheet; each of its answers counts once, as one that came late.
+def import_sheet(room: Room, text: str) -> Imported:
+    """Give a class the answers of a sheet; each counts once, as a late one.
 
     Args:
         room: of the class.
         text: of a file, or of a QR code, as somebody brought it.
 
     Raises:
-        Refused: it is no sheet of this class's; then nothing is changed.
+        Refused: it is no sheet of this class's lessons; nothing is changed.
     """
     text = text.strip()
     is_file = text.startswith("{")
     if is_file:
         try:
-            sheet = _decoder.decode(text[: LARGEST + 1])
+            sheet = _decoder.decode(text[: MAX_LENGTH + 1])
         except (msgspec.DecodeError, UnicodeError):
             raise Refused(_NO_FILE) from None
         number, scene = _scene_of(room, sheet.lesson)
@@ -124,9 +122,9 @@ def take(room: Room, text: str) -> Taken:
         raise Refused("These answers are to a lesson with another number of steps.")
     answers = [
         Answer(
-            # The same answer has the same id, however often it is brought.
+            # The same answer has the same id whenever it is imported.
             id=hashlib.sha256(f"{sheet.id} {first + i} {content!r}".encode()).hexdigest()[:16],
-            # A file has more than a code of the same turn.
+            # A file is more precise than a code of the same turn.
             turn=2 * min(sheet.turn, 255) + is_file,
             seat=0,
             twin=0,
@@ -139,24 +137,19 @@ def take(room: Room, text: str) -> Taken:
     ]
     if not answers:
         raise Refused("There is no answer in it yet.")
-    seat, new = room.take_brought(f"file {sheet.id}", sheet.name, answers)
+    seat, new = room.import_answers(f"file {sheet.id}", sheet.name, answers)
     reached = tuple(i for i, step in enumerate(sheet.steps, start=1) if step.reached)
-    return Taken(seat.name, new, len(answers) - new, reached)
+    return Imported(seat.name, new, len(answers) - new, reached)
 
 
-def _contents(step: StepAnswer) -> list[Vote | Ghost | Line]:
-    given: list[Vote | Ghost | Line] = []
-    if step.choice is not None:
-        given.append(Vote(step.choice))
-    if step.places is not None:
-        given.append(Ghost(step.places))
-    if step.line.strip():
-        given.append(Line(step.line))
-    return given
+def _contents(step: StepAnswer) -> list[AnyContent]:
+    choice = [] if step.choice is None else [Vote(step.choice)]
+    places = [] if step.places is None else [Prediction(step.places)]
+    return [*choice, *places, *([Line(step.line)] if step.line.strip() else [])]
 
 
 def _scene_of(room: Room, code: str) -> tuple[int, sim.Scene]:
-    """The scene of a class whose lesson has a code, and its number."""
+    """Return the number of the scene whose lesson has a code, and the scene."""
     for number, scene in enumerate(room.scenes):
         if scene.lesson is not None and lesson_code(scene) == code:
             return number, scene
@@ -164,11 +157,11 @@ def _scene_of(room: Room, code: str) -> tuple[int, sim.Scene]:
 
 
 def _bytes_of(text: str) -> bytes:
-    """What a text has been made of, without its check."""
+    """Decode a text, and check and remove its checksum."""
     letters = text.upper()
     if not letters.startswith(MARK) or len(letters) > 200:
         raise Refused(_NO_TEXT)
-    # A scanner that types for an English keyboard has Y and Z change places on a German one.
+    # A scanner that emulates an English keyboard swaps Y and Z on a computer set to a German one.
     for body in (letters[len(MARK) :], letters[len(MARK) :].translate(_CHANGED)):
         try:
             data = base64.b32decode(body + "=" * (-len(body) % 8))
@@ -180,7 +173,7 @@ def _bytes_of(text: str) -> bytes:
 
 
 class _Reader:
-    """Takes bytes off the front of some."""
+    """Reads bytes from the front."""
 
     def __init__(self, data: bytes) -> None:
         self._data = data
@@ -199,7 +192,7 @@ class _Reader:
 
 
 def _unpacked(data: bytes, scene: sim.Scene) -> Sheet:
-    """The sheet in some bytes; places are of the scene."""
+    """Decode a sheet; places are in the scene's units."""
     reader = _Reader(data)
     lesson, id, turn, count = reader.take(4).hex(), reader.take(5).hex(), reader.number(), reader.number()
     nibbles = [half for byte in reader.take((count + 1) // 2) for half in (byte & 15, byte >> 4)][:count]
@@ -224,7 +217,7 @@ def _unpacked(data: bytes, scene: sim.Scene) -> Sheet:
 
 
 def _places(content: bytes, scene: sim.Scene) -> tuple[tuple[float, float], ...]:
-    """Places in the scene's units."""
+    """Decode places, in the scene's units."""
     xmin, ymin, xmax, ymax = scene.view.frame
     high, low = _ENDS
 

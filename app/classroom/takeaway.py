@@ -1,4 +1,4 @@
-"""What a teacher takes home of a class: one zip with its scenes, what was given, and the runs."""
+"""The zip that a teacher takes home from a class: its scenes, all answers, and the runs."""
 
 from __future__ import annotations
 
@@ -18,11 +18,12 @@ from sim.store.files import encode_scene
 from ..export.clip import ClipFrame
 from ..export.picture import png
 from ..stage.plan import Picture
+from .answers import Answer, Prediction, Work
 from .kept import LOGS, log_path
-from .room import Answer, Ghost, Line, Room, Vote, Work
+from .room import Room
 
 PICTURES = "pictures"
-"""Folder of their last moments as pictures, in the zip."""
+"""Folder in the zip with pictures of the runs' last moments."""
 
 PICTURE_SIZE = (640, 480)
 """Width and height of these, pixels."""
@@ -40,11 +41,11 @@ pictures/        how the bodies were when they were handed in
 
 
 def pack(room: Room, logs: Mapping[str, bytes] | None = None, decimal_comma: bool = False) -> bytes:
-    """The zip. Its pictures take some 30 ms each.
+    """Make the zip; its pictures take about 30 ms each.
 
     Args:
-        room: of the class, also while it goes on.
-        logs: those of runs that are not on the disk, by their names.
+        room: of the class, which may be running.
+        logs: of the runs that are not on the disk yet, by their names.
         decimal_comma: whether tables are for spreadsheets that write numbers with commas.
     """
     made = io.BytesIO()
@@ -80,17 +81,17 @@ def _whose_names(room: Room) -> str:
 
 
 def _log_of(work: Work, code: str, unwritten: Mapping[str, bytes]) -> bytes | None:
-    """The log of a run that was handed in; None if there is none any more."""
+    """Return the log of a run that was handed in; None if it is gone."""
     if work.log in unwritten:
         return unwritten[work.log]
     try:
         return log_path(code, work.log).read_bytes() if work.log else None
-    except FileNotFoundError:  # another run took its place meanwhile
+    except FileNotFoundError:  # another run has replaced it
         return None
 
 
 def _picture(work: Work, room: Room, stop: int) -> bytes | None:
-    """A body as it was handed in, as a PNG; None of one that cannot be drawn."""
+    """Draw a body as it was handed in, as a PNG; None if it cannot be drawn."""
     place = room.stops[stop]
     scene = room.scenes[place.scene]
     try:
@@ -109,47 +110,25 @@ def _in_order(room: Room) -> list[Answer]:
 def _answers(room: Room) -> Iterable[Sequence[str | float]]:
     yield "step", "title", "asked", "seat", "name", "pupil", "kind", "answer", "right", "late", "starred"
     for a in _in_order(room):
-        step = room.step_at(a.stop)
-        question = step.question if step is not None else None
-        right = ""
-        match a.content:
-            case Vote(choice) if question is not None:
-                kind, text, right = "vote", question.choices[choice], _yes(choice == question.answer)
-            case Line(text):
-                kind = "line"
-            case Work():
-                kind, text = "handed in", "" if a.content.found is None else a.content.found
-                right = "" if a.content.reached is None else _yes(a.content.reached)
-            case _:
-                continue
-        title = step.title if step is not None else room.scenes[room.stops[a.stop].scene].name
-        name = room.seats[a.seat].name
-        asked = a.round + 1
-        yield (
-            a.stop + 1,
-            title,
-            asked,
-            a.seat,
-            name,
-            a.twin + 1,
-            kind,
-            text,
-            right,
-            _yes(a.late),
-            _yes(a.starred),
-        )
+        if (cells := a.content.cells(room.step_at(a.stop))) is None:
+            continue
+        kind, text, right = cells
+        right = "" if right is None else _yes(right)
+        asked = a.stop + 1, room.title(a.stop), a.round + 1
+        whose = a.seat, room.seats[a.seat].name, a.twin + 1
+        yield *asked, *whose, kind, text, right, _yes(a.late), _yes(a.starred)
 
 
 def _predictions(room: Room) -> Iterable[Sequence[str | float]]:
     yield "step", "asked", "seat", "name", "pupil", "mass", "x", "y"
     for a in _in_order(room):
-        if isinstance(a.content, Ghost):
+        if isinstance(a.content, Prediction):
             for mass, (x, y) in enumerate(a.content.points):
                 yield a.stop + 1, a.round + 1, a.seat, room.seats[a.seat].name, a.twin + 1, mass, x, y
 
 
 def _slug(text: str) -> str:
-    """A text as a part of a file's name."""
+    """Return a text that can be part of a file's name."""
     return re.sub(r"[^\w-]+", "-", text).strip("-")[:40] or "unnamed"
 
 

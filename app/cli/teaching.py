@@ -37,8 +37,8 @@ class TeachClass:
     def run(self) -> int:
         """Serve until told to stop."""
         # Here, not above: the other commands have no use for viser, which takes a second to import.
+        from ..classroom.answers import Refused
         from ..classroom.live import MAX_CLASSES, Classes
-        from ..classroom.room import Refused
         from ..gate.gate import GateError, PortBusy
         from ..server.serve import serve
 
@@ -47,7 +47,7 @@ class TeachClass:
         scenes = [sim.load_scene(name) for name in self.scenes]
         classes = Classes()
         try:
-            classes.take_up(scenes or None, self.classes, self.new)
+            classes.resume(scenes or None, self.classes, self.new)
         except Refused as error:
             return fail(error)
         except OSError as error:

@@ -84,9 +84,9 @@ def serving(
     def make_tab(client: viser.ClientHandle) -> Tab:
         gate, client_id = server.gate, client.client_id
         query, owned = gate.query_of(client_id), gate.is_local(client_id)
-        klass = class_of_query(query, held)
+        classroom = class_of_query(query, held)
         if is_check(query):
-            check = CheckRole(klass)
+            check = CheckRole(classroom)
             return Tab(client, sim.load_scene("rope"), compiler, "", owned, for_others, lambda _: check)
         # What the teacher's page is in is the pupils' network, where there are several.
         base = for_others(f"http://{gate.host_of(client_id)}/")
@@ -98,9 +98,9 @@ def serving(
         def begin_class(scene: sim.Scene) -> str:
             return desk_address("", held.begin((scene,)))
 
-        first = (klass and first_scene(klass)) or scene
+        first = (classroom and first_scene(classroom)) or scene
         begin = None if gate.loopback and public is None else begin_class
-        return Tab(client, first, compiler, query, owned, for_others, role, begin, held.go_through)
+        return Tab(client, first, compiler, query, owned, for_others, role, begin, held.teach)
 
     ticker = Ticker(make_tab)
 
@@ -253,11 +253,11 @@ def tell_classes(
     public = None if public_url is None else public_address(public_url)
     own = f"{page_addresses(host, port)[0]}/"
     base = address_for_others(own, host, port, public)
-    for klass in classes:
-        code = klass.room.code
+    for classroom in classes:
+        code = classroom.room.code
         console.print(f"Class [bold]{code}[/bold]", highlight=False)
         for label, address in (
-            ("the teacher, and nobody else", desk_address(own if public is None else base, klass)),
+            ("the teacher, and nobody else", desk_address(own if public is None else base, classroom)),
             ("the wall", wall_address(own if public is None else base, code)),
             ("pupils", seat_address(base, code)),
             ("before the class, your phone", check_address(base, code)),

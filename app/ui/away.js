@@ -26,7 +26,7 @@ export const awaySince = () => since;
 function isBrowsers(event) {
   if (event instanceof KeyboardEvent) return event.ctrlKey || event.metaKey || BROWSERS.has(event.key) || /^F\d/.test(event.key);
   // What a pupil answers is kept until there is a connection.
-  return event.target instanceof Element && event.target.closest(".softrod-close, .softrod-seat, .softrod-own-ghost") !== null;
+  return event.target instanceof Element && event.target.closest(".softrod-close, .softrod-seat, .softrod-own-prediction") !== null;
 }
 
 /** @param {Event} event */

@@ -80,7 +80,7 @@ class InSeat(FromPage, frozen=True):
 
 
 class Give(InSeat, frozen=True):
-    """An answer, which is said again until the server has it.
+    """An answer, which is repeated until the server has it; `app.classroom.answers` has its kinds.
 
     Attributes:
         id: made up by the page.
@@ -102,7 +102,7 @@ class GiveVote(Give, frozen=True):
     choice: Annotated[int, Meta(ge=0, le=4)]
 
 
-class GivePlaces(Give, frozen=True):
+class GivePrediction(Give, frozen=True):
     """Where each mass will be."""
 
     points: Annotated[tuple[Point, ...], Meta(min_length=1, max_length=2000)]
@@ -114,8 +114,8 @@ class GiveLine(Give, frozen=True):
     text: Annotated[str, Meta(min_length=1, max_length=600)]
 
 
-class HandIn(Give, frozen=True):
-    """What the page's body did since the step began is to be handed in; the server has it."""
+class GiveWork(Give, frozen=True):
+    """Hand in what the page's body did since the step began; the server has it."""
 
 
 class RaiseHand(InSeat, frozen=True):

@@ -80,6 +80,7 @@ Key = Literal["up", "down", "left", "right"]
 TextKind = Annotated[str, Meta(pattern="^[a-z]{1,20}$", extra={"typescript": "TextKind"})]
 """What a text is that is too long for one message; whoever gets it looks whether anybody reads it."""
 PhaseName = Literal["lobby", "show", "ask", "results", "run", "explain", "try", "collect"]
+AnswerKind = Literal["vote", "prediction", "line", "work"]
 CommandName = Annotated[str, Meta(pattern="^[A-Za-z]{1,40}$", extra={"typescript": "CommandName"})]
 """Of the table of commands; whoever does one looks whether there is such a command."""
 

@@ -6,7 +6,7 @@ from typing import Literal
 
 from msgspec import Struct
 
-from .messages import CommandName, Event, Numbers, PhaseName, State
+from .messages import AnswerKind, CommandName, Event, Numbers, PhaseName, State
 from .sections import Section
 
 
@@ -215,7 +215,7 @@ class Given(Struct, frozen=True, kw_only=True):
     stop: int
     round: int
     twin: int
-    kind: Literal["vote", "ghost", "line", "work"]
+    kind: AnswerKind
     choice: int
     text: str
 
@@ -360,7 +360,7 @@ class DeskAnswer(Struct, frozen=True, kw_only=True):
 
     id: str
     seat: int
-    kind: Literal["vote", "ghost", "line", "work"]
+    kind: AnswerKind
     choice: int
     text: str
     late: bool

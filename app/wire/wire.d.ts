@@ -29,7 +29,7 @@ export type LessonControl = { key: string; label: string };
 /** What a class looks at. */
 export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
 /** Something that the pupil at a page has given. */
-export type Given = { stop: number; round: number; twin: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string };
+export type Given = { stop: number; round: number; twin: number; kind: "line" | "prediction" | "vote" | "work"; choice: number; text: string };
 /** A line that the teacher has picked out. */
 export type WallLine = { text: string; color: string };
 /** What one seat found: a point of the class's plot. */
@@ -43,7 +43,7 @@ export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" |
 /** A seat, as the teacher sees it. */
 export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
 /** An answer, as the teacher sees it. */
-export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
+export type DeskAnswer = { id: string; seat: number; kind: "line" | "prediction" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
 /** Change the name and the description of the scene. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
 /** Change the frequency of the beat of all muscles, Hz. */
@@ -114,9 +114,9 @@ export type EndTrying = { do: "endTrying" };
 export type DropLesson = { do: "dropLesson" };
 /** In which tab somebody sees plots now; they are not sent otherwise. */
 export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
-/** The body is to be put into a mode, with a part of the amplitude of a full bar. */
+/** Put the body into a mode, with a part of the amplitude of a full bar. */
 export type PutMode = { do: "putMode"; mode: number; part: number };
-/** A mode is to be driven as long as a bar is pressed; none (-1) from then on. */
+/** Drive a mode while a bar is pressed; stop driving (-1) when it is released. */
 export type DriveMode = { do: "driveMode"; mode: number };
 /** Show a moment of the past, s. */
 export type GoTo = { do: "goTo"; time: number };
@@ -137,11 +137,11 @@ export type Part = { do: "part"; kind: TextKind; number: number; of: number; let
 /** One of the choices of a question. */
 export type GiveVote = { do: "giveVote"; id: string; turn: number; stop: number; round: number; twin: number; choice: number };
 /** Where each mass will be. */
-export type GivePlaces = { do: "givePlaces"; id: string; turn: number; stop: number; round: number; twin: number; points: [number, number][] };
+export type GivePrediction = { do: "givePrediction"; id: string; turn: number; stop: number; round: number; twin: number; points: [number, number][] };
 /** An explanation. */
 export type GiveLine = { do: "giveLine"; id: string; turn: number; stop: number; round: number; twin: number; text: string };
-/** What the page's body did since the step began is to be handed in; the server has it. */
-export type HandIn = { do: "handIn"; id: string; turn: number; stop: number; round: number; twin: number };
+/** Hand in what the page's body did since the step began; the server has it. */
+export type GiveWork = { do: "giveWork"; id: string; turn: number; stop: number; round: number; twin: number };
 /** A hand goes up or down. */
 export type RaiseHand = { do: "raiseHand"; up: boolean };
 /** Another name is wanted: one of the class's, or the one that was typed. */
@@ -168,7 +168,7 @@ export type ToWall = { do: "toWall"; answer: string };
 export type Bring = { do: "bring"; text: string };
 /** Something is to be done with one seat. */
 export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
-export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | Seen | PutMode | DriveMode | GoTo | Speed | Perform | Visit | Unread | Unsent | Who | Part | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
+export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | Seen | PutMode | DriveMode | GoTo | Speed | Perform | Visit | Unread | Unsent | Who | Part | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
 /** The selection. */
 export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
 /** Names of the changes that can be undone and redone; empty for none. */
@@ -179,9 +179,9 @@ export type Copied = { tell: "copied"; text: string };
 export type TextsTaken = { tell: "textsTaken"; refused: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
-/** Where a table says that masses were: time, x and y of each place; none where no table is open. */
+/** The measured places of a table: time, x and y of each; empty without a table. */
 export type Measured = { tell: "measured"; numbers: Float32Array };
-/** Bodies that go with what was measured about as well as the fitted one: (frames, draws, masses, 2) places, px, from time 0 on; none where no fit is shown. */
+/** Bodies that fit the table about as well as the fitted one: (frames, draws, masses, 2) places, px, from time 0 on; empty without a fit. */
 export type Fan = { tell: "fan"; numbers: Float32Array; draws: number; masses: number; rate: number };
 /** Show the gallery, and why. */
 export type OfferGallery = { tell: "offerGallery"; why: string };
@@ -211,15 +211,15 @@ export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; fie
 export type ShowMeasures = { tell: "showMeasures" };
 /** Play a plot as a melody. */
 export type Melody = { tell: "melody"; name: string; unit: string; values: (number | null)[] };
-/** The slow vibrations of the body, where the page looks at them. */
+/** The slow vibrations of the body, while the strip of modes is open. */
 export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };
-/** Shapes of the modes, see `modes.feature.encode_shapes`; none while nobody looks. */
+/** Shapes of the modes, see `modes.feature.encode_shapes`; empty while the strip is closed. */
 export type ModeShapes = { tell: "modeShapes"; numbers: Float32Array };
-/** How much of each mode is in the motion now, see `modes.feature.encode_levels`. */
+/** How much of each mode is in the present motion, see `modes.feature.encode_levels`. */
 export type ModeLevels = { tell: "modeLevels"; numbers: Float32Array };
 /** The race of the body against another one, if there is one. */
 export type Race = { tell: "race"; on?: boolean; names?: [string, string]; ways?: [number, number]; seconds?: number; fair?: boolean; out?: string };
-/** Whether a race begins: a sentence that says why not, or nothing. */
+/** Whether a race begins: why not, in a sentence, or an empty text. */
 export type RaceAnswer = { tell: "raceAnswer"; problem: string };
 /** What the script has to know of the session and of the page. */
 export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };

@@ -108,7 +108,7 @@ def hold_class(shown: str, port: int) -> tuple[str, contextlib.ExitStack]:
 
     classes = Classes()
     scene = sim.load_scene(shown)
-    classes.take_up([scene], 1)
+    classes.resume([scene], 1)
     room = next(iter(classes)).room
     stack = contextlib.ExitStack()
     server, ticker, compiler = stack.enter_context(serving(scene, "127.0.0.1", port, classes=classes))

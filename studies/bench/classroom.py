@@ -258,9 +258,6 @@ PHASES = (
 Place = tuple[int, int, str]
 """What an answer belongs to: stop, round, and kind of answer."""
 
-_KINDS = {"Vote": "giveVote", "Ghost": "givePlaces", "Line": "giveLine", "Work": "handIn"}
-"""Tags of messages, by the class in which the room stores them."""
-
 
 def _place(said: from_page.Give) -> Place:
     return said.stop, said.round, tag_of(type(said).__name__)
@@ -416,11 +413,11 @@ class Pupil:
                 said = from_page.GiveVote(*head, dice.randrange(3))
             case "places":
                 points = tuple((dice.uniform(-3.0, 3.0), dice.uniform(-3.0, 3.0)) for _ in range(masses))
-                said = from_page.GivePlaces(*head, points)
+                said = from_page.GivePrediction(*head, points)
             case "line":
                 said = from_page.GiveLine(*head, f"Because {self._turn}.")
             case _:
-                said = from_page.HandIn(*head)
+                said = from_page.GiveWork(*head)
         self.given[said.id] = said
         self.waiting = [old for old in self.waiting if _place(old) != _place(said)] + [said]
         if page is not None:
@@ -476,7 +473,7 @@ def counted(pupils: list[Pupil], teacher: Teacher, room: Room) -> Outcome:
                 answer.id
                 for answer in room.answers.values()
                 if answer.seat == number
-                and (answer.stop, answer.round, _KINDS[type(answer.content).__name__]) == place
+                and (answer.stop, answer.round, f"give{type(answer.content).__name__}") == place
             ]
             accepted = [said for said in all_said if said.id in pupil.accepted]
             waits = any(said in pupil.waiting for said in all_said)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from app.classroom import kept
 from sim.store import files
 from tests.app.command import Softrod, softrod_here
 
@@ -24,3 +25,10 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder = files.user_folder()
     folder.mkdir(parents=True)
     return folder
+
+
+@pytest.fixture
+def class_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of classes, in which there are none yet."""
+    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path / "classes")
+    return tmp_path / "classes"

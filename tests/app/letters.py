@@ -11,7 +11,7 @@ import msgspec
 
 from app.pages.sandbox import features  # noqa: F401  with all their messages
 from app.viser_inside import SoftrodMessage
-from app.wire import to_page  # noqa: F401  with the others
+from app.wire import to_page  # noqa: F401  with its messages, too
 from app.wire.carrier import Mail
 from app.wire.messages import Event, State, ToPage, messages
 

@@ -16,7 +16,6 @@ from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
 import sim
-from app.classroom import kept
 from app.classroom.live import Classes
 from app.gate import address, gate
 from app.gate.gate import GatedServer
@@ -29,8 +28,7 @@ NAMES = {"127.0.0.1": "lo", "192.168.1.7": "wlan0", "10.42.0.1": "ap0", "172.17.
 
 
 @pytest.fixture
-def classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Classes:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+def classes(class_folder: Path) -> Classes:
     made = Classes()
     made.begin((sim.rope(),))
     return made
@@ -46,10 +44,10 @@ def server(classes: Classes) -> Iterator[GatedServer]:
 def test_the_wall_names_the_address_that_it_was_opened_at(
     server: GatedServer, classes: Classes, name: str
 ) -> None:
-    (klass,), port = classes, server.get_port()
+    (classroom,), port = classes, server.get_port()
     host = f"{name}:{port}"
     decoder = Decoder()
-    uri = f"ws://{host}/at/{secrets.token_hex(16)}?room={klass.room.code}&as=wall"
+    uri = f"ws://{host}/at/{secrets.token_hex(16)}?room={classroom.room.code}&as=wall"
     found: list[str] = []
     way = socket.create_connection(("127.0.0.1", port))
     with connect(uri, sock=way, **options_of(host)) as page:
@@ -64,18 +62,18 @@ def test_the_wall_names_the_address_that_it_was_opened_at(
 def test_a_page_that_only_tries_gets_pictures_whatever_the_class_looks_at(
     server: GatedServer, classes: Classes
 ) -> None:
-    (klass,) = classes
-    path = f"at/{secrets.token_hex(16)}?as=check&room={klass.room.code}"
+    (classroom,) = classes
+    path = f"at/{secrets.token_hex(16)}?as=check&room={classroom.room.code}"
     with Page(server.get_port(), path=path) as device:
         for _ in range(5):
             device.wait_for(lambda message: str(message.get("text", "")).startswith('{"tell":"frame"'))
         text = '{"do":"checked","trip":23,"rate":58,"works":true,"doubts":false}'
         device.send({"type": "SoftrodMessage", "text": text})
         deadline = time.monotonic() + 30.0
-        while not klass.tried and time.monotonic() < deadline:
+        while not classroom.checks and time.monotonic() < deadline:
             device.receive(0.1)
-    assert [(one.trip, one.rate, one.works) for one in klass.tried] == [(23, 58, True)]
-    assert not klass.room.seats
+    assert [(one.trip, one.rate, one.works) for one in classroom.checks] == [(23, 58, True)]
+    assert not classroom.room.seats
 
 
 def test_a_batch_without_messages_is_told_from_pictures_by_its_length(
@@ -84,9 +82,9 @@ def test_a_batch_without_messages_is_told_from_pictures_by_its_length(
     """As `EMPTY` in `check.js`, which cannot read what is in a batch."""
     most = 80
     decoder = Decoder()
-    (klass,) = classes
+    (classroom,) = classes
     host = f"127.0.0.1:{server.get_port()}"
-    uri = f"ws://{host}/at/{secrets.token_hex(16)}?as=check&room={klass.room.code}"
+    uri = f"ws://{host}/at/{secrets.token_hex(16)}?as=check&room={classroom.room.code}"
     beats = pictures = 0
     with connect(uri, **options_of(host)) as page:
         page.send(decoder.encode(CAMERA))
@@ -110,17 +108,17 @@ def test_the_terminal_names_the_networks_that_pupils_may_be_in(
     monkeypatch.setattr(address, "local_addresses", lambda: ["192.168.1.7", "10.42.0.1", "172.17.0.1"])
     shown: list[str] = []
     monkeypatch.setattr(serve_module, "print_qr_code", shown.append)
-    (klass,), port, text = classes, server.get_port(), io.StringIO()
+    (classroom,), port, text = classes, server.get_port(), io.StringIO()
     serve_module.tell_classes(server, "0.0.0.0", None, classes, Console(file=text, width=500))
     said = text.getvalue()
     base = f"http://192.168.1.7:{port}/"
-    assert shown == [f"{base}?room={klass.room.code}"]
-    assert f"your phone: {base}check?room={klass.room.code}\n" in said
+    assert shown == [f"{base}?room={classroom.room.code}"]
+    assert f"your phone: {base}check?room={classroom.room.code}\n" in said
     assert f"in other networks, too, as http://10.42.0.1:{port} (ap0). " in said
     assert "docker0" not in said
     assert "not encrypted" in said
     # The teacher's secret is said once, and goes into no QR code.
-    assert said.count(klass.room.key) == 1
+    assert said.count(classroom.room.key) == 1
 
 
 def test_each_further_class_makes_room_for_its_pages(

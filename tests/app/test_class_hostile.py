@@ -19,22 +19,18 @@ from msgspec import inspect
 
 import sim
 from app.classroom import kept
-from app.classroom.live import Class, Classes
-from app.classroom.room import (
-    MAX_ANSWERS,
-    MAX_LETTERS,
-    MAX_MARKS,
-    MAX_NAME,
-    MAX_SEATS,
-    Ghost,
+from app.classroom.answers import (
+    MAX_LINE_LENGTH,
+    MAX_MARKS_PER_LETTER,
     Phase,
+    Prediction,
     Refused,
-    Room,
     Vote,
     Work,
-    digest,
-    plain,
+    sanitize_line,
 )
+from app.classroom.live import Class, Classes
+from app.classroom.room import MAX_ANSWERS, MAX_NAME_LENGTH, MAX_SEATS, Room, digest
 from app.features.classroom.desk import DeskRole
 from app.features.classroom.seat import SeatRole
 from app.features.classroom.wall import WallRole
@@ -44,6 +40,7 @@ from app.session.session import Session
 from app.wire import from_page
 from app.wire.messages import FromPage, messages, read
 from tests.amount import NIGHT
+from tests.app.classrooms import Pupil, Teacher, no_download
 from tests.app.hostile import CAMERA, HostilePage, eventually
 from tests.app.letters import Letters
 from tests.app.test_room import SECRETS, a_room, an_answer, asking
@@ -52,8 +49,7 @@ WRONG_KEYS = ("", "x", "0" * 22, "é", "x" * 100)
 
 
 @pytest.fixture
-def classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Classes:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+def classes(class_folder: Path) -> Classes:
     classes = Classes()
     for _ in range(2):
         classes.begin(a_room().scenes)
@@ -61,7 +57,7 @@ def classes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Classes:
 
 
 @pytest.fixture
-def klass(classes: Classes) -> Class:
+def classroom(classes: Classes) -> Class:
     return next(iter(classes))
 
 
@@ -151,17 +147,16 @@ def who(number: int, teacher: str = "") -> str:
     ],
 )
 def test_only_the_class_tells_what_is_right_in_its_lesson(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, taught: str, alone: bool, query: str
+    class_folder: Path, taught: str, alone: bool, query: str
 ) -> None:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
     classes = Classes(alone)
-    klass = classes.begin([sim.load_scene(taught)])
+    classroom = classes.begin([sim.load_scene(taught)])
     lesson = sim.load_scene("lesson-hooke").lesson
     assert lesson is not None
     because = [step.question.because for step in lesson.steps if step.question is not None]
     # That others could reach the server makes nobody the owner by chance.
     with serving(sim.rope(), "127.0.0.1", 0, allow_hosts=("laptop.local",), classes=classes) as (server, *_):
-        page = Someone(server.get_port(), f"/at/{1:032x}?{query.format(code=klass.room.code)}")
+        page = Someone(server.get_port(), f"/at/{1:032x}?{query.format(code=classroom.room.code)}")
         page.say(who(1))
         assert eventually(lambda: len(page.told("keepsake") + page.told("seat")) > 0)
         page.say('{"do":"beginStep","step":0,"how":"run"}')
@@ -176,8 +171,7 @@ def test_only_the_class_tells_what_is_right_in_its_lesson(
         page.socket.close()
 
 
-def test_that_a_lesson_is_a_class_s_is_said_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+def test_that_a_lesson_is_a_class_s_is_said_once(class_folder: Path) -> None:
     classes = Classes(alone=False)
     classes.begin([sim.load_scene("lesson-hooke")])
     with serving(sim.rope(), "127.0.0.1", 0, allow_hosts=("laptop.local",), classes=classes) as (server, *_):
@@ -201,10 +195,10 @@ def test_that_a_lesson_is_a_class_s_is_said_once(tmp_path: Path, monkeypatch: py
 
 
 def test_whatever_a_pupil_and_a_wall_say_the_others_answers_arrive(
-    klass: Class, classes: Classes, port: int
+    classroom: Class, classes: Classes, port: int
 ) -> None:
     dice = random.Random(5)
-    room, query = klass.room, f"room={klass.room.code}"
+    room, query = classroom.room, f"room={classroom.room.code}"
     honest, pupil = (Someone(port, f"/at/{n:032x}?{query}") for n in (1, 2))
     wall, desk = (Someone(port, f"/at/{n:032x}?{query}&as={kind}") for n, kind in ((3, "wall"), (4, "desk")))
     honest.say(who(1))
@@ -231,36 +225,34 @@ def test_whatever_a_pupil_and_a_wall_say_the_others_answers_arrive(
             assert eventually(lambda: any(head[0] in told["ids"] for told in honest.told("taken")))  # noqa: B023
         assert room.phase is phase
         assert room.is_open
-        assert not (room.own_names or room.paused or klass.ended)
+        assert not (room.own_names or room.paused or classroom.ended)
     number = next(seat.number for seat in room.seats.values() if seat.token == digest(f"{1:032x}"))
     mine = [answer.id for answer in room.answers.values() if answer.seat == number]
     assert mine == [f"{1 + n:016x}" for n in (1, 4, 5)]
     assert len(room.answers) > len(mine), "some of what the other one said made sense"
     # What is on the disk can be read, whatever it was made of.
-    assert eventually(lambda: klass.written == room.version)
+    assert eventually(lambda: classroom.written == room.version)
     assert room.code in kept.codes()
     for page in (honest, pupil, wall, desk):
         page.close()
 
 
-def test_a_hundred_forged_acts_of_a_teacher_and_none_is_done(classes: Classes, klass: Class) -> None:
+def test_a_hundred_forged_acts_of_a_teacher_and_none_is_done(classes: Classes, classroom: Class) -> None:
     session, dice = Session(sim.rope(4), wait=False), random.Random(1)
-    seat = klass.room.enter(f"{7:032x}")
-    klass.room.go(0, Phase.ASK)
-    klass.room.take(seat.number, an_answer(1, Vote(1)))
+    seat = classroom.room.enter(f"{7:032x}")
+    classroom.room.go(0, Phase.ASK)
+    classroom.room.take(seat.number, an_answer(1, Vote(1)))
     other = list(classes)[1].room
-    keys = (*WRONG_KEYS, other.key, klass.room.code, klass.room.key[:-1], klass.room.key + "x")
-    before, tried = msgspec.json.encode((klass.room, other)), 0
-
-    def desk() -> DeskRole:
-        return DeskRole(klass, Letters(), "", "", lambda *_: pytest.fail("a zip was saved"))
-
-    # A page is another role after every connection; the true teacher is there meanwhile.
-    teacher = desk()
-    teacher.introduce(from_page.Who("0" * 32, "", klass.room.key), session)
-    makes = (lambda: SeatRole(klass, Letters()), lambda: WallRole(klass, Letters(), "", ""), desk)
+    keys = (*WRONG_KEYS, other.key, classroom.room.code, classroom.room.key[:-1], classroom.room.key + "x")
+    before, tried = msgspec.json.encode((classroom.room, other)), 0
+    Teacher(classroom)  # the true one is there meanwhile
+    makes = (
+        SeatRole,
+        lambda room, mail: WallRole(room, mail, "", ""),
+        lambda room, mail: DeskRole(room, mail, "", "", no_download),
+    )
     for make, key, kind in itertools.product(makes, keys, messages(from_page.Lead)):
-        role = make()
+        role = make(classroom, Letters())  # a page is another role after every connection
         role.introduce(from_page.Who(f"{7:032x}", key, key), session)
         for _ in range(3):
             said = read(a_message(kind, dice))
@@ -270,14 +262,14 @@ def test_a_hundred_forged_acts_of_a_teacher_and_none_is_done(classes: Classes, k
                 role.hear(said, session)
         role.leave()
     assert tried >= 100
-    assert msgspec.json.encode((klass.room, other)) == before
-    assert not klass.ended
-    assert klass.teachers == 1
+    assert msgspec.json.encode((classroom.room, other)) == before
+    assert not classroom.ended
+    assert classroom.teachers == 1
 
 
-def test_what_is_handed_in_is_read_off_by_the_server_alone(klass: Class) -> None:
-    head = '{"do":"handIn","id":"000000000000000a","turn":1,"stop":0,"round":0,"twin":0'
-    assert isinstance(read(head + "}"), from_page.HandIn)
+def test_what_is_handed_in_is_read_off_by_the_server_alone(classroom: Class) -> None:
+    head = '{"do":"giveWork","id":"000000000000000a","turn":1,"stop":0,"round":0,"twin":0'
+    assert isinstance(read(head + "}"), from_page.GiveWork)
     for more in (
         '"found":9000',
         '"reached":true',
@@ -288,29 +280,24 @@ def test_what_is_handed_in_is_read_off_by_the_server_alone(klass: Class) -> None
     ):
         assert read(f"{head},{more}}}") is None
     # Nor is there a run to hand in while all look at one body, or of another step.
-    session, letters = Session(sim.rope(4), wait=False), Letters()
-    role = SeatRole(klass, letters)
-    role.introduce(from_page.Who(f"{1:032x}"), session)
-    klass.room.go(0, Phase.COLLECT)
-    role.hear(from_page.HandIn("0" * 16, 1, 1, 0, 0), session)
-    assert letters.sent[-1].refused == "There is no run to hand in now."
-    assert not klass.room.answers
+    pupil = Pupil(classroom)
+    classroom.room.go(0, Phase.COLLECT)
+    pupil.say(from_page.GiveWork("0" * 16, 1, 1, 0, 0))
+    assert pupil.letters.sent[-1].refused == "There is no run to hand in now."
+    assert not classroom.room.answers
 
 
-def test_runs_are_handed_in_one_a_second_and_the_last_one_counts(klass: Class) -> None:
+def test_runs_are_handed_in_one_a_second_and_the_last_one_counts(classroom: Class) -> None:
     now = [100.0]
-    session, letters = Session(sim.rope(4), clock=lambda: now[0], wait=False), Letters()
-    role = SeatRole(klass, letters)
-    role.introduce(from_page.Who(f"{1:032x}"), session)
-    klass.room.go(0, Phase.COLLECT)
-    for number in range(200):
-        role.hear(from_page.HandIn(f"{number:016x}", number, 0, 0, 0), session)
-    assert list(klass.room.answers) == [f"{0:016x}"]
+    pupil = Pupil(classroom, session=Session(sim.rope(4), clock=lambda: now[0], wait=False))
+    classroom.room.go(0, Phase.COLLECT)
+    pupil.say(*(from_page.GiveWork(f"{number:016x}", number, 0, 0, 0) for number in range(200)))
+    assert list(classroom.room.answers) == [f"{0:016x}"]
     now[0] += 1.1
-    role.hear(from_page.HandIn(f"{150:016x}", 150, 0, 0, 0), session)
-    assert list(klass.room.answers) == [f"{150:016x}"]
-    klass.close()
-    logs = list(kept.folder_of(klass.room.code).rglob("*.jsonl"))
+    pupil.say(from_page.GiveWork(f"{150:016x}", 150, 0, 0, 0))
+    assert list(classroom.room.answers) == [f"{150:016x}"]
+    classroom.close()
+    logs = list(kept.folder_of(classroom.room.code).rglob("*.jsonl"))
     assert [path.stem for path in logs] == [f"{150:016x}"], "what was replaced is gone"
 
 
@@ -319,12 +306,12 @@ def test_runs_are_handed_in_one_a_second_and_the_last_one_counts(klass: Class) -
     [
         Work(points=((math.nan, 1.0), (math.inf, 2.0))),
         Work(found=math.inf, setting=math.nan),
-        Ghost(((7e8, 0.0),) * 4),
-        Ghost(((math.nan, 0.0),) * 4),
-        Ghost(((-math.inf, 0.0),) * 4),
+        Prediction(((7e8, 0.0),) * 4),
+        Prediction(((math.nan, 0.0),) * 4),
+        Prediction(((-math.inf, 0.0),) * 4),
     ],
 )
-def test_no_number_makes_a_class_that_cannot_be_read_again(content: Work | Ghost) -> None:
+def test_no_number_makes_a_class_that_cannot_be_read_again(content: Work | Prediction) -> None:
     room, seat = asking()
     room.go(0, Phase.COLLECT)
     try:
@@ -341,20 +328,21 @@ def test_no_number_makes_a_class_that_cannot_be_read_again(content: Work | Ghost
     [
         ("\u202eevil\u202c\u2066x", "evil x"),
         ("a\u200b\u200d\ufeffb\x00\x1b[31m", "a b [31m"),
+        ("\u200b\u2028", ""),
         ("<img src=x onerror=alert(1)>", "<img src=x onerror=alert(1)>"),
         ("\U0001f595", "\U0001f595"),
         ("z" + "\u0301\u0323" * 30 + "a", None),
         ("  \n\t\u2003 ", ""),
-        ("w" * 10_000, "w" * MAX_LETTERS),
+        ("w" * 10_000, "w" * MAX_LINE_LENGTH),
     ],
 )
 def test_what_is_typed_is_one_line_of_what_can_be_seen(typed: str, shown: str | None) -> None:
-    made = plain(typed, MAX_LETTERS)
+    made = sanitize_line(typed, MAX_LINE_LENGTH)
     assert shown is None or made == shown
-    assert len(made) <= MAX_LETTERS
+    assert len(made) <= MAX_LINE_LENGTH
     assert all(unicodedata.category(c)[0] != "C" for c in made)
     marks = re.findall("1+", "".join("01"[unicodedata.category(c)[0] == "M"] for c in made))
-    assert all(len(run) <= MAX_MARKS for run in marks)
+    assert all(len(run) <= MAX_MARKS_PER_LETTER for run in marks)
     room = a_room()
     seat = room.enter(SECRETS[0])
     room.own_names = True
@@ -362,7 +350,7 @@ def test_what_is_typed_is_one_line_of_what_can_be_seen(typed: str, shown: str | 
         room.rename(seat.number, typed)
     except Refused as error:
         assert str(error) == "A name needs a letter."
-    assert 0 < len(seat.name) <= MAX_NAME
+    assert 0 < len(seat.name) <= MAX_NAME_LENGTH
 
 
 def test_thousands_of_answers_from_one_seat_are_bounded() -> None:
@@ -391,21 +379,18 @@ def test_thousands_of_secrets_keep_nobody_out_and_a_closed_door_stops_them() -> 
     assert room.enter(SECRETS[1]).number == late.number
 
 
-def test_nobody_finds_the_digits_of_a_seat_by_trying_all(klass: Class) -> None:
-    session, letters = Session(sim.rope(4), wait=False), Letters()
-    moving = klass.room.enter(SECRETS[0])
-    klass.room.offer_move(moving.number)
+def test_nobody_finds_the_digits_of_a_seat_by_trying_all(classroom: Class) -> None:
+    moving = classroom.room.enter(SECRETS[0])
+    classroom.room.offer_move(moving.number)
     moving.move = "77"
-    role = SeatRole(klass, letters)
-    role.introduce(from_page.Who(f"{9:032x}"), session)
-    for number in range(100):
-        role.hear(from_page.TakeOver(f"{number:02}"), session)
-    assert klass.room.seats[moving.number].token == digest(SECRETS[0])
-    assert "too many tries" in letters.sent[-1].refused
+    pupil = Pupil(classroom, 9)
+    pupil.say(*(from_page.TakeOver(f"{number:02}") for number in range(100)))
+    assert classroom.room.seats[moving.number].token == digest(SECRETS[0])
+    assert "too many tries" in pupil.letters.sent[-1].refused
 
 
-def test_one_page_takes_one_seat(klass: Class) -> None:
-    session, role = Session(sim.rope(4), wait=False), SeatRole(klass, Letters())
+def test_one_page_takes_one_seat(classroom: Class) -> None:
+    pupil = Pupil(classroom, 0)
     for number in range(50):
-        role.introduce(from_page.Who(f"{number:032x}"), session)
-    assert len(klass.room.seats) == 1
+        pupil.introduce(number)
+    assert len(classroom.room.seats) == 1

@@ -18,60 +18,53 @@ import pytest
 
 import sim
 from app.classroom import kept, live
+from app.classroom.answers import Line, Phase, Prediction, Refused, Vote, Work
 from app.classroom.live import Class, Classes, is_key
-from app.classroom.room import Phase, Refused, Vote, Work
 from tests.app.test_room import SECRETS, a_room, an_answer
 
 
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Where the classes are."""
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path / "classes")
-    return tmp_path / "classes"
-
-
-def until_written(klass: Class) -> None:
-    while klass.written != klass.room.version:
-        klass.tend()
+def until_written(classroom: Class) -> None:
+    while classroom.written != classroom.room.version:
+        classroom.poll_writer()
         time.sleep(0.001)
 
 
 def kill(classes: Classes) -> None:
     """What the end of its process does to a server: its locks go."""
-    for klass in classes:
-        kept.release(klass.lock)
+    for classroom in classes:
+        kept.release(classroom.lock)
 
 
 def taken_up(scenes: Sequence[sim.Scene] | None = None, count: int = 1, new: bool = False) -> list[Class]:
     """The classes of a server that is started."""
     classes = Classes()
-    classes.take_up(scenes, count, new)
+    classes.resume(scenes, count, new)
     return list(classes)
 
 
-def tended(klass: Class, until: Callable[[], bool]) -> None:
+def tended(classroom: Class, until: Callable[[], bool]) -> None:
     """Tend a class as its pages do."""
     deadline = time.monotonic() + 10.0
     while not until():
         assert time.monotonic() < deadline
-        klass.tend()
+        classroom.poll_writer()
         time.sleep(0.001)
 
 
-def test_a_class_goes_on_after_the_server_was_started_anew(folder: Path) -> None:
+def test_a_class_goes_on_after_the_server_was_started_anew(class_folder: Path) -> None:
     classes = Classes()
-    klass = classes.begin(a_room().scenes)
-    seat = klass.room.enter(SECRETS[0])
-    klass.room.go(0, Phase.ASK)
-    klass.room.take(seat.number, an_answer(1, Vote(1)))
-    klass.keep(seat.number, b"where it is")
-    until_written(klass)
+    classroom = classes.begin(a_room().scenes)
+    seat = classroom.room.enter(SECRETS[0])
+    classroom.room.go(0, Phase.ASK)
+    classroom.room.take(seat.number, an_answer(1, Vote(1)))
+    classroom.keep_body(seat.number, b"where it is")
+    until_written(classroom)
     kill(classes)
     (after,) = taken_up()
-    assert msgspec.json.encode(after.room) == msgspec.json.encode(klass.room)
+    assert msgspec.json.encode(after.room) == msgspec.json.encode(classroom.room)
     assert after.room.bars(0, 0) == [0, 1, 0]
     assert after.room.enter(SECRETS[0]).name == seat.name
-    assert is_key(after.room, klass.room.key)
+    assert is_key(after.room, classroom.room.key)
     assert not is_key(after.room, "")
     # One that is told to end writes where the bodies are, too.
     kept.release(after.lock)
@@ -80,25 +73,37 @@ def test_a_class_goes_on_after_the_server_was_started_anew(folder: Path) -> None
     assert after.body(seat.number) == b"where it is"
     after.room.go(1, Phase.TRY)
     assert after.body(seat.number) is None
-    assert {path.stat().st_mode & 0o077 for path in folder.iterdir()} == {0}
+    assert {path.stat().st_mode & 0o077 for path in class_folder.iterdir()} == {0}
 
 
-def test_a_class_goes_on_by_the_command_that_began_it(folder: Path) -> None:
+def test_a_class_that_an_older_server_wrote_goes_on_with_all_that_was_given(class_folder: Path) -> None:
+    data = (Path(__file__).parent / "class.json").read_bytes()
+    (class_folder / "ABCD").mkdir(parents=True)
+    (class_folder / "ABCD" / kept.FILE).write_bytes(data)
+    room = kept.read("ABCD")
+    assert room is not None
+    given = [type(answer.content) for answer in room.answers.values()]
+    assert given == [Vote, Prediction, Vote, Line, Work, Work]
+    # It is written as it was, so that the older server can go on with it, too.
+    old, new = msgspec.json.decode(data), msgspec.json.decode(kept.encode(room))
+    assert {**old, **new} == old
+    assert old.keys() - new.keys() == {"pushed"}, "which nothing can set any more"
+
+
+def test_a_class_goes_on_by_the_command_that_began_it(class_folder: Path) -> None:
     scenes = [sim.load_scene("lesson-hooke"), sim.rope(masses=4)]
-    (klass,) = taken_up(scenes)
-    klass.room.push(sim.rope(masses=7))
-    until_written(klass)
-    kept.release(klass.lock)
+    (classroom,) = taken_up(scenes)
+    until_written(classroom)
+    kept.release(classroom.lock)
     (after,) = taken_up([sim.load_scene("lesson-hooke"), sim.rope(masses=4)])
-    assert after.room.code == klass.room.code
-    assert len(after.room.scenes) == 3
+    assert after.room.code == classroom.room.code
     kept.release(after.lock)
     for others in ([sim.rope(masses=4)], scenes[:1], [*scenes, sim.rope(masses=7)]):
-        with pytest.raises(Refused, match=f"Class {klass.room.code}, which has other scenes"):
+        with pytest.raises(Refused, match=f"Class {classroom.room.code}, which has other scenes"):
             taken_up(others)
     one, two = taken_up(None, 2)  # one more, with the same scenes
-    assert one.room.code == klass.room.code
-    assert two.room.begun_with == tuple(scenes)
+    assert one.room.code == classroom.room.code
+    assert two.room.scenes == tuple(scenes)
     until_written(two)
     for held in (one, two):
         kept.release(held.lock)
@@ -107,11 +112,11 @@ def test_a_class_goes_on_by_the_command_that_began_it(folder: Path) -> None:
     assert kept.codes() == []
 
 
-def test_a_class_has_one_server(folder: Path) -> None:
+def test_a_class_has_one_server(class_folder: Path) -> None:
     scenes = [sim.rope(masses=4)]
-    (klass,) = taken_up(scenes)
-    until_written(klass)
-    code = klass.room.code
+    (classroom,) = taken_up(scenes)
+    until_written(classroom)
+    code = classroom.room.code
     for named in (scenes, None):
         with pytest.raises(Refused, match=f"Another softrod on this computer goes on with class {code}"):
             taken_up(named)
@@ -121,7 +126,7 @@ def test_a_class_has_one_server(folder: Path) -> None:
     assert kept.read(code) is not None
 
 
-def test_a_teacher_s_secret_cannot_be_guessed(folder: Path) -> None:
+def test_a_teacher_s_secret_cannot_be_guessed(class_folder: Path) -> None:
     classes = Classes()
     keys = {classes.begin(a_room().scenes).room.key for _ in range(5)}
     assert len(keys) == 5
@@ -130,34 +135,34 @@ def test_a_teacher_s_secret_cannot_be_guessed(folder: Path) -> None:
 
 
 def test_nothing_is_acknowledged_before_it_is_on_the_disk(
-    folder: Path, monkeypatch: pytest.MonkeyPatch
+    class_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    klass = Classes().begin(a_room().scenes)
+    classroom = Classes().begin(a_room().scenes)
     monkeypatch.setattr(kept, "write", lambda *_: (_ for _ in ()).throw(OSError("no room")))
-    klass.room.enter(SECRETS[0])
+    classroom.room.enter(SECRETS[0])
     for _ in range(200):
-        klass.tend()
+        classroom.poll_writer()
         time.sleep(0.001)
-    assert klass.written < klass.room.version
+    assert classroom.written < classroom.room.version
 
 
-def hand_in_a_run(klass: Class, number: int) -> str:
+def hand_in_a_run(classroom: Class, number: int) -> str:
     """Have a run handed in; returns the name of its log."""
     answer = msgspec.structs.replace(an_answer(number, Work()), seat=1)
-    step = klass.room.step
+    step = classroom.room.step
     assert step is not None
-    klass.hand_in(answer, b"a log", step, klass.scene(0))
+    classroom.hand_in(answer, b"a log", step, classroom.scene(0))
     return f"{answer.id}.jsonl"
 
 
 def test_a_full_disk_is_told_once_and_what_was_given_meanwhile_is_kept_when_there_is_room(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+    class_folder: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     seconds = itertools.count()
-    klass = Class(a_room(), clock=lambda: float(next(seconds)))
-    klass.room.enter(SECRETS[0])
-    klass.room.go(0, Phase.COLLECT)
-    until_written(klass)
+    classroom = Class(a_room(), clock=lambda: float(next(seconds)))
+    classroom.room.enter(SECRETS[0])
+    classroom.room.go(0, Phase.COLLECT)
+    until_written(classroom)
     tries = 0
 
     def full(*_: object) -> None:
@@ -167,69 +172,69 @@ def test_a_full_disk_is_told_once_and_what_was_given_meanwhile_is_kept_when_ther
 
     with monkeypatch.context() as patched:
         patched.setattr(kept, "write_atomically", full)
-        log = hand_in_a_run(klass, 1)
-        tended(klass, lambda: tries > 5)
-        assert klass.written < klass.room.version
-        assert klass.trouble == "No space left on device"
-        assert [title for title, _ in klass.told] == ["The class is not being kept"]
-        with zipfile.ZipFile(io.BytesIO(klass.pack().result())) as file:
+        log = hand_in_a_run(classroom, 1)
+        tended(classroom, lambda: tries > 5)
+        assert classroom.written < classroom.room.version
+        assert classroom.trouble == "No space left on device"
+        assert [title for title, _ in classroom.notices] == ["The class is not being kept"]
+        with zipfile.ZipFile(io.BytesIO(classroom.pack().result())) as file:
             assert b"a log" in [file.read(name) for name in file.namelist()]
     assert sum("cannot be written" in record.message for record in caplog.records) == 1
-    until_written(klass)
-    assert kept.log_path(klass.room.code, log).read_bytes() == b"a log"
-    assert [title for title, _ in klass.told][1:] == ["The class is being kept again"]
-    assert not klass.trouble
+    until_written(classroom)
+    assert kept.log_path(classroom.room.code, log).read_bytes() == b"a log"
+    assert [title for title, _ in classroom.notices][1:] == ["The class is being kept again"]
+    assert not classroom.trouble
     # Of two runs, the later one stays.
-    hand_in_a_run(klass, 2)
-    until_written(klass)
-    assert len(list(folder.rglob("*.jsonl"))) == 1
+    hand_in_a_run(classroom, 2)
+    until_written(classroom)
+    assert len(list(class_folder.rglob("*.jsonl"))) == 1
 
 
-def test_answers_do_not_wait_for_the_zip(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    klass = Classes().begin(a_room().scenes)
+def test_answers_do_not_wait_for_the_zip(class_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    classroom = Classes().begin(a_room().scenes)
     made = threading.Event()
     monkeypatch.setattr(live, "pack", lambda *_: made.wait(10.0) and b"")
-    zipped = klass.pack()
-    klass.room.enter(SECRETS[0])
-    klass.keep(1, b"x")
-    tended(klass, lambda: klass.written == klass.room.version)
+    zipped = classroom.pack()
+    classroom.room.enter(SECRETS[0])
+    classroom.keep_body(1, b"x")
+    tended(classroom, lambda: classroom.written == classroom.room.version)
     assert not zipped.done()
     made.set()
 
 
-def test_where_a_body_is_is_kept_only_for_seats_that_there_are(folder: Path) -> None:
-    klass = Classes().begin(a_room().scenes)
+def test_where_a_body_is_is_kept_only_for_seats_that_there_are(class_folder: Path) -> None:
+    classroom = Classes().begin(a_room().scenes)
     for secret in SECRETS[:3]:
-        klass.keep(klass.room.enter(secret).number, b"x")
-    klass.room.remove(2)
-    klass.keep(99, b"of a seat that was given away")
-    until_written(klass)
-    klass.keep(3, b"y")
-    tended(klass, lambda: sorted(kept.read_bodies(klass.room.code)) == [1, 3])
+        classroom.keep_body(classroom.room.enter(secret).number, b"x")
+    classroom.room.remove(2)
+    classroom.keep_body(99, b"of a seat that was given away")
+    until_written(classroom)
+    classroom.keep_body(3, b"y")
+    tended(classroom, lambda: sorted(kept.read_bodies(classroom.room.code)) == [1, 3])
 
 
-def test_at_the_end_nothing_is_left(folder: Path) -> None:
+def test_at_the_end_nothing_is_left(class_folder: Path) -> None:
     classes = Classes()
-    klass = classes.begin(a_room().scenes)
-    seat = klass.room.enter(SECRETS[0])
-    klass.keep(seat.number, b"x")
-    until_written(klass)
-    assert any(folder.rglob("*.json"))
-    klass.end()
-    tended(klass, lambda: klass.ended)
-    assert not list(folder.iterdir())
-    assert classes.find(klass.room.code) is None
-    assert not klass.room.seats
+    classroom = classes.begin(a_room().scenes)
+    seat = classroom.room.enter(SECRETS[0])
+    classroom.keep_body(seat.number, b"x")
+    until_written(classroom)
+    assert any(class_folder.rglob("*.json"))
+    classroom.end()
+    tended(classroom, lambda: classroom.ended)
+    assert not list(class_folder.iterdir())
+    assert classes.find(classroom.room.code) is None
+    assert not classroom.room.seats
     assert not list(classes)  # its server forgets it
     classes.close()
-    assert not list(folder.iterdir())
+    assert not list(class_folder.iterdir())
 
 
-def test_a_class_that_cannot_be_deleted_goes_on(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_class_that_cannot_be_deleted_goes_on(class_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     classes = Classes()
-    klass = classes.begin(a_room().scenes)
-    klass.room.enter(SECRETS[0])
-    until_written(klass)
+    classroom = classes.begin(a_room().scenes)
+    classroom.room.enter(SECRETS[0])
+    until_written(classroom)
 
     def refuse(path: Path) -> None:
         (path / kept.FILE).unlink()  # some of it went
@@ -237,32 +242,32 @@ def test_a_class_that_cannot_be_deleted_goes_on(folder: Path, monkeypatch: pytes
 
     with monkeypatch.context() as patched:
         patched.setattr("shutil.rmtree", refuse)
-        klass.end()
-        tended(klass, lambda: bool(klass.told))
-    title, text = klass.told.popleft()
+        classroom.end()
+        tended(classroom, lambda: bool(classroom.notices))
+    title, text = classroom.notices.popleft()
     assert title == "The class goes on"
-    assert text == f"Its folder {folder / klass.room.code} cannot be deleted: Permission denied."
+    assert text == f"Its folder {class_folder / classroom.room.code} cannot be deleted: Permission denied."
     # Answers are taken and kept as before, and it can be ended later.
-    klass.room.enter(SECRETS[1])
-    until_written(klass)
-    assert kept.read(klass.room.code) is not None
-    assert klass.lesson_file().result()
-    klass.end()
-    tended(klass, lambda: klass.ended)
-    assert not list(folder.iterdir())
+    classroom.room.enter(SECRETS[1])
+    until_written(classroom)
+    assert kept.read(classroom.room.code) is not None
+    assert classroom.lesson_file().result()
+    classroom.end()
+    tended(classroom, lambda: classroom.ended)
+    assert not list(class_folder.iterdir())
 
 
 def test_what_a_killed_server_was_forgetting_is_forgotten(
-    folder: Path, monkeypatch: pytest.MonkeyPatch
+    class_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    klass = Classes().begin(a_room().scenes)
-    until_written(klass)
+    classroom = Classes().begin(a_room().scenes)
+    until_written(classroom)
     with monkeypatch.context() as patched:
         patched.setattr("shutil.rmtree", lambda _: None)
-        kept.forget(klass.room.code)
-    assert list(folder.rglob(kept.FILE))
+        kept.forget(classroom.room.code)
+    assert list(class_folder.rglob(kept.FILE))
     taken_up([sim.rope(masses=4)])
-    assert not list(folder.rglob(kept.FILE))
+    assert not list(class_folder.rglob(kept.FILE))
 
 
 def bent(data: bytes, dice: random.Random) -> bytes:
@@ -282,30 +287,34 @@ def bent(data: bytes, dice: random.Random) -> bytes:
     return bytes(made)
 
 
-def test_a_file_that_makes_no_sense_is_left_alone(folder: Path, caplog: pytest.LogCaptureFixture) -> None:
+def test_a_file_that_makes_no_sense_is_left_alone(
+    class_folder: Path, caplog: pytest.LogCaptureFixture
+) -> None:
     """Its class does not go on, and the log says so; no server stops at it."""
-    klass = Classes().begin(a_room().scenes)
-    klass.room.enter(SECRETS[0])
-    until_written(klass)
-    klass.keep(1, b"x")
-    tended(klass, lambda: (kept.folder_of(klass.room.code) / kept.BODIES).exists())
-    kept.release(klass.lock)
-    whole = {name: (folder / klass.room.code / name).read_bytes() for name in (kept.FILE, kept.BODIES)}
+    classroom = Classes().begin(a_room().scenes)
+    classroom.room.enter(SECRETS[0])
+    until_written(classroom)
+    classroom.keep_body(1, b"x")
+    tended(classroom, lambda: (kept.folder_of(classroom.room.code) / kept.BODIES).exists())
+    kept.release(classroom.lock)
+    whole = {
+        name: (class_folder / classroom.room.code / name).read_bytes() for name in (kept.FILE, kept.BODIES)
+    }
     dice, read = random.Random(1), 0
     for _ in range(200):
         for name, data in whole.items():
-            (folder / klass.room.code / name).write_bytes(bent(data, dice))
-        room = kept.read(klass.room.code)
-        kept.read_bodies(klass.room.code)
+            (class_folder / classroom.room.code / name).write_bytes(bent(data, dice))
+        room = kept.read(classroom.room.code)
+        kept.read_bodies(classroom.room.code)
         read += room is not None  # what was bent was a name, or white space
     assert read < 100
     for code, text in (("ABCD", "{"), ("ABCE", '{"code": "ABCE"}'), ("notes", "")):
-        (folder / code).mkdir(parents=True)
-        (folder / code / kept.FILE).write_text(text)
-    (folder / klass.room.code / kept.FILE).write_text("[" * 100_000)
+        (class_folder / code).mkdir(parents=True)
+        (class_folder / code / kept.FILE).write_text(text)
+    (class_folder / classroom.room.code / kept.FILE).write_text("[" * 100_000)
     caplog.clear()
     (other,) = taken_up([sim.rope(masses=4)])
-    assert other.room.code not in ("ABCD", "ABCE", klass.room.code)
+    assert other.room.code not in ("ABCD", "ABCE", classroom.room.code)
     assert sum("cannot go on" in record.message for record in caplog.records) == 3
 
 

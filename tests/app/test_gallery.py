@@ -259,11 +259,11 @@ def test_a_card_begins_a_class_where_others_reach_the_server_and_says_the_comman
     page.gallery.use_in_class(ask)
     assert not list(classes)  # until it is the ticker's turn
     page.page.serve()
-    (klass,) = classes
-    assert klass.room.scenes[0].lesson is not None
+    (classroom,) = classes
+    assert classroom.room.scenes[0].lesson is not None
     told = page.letters.sent[-1]
     assert isinstance(told, UsedInClass)
-    assert told.address == f"?room={klass.room.code}&as=desk#teacher={klass.room.key}"
+    assert told.address == f"?room={classroom.room.code}&as=desk#teacher={classroom.room.key}"
     # No path of a file is one of the scenes that are listed.
     page.gallery.use_in_class(UseInClass("../owner-key"))
     assert "no scene called" in page.notices[-1].text

@@ -10,7 +10,8 @@ from msgspec.structs import replace
 
 import sim
 from app.features.solver import method_panel
-from app.features.solver.method_panel import MAX_MASSES, MethodPanel
+from app.features.solver.job import MAX_MASSES
+from app.features.solver.method_panel import MethodPanel
 from app.session import commands
 from app.session.notices import Notice
 from sim.compiling.compiler import fetch, needed_by

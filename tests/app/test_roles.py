@@ -9,9 +9,8 @@ import msgspec
 import pytest
 
 import sim
-from app.classroom import kept
-from app.classroom.live import MAX_TRIED, Class, Classes
-from app.classroom.room import Line, Phase, Vote, Work
+from app.classroom.answers import Line, Phase, Vote, Work
+from app.classroom.live import MAX_CHECKS, Class, Classes
 from app.features.classroom.check_role import CheckRole
 from app.features.classroom.desk import DeskRole
 from app.features.classroom.role import ClassRole, asking
@@ -19,9 +18,9 @@ from app.features.classroom.seat import SeatRole
 from app.features.classroom.wall import WallRole
 from app.session import commands
 from app.session.session import Session
-from app.wire import from_page
-from app.wire.to_page import Desk, Law, Seat, Taken, Wall
-from tests.app.letters import Letters
+from app.wire import from_page, to_page
+from app.wire.to_page import Desk, Seat, Taken
+from tests.app.classrooms import ADDRESS, Pupil, Somebody, Teacher, Wall, a_vote, no_download
 from tests.app.test_classes import until_written
 from tests.app.test_room import a_room, an_answer
 
@@ -42,26 +41,8 @@ LED = tuple(
 
 
 @pytest.fixture
-def klass(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Class:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+def classroom(class_folder: Path) -> Class:
     return Classes().begin(a_room().scenes)
-
-
-@pytest.fixture
-def session() -> Session:
-    return Session(sim.rope(), wait=False)
-
-
-def who(number: int, teacher: str = "") -> from_page.Who:
-    return from_page.Who(f"{number:032x}", "", teacher)
-
-
-def a_vote(id: int, choice: int, turn: int = 0) -> from_page.GiveVote:
-    return from_page.GiveVote(f"{id:016x}", turn, 0, 0, 0, choice)
-
-
-def no_download(name: str, data: bytes) -> None:
-    raise AssertionError(name)
 
 
 def test_no_page_has_the_right_answer_before_it_is_told() -> None:
@@ -78,223 +59,171 @@ def test_no_page_has_the_right_answer_before_it_is_told() -> None:
     "make",
     [
         SeatRole,
-        lambda klass, mail: WallRole(klass, mail, "", ""),
-        lambda klass, mail: DeskRole(klass, mail, "", "", no_download),
+        lambda room, mail: WallRole(room, mail, "", ""),
+        lambda room, mail: DeskRole(room, mail, "", "", no_download),
     ],
 )
-def test_only_a_teacher_leads(
-    klass: Class, session: Session, make: Callable[..., ClassRole], said: from_page.Lead
-) -> None:
-    klass.room.enter("0" * 32)
-    role = make(klass, letters := Letters())
-    before = msgspec.json.encode(klass.room)
-    for key in ("", "x" * len(klass.room.key), klass.room.key[:-1], klass.room.code):
-        role.introduce(who(0, key), session)
-        assert not role.allows(said)
-        role.hear(said, session)
-        role.frame(session)
-    assert not klass.ended
-    assert klass.teachers == 0
-    assert not any(isinstance(message, Desk) for message in letters.sent)
-    assert msgspec.json.encode(klass.room) == before
+def test_only_a_teacher_leads(classroom: Class, make: Callable[..., ClassRole], said: from_page.Lead) -> None:
+    classroom.room.enter("0" * 32)
+    page = Somebody(lambda mail: make(classroom, mail))
+    before = msgspec.json.encode(classroom.room)
+    for key in ("", "x" * len(classroom.room.key), classroom.room.key[:-1], classroom.room.code):
+        page.introduce(0, key)
+        assert not page.role.allows(said)
+        page.say(said)
+        page.frame()
+    assert not classroom.ended
+    assert classroom.teachers == 0
+    assert not page.told(Desk)
+    assert msgspec.json.encode(classroom.room) == before
 
 
-def test_a_teacher_leads_and_is_told_who_is_there(klass: Class, session: Session) -> None:
-    letters = Letters()
-    desk = DeskRole(klass, letters, "http://here/", "", no_download)
-    desk.introduce(who(9, klass.room.key), session)
-    seat = SeatRole(klass, Letters())
-    seat.introduce(who(1), session)
-    desk.hear(LED[0], session)
-    assert klass.room.phase is Phase.TRY
-    desk.frame(session)
-    assert [one.here for one in letters.last(Desk).seats] == [True]
-    seat.leave()
-    desk.frame(session)
-    assert [one.here for one in letters.last(Desk).seats] == [False]
+def test_a_teacher_leads_and_is_told_who_is_there(classroom: Class) -> None:
+    teacher, pupil = Teacher(classroom), Pupil(classroom)
+    teacher.say(LED[0])
+    assert classroom.room.phase is Phase.TRY
+    assert [one.here for one in teacher.shown(Desk).seats] == [True]
+    pupil.role.leave()
+    assert [one.here for one in teacher.shown(Desk).seats] == [False]
 
 
-def test_a_pupil_is_told_whether_a_teachers_page_is_there(klass: Class, session: Session) -> None:
-    letters = Letters()
-    seat = SeatRole(klass, letters)
-    seat.introduce(who(1), session)
-    seat.frame(session)
-    desk = a_desk(klass, session, Letters())
-    seat.frame(session)
-    desk.leave()
-    seat.frame(session)
-    assert [told.away for told in letters.sent if isinstance(told, Seat)] == [True, False, True]
+def test_a_pupil_is_told_whether_a_teachers_page_is_there(classroom: Class) -> None:
+    pupil = Pupil(classroom)
+    pupil.frame()
+    teacher = Teacher(classroom)
+    pupil.frame()
+    teacher.role.leave()
+    pupil.frame()
+    assert [told.away for told in pupil.told(Seat)] == [True, False, True]
 
 
-def test_an_answer_is_acknowledged_once_it_is_on_the_disk_and_counts_once(
-    klass: Class, session: Session
-) -> None:
-    letters = Letters()
-    seat = SeatRole(klass, letters)
-    seat.introduce(who(1), session)
-    klass.room.go(0, Phase.ASK)
-    seat.hear(a_vote(1, 2), session)
-    seat.hear(a_vote(1, 2), session)
-    assert not [message for message in letters.sent if isinstance(message, Taken)]
-    until_written(klass)
-    seat.frame(session)
-    taken = [message for message in letters.sent if isinstance(message, Taken)]
-    assert {id for message in taken for id in message.ids} == {f"{1:016x}"}
-    assert klass.room.bars(0, 0) == [0, 0, 1]
+def test_an_answer_is_acknowledged_once_it_is_on_the_disk_and_counts_once(classroom: Class) -> None:
+    pupil = Pupil(classroom)
+    classroom.room.go(0, Phase.ASK)
+    pupil.say(a_vote(1, 2), a_vote(1, 2))
+    assert not pupil.told(Taken)
+    until_written(classroom)
+    pupil.frame()
+    assert {id for message in pupil.told(Taken) for id in message.ids} == {f"{1:016x}"}
+    assert classroom.room.bars(0, 0) == [0, 0, 1]
     # A forged one is refused with a sentence, and the page forgets it.
-    seat.hear(a_vote(2, 4, turn=1), session)
-    assert letters.sent[-1] == Taken(ids=(f"{2:016x}",), refused="The question has no such choice.")
+    pupil.say(a_vote(2, 4, turn=1))
+    assert pupil.letters.sent[-1] == Taken(ids=(f"{2:016x}",), refused="The question has no such choice.")
 
 
-def test_the_last_page_of_a_browser_has_the_seat(klass: Class, session: Session) -> None:
-    first, second = SeatRole(klass, one := Letters()), SeatRole(klass, Letters())
-    first.introduce(who(1), session)
-    second.introduce(who(1), session)
-    first.frame(session)
-    assert one.sent[-1] == Seat(elsewhere="page") or Seat(elsewhere="page") in one.sent
-    first.hear(a_vote(1, 0), session)
-    assert not klass.room.answers
-    first.leave()
-    assert second.seat is not None
+def test_the_last_page_of_a_browser_has_the_seat(classroom: Class) -> None:
+    first, second = Pupil(classroom), Pupil(classroom)
+    first.frame()
+    assert Seat(elsewhere="page") in first.letters.sent
+    first.say(a_vote(1, 0))
+    assert not classroom.room.answers
+    first.role.leave()
+    assert second.role.seat is not None
 
 
-def test_the_wall_has_no_name_and_no_sealed_bar(klass: Class, session: Session) -> None:
-    letters = Letters()
-    wall = WallRole(klass, letters, "http://here/", "")
-    seat = SeatRole(klass, Letters())
-    seat.introduce(who(1), session)
-    klass.room.own_names = True
-    seat.hear(from_page.NewName("Zaphod"), session)
-    klass.room.go(0, Phase.ASK)
-    seat.hear(a_vote(1, 1), session)
-    assert isinstance(klass.room.answers[f"{1:016x}"].content, Vote)
-    wall.frame(session)
-    told = letters.last(Wall)
+def test_the_wall_has_no_name_and_no_sealed_bar(classroom: Class) -> None:
+    wall, pupil = Wall(classroom), Pupil(classroom)
+    classroom.room.own_names = True
+    pupil.say(from_page.NewName("Zaphod"))
+    classroom.room.go(0, Phase.ASK)
+    pupil.say(a_vote(1, 1))
+    assert isinstance(classroom.room.answers[f"{1:016x}"].content, Vote)
+    told = wall.shown(to_page.Wall)
     assert (told.answered, told.bars) == (1, ())
-    klass.room.go(0, Phase.RESULTS)
-    wall.frame(session)
-    assert letters.last(Wall).bars == (0, 1, 0)
-    assert all("Zaphod" not in str(message) for message in letters.sent)
+    classroom.room.go(0, Phase.RESULTS)
+    assert wall.shown(to_page.Wall).bars == (0, 1, 0)
+    assert all("Zaphod" not in str(message) for message in wall.letters.sent)
 
 
-def test_a_device_that_only_tries_is_told_to_the_teacher_and_to_nobody_else(
-    klass: Class, session: Session
-) -> None:
-    letters = Letters()
-    desk = DeskRole(klass, letters, "http://here/", "", no_download)
-    desk.introduce(who(9, klass.room.key), session)
-    found = from_page.Checked(23, 58, True, False)
-    for role in (SeatRole(klass, Letters()), WallRole(klass, Letters(), "", "")):
-        assert not role.allows(found)
-    check = CheckRole(klass)
+def test_a_device_that_only_tries_is_told_to_the_teacher_and_to_nobody_else(classroom: Class) -> None:
+    teacher, found = Teacher(classroom), from_page.Checked(23, 58, True, False)
+    for page in (Pupil(classroom), Wall(classroom)):
+        assert not page.role.allows(found)
+    check = CheckRole(classroom)
     assert not any(check.allows(said) for said in (*LED, a_vote(1, 0), from_page.RaiseHand(True)))
-    for _ in range(MAX_TRIED + 3):
-        check.hear(found, session)
-    desk.frame(session)
-    told = letters.last(Desk)
-    assert [(one.trip, one.rate) for one in told.tried] == MAX_TRIED * [(23, 58)]
-    assert told.check == f"http://here/check?room={klass.room.code}"
+    for _ in range(MAX_CHECKS + 3):
+        check.hear(found, teacher.session)
+    told = teacher.shown(Desk)
+    assert [(one.trip, one.rate) for one in told.tried] == MAX_CHECKS * [(23, 58)]
+    assert told.check == f"{ADDRESS}check?room={classroom.room.code}"
     assert told.check_qr
     # Once the class has begun, it is in the way.
-    klass.room.go(0, Phase.SHOW)
-    desk.frame(session)
-    assert not letters.last(Desk).check_qr
+    classroom.room.go(0, Phase.SHOW)
+    assert not teacher.shown(Desk).check_qr
     # A server without classes has the page, too.
-    CheckRole(None).hear(found, session)
+    CheckRole(None).hear(found, teacher.session)
 
 
-def an_order(desk: DeskRole, session: Session, what: str, seat: int = 0) -> None:
-    """Have the teacher arrange something, or do something with one seat."""
-    desk.hear(from_page.OneSeat(seat, what) if seat else from_page.Arrange(what), session)  # type: ignore[arg-type]
-
-
-def a_desk(klass: Class, session: Session, letters: Letters | None = None) -> DeskRole:
-    desk = DeskRole(klass, letters or Letters(), "http://here/", "", no_download)
-    desk.introduce(who(9, klass.room.key), session)
-    desk.frame(session)
-    return desk
-
-
-def test_a_seat_follows_the_teacher_and_comes_back_to_its_own_body(klass: Class, session: Session) -> None:
-    letters = Letters()
-    desk = a_desk(klass, session, letters)
-    seat, own = SeatRole(klass, Letters()), Session(sim.rope(), wait=False)
-    seat.introduce(who(1), own)
-    klass.room.go(0, Phase.TRY)
-    seat.frame(own)
-    own.drain()
+def test_a_seat_follows_the_teacher_and_comes_back_to_its_own_body(classroom: Class) -> None:
+    teacher, pupil = Teacher(classroom), Pupil(classroom)
+    seat, own = pupil.role, pupil.session
+    classroom.room.go(0, Phase.TRY)
+    pupil.frame()
     own.do_steps(5)
     places, opened = own.simulation.positions.copy(), own.openings
-    assert seat.front is None
-    seat.hear(from_page.Follow(True), own)
-    assert seat.front is klass.front
+    assert seat.shared_view is None
+    pupil.say(from_page.Follow(True))
+    assert seat.shared_view is classroom.shared_view
     assert not seat.allows(from_page.Perform("reset"))
-    seat.frame(own)
-    desk.frame(session)
-    assert [one.follows for one in letters.last(Desk).seats] == [True]
-    seat.hear(from_page.Follow(False), own)
-    seat.frame(own)
-    own.drain()
-    assert seat.front is None
+    pupil.frame()
+    assert [one.follows for one in teacher.shown(Desk).seats] == [True]
+    pupil.say(from_page.Follow(False))
+    pupil.frame()
+    assert seat.shared_view is None
     assert own.openings == opened
     assert (own.simulation.positions == places).all()
     # The teacher has all look at one body, and nobody can help it; then each one has theirs back.
-    an_order(desk, session, "gather")
-    seat.hear(from_page.Follow(False), own)
-    assert seat.front is klass.front
-    an_order(desk, session, "giveBack")
-    assert seat.front is None
+    teacher.arrange("gather")
+    pupil.say(from_page.Follow(False))
+    assert seat.shared_view is classroom.shared_view
+    teacher.arrange("giveBack")
+    assert seat.shared_view is None
     assert (own.simulation.positions == places).all()
 
 
-def test_the_wall_shows_the_body_of_a_seat_and_its_pupil_is_told(klass: Class, session: Session) -> None:
-    desk, letters = a_desk(klass, session), Letters()
-    seat, own = SeatRole(klass, letters), Session(sim.rope(), wait=False)
-    wall = WallRole(klass, Letters(), "http://here/", "")
-    seat.introduce(who(1), own)
-    klass.room.go(0, Phase.TRY)
-    seat.frame(own)
-    own.drain()
-    own.do_steps(5)
-    assert wall.front is klass.front
-    an_order(desk, session, "show", seat=1)
-    seat.frame(own)
-    assert wall.front is not None
-    assert wall.front is not klass.front
-    assert (wall.front.picture.positions == own.simulation.positions).all()
+def test_the_wall_shows_the_body_of_a_seat_and_its_pupil_is_told(classroom: Class) -> None:
+    teacher, pupil, wall = Teacher(classroom), Pupil(classroom), Wall(classroom)
+    classroom.room.go(0, Phase.TRY)
+    pupil.frame()
+    pupil.session.do_steps(5)
+    assert wall.role.shared_view is classroom.shared_view
+    teacher.arrange("show", seat=1)
+    pupil.frame()
+    shown = wall.role.shared_view
+    assert shown is not None and classroom.shared_view is not None
+    assert (shown.picture.positions == pupil.session.simulation.positions).all()
     # Pages know two bodies apart by that number.
-    assert klass.front is not None
-    assert wall.front.opening != klass.front.opening
-    assert letters.last(Seat).on_wall
-    an_order(desk, session, "hide", seat=1)
-    assert wall.front is klass.front
+    assert shown.opening != classroom.shared_view.opening
+    assert pupil.letters.last(Seat).on_wall
+    teacher.arrange("hide", seat=1)
+    assert wall.role.shared_view is classroom.shared_view
 
 
-def test_the_run_is_seen_again_slowly_and_bit_for_bit_the_same(klass: Class) -> None:
+def test_the_run_is_seen_again_slowly_and_bit_for_bit_the_same(classroom: Class) -> None:
     clock = iter(range(10_000))
     session = Session(sim.rope(), clock=lambda: next(clock) / 240.0, wait=True)
-    desk = a_desk(klass, session)
-    klass.room.go(0, Phase.RUN)
+    teacher = Teacher(classroom, session)
+    classroom.room.go(0, Phase.RUN)
 
     def run() -> list[tuple[float, bytes]]:
         """Until it stands: each moment that was shown."""
         shown = []
         for _ in range(3000):
-            desk.frame(session)
-            session.drain()
+            teacher.frame()
             session.tick(1.0)
-            assert klass.front is not None
-            shown.append((klass.front.picture.time, klass.front.picture.positions.tobytes()))
+            view = classroom.shared_view
+            assert view is not None
+            shown.append((view.picture.time, view.picture.positions.tobytes()))
             if not session.playing and session.simulation.time >= 2.0:
-                desk.frame(session)
+                teacher.frame()
                 return shown
         raise AssertionError("it does not stand")
 
     first, stood = run(), session.simulation.time
     end = session.simulation.positions.copy()
-    assert klass.run
+    assert classroom.run
     for _ in range(2):
-        an_order(desk, session, "again")
+        teacher.arrange("again")
         session.drain()
         again = run()
         assert session.simulation.time == stood
@@ -305,82 +234,65 @@ def test_the_run_is_seen_again_slowly_and_bit_for_bit_the_same(klass: Class) -> 
         assert all(dict(first)[time] == dict(again)[time] for time in both)
         assert len(again) > 3 * len(first)
         assert "agrees with the log" in session.notices[-1].text
-        desk.frame(session)
-        session.drain()
+        teacher.frame()
         assert session.pacer.speed == 1.0
 
 
-def test_there_is_nothing_to_see_again_before_a_run(klass: Class, session: Session) -> None:
-    desk = a_desk(klass, session)
-    an_order(desk, session, "again")
-    assert session.notices[-1].text == "There is no run to see again."
+def test_there_is_nothing_to_see_again_before_a_run(classroom: Class) -> None:
+    teacher = Teacher(classroom)
+    teacher.arrange("again")
+    assert teacher.session.notices[-1].text == "There is no run to see again."
 
 
-def test_the_wall_counts_every_seat_that_is_here_once(klass: Class, session: Session) -> None:
-    letters = Letters()
-    wall = WallRole(klass, letters, "http://here/", "")
-    klass.room.go(0, Phase.TRY)
-    now = [0.0]
+def test_the_wall_counts_every_seat_that_is_here_once(classroom: Class) -> None:
+    wall, now = Wall(classroom), [0.0]
+    classroom.room.go(0, Phase.TRY)
     sessions = [Session(sim.rope(), clock=lambda: now[0], wait=False) for _ in range(3)]
-    seats = [SeatRole(klass, Letters()) for _ in sessions]
-    for number, (seat, own) in enumerate(zip(seats, sessions, strict=True), start=1):
-        seat.introduce(who(number), own)
-        seat.frame(own)
-        own.drain()
+    pupils = [Pupil(classroom, number, own) for number, own in enumerate(sessions, start=1)]
+    for pupil in pupils:
+        pupil.frame()
     sessions[0].post(commands.SetValue("gravity", 500.0))
     sessions[0].drain()
-    klass.room.enter(f"{4:032x}")  # has left
+    classroom.room.enter(f"{4:032x}")  # has left
     now[0] = 1.0
-    for seat, own in zip(seats, sessions, strict=True):
-        seat.frame(own)
-    wall.frame(session)
-    assert letters.last(Wall).doing == {"stable": 1, "exploded": 0, "not begun": 2}
-    assert letters.last(Wall).seats == 3
+    for pupil in pupils:
+        pupil.frame()
+    told = wall.shown(to_page.Wall)
+    assert told.doing == {"stable": 1, "exploded": 0, "not begun": 2}
+    assert told.seats == 3
 
 
-def test_who_left_is_not_waited_for_unless_they_answered(klass: Class, session: Session) -> None:
-    letters, pages = Letters(), [SeatRole(klass, Letters()) for _ in range(3)]
-    wall = WallRole(klass, letters, "http://here/", "")
-    for number, page in enumerate(pages, start=1):
-        page.introduce(who(number), session)
-    klass.room.go(0, Phase.EXPLAIN)
-    klass.room.take(1, an_answer(1, Line("Because.")))
-    klass.room.take(2, an_answer(2, Line("Why not.")))
-    for page in pages[1:]:
-        page.leave()
-    wall.frame(session)
-    told = letters.last(Wall)
+def test_who_left_is_not_waited_for_unless_they_answered(classroom: Class) -> None:
+    wall, pupils = Wall(classroom), [Pupil(classroom, number) for number in (1, 2, 3)]
+    classroom.room.go(0, Phase.EXPLAIN)
+    classroom.room.take(1, an_answer(1, Line("Because.")))
+    classroom.room.take(2, an_answer(2, Line("Why not.")))
+    for pupil in pupils[1:]:
+        pupil.role.leave()
+    told = wall.shown(to_page.Wall)
     assert (told.answered, told.seats) == (2, 2)
 
 
-def test_the_law_is_on_the_wall_only_when_it_is_asked_for(klass: Class, session: Session) -> None:
-    letters, desk_letters = Letters(), Letters()
-    desk = a_desk(klass, session, desk_letters)
-    wall = WallRole(klass, letters, "http://here/", "")
-    klass.room.go(0, Phase.COLLECT)
+def test_the_law_is_on_the_wall_only_when_it_is_asked_for(classroom: Class) -> None:
+    teacher, wall = Teacher(classroom), Wall(classroom)
+    classroom.room.go(0, Phase.COLLECT)
     for number, setting in enumerate((1.0, 4.0, 9.0), start=1):
-        seat = klass.room.enter(f"{number:032x}")
+        seat = classroom.room.enter(f"{number:032x}")
         work = Work(setting=setting, found=2.0 * setting**0.5, points=((0.0, 0.0),) * 4)
-        klass.room.take(seat.number, an_answer(number, work))
-
-    def law() -> Law | None:
-        wall.frame(session)
-        return letters.last(Wall).law
-
-    assert law() is None
-    an_order(desk, session, "law")
-    found = law()
+        classroom.room.take(seat.number, an_answer(number, work))
+    assert wall.shown(to_page.Wall).law is None
+    teacher.arrange("law")
+    found = wall.shown(to_page.Wall).law
     assert found is not None
     assert (found.factor, found.exponent) == (pytest.approx(2.0), pytest.approx(0.5))
-    desk.frame(session)
-    told = desk_letters.last(Desk)
+    told = teacher.shown(Desk)
     assert told.shows_law
     assert [len(answer.places) for answer in told.answers] == [4, 4, 4]
-    an_order(desk, session, "noLaw")
-    assert law() is None
+    teacher.arrange("noLaw")
+    assert wall.shown(to_page.Wall).law is None
     # What was handed in stands on the wall as it was.
-    klass.room.put_on_wall(f"{2:016x}")
-    assert wall.front is not None
-    assert wall.front.picture.positions.tolist() == [[0.0, 0.0]] * 4
-    klass.room.put_on_wall("")
-    assert wall.front is klass.front
+    classroom.room.put_on_wall(f"{2:016x}")
+    assert wall.role.shared_view is not None
+    assert wall.role.shared_view.picture.positions.tolist() == [[0.0, 0.0]] * 4
+    classroom.room.put_on_wall("")
+    assert wall.role.shared_view is classroom.shared_view

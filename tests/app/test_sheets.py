@@ -12,9 +12,10 @@ import pytest
 import segno
 
 import sim
+from app.classroom.answers import Line, Phase, Prediction, Refused, Vote
 from app.classroom.live import Class
-from app.classroom.room import MAX_SEATS, Ghost, Line, Phase, Refused, Room, Vote
-from app.classroom.sheets import take
+from app.classroom.room import MAX_SEATS, Room
+from app.classroom.sheets import import_sheet
 from app.features.classroom.desk import DeskRole
 from app.lessons import lesson_code
 from app.session.session import Session
@@ -43,6 +44,10 @@ def a_scene() -> sim.Scene:
 def a_room() -> Room:
     """A class whose lesson is the second of its scenes."""
     return Room(code="ABCD", key="key", scenes=(sim.rope(), a_scene()))
+
+
+def contents(room: Room, stop: int, round: int, kind: Any) -> list[Any]:
+    return [content for _, content in room.given(stop, round, kind)]
 
 
 def a_step(
@@ -81,22 +86,22 @@ def test_a_class_takes_what_a_file_has_packed() -> None:
     for sheet, made in zip((FULL, small), packed(FULL, small), strict=True):
         assert len(made["text"]) <= 150
         room = a_room()
-        taken = take(room, made["text"])
-        assert taken.name == sheet["name"]
+        imported = import_sheet(room, made["text"])
+        assert imported.name == sheet["name"]
         assert all(answer.late for answer in room.answers.values())
-        assert [a.content for a in room.given(1, 0, Vote)] == [Vote(sheet["steps"][0]["choice"])]
-        assert [a.content for a in room.given(2, 0, Vote)] == [Vote(2)]
+        assert contents(room, 1, 0, Vote) == [Vote(sheet["steps"][0]["choice"])]
+        assert contents(room, 2, 0, Vote) == [Vote(2)]
     made = packed(FULL)[0]
     room = a_room()
-    assert take(room, made["text"]).reached == (3,)
-    [ghost] = room.given(1, 0, Ghost)
-    assert isinstance(ghost.content, Ghost)
-    for point, right in zip(ghost.content.points, PLACES, strict=True):
+    assert import_sheet(room, made["text"]).reached == (3,)
+    [prediction] = contents(room, 1, 0, Prediction)
+    assert isinstance(prediction, Prediction)
+    for point, right in zip(prediction.points, PLACES, strict=True):
         assert point == pytest.approx(right, abs=2.6)  # half of a 128th of the frame
-    assert [a.content for a in room.given(1, 0, Line)] == [Line(WHY)]
-    [cut] = room.given(2, 0, Line)
-    assert isinstance(cut.content, Line)
-    assert "x" * 140 != cut.content.text == "x" * len(cut.content.text)
+    assert contents(room, 1, 0, Line) == [Line(WHY)]
+    [cut] = contents(room, 2, 0, Line)
+    assert isinstance(cut, Line)
+    assert "x" * 140 != cut.text == "x" * len(cut.text)
     assert made["left"] == ["the end of the line of step 2"]
 
 
@@ -114,30 +119,30 @@ def test_the_code_is_the_one_that_another_program_makes() -> None:
 
 def test_every_answer_counts_once_and_a_later_sheet_goes_before() -> None:
     room, text = a_room(), packed(FULL)[0]["text"]
-    assert take(room, text)[1:3] == (5, 0)
+    assert import_sheet(room, text)[1:3] == (5, 0)
     before = msgspec.json.encode(room.answers)
-    assert take(room, text.lower())[1:3] == (0, 5)
+    assert import_sheet(room, text.lower())[1:3] == (0, 5)
     assert msgspec.json.encode(room.answers) == before
     # The file of the same moment has the whole line and the places as they were; then the code is old.
-    assert take(room, json.dumps(FULL))[1:3] == (2, 3)
-    assert [a.content for a in room.given(2, 0, Line)] == [Line("x" * 140)]
-    assert take(room, text)[1:3] == (0, 5)
+    assert import_sheet(room, json.dumps(FULL))[1:3] == (2, 3)
+    assert contents(room, 2, 0, Line) == [Line("x" * 140)]
+    assert import_sheet(room, text)[1:3] == (0, 5)
     later = {**FULL, "turn": 4, "steps": (a_step(0), *FULL["steps"][1:])}
-    assert take(room, json.dumps(later)).new == 1
-    assert [a.content for a in room.given(1, 0, Vote)] == [Vote(0)]
-    assert take(room, json.dumps(FULL)).new == 0
+    assert import_sheet(room, json.dumps(later)).new == 1
+    assert contents(room, 1, 0, Vote) == [Vote(0)]
+    assert import_sheet(room, json.dumps(FULL)).new == 0
     assert "Y" in text or "Z" in text
-    assert take(room, text.translate(str.maketrans("YZ", "ZY"))).known == 5  # by a German keyboard
+    assert import_sheet(room, text.translate(str.maketrans("YZ", "ZY"))).known == 5  # by a German keyboard
     assert len(room.seats) == 1
-    assert take(room, json.dumps({**FULL, "id": "99112233aa"})).name == "Zoë 2"
+    assert import_sheet(room, json.dumps({**FULL, "id": "99112233aa"})).name == "Zoë 2"
     assert len(room.seats) == 2
 
 
 def test_they_come_late_whatever_the_class_does_and_are_sealed_until_it_is_asked() -> None:
     room = a_room()
     room.is_open = False
-    take(room, json.dumps(FULL))
-    [vote] = room.given(1, 0, Vote)
+    import_sheet(room, json.dumps(FULL))
+    [(vote, _)] = room.given(1, 0, Vote)
     with pytest.raises(Refused):
         room.put_on_wall(vote.id)
     room.go(1, Phase.ASK)
@@ -145,13 +150,13 @@ def test_they_come_late_whatever_the_class_does_and_are_sealed_until_it_is_asked
     room.put_on_wall(vote.id)
     assert room.bars(1, 0) == [0, 1, 0]
     other = {**FULL, "id": "99112233aa"}
-    assert take(room, json.dumps(other)).new == 5
+    assert import_sheet(room, json.dumps(other)).new == 5
     assert room.bars(1, 0) == [0, 2, 0]
 
 
 def test_what_is_no_sheet_of_this_class_is_refused_in_a_sentence_and_changes_nothing() -> None:
     room, text, rng = a_room(), packed(FULL)[0]["text"], random.Random(2)
-    take(room, json.dumps({**FULL, "id": "0000000001"}))
+    import_sheet(room, json.dumps({**FULL, "id": "0000000001"}))
     before = msgspec.json.encode(room)
     wrong = [
         "", "{", "SR1", "hello", "SR1!!!!", "SR1" + "A" * 40, text[:-4], text + "AAAA",
@@ -175,7 +180,7 @@ def test_what_is_no_sheet_of_this_class_is_refused_in_a_sentence_and_changes_not
         if one == text:
             continue
         with pytest.raises(Refused) as refused:
-            take(room, one)
+            import_sheet(room, one)
         assert str(refused.value).endswith(".")
         assert msgspec.json.encode(room) == before, one
 
@@ -183,39 +188,39 @@ def test_what_is_no_sheet_of_this_class_is_refused_in_a_sentence_and_changes_not
 def test_a_full_class_takes_no_more() -> None:
     room = a_room()
     for i in range(MAX_SEATS):
-        take(room, json.dumps({**FULL, "id": f"{i:010x}", "name": f"N{i}"}))
+        import_sheet(room, json.dumps({**FULL, "id": f"{i:010x}", "name": f"N{i}"}))
     with pytest.raises(Refused, match="full"):
-        take(room, json.dumps({**FULL, "id": "ffffffffff"}))
+        import_sheet(room, json.dumps({**FULL, "id": "ffffffffff"}))
 
 
 def test_the_teachers_page_alone_brings_answers() -> None:
-    klass, session = Class(a_room()), Session(sim.rope(4), wait=False)
+    classroom, session = Class(a_room()), Session(sim.rope(4), wait=False)
     letters = Letters()
-    role = DeskRole(klass, letters, "", "", lambda *_: None)
+    role = DeskRole(classroom, letters, "", "", lambda *_: None)
     said = from_page.Bring(json.dumps(FULL))
     assert not role.allows(said)
     role.hear(said, session)
-    assert not klass.room.answers
+    assert not classroom.room.answers
     role.introduce(from_page.Who("0" * 32, "", "key"), session)
     role.hear(said, session)
     role.hear(from_page.Bring("{}"), session)
     told = [one for one in letters.sent if isinstance(one, Brought)]
     assert [one.refused for one in told] == [False, True]
     assert "Zoë: 5 answers" in told[0].told
-    assert len(klass.room.answers) == 5
+    assert len(classroom.room.answers) == 5
 
 
 def test_the_teachers_page_saves_the_lesson_as_a_file() -> None:
-    klass, session = Class(a_room()), Session(sim.rope(4), wait=False)
+    classroom, session = Class(a_room()), Session(sim.rope(4), wait=False)
     saved: dict[str, bytes] = {}
-    role = DeskRole(klass, Letters(), "", "", saved.__setitem__)
+    role = DeskRole(classroom, Letters(), "", "", saved.__setitem__)
     role.introduce(from_page.Who("0" * 32, "", "key"), session)
-    klass.room.go(1, Phase.SHOW)
-    made = klass.lesson_file()
+    classroom.room.go(1, Phase.SHOW)
+    made = classroom.lesson_file()
     role.hear(from_page.Arrange("lessonFile"), session)
     data = made.result(60.0)
     while not saved:
         role.frame(session)
     assert saved == {"rope.html": data}
     assert lesson_code(a_scene()) in data.decode()
-    klass.end()
+    classroom.end()

@@ -5,25 +5,20 @@ from __future__ import annotations
 import csv
 import io
 import zipfile
-from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import sim
-from app.classroom import kept
-from app.classroom.room import Ghost, Line, Phase, Vote, Work
+from app.classroom.answers import Line, Phase, Prediction, Vote, Work
 from app.classroom.takeaway import PICTURE_SIZE, log_path, pack
 from app.export.window import Window
 from app.stage.colors import palette
 from app.stage.sketch import Sketch
 from tests.app.test_room import a_room, an_answer
 
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+pytestmark = pytest.mark.usefixtures("class_folder")
 
 
 def tables(data: bytes, delimiter: str = ",") -> tuple[list[dict[str, str]], list[dict[str, str]]]:
@@ -38,7 +33,7 @@ def test_everything_that_was_given_is_in_the_zip_once() -> None:
     seat = room.enter("0" * 32)
     room.go(0, Phase.ASK)
     room.take(1, an_answer(1, Vote(1)))
-    room.take(1, an_answer(2, Ghost(((0.5, 1.0), (2.0, 3.0), (4.0, 5.0), (6.0, 7.0)))))
+    room.take(1, an_answer(2, Prediction(((0.5, 1.0), (2.0, 3.0), (4.0, 5.0), (6.0, 7.0)))))
     room.go(0, Phase.EXPLAIN)
     room.take(1, an_answer(3, Line('=HYPERLINK("x")')))
     room.go(0, Phase.COLLECT)

@@ -13,7 +13,8 @@ from msgspec.structs import replace
 
 import sim
 from app.features.solver import tuning_panel
-from app.features.solver.tuning_panel import MAX_MASSES, Tuner, TuningPanel
+from app.features.solver.job import MAX_MASSES
+from app.features.solver.tuning_panel import TuningAnalysis, TuningPanel
 from app.session import commands
 from app.session.notices import Notice
 from app.ui import readouts
@@ -29,15 +30,15 @@ SCENE = sim.load_scene("tutorial-3.3")
 EULER = sim.Integrator(method="symplectic_euler", dt=1e-3)
 
 
-def found(tuner: Tuner, scene: sim.Scene) -> Tuner:
-    """The tuner, after it has found out."""
+def found(analysis: TuningAnalysis, scene: sim.Scene) -> TuningAnalysis:
+    """The analysis, after it has found out."""
     fetch(FOR_FALLBACK)
     end = time.monotonic() + 60.0
-    while tuner.busy and time.monotonic() < end:
-        tuner.look(scene)
+    while analysis.busy and time.monotonic() < end:
+        analysis.look(scene)
         time.sleep(0.01)
-    assert not tuner.busy
-    return tuner
+    assert not analysis.busy
+    return analysis
 
 
 def test_a_scene_is_told_of_once_it_has_settled(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -49,39 +50,39 @@ def test_a_scene_is_told_of_once_it_has_settled(monkeypatch: pytest.MonkeyPatch)
         return tuning(scene)
 
     monkeypatch.setattr(sim, "tuning", counted)
-    tuner = Tuner()
-    assert tuner.busy
+    analysis = TuningAnalysis()
+    assert analysis.busy
     for k in range(5):  # as while a key is held
-        tuner.look(replace(SCENE, rest_length_scale=1.0 + 0.01 * k))
+        analysis.look(replace(SCENE, rest_length_scale=1.0 + 0.01 * k))
     assert not asked
-    found(tuner, SCENE)
+    found(analysis, SCENE)
     assert asked == [SCENE]
-    assert tuner.told is not None
-    assert tuner.told.stable_steps == tuning(SCENE).stable_steps
+    assert analysis.tuning is not None
+    assert analysis.tuning.stable_steps == tuning(SCENE).stable_steps
     other = replace(SCENE, gravity=(0.0, 100.0))
-    tuner.look(other)
-    assert tuner.busy
-    assert found(tuner, other).scene is other
+    analysis.look(other)
+    assert analysis.busy
+    assert found(analysis, other).scene is other
 
 
 def test_large_bodies_and_defects_end_the_wait(monkeypatch: pytest.MonkeyPatch) -> None:
     large = sim.rope(masses=MAX_MASSES + 1)
-    assert f"at most {MAX_MASSES} masses" in found(Tuner(), large).trouble
+    assert f"at most {MAX_MASSES} masses" in found(TuningAnalysis(), large).trouble
 
     def defect(scene: sim.Scene) -> sim.Tuning:
         raise RuntimeError("a defect")
 
     monkeypatch.setattr(sim, "tuning", defect)
-    assert "an error" in found(Tuner(), SCENE).trouble
+    assert "an error" in found(TuningAnalysis(), SCENE).trouble
 
 
 def test_nothing_is_compiled_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tuning_panel, "is_ready", lambda names: False)
-    tuner = Tuner()
+    analysis = TuningAnalysis()
     for _ in range(3):
-        tuner.look(SCENE)
-    assert tuner.busy
-    assert tuner.trouble == "comes when it is compiled"
+        analysis.look(SCENE)
+    assert analysis.busy
+    assert analysis.trouble == "comes when it is compiled"
 
 
 def test_the_table_has_what_there_is_with_units() -> None:

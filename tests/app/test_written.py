@@ -115,5 +115,5 @@ def test_a_class_goes_on_and_gives_the_same_table(tmp_path: Path, monkeypatch: p
     assert room is not None
     assert len(room.answers) == 4
     with zipfile.ZipFile(io.BytesIO(takeaway.pack(room))) as file:
-        assert file.read("answers.csv") == (WRITTEN / "answers.csv").read_bytes()
+        assert file.read("answers.csv").splitlines() == (WRITTEN / "answers.csv").read_bytes().splitlines()
         assert len(file.read("predictions.csv").splitlines()) == 5

@@ -38,7 +38,7 @@ class Place:
     """A class, and a device that reaches it by a wire."""
 
     browser: Browser
-    klass: Class
+    classroom: Class
     between: Wire
 
     @property
@@ -47,7 +47,7 @@ class Place:
 
     @property
     def check(self) -> str:
-        return check_address(self.base, self.klass.room.code)
+        return check_address(self.base, self.classroom.room.code)
 
     def device(self, script: str = "", size: tuple[int, int] = PHONE) -> Page:
         context = self.browser.new_context(viewport={"width": size[0], "height": size[1]})
@@ -62,11 +62,11 @@ class Place:
 def place(browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
     monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
     classes = Classes()
-    klass = classes.begin((sim.load_scene("lesson-hooke"),))
+    classroom = classes.begin((sim.load_scene("lesson-hooke"),))
     with ExitStack() as stack:
         server, _, _ = stack.enter_context(serving(sim.load_scene("ring"), "127.0.0.1", 0, classes=classes))
         between = stack.enter_context(wire(server.get_port()))
-        yield Place(browser, klass, between)
+        yield Place(browser, classroom, between)
 
 
 def found(page: Page, mark: str) -> list[str]:
@@ -83,7 +83,7 @@ def verdict(page: Page) -> str:
 
 def test_a_device_that_can_take_part_says_so_and_the_teacher_reads_it(place: Place) -> None:
     desk = place.device(size=(1280, 720))
-    desk.goto(desk_address(place.base, place.klass))
+    desk.goto(desk_address(place.base, place.classroom))
     expect(desk.get_by_text("the network keeps devices apart")).to_be_visible()
     expect(desk.get_by_role("img", name=f"QR code of {place.check}")).to_be_visible()
     phone = place.device()
@@ -106,13 +106,13 @@ def test_a_device_that_can_take_part_says_so_and_the_teacher_reads_it(place: Pla
     assert {url.removeprefix(place.base).rpartition("/")[2].partition("?")[0] for url in asked} <= {
         "check", "check.js", "main.js", "reach", "icon.svg", "favicon.ico",
     }  # fmt: skip
-    (tried,) = place.klass.tried
+    (tried,) = place.classroom.checks
     assert tried.works
     assert tried.rate > 0
     assert 0 <= tried.trip < 5000
     expect(desk.get_by_text(f"{tried.trip} ms, {tried.rate} pictures a second")).to_be_visible()
     # A device that only tries has no seat.
-    assert not place.klass.room.seats
+    assert not place.classroom.room.seats
     desk.context.close()
     phone.context.close()
 
@@ -128,13 +128,13 @@ def test_where_websockets_are_kept_out_the_pages_say_so(
     (why,) = found(phone, "bad")
     assert "lets none through" in why
     assert "hotspot" in why
-    assert not place.klass.tried
+    assert not place.classroom.checks
     # A pupil's page does not wait for ever, either.
-    phone.goto(seat_address(place.base, place.klass.room.code))
+    phone.goto(seat_address(place.base, place.classroom.room.code))
     expect(phone.get_by_text("lets no WebSockets through")).to_be_visible()
     # And it comes in as soon as it can.
     place.between.upgrades = "led"
-    until(phone, lambda: place.klass.room.seats, "it has a seat", limit=LIMIT)
+    until(phone, lambda: place.classroom.room.seats, "it has a seat", limit=LIMIT)
     expect(phone.get_by_text("lets no WebSockets through")).to_be_hidden()
     phone.context.close()
 
@@ -156,8 +156,8 @@ def test_an_old_browser_with_a_private_window_and_a_wrong_clock_is_told(place: P
     assert "differ by 10 minutes" in doubts
     # The rest was looked at nevertheless.
     assert "live connection" in "".join(found(phone, "good"))
-    until(phone, lambda: place.klass.tried, "the teacher is told")
-    assert not place.klass.tried[0].works
+    until(phone, lambda: place.classroom.checks, "the teacher is told")
+    assert not place.classroom.checks[0].works
     phone.context.close()
 
 

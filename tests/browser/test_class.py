@@ -18,14 +18,14 @@ from playwright.sync_api import Browser, Page, expect
 
 import sim
 from app.classroom import kept
+from app.classroom.answers import Line, Phase, Prediction, Vote, Work
 from app.classroom.live import Class, Classes
-from app.classroom.room import Ghost, Line, Phase, Vote, Work
 from app.export.live.live import live_html
 from app.features.classroom.roles import desk_address, seat_address, wall_address
 from app.server.serve import serving
 from app.session.session import Session
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
-from tests.app.test_roles import a_desk
+from tests.app.classrooms import Teacher
 from tests.app.test_room import an_answer
 from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.driver import LIMIT, rough_context, until
@@ -70,7 +70,7 @@ class School:
 
     browser: Browser
     port: int
-    klass: Class
+    classroom: Class
     pages: list[Page] = field(default_factory=list)
     errors: list[str] = field(default_factory=list)
 
@@ -96,7 +96,11 @@ class School:
     def go(self, desk: Page, phase: Phase, round: int = 0) -> None:
         """Go on, and wait until the class is there."""
         desk.locator("[data-focus=next]").click()
-        until(desk, lambda: (self.klass.room.phase, self.klass.room.round) == (phase, round), f"to {phase}")
+        until(
+            desk,
+            lambda: (self.classroom.room.phase, self.classroom.room.round) == (phase, round),
+            f"to {phase}",
+        )
 
     def stands_out(self, name: str) -> None:
         """Look whether the class's texts do."""
@@ -111,14 +115,14 @@ class School:
 def school(browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[School]:
     monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
     classes = Classes()
-    klass = classes.begin((a_lesson(),))
+    classroom = classes.begin((a_lesson(),))
     with ExitStack() as stack:
         server, _, compiler = stack.enter_context(
             serving(sim.load_scene("rope"), "127.0.0.1", 0, classes=classes)
         )
         compiler.start()
         compiler.wait()
-        made = School(browser, server.get_port(), klass)
+        made = School(browser, server.get_port(), classroom)
         yield made
         for page in made.pages:
             page.context.close()
@@ -127,8 +131,8 @@ def school(browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
 
 def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     """By keys alone on the pupil's side, whose connection is lost meanwhile."""
-    klass, room = school.klass, school.klass.room
-    desk = school.open(desk_address(school.base, klass), LAPTOP)
+    classroom, room = school.classroom, school.classroom.room
+    desk = school.open(desk_address(school.base, classroom), LAPTOP)
     wall = school.open(wall_address(school.base, room.code), WALL)
     wire = Wire(school.port)
     pupil = school.open(seat_address(f"http://127.0.0.1:{wire.port}/", room.code), LAPTOP, script=HURRIED)
@@ -152,13 +156,13 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     with FRAME_LOCK:
         room.take(absent.number, an_answer(1, Vote(0)))
     expect(pupil.locator("[data-focus=question]")).to_be_focused()
-    expect(pupil.locator(".softrod-unseen")).to_contain_text("Drag the pale body")
-    pupil.locator(".softrod-own-ghost circle").focus()
+    expect(pupil.locator(".softrod-tell", has_text="Drag the pale body")).to_have_count(1)
+    pupil.locator(".softrod-own-prediction circle").focus()
     for _ in range(3):
         keys.press("ArrowDown")
     pupil.locator("[data-focus=predict]").press("Enter")
     pupil.locator("[data-focus=choice0]").press("Enter")
-    until(desk, lambda: room.given(0, 0, Ghost) and room.bars(0, 0) == [2, 0], "it is answered")
+    until(desk, lambda: room.given(0, 0, Prediction) and room.bars(0, 0) == [2, 0], "it is answered")
     # Another answer is given without a connection; the page is reloaded, and it counts all the same.
     wire.mute = True
     expect(pupil.locator("html")).to_have_attribute("data-softrod-away", "")
@@ -172,7 +176,7 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     expect(pupil.locator(".softrod-waiting")).to_have_count(0)
     expect(wall.locator(".softrod-wall-head h1")).to_have_text("2 of 2 have answered")
     assert wall.locator(".softrod-bars b").count() == 0
-    assert wall.locator(".softrod-ghosts path").count() == 0
+    assert wall.locator(".softrod-predictions path").count() == 0
     school.stands_out("ask")
     expect(desk.locator(".softrod-desk-advice")).to_have_text(
         "50 % right: let them talk in pairs, then ask again."
@@ -180,7 +184,7 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     school.go(desk, Phase.RESULTS)
     expect(desk.locator("[data-focus=advice]")).to_have_text("Ask again")
     expect(wall.locator(".softrod-bars b")).to_have_text(["1", "1"])
-    expect(wall.locator(".softrod-ghosts path")).to_have_count(1)
+    expect(wall.locator(".softrod-predictions path")).to_have_count(1)
     assert wall.locator("[data-right]").count() == 0
     assert name not in wall.locator("body").inner_text()
     school.stands_out("results")
@@ -189,19 +193,25 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     school.go(desk, Phase.RUN)
 
     def stands() -> bool:
-        front = klass.front
+        front = classroom.shared_view
         return front is not None and not front.playing and front.picture.time >= 0.5
 
     until(desk, stands, "it stands at the moment that was predicted")
-    assert klass.front is not None
-    there = klass.front.picture.positions.astype(np.float32).ravel().tolist()
+    assert classroom.shared_view is not None
+    there = classroom.shared_view.picture.positions.astype(np.float32).ravel().tolist()
     shown = "[...window.__softrod.shown().frame.positions]"
     for page in (wall, pupil):
         until(page, lambda page=page: page.evaluate(shown) == there, "it shows the moment, bit for bit")
     school.stands_out("run")
     desk.get_by_role("button", name="Again, slowly").click()
-    until(desk, lambda: klass.front and klass.front.playing and klass.front.speed == 0.25, "it goes slowly")
-    expect(wall.locator(".softrod-ghosts path")).to_have_count(1)
+    until(
+        desk,
+        lambda: (
+            classroom.shared_view and classroom.shared_view.playing and classroom.shared_view.speed == 0.25
+        ),
+        "it goes slowly",
+    )
+    expect(wall.locator(".softrod-predictions path")).to_have_count(1)
 
     school.go(desk, Phase.EXPLAIN)
     pupil.get_by_label("Because").fill('<img src=x onerror="alert(1)"> energy')
@@ -264,7 +274,7 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     school.go(desk, Phase.COLLECT)
     pupil.locator("[data-focus=handin]").press("Enter")
     expect(pupil.locator(".softrod-verdict").last).to_contain_text("Handed in")
-    until(pupil, lambda: room.given(0, 0, Work)[0].content.reached is True, "the goal is judged")  # type: ignore[union-attr]
+    until(pupil, lambda: room.given(0, 0, Work)[0][1].reached is True, "the goal is judged")
     desk.get_by_text("Handed in: 1").click()
     desk.get_by_role("button", name=f"Show the body of {name} on the wall").click()
     expect(pupil.locator(".softrod-on-wall")).to_be_visible()
@@ -286,16 +296,15 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
 
 
 def test_on_a_phone_a_pupil_comes_in_by_letters_and_answers_by_touch(school: School) -> None:
-    room, teachers = school.klass.room, Session(a_lesson())
+    room = school.classroom.room
     with FRAME_LOCK:
-        teacher = a_desk(school.klass, teachers)
+        teacher = Teacher(school.classroom, Session(a_lesson()))
 
     def go(phase: Phase) -> None:
         with FRAME_LOCK:
             room.go(0, phase)
-            teacher.frame(teachers)
-            teachers.drain()
-            teacher.frame(teachers)
+            teacher.frame()
+            teacher.frame()
 
     phone = school.open(f"{school.base}?room=QQQQ", PHONE, touch=True)
     expect(phone.locator(".softrod-warning")).to_contain_text("no class QQQQ")
@@ -303,7 +312,7 @@ def test_on_a_phone_a_pupil_comes_in_by_letters_and_answers_by_touch(school: Sch
     phone.get_by_role("button", name="Come in").tap()
     expect(phone.locator(".softrod-task")).to_have_text("You are in. It begins soon.")
     go(Phase.ASK)
-    grip = phone.locator(".softrod-own-ghost circle")
+    grip = phone.locator(".softrod-own-prediction circle")
     predict = phone.get_by_role("button", name="It will be there")
     expect(grip).to_have_count(1)
 
@@ -321,7 +330,7 @@ def test_on_a_phone_a_pupil_comes_in_by_letters_and_answers_by_touch(school: Sch
     until(phone, is_dragged, "the pale body is dragged")
     predict.tap()
     phone.get_by_role("button", name="at 240").tap()
-    until(phone, lambda: room.given(0, 0, Ghost) and room.bars(0, 0) == [0, 1], "both have come")
+    until(phone, lambda: room.given(0, 0, Prediction) and room.bars(0, 0) == [0, 1], "both have come")
     school.stands_out("ask")
     # The sliders of the step stand below the card.
     go(Phase.TRY)
@@ -387,7 +396,7 @@ def test_answers_from_the_lessons_file_by_code_and_as_a_file(
     assert saved.name == "answers-Zoë.json"
     context.close()
 
-    desk = school.open(desk_address(school.base, school.klass), LAPTOP)
+    desk = school.open(desk_address(school.base, school.classroom), LAPTOP)
     desk.get_by_text("Answers from files").click()
     box = desk.locator(".softrod-brought")
     box.get_by_label("Or the text").fill(f"{text[:9]}{'A' if text[9] != 'A' else 'B'}{text[10:]} {text}")
@@ -397,9 +406,8 @@ def test_answers_from_the_lessons_file_by_code_and_as_a_file(
     expect(box.locator("li").last).to_contain_text("scan it again")
     box.get_by_label("Their files").set_input_files([saved])
     expect(box.locator("li").first).to_contain_text("1 answer, 2 had been brought before")
-    room = school.klass.room
-    [ghost] = room.given(0, 0, Ghost)
-    assert isinstance(ghost.content, Ghost)
-    assert ghost.content.points[1][1] == pytest.approx(predicted)
-    assert [answer.content for answer in room.given(0, 0, Vote)] == [Vote(1)]
-    assert [answer.content for answer in room.given(0, 0, Line)] == [Line("<b>Energy</b> stays")]
+    room = school.classroom.room
+    [(_, prediction)] = room.given(0, 0, Prediction)
+    assert prediction.points[1][1] == pytest.approx(predicted)
+    assert [content for _, content in room.given(0, 0, Vote)] == [Vote(1)]
+    assert [content for _, content in room.given(0, 0, Line)] == [Line("<b>Energy</b> stays")]

@@ -1,56 +1,15 @@
 // The sound of modes, of what touches and of what breaks, and their shapes on the screen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { become, pass } from "./page.mjs";
+import { become, heard, key, pass, point, put, tell } from "./page.mjs";
+import modes from "../../app/features/modes/modes.js";
 import { addSound, toggleSound } from "../../app/features/modes/sound.js";
-import { HIGH, HIGHEST, LOW, LOWEST, melodyOf, octavesOf, rendered, tonesOf } from "../../app/features/modes/tones.js";
+import { HIGH, HIGHEST, LOW, LOWEST, melodyOf, octavesOf, tonesOf } from "../../app/features/modes/tones.js";
 import { percent, posed, readLevels, readShapes } from "../../app/features/modes/shapes.js";
 
-const RATE = 48000;
 /** Hz and damping ratios of a bridge. */
 const FREQUENCIES = [2.32, 3.43, 5.03, 6.71, 9.61];
 const DAMPINGS = [0.0031, 0.0004, 0.0092, 0.002, 0.012];
-
-/** How much of a frequency is in some samples, weighted by a window. */
-function part(samples, hertz, from, to) {
-  let [re, im] = [0, 0];
-  for (let i = from; i < to; i++) {
-    const window = 0.5 - 0.5 * Math.cos((2 * Math.PI * (i - from)) / (to - from));
-    const angle = (2 * Math.PI * hertz * i) / RATE;
-    re += window * samples[i] * Math.cos(angle);
-    im += window * samples[i] * Math.sin(angle);
-  }
-  return (4 * Math.hypot(re, im)) / (to - from);
-}
-
-/** The frequency near another at which there is most, Hz: by halving a range around it. */
-function peak(samples, near, from, to) {
-  let [low, high] = [near * 0.985, near * 1.015];
-  const golden = (Math.sqrt(5) - 1) / 2;
-  while (high - low > near * 1e-6) {
-    const [a, b] = [high - golden * (high - low), low + golden * (high - low)];
-    if (part(samples, a, from, to) > part(samples, b, from, to)) high = b;
-    else low = a;
-  }
-  return (low + high) / 2;
-}
-
-test("rendered, intervals are those of the modes within 2 cents, and tones die away as they do within 3 %", () => {
-  const tones = tonesOf(FREQUENCIES, DAMPINGS, [1, 0.8, 0.6, 0.9, 0.5]);
-  const samples = rendered(tones, 3, RATE);
-  const found = tones.map(({ pitch }) => peak(samples, pitch, 0, 1.5 * RATE));
-  for (let i = 0; i < found.length; i++) {
-    for (let j = 0; j < i; j++) {
-      const damped = (k) => FREQUENCIES[k] * Math.sqrt(1 - DAMPINGS[k] ** 2);
-      const cents = 1200 * Math.log2(found[i] / found[j] / (damped(i) / damped(j)));
-      assert.ok(Math.abs(cents) < 2, `${i} over ${j}: ${cents} cents`);
-    }
-    const [early, late] = [[0, 1], [2, 3]].map(([from, to]) => part(samples, found[i], from * RATE, to * RATE));
-    const rate = Math.log(early / late) / 2;
-    const wanted = 2 * Math.PI * FREQUENCIES[i] * DAMPINGS[i];
-    assert.ok(Math.abs(rate / wanted - 1) < 0.03, `${i}: ${rate} instead of ${wanted} 1/s`);
-  }
-});
 
 test("all are moved by the same whole number of octaves, so that the slowest can be heard", () => {
   for (const slowest of [0.35, 2.32, 109.9, 110, 3000]) {
@@ -67,7 +26,8 @@ test("what is too high, does not swing or is not there makes no sound", () => {
   assert.ok(tones[0].gain > 0);
   assert.deepEqual(tones.slice(1).map(({ gain }) => gain), [0, 0, 0]);
   assert.ok(60 * 2 ** octavesOf([1]) > HIGHEST);
-  assert.ok(Math.max(...rendered(tonesOf(FREQUENCIES, DAMPINGS, [9, 9, 9, 9, 9]), 0.5, 8000)) < 2);
+  const loudest = tonesOf(FREQUENCIES, DAMPINGS, [9, 9, 9, 9, 9]).reduce((sum, { gain }) => sum + gain, 0);
+  assert.ok(loudest < 2, `all together: ${loudest}`);
 });
 
 test("with the clock at half speed tones last twice as long", () => {
@@ -148,4 +108,49 @@ test("what touches and what breaks makes a noise while the sound is on and time 
   falls();
   become({ broken: 3 });
   assert.deepEqual(made(), []);
+});
+
+test("a bar is moved by keys and by a drag, is driven while it is pressed, and says what it is", () => {
+  become({ unit: "px", playing: false });
+  put("div", { class: "softrod-transport" });
+  modes.begin();
+  tell("modes", { on: true, number: 1, frequencies: [2, 3], damping: [0.1, 1], full: [10, 20], driven: -1 });
+  const [first, second, others] = document.querySelectorAll(".softrod-mode");
+  const says = document.querySelector(".softrod-modes-says");
+  const done = () => heard().map(({ do: what, mode, part }) => [what, mode, part].filter((one) => one !== undefined));
+  heard();
+  key("Tab");
+  first.focus();
+  assert.match(says.textContent, /^Mode 1: 2 Hz, 0 px, damping 10 %/);
+  key("ArrowUp");
+  assert.deepEqual(done(), [["visit"], ["putMode", 0, 0.05]]);
+  pass();
+  key("ArrowRight");
+  assert.equal(document.activeElement, second);
+  assert.match(says.textContent, /^Mode 2: 3 Hz, 0 px, does not swing/);
+  key("Enter");
+  key("Enter", {}, "keyup");
+  assert.deepEqual(done(), [["driveMode", 1], ["driveMode", -1]]);
+  point("down", { x: 5, y: 100 }, { on: first });
+  point("move", { x: 5, y: 98 });
+  assert.deepEqual(done(), [], "so little is no drag");
+  point("move", { x: 5, y: 60 });
+  pass();
+  point("up", { x: 5, y: 60 });
+  assert.deepEqual(done(), [["visit"], ["putMode", 0, 1]]);
+  point("down", { x: 5, y: 100 }, { on: second });
+  pass(349);
+  assert.deepEqual(done(), []);
+  pass(1);
+  pass();
+  assert.deepEqual(done(), [["driveMode", 1]], "one that rests on it drives it");
+  point("up", { x: 5, y: 100 });
+  assert.deepEqual(done(), [["driveMode", -1]]);
+  document.body.focus();
+  point("down", { x: 5, y: 100 }, { on: first });
+  point("up", { x: 5, y: 100 });
+  assert.match(says.textContent, /^Mode 1/, "a tap keeps it in sight");
+  tell("modes", { on: true, number: 2, trouble: "it has none" });
+  assert.equal(says.textContent, "No modes: it has none.");
+  assert.equal(others.getAttribute("role"), "img");
 });

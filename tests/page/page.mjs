@@ -111,6 +111,7 @@ class Element extends Target {
     this.append(child);
     this.children.unshift(this.children.pop());
   }
+  before = (child) => this.parentElement.append(child);
   insertBefore(child) {
     child.remove();
     child.parentElement = this;

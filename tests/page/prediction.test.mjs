@@ -2,7 +2,7 @@
 /** How a body follows a mass that a pupil drags in a prediction. */
 import assert from "node:assert/strict";
 import test from "node:test";
-import { drag } from "../../app/features/classroom/ghost.js";
+import { drag } from "../../app/features/classroom/prediction.js";
 
 test("springs keep their lengths, and masses that are held stay", () => {
   const places = /** @type {[number, number][]} */ ([[0, 0], [1, 0], [2, 0]]);

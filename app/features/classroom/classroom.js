@@ -4,23 +4,21 @@ import { onTold } from "../../wire/channel.js";
 import { viser } from "../../ui/viser/viser.js";
 import { frameOf } from "../../ui/viser/widgets.js";
 import { addDesk } from "./desk.js";
-import { addSeat } from "./seat.js";
+import { addSeat, OWN_BODY } from "./seat.js";
 import { addWall } from "./wall.js";
 
-/** Phases in which each pupil has a body of their own. */
-const OWN = new Set(["try", "collect"]);
-/** Milliseconds between two looks whether viser has made its canvas anew. */
+/** Milliseconds between two checks whether viser has remade its canvas. */
 const LOOK_EVERY = 200;
 
-/** Makes it, for any page: a server without classes tells it nothing. */
+/** Makes it, for any page: a server without classes never tells it anything. */
 export function addClassroom() {
   const as = new URLSearchParams(location.search).get("as");
   if (as === "desk") addDesk();
   else if (as === "wall") addWall();
   else addSeat();
   const { dataset } = document.documentElement;
-  // What only looks on has no use for the panel.
-  onTold("seat", ({ asking, follows }) => (dataset.softrodClass = OWN.has(asking?.phase ?? "") && !follows ? "seat" : "seat looks"));
+  // A page that only looks needs no panel.
+  onTold("seat", ({ asking, follows }) => (dataset.softrodClass = OWN_BODY.has(asking?.phase ?? "") && !follows ? "seat" : "seat looks"));
   onTold("wall", ({ asking }) => (dataset.softrodClass = asking.phase === "lobby" ? "wall lobby" : "wall"));
   onTold("desk", () => (dataset.softrodClass = "desk"));
   setInterval(() => {

@@ -4,16 +4,16 @@
  * seldom wanted is folded.
  */
 import { onTold, send } from "../../wire/channel.js";
-import { make, makeButton } from "../../ui/dialog.js";
-import { betweenPresses } from "./anew.js";
-import { brought, broughtSoFar, hearBrought } from "./brought.js";
-import { Ghosts } from "./ghost.js";
+import { make } from "../../ui/dialog.js";
 import { beforehand } from "./beforehand.js";
-import { icon } from "./icons.js";
+import { box, button, fold, icon, typedAddress, untranslated, voteBars } from "./elements.js";
+import { hearImports, importResults, imports } from "./imports.js";
 import { keepInPlace } from "./place.js";
 import { plot, power } from "./plot.js";
 import { keepPosters, poster, still } from "./poster.js";
-import { voted } from "./wall.js";
+import { Predictions } from "./prediction.js";
+import { Card } from "./rerender.js";
+import { OWN_BODY } from "./seat.js";
 
 /** @typedef {import("../../wire/wire.js").Desk} Desk */
 /** @typedef {import("../../wire/wire.js").DeskSeat} DeskSeat */
@@ -22,7 +22,7 @@ import { voted } from "./wall.js";
 /** @typedef {import("../../wire/wire.js").OneSeat} OneSeat */
 /** @typedef {keyof typeof PHASES} Phase */
 
-/** What each phase is called on its button. */
+/** Labels of the phases on their buttons. */
 const PHASES = {
   lobby: "Come in",
   show: "Look at me",
@@ -33,7 +33,7 @@ const PHASES = {
   try: "Let them try",
   collect: "Collect",
 };
-/** What the class does in it. */
+/** What the class does in them. */
 const ABOUT = {
   lobby: "Put the wall on the projector: they come in by its code.",
   show: "All look at your body: what you do with it, they see.",
@@ -44,69 +44,72 @@ const ABOUT = {
   try: "Each one has a body of their own.",
   collect: "Each one hands in what they found.",
 };
-/** Phases in which each pupil has a body of their own. @type {Phase[]} */
-const FREE = ["try", "collect"];
-/** Phases that wait for something from each pupil. @type {Phase[]} */
+/** Phases that wait for each pupil. @type {Phase[]} */
 const WAITS = ["ask", "explain", "collect"];
-/** Part of right answers, %, below which it is taught once more, and up to which they talk in pairs (Mazur 1997). */
-const [TEACH, PAIRS] = [35, 70];
-/** What is given beside votes, and its title. @type {[DeskAnswer["kind"], string][]} */
-const KINDS = [["work", "Handed in"], ["line", "Lines"], ["ghost", "Predictions"]];
-/** What a tile says of a body; what all do is not said. */
-const TOLD = new Set(["at rest", "paused", "exploded", "goal reached"]);
+/** Percentage of right answers below which the step is taught once more (Mazur 1997). */
+const TEACH_BELOW = 35;
+/** Percentage of right answers up to which pupils talk in pairs, and are asked again (Mazur 1997). */
+const PAIRS_UP_TO = 70;
+/** The answers that are listed, by kind; the bars have the votes. @type {[DeskAnswer["kind"], title: string][]} */
+const LISTED = [["work", "Handed in"], ["line", "Lines"], ["prediction", "Predictions"]];
+/** States of a body that its tile names; all others are moving. */
+const NAMED_STATES = new Set(["at rest", "paused", "exploded", "goal reached"]);
 
 /** The seat that is looked at alone, or 0. */
 let chosen = 0;
-/** Names of what is folded out. @type {Set<string>} */
-const open = new Set();
+/** @type {Desk | null} */
+let desk = null;
+/** @type {Card} */
+let card;
 
 /** Makes the teacher's part. */
 export function addDesk() {
-  const desk = make("aside", "softrod-class softrod-desk");
-  desk.ariaLabel = "Class";
-  const ghosts = new Ghosts();
-  const anew = betweenPresses(desk);
-  let made = "";
-  let place = "";
-  /** @type {Desk | null} */
-  let last = null;
-  onTold("predictions", ({ bodies }) => ghosts.show(bodies));
-  keepPosters(desk);
-  /** @param {Desk} told */
-  const show = (told) => {
-    if (!desk.isConnected && !made) keepInPlace(desk);
-    if (!told.seats.some(({ number }) => number === chosen)) chosen = 0;
-    last = told;
-    const now = JSON.stringify([told, chosen, broughtSoFar()]);
-    if (now === made) return;
-    made = now;
-    const focused = document.activeElement?.getAttribute("data-focus");
-    const { stop, phase, round } = told.asking;
-    const at = `${stop} ${phase} ${round}`;
-    // What comes next is at the top.
-    const scrolled = at === place ? desk.scrollTop : 0;
-    place = at;
-    desk.replaceChildren(...parts(told, () => anew(again), (seat) => {
-      chosen = seat;
-      show(told);
-      /** @type {HTMLElement | null} */ (desk.querySelector(seat ? "[data-focus=back]" : ".softrod-seats button"))?.focus();
-    }));
-    desk.scrollTop = scrolled;
-    if (focused) /** @type {HTMLElement | null} */ (desk.querySelector(`[data-focus="${focused}"]`))?.focus();
-  };
-  const again = () => last && show(last);
-  onTold("desk", (told) => anew(() => show(told)));
-  hearBrought(() => anew(again));
+  const element = make("aside", "softrod-class softrod-desk");
+  element.ariaLabel = "Class";
+  const predictions = new Predictions();
+  card = new Card(element, () => (desk ? parts(desk) : []));
+  onTold("predictions", ({ bodies }) => predictions.show(bodies));
+  keepPosters(element);
+  onTold("desk", (told) => {
+    if (!desk) keepInPlace(element);
+    card.defer(() => {
+      desk = told;
+      show();
+    });
+  });
+  hearImports(() => card.defer(show));
   onTold("classEnded", () => {
-    ghosts.show([]);
-    desk.replaceChildren(make("h2", "", "The class is over"), make("p", "", "Nothing that was given is kept on this computer."));
+    predictions.show([]);
+    element.replaceChildren(make("h2", "", "The class is over"), make("p", "", "Nothing that was given is kept on this computer."));
   });
 }
 
-/** @param {Desk} desk @param {() => void} changed @param {(seat: number) => void} choose @returns {HTMLElement[]} */
-function parts(desk, changed, choose) {
+/** The place of the class when the part was scrolled. */
+let scrolledAt = "";
+
+function show() {
+  if (!desk) return;
+  if (!desk.seats.some(({ number }) => number === chosen)) chosen = 0;
+  const { stop, phase, round } = desk.asking;
+  const at = `${stop} ${phase} ${round}`;
+  // In another phase, what comes next is at the top.
+  const scrolled = at === scrolledAt ? card.element.scrollTop : 0;
+  scrolledAt = at;
+  card.show([desk, chosen, importResults()]);
+  card.element.scrollTop = scrolled;
+}
+
+/** Looks at a seat alone, or at all (0). @param {number} number */
+function choose(number) {
+  chosen = number;
+  show();
+  card.focus(number ? "[data-focus=back]" : ".softrod-seats button");
+}
+
+/** @param {Desk} desk @returns {HTMLElement[]} */
+function parts(desk) {
   const seat = desk.seats.find(({ number }) => number === chosen);
-  const present = seat ? alone(desk, seat, choose) : seats(desk, choose);
+  const present = seat ? alone(desk, seat) : seats(desk);
   return [
     head(desk),
     now(desk),
@@ -115,299 +118,233 @@ function parts(desk, changed, choose) {
     actions(desk),
     ...asked(desk),
     ...collected(desk),
-    // While they write, what they write is looked at first.
+    // While pupils write, their lines come first.
     ...(desk.asking.phase === "explain" ? [...given(desk), present] : [present, ...given(desk)]),
-    fold("All phases of this step", phases(desk)),
-    fold("Answers from files", brought(changed)),
-    fold("Door, names, saving, end", foot(desk)),
+    fold("All phases of this step", [phases(desk)]),
+    fold("Answers from files", [imports(() => card.defer(show))]),
+    fold("Door, names, saving, end", [foot(desk)]),
   ];
-}
-
-/** A button that keeps the focus when the part is made anew. @param {string} text @param {() => void} press @param {string} [name] */
-function button(text, press, name = "softrod-small") {
-  const made = makeButton(text, press, name);
-  made.dataset.focus = text;
-  return made;
-}
-
-/** A part that is folded until it is wanted. @param {string} title @param {HTMLElement} content @param {string} [name] by which it is known again */
-function fold(title, content, name = title) {
-  const box = make("details", "");
-  const summary = make("summary", "", title);
-  summary.dataset.focus = name;
-  box.open = open.has(name);
-  box.addEventListener("toggle", () => (box.open ? open.add(name) : open.delete(name)));
-  box.append(summary, content);
-  return box;
 }
 
 /** @param {Arrange["what"]} what */
 const arrange = (what) => send({ do: "arrange", what });
+/** @param {[stop: number, phase: Phase, round: number]} place */
+const go = ([stop, phase, round]) => send({ do: "stage", stop, phase, round });
 
 /** @param {Desk} desk */
 function head({ code, address, saved, trouble }) {
-  const box = make("header", "");
-  const letters = make("b", "softrod-desk-code", code);
-  const typed = make("span", "", address.replace(/^http:\/\/|\/$/g, ""));
-  letters.translate = typed.translate = false;
-  box.append(letters, typed);
-  const wall = make("a", "softrod-small", "Wall");
-  wall.href = `?room=${code}&as=wall`;
-  wall.target = "_blank";
+  const letters = untranslated(make("b", "softrod-desk-code", code));
+  const wall = Object.assign(make("a", "softrod-small", "Wall"), { href: `?room=${code}&as=wall`, target: "_blank" });
   wall.dataset.focus = "wall";
   const writing = trouble ? make("b", "softrod-warning", "not kept") : make("span", "softrod-quiet", saved ? "" : "saving…");
   writing.title = trouble;
-  box.append(writing, wall);
-  return box;
+  return box("header", "", letters, untranslated(make("span", "", typedAddress(address))), writing, wall);
 }
 
-/** A place of the plan, as a button calls it. @param {[number, Phase, number]} place @param {number} at */
-const called = ([stop, phase, round], at) => (stop === at ? `${PHASES[phase]}${round > 0 ? " again" : ""}` : `Step ${stop + 1}`);
+/** The label of a place of the plan on a button. @param {[number, Phase, number]} place @param {number} at */
+const labelOf = ([stop, phase, round], at) => (stop === at ? `${PHASES[phase]}${round > 0 ? " again" : ""}` : `Step ${stop + 1}`);
 
 /** What comes next, and what the class does now. @param {Desk} desk */
-function now(desk) {
-  const { stops, asking, next, seats } = desk;
-  const box = make("section", "softrod-desk-now");
+function now({ stops, asking, next, seats }) {
+  const { stop, phase, round, predict } = asking;
   const pick = make("select", "");
   pick.ariaLabel = "Step";
   pick.dataset.focus = "step";
-  stops.forEach(({ title }, i) => {
-    const option = make("option", "", `${i + 1}. ${title}`);
-    option.value = String(i);
-    option.selected = i === asking.stop;
-    pick.append(option);
-  });
+  stops.forEach(({ title }, i) => pick.add(new Option(`${i + 1}. ${title}`, String(i), false, i === stop)));
   pick.addEventListener("change", () => send({ do: "stage", stop: Number(pick.value), phase: "show" }));
-  if (stops.length > 1) box.append(pick);
-  if (next) {
-    const go = button(`Next: ${called(next, asking.stop)}`, () => send({ do: "stage", stop: next[0], phase: next[1], round: next[2] }), "softrod-strong");
-    go.dataset.focus = "next";
-    box.append(go);
-  } else box.append(make("p", "softrod-quiet", "That was the last step."));
-  const about = make("p", "softrod-desk-about");
+  const about = box("p", "softrod-desk-about", make("b", "", labelOf([stop, phase, round], stop)), ` – ${ABOUT[phase]}`);
   about.setAttribute("role", "status");
-  about.append(make("b", "", called([asking.stop, asking.phase, asking.round], asking.stop)), ` – ${ABOUT[asking.phase]}`);
-  if (WAITS.includes(asking.phase)) about.append(` ${seats.filter(({ answered }) => answered).length} of ${counted(seats)} have.`);
-  if (asking.phase === "run" && asking.predict > 0) about.append(` It stands at ${asking.predict} s.`);
-  box.append(about);
-  return box;
+  if (WAITS.includes(phase)) about.append(` ${seats.filter(({ answered }) => answered).length} of ${counted(seats)} have.`);
+  if (phase === "run" && predict > 0) about.append(` It stands at ${predict} s.`);
+  return box(
+    "section",
+    "softrod-desk-now",
+    ...(stops.length > 1 ? [pick] : []),
+    next ? button(`Next: ${labelOf(next, stop)}`, () => go(next), { focus: "next", name: "softrod-strong" }) : make("p", "softrod-quiet", "That was the last step."),
+    about,
+  );
 }
 
-/** How many there are to wait for: who left without an answer is not one of them. @param {DeskSeat[]} seats */
+/** How many pupils are waited for: not those who left without an answer. @param {DeskSeat[]} seats */
 const counted = (seats) => seats.filter(({ here, answered }) => here || answered).length;
 
-/** What the part of right answers means, once all have answered or all see it. @param {Desk} desk @returns {HTMLElement[]} */
-function advice({ asking, bars, right, seats, stops }) {
+/** What the percentage of right answers suggests, once all have answered or all see it. @param {Desk} desk @returns {HTMLElement[]} */
+function advice({ asking: { stop, phase, round }, bars, right, seats, stops }) {
   const votes = bars.reduce((sum, bar) => sum + bar, 0);
   const here = seats.filter((seat) => seat.here);
-  const complete = asking.phase === "ask" && here.length > 0 && here.every(({ answered }) => answered);
-  if (!votes || right < 0 || !(complete || asking.phase === "results")) return [];
+  const isComplete = phase === "ask" && here.length > 0 && here.every(({ answered }) => answered);
+  if (!votes || right < 0 || !(isComplete || phase === "results")) return [];
   const part = Math.round((100 * bars[right]) / votes);
-  const text = part < TEACH ? "teach it once more" : part <= PAIRS ? "let them talk in pairs, then ask again" : "go on";
-  const box = make("div", "softrod-desk-advice");
-  box.append(make("p", "", `${part} % right: ${text}.`));
-  /** @type {[Phase, number] | null} */
-  const way = part < TEACH ? ["show", 0] : part <= PAIRS && asking.round === 0 ? ["ask", 1] : null;
-  if (way && asking.phase === "results" && stops[asking.stop].phases.some(([phase, round]) => phase === way[0] && round === way[1])) {
-    const [phase, round] = way;
-    const go = button(called([asking.stop, phase, round], asking.stop), () => send({ do: "stage", stop: asking.stop, phase, round }));
-    go.dataset.focus = "advice";
-    box.append(go);
-  }
-  return [box];
+  const text = part < TEACH_BELOW ? "teach it once more" : part <= PAIRS_UP_TO ? "let them talk in pairs, then ask again" : "go on";
+  /** @type {[number, Phase, number] | null} */
+  const way = part < TEACH_BELOW ? [stop, "show", 0] : part <= PAIRS_UP_TO && round === 0 ? [stop, "ask", 1] : null;
+  const isThere = way && stops[stop].phases.some(([phase, round]) => phase === way[1] && round === way[2]);
+  const buttons = isThere && phase === "results" ? [button(labelOf(way, stop), () => go(way), { focus: "advice" })] : [];
+  return [box("div", "softrod-desk-advice", make("p", "", `${part} % right: ${text}.`), ...buttons)];
 }
 
-/** What can be done in the present phase with all. @param {Desk} desk */
+/** What can be done with all in the present phase. @param {Desk} desk */
 function actions({ asking, paused, gathered, again, law, shows_law }) {
-  const row = make("div", "softrod-phases");
-  if (again !== "no") {
-    const slowly = button(again === "now" ? "Slowly, from the start…" : "Again, slowly", () => arrange("again"));
-    slowly.dataset.focus = "again";
-    row.append(slowly);
-  }
-  if (!FREE.includes(asking.phase)) return row;
-  const gather = button("All look at mine", () => arrange(gathered ? "giveBack" : "gather"));
-  gather.ariaPressed = String(gathered);
-  const stand = button("Pause all", () => arrange(paused ? "goOn" : "pause"));
-  stand.ariaPressed = String(paused);
-  row.append(
-    gather,
-    stand,
-    button("Reset all", () => arrange("reset")),
-    button("Give all mine", () => confirm("Give each one your body as it is now? What they have is gone.") && arrange("asMine")),
+  const replay = button(again === "now" ? "Slowly, from the start…" : "Again, slowly", () => arrange("again"), { focus: "again" });
+  const giveMine = () => confirm("Give each one your body as it is now? What they have is gone.") && arrange("asMine");
+  return box(
+    "div",
+    "softrod-phases",
+    ...(again !== "no" ? [replay] : []),
+    ...(OWN_BODY.has(asking.phase)
+      ? [
+          button("All look at mine", () => arrange(gathered ? "giveBack" : "gather"), { pressed: gathered }),
+          button("Pause all", () => arrange(paused ? "goOn" : "pause"), { pressed: paused }),
+          button("Reset all", () => arrange("reset")),
+          button("Give all mine", giveMine),
+          ...(law ? [button("Show the law", () => arrange(shows_law ? "noLaw" : "law"), { pressed: shows_law })] : []),
+        ]
+      : []),
   );
-  if (law) {
-    const show = button("Show the law", () => arrange(shows_law ? "noLaw" : "law"));
-    show.ariaPressed = String(shows_law);
-    row.append(show);
-  }
-  return row;
 }
 
 /** @param {Desk} desk */
-function asked({ asking, bars, right, answers, seats }) {
-  const now = asking.phase === "ask" || asking.phase === "results";
-  if (!asking.question && !(asking.predict > 0)) return [];
-  const box = make("section", "");
-  if (asking.question) box.append(make("p", "", asking.question), voted(asking.choices, bars, right));
-  const ghosts = answers.filter(({ kind }) => kind === "ghost").length;
-  if (asking.predict > 0) box.append(make("p", "softrod-quiet", `${ghosts} of ${counted(seats)} have dragged a prediction.`));
-  return [now ? box : fold("The question", box)];
+function asked({ asking: { phase, question, choices, predict }, bars, right, answers, seats }) {
+  if (!question && !(predict > 0)) return [];
+  const predictions = answers.filter(({ kind }) => kind === "prediction").length;
+  const part = box(
+    "section",
+    "",
+    ...(question ? [make("p", "", question), voteBars(choices, bars, right)] : []),
+    ...(predict > 0 ? [make("p", "softrod-quiet", `${predictions} of ${counted(seats)} have dragged a prediction.`)] : []),
+  );
+  return [phase === "ask" || phase === "results" ? part : fold("The question", [part])];
 }
 
-/** What a tile says of a seat, beside its name. @param {DeskSeat} seat @param {boolean} own whether it has a body */
-function state({ here, follows, doing }, own) {
+/** What a tile says of a seat, beside its name. @param {DeskSeat} seat @param {boolean} hasOwn whether it has a body of its own */
+function state({ here, follows, doing }, hasOwn) {
   if (!here) return "away";
-  if (own && follows) return "looks at yours";
-  return own && TOLD.has(doing) ? doing : "";
+  if (hasOwn && follows) return "looks at yours";
+  return hasOwn && NAMED_STATES.has(doing) ? doing : "";
 }
 
-/** @param {Desk} desk @param {(seat: number) => void} choose */
-function seats({ seats, asking, seat_on_wall, gathered }, choose) {
-  const own = FREE.includes(asking.phase);
-  const box = make("section", "");
-  const here = seats.filter((seat) => seat.here).length;
-  box.append(make("h3", "", `${here} of ${seats.length} are here`));
+/** The name of a seat as it is shown. @param {keyof HTMLElementTagNameMap} kind @param {DeskSeat} seat @param {string} [more] */
+function nameOf(kind, { name, two, hand }, more = "") {
+  const label = untranslated(make(kind, "", `${name}${two ? " (two)" : ""}${more}`));
+  if (hand) label.append(icon("hand"));
+  return label;
+}
+
+/** @param {Desk} desk */
+function seats({ seats, asking, seat_on_wall, gathered }) {
+  const hasOwn = OWN_BODY.has(asking.phase);
   const up = seats.filter(({ hand }) => hand).map(({ name }) => name);
-  if (up.length) {
-    const hands = make("p", "softrod-desk-hands");
-    hands.append(icon("hand"), up.join(", "));
-    box.append(hands);
-  }
-  const grid = make("ul", own ? "softrod-seats softrod-tiles" : "softrod-seats");
-  for (const seat of seats) {
+  const tiles = seats.map((seat) => {
     const { number, name, color, here, two, hand, answered } = seat;
-    const item = make("li", "");
+    const said = [state(seat, hasOwn && !gathered), number === seat_on_wall ? "on the wall" : ""].filter(Boolean).join(", ");
+    const label = [name, two ? "two" : "", said, answered ? "has answered" : "", hand ? "hand is up" : ""].filter(Boolean).join(", ");
+    const tile = button("", () => choose(number), { focus: `seat${number}`, name: "softrod-tile", label });
+    if (hasOwn) tile.append(poster(number));
+    tile.append(nameOf("span", seat, answered ? " ✓" : ""));
+    if (said) tile.append(make("small", "", said));
+    const item = box("li", "", tile);
     item.style.setProperty("--softrod-seat", color);
     item.toggleAttribute("data-away", !here);
-    const tile = button("", () => choose(number), "softrod-tile");
-    tile.dataset.focus = `seat${number}`;
-    if (own) tile.append(poster(number));
-    const label = make("span", "", `${name}${two ? " (two)" : ""}${answered ? " ✓" : ""}`);
-    label.translate = false;
-    if (hand) label.append(icon("hand"));
-    tile.append(label);
-    const said = [state(seat, own && !gathered), number === seat_on_wall ? "on the wall" : ""].filter(Boolean).join(", ");
-    if (said) tile.append(make("small", "", said));
-    tile.ariaLabel = [name, two ? "two" : "", said, answered ? "has answered" : "", hand ? "hand is up" : ""].filter(Boolean).join(", ");
-    item.append(tile);
-    grid.append(item);
-  }
-  box.append(grid);
-  return box;
+    return item;
+  });
+  return box(
+    "section",
+    "",
+    make("h3", "", `${seats.filter(({ here }) => here).length} of ${seats.length} are here`),
+    ...(up.length ? [box("p", "softrod-desk-hands", icon("hand"), up.join(", "))] : []),
+    box("ul", hasOwn ? "softrod-seats softrod-tiles" : "softrod-seats", ...tiles),
+  );
 }
 
-/** One seat, larger, and what can be done with it. @param {Desk} desk @param {DeskSeat} seat @param {(seat: number) => void} choose */
-function alone({ asking, seat_on_wall, answers, gathered }, seat, choose) {
-  const { number, name, color, digits, two, hand } = seat;
-  const own = FREE.includes(asking.phase);
-  const box = make("section", "softrod-desk-seat");
-  box.style.setProperty("--softrod-seat", color);
-  const back = button("Back to all", () => choose(0));
-  back.dataset.focus = "back";
-  const title = make("h3", "", `${name}${two ? " (two)" : ""}`);
-  title.translate = false;
-  if (hand) title.append(icon("hand"));
-  const said = state(seat, own && !gathered);
-  const row = make("header", "");
-  row.append(title, make("span", "softrod-quiet", said || (own ? seat.doing : "")), back);
-  box.append(row);
-  if (own) box.append(poster(number));
+/** One seat, larger, and what can be done with it. @param {Desk} desk @param {DeskSeat} seat */
+function alone({ asking, seat_on_wall, answers, gathered }, seat) {
+  const { number, name, color, digits, doing } = seat;
+  const hasOwn = OWN_BODY.has(asking.phase);
+  const isShown = seat_on_wall === number;
   /** @param {OneSeat["what"]} what */
   const act = (what) => send({ do: "oneSeat", seat: number, what });
-  const acts = make("div", "softrod-phases");
-  if (own) {
-    const shown = seat_on_wall === number;
-    const wall = button("Put on the wall", () => act(shown ? "hide" : "show"));
-    wall.ariaPressed = String(shown);
-    acts.append(wall, button("Reset this one", () => act("reset")));
-  }
-  acts.append(
-    button(digits ? `On the other device: ${digits}` : "Move to another device", () => act("move")),
-    button("Remove", () => confirm(`Close the seat of ${name}? What it gave goes, too.`) && act("sendAway")),
+  const own = hasOwn ? [button("Put on the wall", () => act(isShown ? "hide" : "show"), { pressed: isShown }), button("Reset this one", () => act("reset"))] : [];
+  const said = state(seat, hasOwn && !gathered) || (hasOwn ? doing : "");
+  const part = box(
+    "section",
+    "softrod-desk-seat",
+    box("header", "", nameOf("h3", seat), make("span", "softrod-quiet", said), button("Back to all", () => choose(0), { focus: "back" })),
+    ...(hasOwn ? [poster(number)] : []),
+    box(
+      "div",
+      "softrod-phases",
+      ...own,
+      button(digits ? `On the other device: ${digits}` : "Move to another device", () => act("move")),
+      button("Remove", () => confirm(`Close the seat of ${name}? What it gave goes, too.`) && act("sendAway")),
+    ),
+    ...(digits ? [make("p", "softrod-quiet", `There, come in, choose “This seat” and type ${digits}.`)] : []),
+    ...answers.filter((answer) => answer.seat === number).map((answer) => make("p", "", `Gave: ${wordsOf(answer, asking.choices)}`)),
   );
-  box.append(acts);
-  if (digits) box.append(make("p", "softrod-quiet", `There, come in, choose “This seat” and type ${digits}.`));
-  for (const { kind, text, choice, late } of answers.filter((answer) => answer.seat === number)) {
-    const what = { vote: asking.choices[choice] ?? "", ghost: "a prediction", line: text, work: text || "a run" }[kind];
-    box.append(make("p", "", `Gave: ${what}${late ? " (late)" : ""}`));
-  }
-  return box;
+  part.style.setProperty("--softrod-seat", color);
+  return part;
 }
 
-/** What was given, but for votes. @param {Desk} desk */
+/** An answer in words. @param {DeskAnswer} answer @param {string[]} choices of the question */
+function wordsOf({ kind, text, choice, late, doubt }, choices) {
+  const what = { vote: choices[choice] ?? "", prediction: "a prediction", line: text, work: text || "a run" }[kind];
+  return `${what}${late ? " (late)" : ""}${doubt && `: ${doubt}`}`;
+}
+
+/** The answers that are listed. @param {Desk} desk */
 function given({ answers, seats, on_wall, asking }) {
-  /** @param {DeskAnswer["kind"]} wanted */
-  const list = (wanted) => {
-    const list = make("ul", "softrod-lines");
-    for (const answer of answers) if (answer.kind === wanted) list.append(item(answer, seats, on_wall));
-    return list;
-  };
-  const lists = [];
-  for (const [kind, title] of KINDS) {
-    const made = list(kind);
-    if (!made.children.length) continue;
-    // The lines are open while they are written; predictions are on the body already.
-    if (kind === "line" && asking.phase === "explain") lists.push(made);
-    else lists.push(fold(`${title}: ${made.children.length}`, made, title));
-  }
-  return lists;
+  return LISTED.flatMap(([kind, title]) => {
+    const items = answers.filter((answer) => answer.kind === kind).map((answer) => item(answer, seats, on_wall));
+    const list = box("ul", "softrod-lines", ...items);
+    // The lines are open while they are written; predictions are over the body already.
+    return !items.length ? [] : [kind === "line" && asking.phase === "explain" ? list : fold(`${title}: ${items.length}`, [list], title)];
+  });
 }
 
 /** The class's plot. @param {Desk} desk */
 function collected({ answers, asking, over, law, shows_law }) {
   const found = answers.flatMap(({ setting, found, doubt }) => (setting === null || found === null || doubt ? [] : [{ setting, found }]));
   if (!found.length || asking.phase !== "collect") return [];
-  const box = make("section", "");
-  box.append(plot(found, over, asking.collects, shows_law ? law : null));
-  if (law && shows_law) box.append(make("p", "", power(law, asking.collects, over)));
-  return [box];
+  const words = law && shows_law ? [make("p", "", power(law, asking.collects, over))] : [];
+  return [box("section", "", plot(found, over, asking.collects, shows_law ? law : null), ...words)];
 }
 
 /** @param {DeskAnswer} answer @param {DeskSeat[]} seats @param {string} on_wall */
-function item({ id, seat, kind, text, late, starred, doubt, places }, seats, on_wall) {
-  const item = make("li", "");
+function item(answer, seats, on_wall) {
+  const { id, seat, kind, starred, places } = answer;
   const { name = "", color = "" } = seats.find(({ number }) => number === seat) ?? {};
+  const isShown = on_wall === id;
+  const what = kind === "prediction" ? `the prediction of ${name} alone` : `the body of ${name}`;
+  const item = box(
+    "li",
+    "",
+    ...(places.length ? [still(places)] : []),
+    make("span", "", `${name}: ${wordsOf(answer, [])}`),
+    kind === "line"
+      ? button("", () => send({ do: "star", answer: id, on: !starred }), {
+          focus: `star${id}`, name: "softrod-cross", label: `Show this line on the wall, by ${name}`, pressed: starred, icon: "star",
+        })
+      : button("Wall", () => send({ do: "toWall", answer: isShown ? "" : id }), { focus: `wall${id}`, label: `Show ${what} on the wall`, pressed: isShown }),
+  );
   item.style.setProperty("--softrod-seat", color);
-  if (places.length) item.append(still(places));
-  item.append(make("span", "", `${name}: ${kind === "ghost" ? "a prediction" : text || "a run"}${late ? " (late)" : ""}${doubt && `: ${doubt}`}`));
-  if (kind === "line") {
-    const star = button("", () => send({ do: "star", answer: id, on: !starred }), "softrod-cross");
-    star.append(icon("star"));
-    star.ariaLabel = `Show this line on the wall, by ${name}`;
-    star.ariaPressed = String(starred);
-    star.dataset.focus = `star${id}`;
-    item.append(star);
-  } else {
-    const shown = on_wall === id;
-    const wall = button("Wall", () => send({ do: "toWall", answer: shown ? "" : id }));
-    wall.ariaLabel = kind === "ghost" ? `Show the prediction of ${name} alone on the wall` : `Show the body of ${name} on the wall`;
-    wall.ariaPressed = String(shown);
-    wall.dataset.focus = `wall${id}`;
-    item.append(wall);
-  }
   return item;
 }
 
 /** All phases of the present step. @param {Desk} desk */
-function phases({ stops, asking }) {
-  const row = make("div", "softrod-phases");
-  for (const [phase, round] of stops[asking.stop].phases) {
-    const one = button(called([asking.stop, phase, round], asking.stop), () => send({ do: "stage", stop: asking.stop, phase, round }));
-    one.ariaPressed = String(phase === asking.phase && round === asking.round);
-    row.append(one);
-  }
-  return row;
+function phases({ stops, asking: { stop, ...now } }) {
+  const buttons = stops[stop].phases.map(([phase, round]) =>
+    button(labelOf([stop, phase, round], stop), () => go([stop, phase, round]), { pressed: phase === now.phase && round === now.round }),
+  );
+  return box("div", "softrod-phases", ...buttons);
 }
 
 /** @param {Desk} desk */
 function foot({ open, own_names }) {
-  const box = make("div", "softrod-phases");
-  box.append(
+  return box(
+    "div",
+    "softrod-phases",
     button(open ? "Close the door" : "Open the door", () => arrange(open ? "close" : "open")),
     button(own_names ? "Names by us" : "Let them type names", () => arrange(own_names ? "givenNames" : "ownNames")),
     button("Save all as a zip", () => arrange("zip")),
     button("End", () => confirm("End the class? Everything that was given is deleted.") && arrange("end")),
   );
-  return box;
 }

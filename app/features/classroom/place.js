@@ -2,7 +2,7 @@
 /** Where a class's card stands: beside the body, and on a narrow screen in the panel, above its sliders. */
 
 const NARROW = matchMedia("(max-width: 799px)");
-/** Milliseconds between two looks whether viser has made that place anew. */
+/** Milliseconds between two checks whether viser has remade that place. */
 const LOOK_EVERY = 100;
 /** Of the place in the panel, see `role.py`. */
 const PLACE = "softrod-class-place";

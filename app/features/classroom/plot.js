@@ -1,16 +1,17 @@
 // @ts-check
 /** The class's plot: what each seat found over what it set, a point a seat. */
 import { axisMarks } from "../../stage/axes.js";
-import { SVG } from "../../stage/overlay.js";
+import { makeSvg, set } from "../../stage/overlay.js";
 
 /** @typedef {import("../../wire/wire.js").Found} Found */
 /** @typedef {import("../../wire/wire.js").Law} Law */
 
-/** Sizes, in the plot's own units. */
-const [WIDE, HIGH, LEFT, BELOW, ABOVE] = [400, 270, 62, 52, 30];
-/** From this factor between the least and the largest on, an axis goes by powers of ten. */
+/** Size of the plot, in its own units, and what of it is left of, below and above the axes. */
+const SIZE = { width: 400, height: 270 };
+const MARGIN = { left: 62, below: 52, above: 30, right: 12 };
+/** Ratio of the largest to the smallest number from which an axis is logarithmic. */
 const WIDE_RANGE = 5;
-/** Marks of an axis, at most. */
+/** Marks of a linear axis. */
 const MAX_MARKS = 5;
 
 /**
@@ -46,7 +47,7 @@ function powers(low, high) {
   return [];
 }
 
-/** A number as an axis has it. @param {number} number */
+/** A number as it stands at an axis. @param {number} number */
 const short = (number) => (number !== 0 && (Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3) ? number.toExponential() : String(number)).replace("-", "−");
 
 /** A power law in words. @param {Law} law @param {string} what @param {string} over */
@@ -54,7 +55,7 @@ export const power = ({ factor, exponent }, what, over) =>
   `${what} = ${Number(factor.toPrecision(3))} × ${over}^${exponent.toFixed(2)}`.replaceAll("-", "−");
 
 /**
- * Both axes go by powers of ten where the numbers do. With a law both do, so that it is a straight line.
+ * The plot. An axis is logarithmic where its numbers span a wide range; with a law both are, so that it is a straight line.
  *
  * @param {Found[]} found
  * @param {string} over
@@ -62,47 +63,45 @@ export const power = ({ factor, exponent }, what, over) =>
  * @param {Law | null} [law]
  */
 export function plot(found, over, what, law = null) {
-  const svg = document.createElementNS(SVG, "svg");
-  svg.setAttribute("viewBox", `0 0 ${WIDE} ${HIGH}`);
-  svg.classList.add("softrod-class-plot");
-  svg.setAttribute("role", "img");
-  const told = law ? `; ${power(law, what, over)}` : "";
-  svg.setAttribute("aria-label", `${what} over ${over}: ${found.length} points${told}`);
+  const svg = makeSvg("svg", "softrod-class-plot");
+  svg.removeAttribute("aria-hidden");
+  const label = `${what} over ${over}: ${found.length} points${law ? `; ${power(law, what, over)}` : ""}`;
+  set(svg, { viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, role: "img", "aria-label": label });
   /** @param {number[]} numbers */
-  const made = (numbers) => {
+  const axisOf = (numbers) => {
     const least = Math.min(...numbers);
     return axis(numbers, least > 0 && (law !== null || Math.max(...numbers) > WIDE_RANGE * least));
   };
   const settings = found.map(({ setting }) => setting);
-  const [x, y] = [made(settings), made(found.map((one) => one.found))];
+  const x = axisOf(settings), y = axisOf(found.map((one) => one.found));
   /** @param {keyof SVGElementTagNameMap} kind @param {Record<string, number | string>} attributes @param {string} [text] */
-  const add = (kind, attributes, text = "") => {
-    const element = document.createElementNS(SVG, kind);
-    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  const add = (kind, { class: name = "", ...attributes }, text = "") => {
+    const element = makeSvg(kind, String(name), svg);
+    set(element, attributes);
     element.textContent = text;
-    svg.append(element);
   };
-  const [right, low] = [WIDE - 12, HIGH - BELOW];
+  const { left, above } = MARGIN;
+  const right = SIZE.width - MARGIN.right, low = SIZE.height - MARGIN.below;
   /** @param {number} number */
-  const across = (number) => LEFT + x.part(number) * (right - LEFT);
+  const across = (number) => left + x.part(number) * (right - left);
   /** @param {number} number */
-  const up = (number) => low - y.part(number) * (low - ABOVE);
+  const up = (number) => low - y.part(number) * (low - above);
   for (const mark of x.marks) {
-    add("path", { class: "softrod-plot-grid", d: `M${across(mark)} ${ABOVE}V${low}` });
+    add("path", { class: "softrod-plot-grid", d: `M${across(mark)} ${above}V${low}` });
     add("text", { x: across(mark), y: low + 20, "text-anchor": "middle" }, short(mark));
   }
   for (const mark of y.marks) {
-    add("path", { class: "softrod-plot-grid", d: `M${LEFT} ${up(mark)}H${right}` });
-    add("text", { x: LEFT - 6, y: up(mark) + 5, "text-anchor": "end" }, short(mark));
+    add("path", { class: "softrod-plot-grid", d: `M${left} ${up(mark)}H${right}` });
+    add("text", { x: left - 6, y: up(mark) + 5, "text-anchor": "end" }, short(mark));
   }
-  add("path", { d: `M${LEFT} ${ABOVE}V${low}H${right}` });
+  add("path", { d: `M${left} ${above}V${low}H${right}` });
   if (law) {
     const ends = [Math.min(...settings), Math.max(...settings)];
     const [from, to] = ends.map((end) => `${across(end)} ${up(law.factor * end ** law.exponent)}`);
     add("path", { class: "softrod-plot-law", d: `M${from}L${to}` });
   }
   for (const { setting, found: value } of found) add("circle", { cx: across(setting), cy: up(value), r: 6 });
-  add("text", { x: (LEFT + right) / 2, y: HIGH - 8, "text-anchor": "middle" }, over);
+  add("text", { x: (left + right) / 2, y: SIZE.height - 8, "text-anchor": "middle" }, over);
   add("text", { x: 4, y: 18 }, what);
   return svg;
 }

@@ -1,59 +1,47 @@
 // @ts-check
 /** Small still pictures of bodies, drawn from where their masses are. */
 import { onTold } from "../../wire/channel.js";
-import { SVG } from "../../stage/overlay.js";
+import { makeSvg, set } from "../../stage/overlay.js";
+
+/** @typedef {[number, number][]} Places thousandths of the scene's frame */
 
 /** Where the seats' bodies are. @type {import("../../wire/wire.js").Posters} */
 let posters = { tell: "posters", places: {}, springs: [] };
 
-/** How much of the scene's frame a picture shows at least, thousandths; and what it goes by, so that it seldom jumps. */
-const [LEAST, STEP] = [300, 100];
+/** The smallest part of the scene's frame that a picture shows, thousandths. */
+const MIN_SIZE = 300;
+/** Sizes and places of that part are multiples of this, so that it seldom jumps. */
+const STEP = 100;
 
 /** The part of the frame where the bodies of all seats are, so that all pictures have one scale. */
-function part() {
-  let [left, top, right, bottom] = [1000, 1000, 0, 0];
-  for (const places of Object.values(posters.places)) {
-    for (const [x, y] of places) {
-      if (x < 0 || y < 0 || x > 1000 || y > 1000) continue;
-      [left, top, right, bottom] = [Math.min(left, x), Math.min(top, y), Math.max(right, x), Math.max(bottom, y)];
-    }
-  }
-  if (left > right) return "0 0 1000 1000";
-  const [x, y] = [left, top].map((edge) => Math.floor((edge - STEP / 2) / STEP) * STEP);
-  const [width, height] = [right - x, bottom - y].map((size) => Math.max(LEAST, Math.ceil((size + STEP / 2) / STEP) * STEP));
-  return `${x} ${y} ${width} ${height}`;
+function viewBox() {
+  const places = Object.values(posters.places).flat().filter((place) => place.every((c) => c >= 0 && c <= 1000));
+  if (!places.length) return "0 0 1000 1000";
+  const [low, high] = [Math.min, Math.max].map((end) => [0, 1].map((axis) => end(...places.map((place) => place[axis]))));
+  const from = low.map((edge) => Math.floor((edge - STEP / 2) / STEP) * STEP);
+  const size = high.map((edge, axis) => Math.max(MIN_SIZE, Math.ceil((edge - from[axis] + STEP / 2) / STEP) * STEP));
+  return [...from, ...size].join(" ");
 }
 
-/** @param {SVGSVGElement} svg @param {[number, number][]} places */
+/** @param {SVGSVGElement} svg @param {Places} places */
 function draw(svg, places) {
-  svg.setAttribute("viewBox", part());
-  let path = "";
-  for (const [a, b] of posters.springs) {
-    if (places[a] && places[b]) path += `M${places[a].join(" ")}L${places[b].join(" ")}`;
-  }
-  svg.firstElementChild?.setAttribute("d", path);
+  const lines = posters.springs.filter(([a, b]) => places[a] && places[b]);
+  set(svg, { viewBox: viewBox() });
+  set(svg.children[0], { d: lines.map(([a, b]) => `M${places[a].join(" ")}L${places[b].join(" ")}`).join("") });
 }
 
-function blank() {
-  const svg = document.createElementNS(SVG, "svg");
-  svg.setAttribute("aria-hidden", "true");
-  svg.classList.add("softrod-poster");
-  svg.append(document.createElementNS(SVG, "path"));
+/** A picture of a body that stays as it is. @param {Places} places of its masses */
+export function still(places) {
+  const svg = makeSvg("svg", "softrod-poster");
+  makeSvg("path", "", svg);
+  draw(svg, places);
   return svg;
 }
 
 /** A picture of the body of a seat, as it is now. @param {number} seat */
 export function poster(seat) {
-  const svg = blank();
+  const svg = still(posters.places[seat] ?? []);
   svg.dataset.seat = String(seat);
-  draw(svg, posters.places[seat] ?? []);
-  return svg;
-}
-
-/** A picture of a body that stays as it is. @param {[number, number][]} places of its masses, as of the seats' bodies */
-export function still(places) {
-  const svg = blank();
-  draw(svg, places);
   return svg;
 }
 

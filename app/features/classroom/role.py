@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from typing import Any, Literal
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
 import viser
 
 import sim
+from app.classroom.answers import Answer, Phase, Prediction, Work
 from app.classroom.law import power_law
-from app.classroom.live import Class, Front
-from app.classroom.room import Answer, Content, Ghost, Line, Phase, Room, Vote, Work
+from app.classroom.live import Class, SharedView
+from app.classroom.room import Room
 from sim.errors import SettingError
-from sim.settings import CHOICES, setting_of
+from sim.settings import setting_of
 
 from ...lessons import goal_text, reading_text
 from ...session.session import Session
@@ -26,10 +27,7 @@ from ...ui.view import picture_of
 from ...wire import from_page
 from ...wire.carrier import Mail
 from ...wire.to_page import Asking, ClassEnded, Found, Law, Predictions, Seat
-from .front import looks_alike, send
-
-Kind = Literal["vote", "ghost", "line", "work"]
-_KINDS: dict[type[Content], Kind] = {Vote: "vote", Ghost: "ghost", Line: "line", Work: "work"}
+from .shared_view import broadcast, same_view
 
 NOTHING = Controls(())
 
@@ -37,7 +35,7 @@ MAX_PLACES = 60
 """Masses in a small picture of a body."""
 
 MAX_OPENINGS = 1_000_000
-"""Bodies that one page has in turn, at most, for their numbers to be those of no other page."""
+"""Bodies that one page opens at most, so that no two pages number theirs alike."""
 
 _numbers = itertools.count()
 
@@ -46,7 +44,7 @@ plan_numbers = itertools.count(1_000_000)
 
 
 class Role:
-    """What one page is, where it is no page of its own. The ticker alone calls it, but for `allows`.
+    """What one page is, if it is not an ordinary page. Only the ticker calls it, except for `allows`.
 
     Attributes:
         place: HTML above the panel's sliders, where the page's script finds room.
@@ -60,16 +58,16 @@ class Role:
         return NOTHING
 
     @property
-    def front(self) -> Front | None:
+    def shared_view(self) -> SharedView | None:
         """What the page shows instead of a body of its own, or None."""
         return None
 
     def allows(self, said: from_page.FromPage) -> bool:
-        """Whether the page may say that, whoever is behind it; any thread may ask."""
+        """Whether the page may say that, whoever is behind it; called from any thread."""
         return isinstance(said, from_page.Who)
 
     def introduce(self, who: from_page.Who, session: Session) -> None:
-        """The page says whose it is."""
+        """Take the secrets of the page's browser."""
 
     def hear(self, said: from_page.FromPage, session: Session) -> None:
         """Do what the page says in the class."""
@@ -78,7 +76,7 @@ class Role:
         """Between two frames: tell the page what has changed."""
 
     def keep(self, keepsake: bytes) -> bool:
-        """Keep what the page needs to come back to where it is; False if its browser is to keep it."""
+        """Store the state of the page's body; False if its browser is to store it."""
         return True
 
     def leave(self) -> None:
@@ -86,7 +84,7 @@ class Role:
 
 
 class Entrance(Role):
-    """The page of somebody who has not said which class they come to, or came to one that there is not.
+    """The page of somebody who has named no class, or one that does not exist.
 
     Args:
         mail: to the page's script.
@@ -104,15 +102,15 @@ class ClassRole(Role):
     """What one page is in a class.
 
     Args:
-        klass: the class.
+        classroom: the class.
         mail: to the page's script.
 
     Attributes:
-        klass: as above.
+        classroom: as above.
     """
 
-    def __init__(self, klass: Class, mail: Mail) -> None:
-        self.klass = klass
+    def __init__(self, classroom: Class, mail: Mail) -> None:
+        self.classroom = classroom
         self._mail = mail
         self._told_end = False
         self._known: tuple[Any, ...] = ()
@@ -124,108 +122,90 @@ class ClassRole(Role):
     @property
     def room(self) -> Room:
         """The class's state."""
-        return self.klass.room
+        return self.classroom.room
 
     @property
-    def front(self) -> Front | None:
-        return self.klass.front
+    def shared_view(self) -> SharedView | None:
+        return self.classroom.shared_view
 
-    def _shown(self, session: Session, before: Front | None, audience: set[viser.ClientHandle]) -> Front:
-        """What the page shows of its own body, for others to look at; its picture is sent to them.
+    def frame(self, session: Session) -> None:
+        if not self.classroom.ended:
+            self.classroom.poll_writer()
+            self._update(session)
+        elif not self._told_end:
+            self._told_end = True
+            self._mail.tell(ClassEnded())
+
+    def _update(self, session: Session) -> None:
+        """Tell the page what has changed in the running class."""
+        raise NotImplementedError
+
+    def _share(
+        self, session: Session, before: SharedView | None, audience: set[viser.ClientHandle]
+    ) -> SharedView:
+        """Return the view of the page's own body for others, and send its picture to them.
 
         Args:
             session: of the page.
-            before: what it showed last, which is given back where nobody can tell it from what it shows now.
+            before: its last view, which is returned if nobody can tell the two apart.
             audience: the pages that look at it.
         """
         plan = session.openings, session.revision
         if plan != self._plan:
             self._plan, self._plan_number = plan, next(plan_numbers)
             self._angles = own_rest_angles(session.simulation)
-        front = Front(
-            self._plan_number,
-            audience,
-            session.scene,
-            self._first_opening + session.openings,
-            self._angles,
-            picture_of(session),
-            session.playing,
-            session.pacer.speed,
+        opening = self._first_opening + session.openings
+        picture, playing, speed = picture_of(session), session.playing, session.pacer.speed
+        view = SharedView(
+            self._plan_number, audience, session.scene, opening, self._angles, picture, playing, speed
         )
-        if before is not None and looks_alike(before, front):
+        if before is not None and same_view(before, view):
             return before
-        send(front, session.now())
-        return front
+        broadcast(view, session.now())
+        return view
 
     def _is_new(self, *things: Any) -> bool:
-        """Whether the class, or one of these things, is another than the last time that this was asked."""
-        known, klass = self._known, self.klass
-        self._known = (self.room.version, klass.teachers, len(klass.pupils), *things)
+        """Whether the class, or one of these things, has changed since the last call."""
+        known, classroom = self._known, self.classroom
+        self._known = (self.room.version, classroom.teachers, len(classroom.pupils), *things)
         return known != self._known
 
-    def _tell_end(self) -> bool:
-        """Whether the class is over; the page is told once."""
-        if self.klass.ended and not self._told_end:
-            self._told_end = True
-            self._mail.tell(ClassEnded())
-        return self.klass.ended
 
-
-def kind_of(content: Content) -> Kind:
-    """What an answer is, as the pages call it."""
-    return _KINDS[type(content)]
-
-
-def text_of(content: Content) -> str:
-    """What an answer says, in words; empty where it is no text."""
-    match content:
-        case Line(text):
-            return text
-        case Work(found=found, reached=reached):
-            told = {None: "", True: "goal reached", False: "goal not reached"}[reached]
-            return ", ".join(text for text in (f"{found:.4g}" if found is not None else "", told) if text)
-    return ""
-
-
-def asking(room: Room, all_of_it: bool = False) -> Asking:
-    """What the class looks at.
-
-    Args:
-        all_of_it: whether it may be known what is right, as by the teacher.
-    """
-    step = room.step
-    scene = room.scenes[room.stops[room.at].scene]
+def asking(room: Room, reveal: bool = False) -> Asking:
+    """Return what the class looks at; with `reveal` also the right answer while pupils may not know it."""
+    step, scene = room.step, room.scenes[room.stops[room.at].scene]
     question = step.question if step is not None else None
-    told = question is not None and (all_of_it or room.has_told)
+    is_told = question is not None and (reveal or room.may_reveal_answer)
     return Asking(
         stop=room.at,
         phase=room.phase.value,
         round=room.round,
-        title=step.title if step is not None else scene.title or scene.name,
+        title=room.title(room.at),
         do=step.do if step is not None else "",
         watch=step.watch if step is not None else "",
         question=question.text if question is not None else "",
         choices=question.choices if question is not None else (),
-        right=question.answer if question is not None and told else -1,
-        because=question.because if question is not None and told else "",
+        right=question.answer if question is not None and is_told else -1,
+        because=question.because if question is not None and is_told else "",
         predict=(step.predict or 0.0) if step is not None else 0.0,
         goal=goal_text(step.goal, scene) if step is not None and step.goal is not None else "",
         collects=reading_text(step.collect, scene) if step is not None and step.collect is not None else "",
     )
 
 
-def predictions(klass: Class) -> Predictions:
-    """The predictions that may be seen now; one alone, if that is on the wall."""
-    room = klass.room
+def predictions(classroom: Class) -> Predictions:
+    """Return the predictions that may be seen now; one alone, if that is on the wall."""
+    room = classroom.room
     if room.phase not in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN):
         return Predictions()
-    given = room.given(room.at, room.round if room.phase is Phase.RESULTS else 0, Ghost)
-    shown = tuple(answer for answer in given if answer.id == room.on_wall) or tuple(given)
-    known = _known.get(klass)
-    if known is None or known[0] != shown:
-        mapping = Mapping.of(klass.scene(room.at))
-        points = (answer.content.points for answer in shown if isinstance(answer.content, Ghost))
-        _known[klass] = known = shown, Predictions(bodies=tuple(_in_world(mapping, one) for one in points))
+    given = room.given(room.at, room.round if room.phase is Phase.RESULTS else 0, Prediction)
+    shown = [one for one in given if one[0].id == room.on_wall] or given
+    answers = tuple(answer for answer, _ in shown)
+    known = _known.get(classroom)
+    if known is None or known[0] != answers:
+        mapping = Mapping.of(classroom.scene(room.at))
+        bodies = tuple(_in_world(mapping, prediction.points) for _, prediction in shown)
+        _known[classroom] = known = answers, Predictions(bodies=bodies)
     return known[1]
 
 
@@ -234,44 +214,38 @@ _known: WeakKeyDictionary[Class, tuple[tuple[Answer, ...], Predictions]] = WeakK
 
 
 def found_by(room: Room) -> tuple[Found, ...]:
-    """The points of the class's plot: what was handed in at the present stop, over what was set."""
+    """Return the points of the class's plot: what was handed in at the present stop, over what was set."""
     return tuple(
         Found(setting=work.setting, found=work.found)
-        for answer in room.given(room.at, 0, Work)
-        if isinstance(work := answer.content, Work)
-        and work.setting is not None
-        and work.found is not None
-        and not work.doubt
+        for _, work in room.given(room.at, 0, Work)
+        if work.setting is not None and work.found is not None and not work.doubt
     )
 
 
 def law_of(found: Sequence[Found]) -> Law | None:
-    """The power law of the class's plot; None where it has none."""
+    """Return the power law of the class's plot; None where it has none."""
     law = power_law([(one.setting, one.found) for one in found])
     return None if law is None else Law(factor=law.factor, exponent=law.exponent)
 
 
-def over(klass: Class) -> str:
-    """What the class's plot is over: what the first slider of the present step sets."""
-    step = klass.room.step
-    for key in step.controls if step is not None else ():
-        if key not in CHOICES:
-            try:
-                return setting_of(klass.scene(klass.room.at), key).label.lower()
-            except SettingError:
-                return key
-    return ""
+def abscissa(classroom: Class) -> str:
+    """Return the label of the class's plot's abscissa: what the first slider of the present step sets."""
+    key = classroom.first_setting()
+    try:
+        return setting_of(classroom.scene(classroom.room.at), key).label.lower() if key else ""
+    except SettingError:
+        return key
 
 
 def places_of(positions: np.ndarray, scene: sim.Scene) -> tuple[tuple[int, int], ...]:
-    """Where masses are, for a small picture: thousandths of the scene's frame from its left and upper edge.
+    """Return places for a small picture: thousandths of the scene's frame from its left and upper edge.
 
     Args:
         positions: (n, 2), in the scene's units.
         scene: that they are of.
 
     Returns:
-        of the first `MAX_PLACES` masses; nothing where one is nowhere.
+        of the first `MAX_PLACES` masses; nothing if one is not finite.
     """
     xmin, ymin, xmax, ymax = scene.view.frame
     positions = positions[:MAX_PLACES]
@@ -286,6 +260,6 @@ def places_of(positions: np.ndarray, scene: sim.Scene) -> tuple[tuple[int, int],
 
 
 def _in_world(mapping: Mapping, points: Sequence[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
-    """Points of the page's world, for points of a scene; rounded to what can be seen."""
+    """Convert points of a scene to the page's world, rounded to what can be seen."""
     world = mapping.to_world(np.array(points))
     return tuple((round(float(x), 4), round(float(y), 4)) for x, y, _ in world)

@@ -1,10 +1,8 @@
-"""Which page is what in a class: what its address says, ``?room=ABCD`` and ``&as=desk`` or ``&as=wall``."""
+"""The role of a page in a class, by its address: ``?room=ABCD`` and ``&as=desk`` or ``&as=wall``."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-
-import msgspec
 
 import sim
 from app.classroom.live import Class, Classes
@@ -19,30 +17,30 @@ from .seat import SeatRole
 from .wall import WallRole
 
 TEACHER = "#teacher="
-"""Before a class's secret in the address of a teacher's page; no request has what stands after a #."""
+"""Before a class's secret in the address of a teacher's page; browsers do not send what follows a #."""
 
 
-def desk_address(base: str, klass: Class) -> str:
-    """The address of a teacher's page.
+def desk_address(base: str, classroom: Class) -> str:
+    """Return the address of a teacher's page.
 
     Args:
         base: of the server's page, with a slash at its end.
     """
-    return f"{base}?room={klass.room.code}&as=desk{TEACHER}{klass.room.key}"
+    return f"{base}?room={classroom.room.code}&as=desk{TEACHER}{classroom.room.key}"
 
 
 def wall_address(base: str, code: str) -> str:
-    """The address of the window for a projector; `base` as for `desk_address`."""
+    """Return the address of the window for a projector; `base` as for `desk_address`."""
     return f"{base}?room={code}&as=wall"
 
 
 def seat_address(base: str, code: str) -> str:
-    """The address by which a pupil comes in; `base` as for `desk_address`."""
+    """Return the address by which a pupil comes in; `base` as for `desk_address`."""
     return f"{base}?room={code}"
 
 
 def class_of_query(query: str, classes: Classes) -> Class | None:
-    """The class that the query of a page's address names, if it goes on."""
+    """Return the running class that the query of a page's address names."""
     return classes.find((page_query(query) or {}).get("room", "").upper())
 
 
@@ -55,7 +53,7 @@ def role_of_query(
     visitor: str,
     download: Callable[[str, bytes], None],
 ) -> Role | None:
-    """What a page is on a server that has classes; None for a page of its own.
+    """Return the role of a page on a server that has classes; None for an ordinary page.
 
     Args:
         query: of the page's address.
@@ -67,21 +65,23 @@ def role_of_query(
     """
     fields = page_query(query) or {}
     code = fields.get("room", "").upper()
-    klass = classes.find(code)
-    if klass is None:
+    classroom = classes.find(code)
+    if classroom is None:
         if code:
             return Entrance(mail, f"There is no class {code} here now.")
         return None if owned or not classes.alone else Entrance(mail, "")
     kind = fields.get("as", "")
     if kind not in ("desk", "wall"):
-        return SeatRole(klass, mail, visitor)
+        return SeatRole(classroom, mail, visitor)
     qr = qr_code(seat_address(base, code))
-    return DeskRole(klass, mail, base, qr, download) if kind == "desk" else WallRole(klass, mail, base, qr)
+    if kind == "wall":
+        return WallRole(classroom, mail, base, qr)
+    return DeskRole(classroom, mail, base, qr, download)
 
 
-def first_scene(klass: Class) -> sim.Scene | None:
-    """What a page of the class shows first; None if the class's present step cannot begin."""
+def first_scene(classroom: Class) -> sim.Scene | None:
+    """Return what a page of the class shows first; None if the class's present step cannot begin."""
     try:
-        return msgspec.structs.replace(klass.scene(klass.room.at), lesson=None)
+        return classroom.scene(classroom.room.at)
     except SettingError:
         return None

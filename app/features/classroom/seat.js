@@ -1,72 +1,68 @@
 // @ts-check
-/**
- * A pupil's page in a class: one sentence what to do, and what it takes to do it. What was typed or chosen stays when
- * the class's state comes anew; only what differs is made anew.
- */
+/** A pupil's page in a class: one sentence that says what to do, and what it takes to do it. */
 import { onTold, send } from "../../wire/channel.js";
-import { make, makeButton } from "../../ui/dialog.js";
+import { make } from "../../ui/dialog.js";
 import { perform } from "../../wire/perform.js";
 import { giveUpConnection } from "../../ui/viser/connection.js";
-import { betweenPresses } from "./anew.js";
-import { Ghosts, OwnGhost } from "./ghost.js";
-import { icon } from "./icons.js";
-import { forgetAnswers, give, onOutbox, openOutbox, unsent } from "./outbox.js";
+import { box, button, fold, typedLine, untranslated } from "./elements.js";
+import { OwnPrediction, Predictions } from "./prediction.js";
+import { forgetAnswers, give, isSamePlace, onOutbox, openOutbox, unsent } from "./outbox.js";
 import { keepInPlace } from "./place.js";
+import { Card } from "./rerender.js";
 
 /** @typedef {import("../../wire/wire.js").Seat} Seat */
 /** @typedef {import("../../wire/wire.js").Asking} Asking */
 /** @typedef {import("../../wire/wire.js").Given} Given */
+/** @typedef {Capitalize<Given["kind"]>} Kind */
 
 /** Phases in which each pupil has a body of their own. */
-const FREE = new Set(["try", "collect"]);
-/** Letters of a line. */
+export const OWN_BODY = new Set(["try", "collect"]);
+/** Letters of a line, and of a name. */
 const MAX_LETTERS = 140;
+const MAX_NAME_LETTERS = 20;
 
 /** @type {Seat | null} */
 let seat = null;
-/** What the card was made for. */
-let made = "";
 /** Which of two pupils at this page answers now. */
 let twin = 0;
 /** A line that is being typed. */
 let typed = "";
 let refusal = "";
-/** Whether what can be arranged about the seat is folded out. */
-let arranges = false;
 /** The phase for which the focus has been moved. */
-let led = "";
-/** @type {HTMLElement} */
+let focusedPhase = "";
+/** @type {Card} */
 let card;
-/** Says to a screen reader what to do; it stays, since one that is made anew is not read. @type {HTMLElement} */
+/** Says to a screen reader what to do; it stays, since one that is remade is not read. @type {HTMLElement} */
 let spoken;
-/** @type {OwnGhost} */
-let ghost;
+/** @type {OwnPrediction} */
+let prediction;
 
 /** Makes a pupil's card. */
 export function addSeat() {
-  card = make("section", "softrod-class softrod-seat");
-  card.ariaLabel = "Class";
-  spoken = make("p", "softrod-unseen");
+  const element = make("section", "softrod-class softrod-seat");
+  element.ariaLabel = "Class";
+  spoken = make("div", "softrod-tell");
   spoken.setAttribute("role", "status");
   document.body.append(spoken);
-  keepInPlace(card);
-  const ghosts = new Ghosts();
-  const anew = betweenPresses(card);
-  ghost = new OwnGhost(show);
+  keepInPlace(element);
+  const others = new Predictions();
+  card = new Card(element, () => (seat ? parts(seat) : []));
+  prediction = new OwnPrediction(show);
   openOutbox();
   onTold("seat", (told) => {
     if (told.asking?.stop !== seat?.asking?.stop || told.asking?.phase !== seat?.asking?.phase) {
-      [twin, typed, refusal] = [0, "", ""];
+      twin = 0;
+      typed = refusal = "";
     }
     seat = told;
-    anew(show);
+    card.defer(show);
   });
-  onTold("predictions", ({ bodies }) => ghosts.show(bodies));
+  onTold("predictions", ({ bodies }) => others.show(bodies));
   onTold("classEnded", () => {
     forgetAnswers();
-    ghost.show(false);
+    prediction.show(false);
     spoken.textContent = "The class is over.";
-    card.replaceChildren(make("h1", "", "The class is over."), make("p", "", "Nothing that you gave is kept here."));
+    element.replaceChildren(make("h1", "", "The class is over."), make("p", "", "Nothing that you gave is kept here."));
   });
   onOutbox((refused) => {
     refusal = refused;
@@ -74,32 +70,26 @@ export function addSeat() {
   });
 }
 
-/** What was given to what is asked now, or waits to be sent. @param {Asking} asking @param {Given["kind"]} kind */
-function mine({ stop, round }, kind) {
-  const does = { vote: "giveVote", ghost: "givePlaces", line: "giveLine", work: "handIn" }[kind];
-  const late = unsent().find((one) => one.do === does && one.stop === stop && one.round === round && one.twin === twin);
+/** What was given to what is asked now, or waits to be sent. @param {Pick<Asking, "stop" | "round">} asking @param {Kind} kind */
+function mine(asking, kind) {
+  const at = place(asking);
+  const late = unsent().find((one) => one.do === `give${kind}` && isSamePlace(one, at));
   if (late) return { choice: "choice" in late ? late.choice : -1, text: "text" in late ? late.text : "", sent: false };
-  const had = seat?.given.find((one) => one.kind === kind && one.stop === stop && one.round === round && one.twin === twin);
+  const had = seat?.given.find((one) => one.kind === kind.toLowerCase() && isSamePlace(one, at));
   return had && { choice: had.choice, text: had.text, sent: true };
 }
 
-/** @param {Asking} asking */
+/** @param {Pick<Asking, "stop" | "round">} asking */
 const place = ({ stop, round }) => ({ stop, round, twin });
 
 function show() {
   if (!seat) return;
   const asking = seat.asking;
-  ghost.show(asking?.phase === "ask" && asking.predict > 0 && !seat.elsewhere);
-  const now = JSON.stringify([seat, twin, refusal, unsent().map(({ id }) => id), ghost.moved]);
-  if (now === made) return;
-  made = now;
-  const focused = document.activeElement?.getAttribute("data-focus");
-  card.replaceChildren(...parts(seat));
-  const task = [...card.querySelectorAll(".softrod-task, .softrod-on-wall, .softrod-warning")].map((text) => text.textContent).join(" ");
+  prediction.show(asking?.phase === "ask" && asking.predict > 0 && !seat.elsewhere);
+  const isFree = card.show([seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved]);
+  const task = [...card.element.querySelectorAll(".softrod-task, .softrod-on-wall, .softrod-warning")].map((text) => text.textContent).join(" ");
   if (spoken.textContent !== task) spoken.textContent = task;
-  const again = focused && /** @type {HTMLElement | null} */ (card.querySelector(`[data-focus="${focused}"]`));
-  if (again) again.focus();
-  else lead(asking);
+  if (isFree) focusTask(asking);
 }
 
 /**
@@ -108,54 +98,49 @@ function show() {
  *
  * @param {Asking | null} asking
  */
-function lead(asking) {
+function focusTask(asking) {
   const now = asking ? `${asking.stop} ${asking.phase} ${asking.round}` : "";
-  if (now === led) return;
-  led = now;
-  const { activeElement } = document;
-  const free = !activeElement || activeElement === document.body || activeElement.tagName === "CANVAS" || !activeElement.isConnected;
-  if (!asking || !free || matchMedia("(pointer: coarse)").matches) return;
-  if (!["ask", "explain"].includes(asking.phase)) return;
+  if (now === focusedPhase) return;
+  focusedPhase = now;
+  const { activeElement: active } = document;
+  const isFree = !active || active === document.body || active.tagName === "CANVAS" || !active.isConnected;
+  if (!isFree || !["ask", "explain"].includes(asking?.phase ?? "") || matchMedia("(pointer: coarse)").matches) return;
   // The question first; a body alone by its grips, which come after the card.
-  /** @type {HTMLElement | null} */ (card.querySelector("fieldset, form input") ?? document.querySelector(".softrod-own-grip"))?.focus();
+  if (!card.focus("fieldset, form input")) /** @type {HTMLElement | null} */ (document.querySelector(".softrod-own-grip"))?.focus();
 }
 
 /** @param {Seat} seat @returns {HTMLElement[]} */
 function parts(seat) {
-  if (seat.elsewhere) {
-    const whose = seat.elsewhere === "page" ? "Another page of this browser" : "Another device";
-    // The server has room for so many pages; this one is left.
+  const { elsewhere, asking, hand } = seat;
+  if (elsewhere) {
+    const whose = elsewhere === "page" ? "Another page of this browser" : "Another device";
+    // The server has room for a limited number of pages; this one is given up.
     giveUpConnection();
-    const back = makeButton("Come back here", () => location.reload(), "softrod-small");
-    return [make("p", "softrod-task", `${whose} has your seat now.`), ...(seat.elsewhere === "page" ? [back] : [])];
+    const back = button("Come back here", () => location.reload());
+    return [make("p", "softrod-task", `${whose} has your seat now.`), ...(elsewhere === "page" ? [back] : [])];
   }
-  if (!seat.asking) return entrance(seat);
-  const head = make("header", "softrod-seat-head");
-  const name = make("b", "softrod-seat-name", seat.name);
-  name.translate = false;
+  if (!asking) return entrance(seat);
+  const name = untranslated(make("b", "softrod-seat-name", seat.name));
   name.style.setProperty("--softrod-seat", seat.color);
-  const up = makeButton(seat.hand ? "Hand is up" : "Hand up", () => send({ do: "raiseHand", up: !seat.hand }), "softrod-small");
-  up.ariaPressed = String(seat.hand);
-  up.prepend(icon("hand"));
-  up.dataset.focus = "hand";
-  head.append(name, up);
-  const all = [head];
-  const task = make("p", "softrod-task", sentence(seat, seat.asking));
-  all.push(task);
-  if (seat.on_wall) all.push(make("p", "softrod-on-wall", "Yours is on the wall now."));
-  all.push(...body(seat, seat.asking));
-  if (refusal) all.push(make("p", "softrod-warning", refusal));
-  if (unsent().length) all.push(make("p", "softrod-waiting", "Not at the teacher's yet: kept here, and sent as soon as that is possible."));
-  if (seat.asking.phase !== "lobby") all.push(about(seat));
-  return all;
+  const up = button(hand ? "Hand is up" : "Hand up", () => send({ do: "raiseHand", up: !hand }), { focus: "hand", pressed: hand, icon: "hand" });
+  return [
+    box("header", "softrod-seat-head", name, up),
+    make("p", "softrod-task", sentence(seat, asking)),
+    ...(seat.on_wall ? [make("p", "softrod-on-wall", "Yours is on the wall now.")] : []),
+    ...body(seat, asking),
+    ...(refusal ? [make("p", "softrod-warning", refusal)] : []),
+    ...(unsent().length ? [make("p", "softrod-waiting", "Not at the teacher's yet: kept here, and sent as soon as that is possible.")] : []),
+    ...(asking.phase !== "lobby" ? [fold("This seat", lobby(seat), "about")] : []),
+  ];
 }
 
 /** What to do, in one sentence. @param {Seat} seat @param {Asking} asking */
 function sentence({ paused, away, follows, gathered }, { phase, predict, question, round }) {
-  if (away && !["lobby", "try", "collect"].includes(phase)) return "Your teacher's page is away for a moment: wait.";
-  if (FREE.has(phase) && gathered) return "Look to the front: this is your teacher's body. Yours waits.";
-  if (FREE.has(phase) && follows) return "This is your teacher's body. Yours waits.";
-  if (paused && (phase === "try" || phase === "collect")) return "Paused: look to the front.";
+  const hasOwn = OWN_BODY.has(phase);
+  if (away && phase !== "lobby" && !hasOwn) return "Your teacher's page is away for a moment: wait.";
+  if (hasOwn && gathered) return "Look to the front: this is your teacher's body. Yours waits.";
+  if (hasOwn && follows) return "This is your teacher's body. Yours waits.";
+  if (hasOwn && paused) return "Paused: look to the front.";
   if (phase === "lobby") return "You are in. It begins soon.";
   if (phase === "ask" && predict > 0) {
     return `Drag the pale body to where it will be after ${predict} s${question ? ", and answer" : ""}. Nobody sees it yet.`;
@@ -171,196 +156,120 @@ function sentence({ paused, away, follows, gathered }, { phase, predict, questio
 function body(seat, asking) {
   const { phase } = asking;
   if (phase === "lobby") return lobby(seat);
-  if (phase === "ask") return [...twins(seat), ...(asking.question ? [choices(asking)] : []), ...prediction(asking)];
-  if (phase === "explain") return [...twins(seat), line(asking)];
-  const parts = [];
-  if (phase === "results" && asking.question) parts.push(verdict(asking));
-  if (FREE.has(phase)) {
-    if (seat.gathered) return parts;
-    const follow = makeButton(seat.follows ? "Back to my own body" : "Look at the teacher's", () => send({ do: "follow", on: !seat.follows }), "softrod-small");
-    follow.dataset.focus = "follow";
-    if (seat.follows) return [follow];
-    const text = make("p", "", asking.do);
-    const anew = makeButton("Begin anew", () => perform("reset"), "softrod-small");
-    anew.dataset.focus = "reset";
-    if (asking.goal) parts.push(make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`));
-    const row = make("div", "softrod-phases");
-    row.append(anew, follow);
-    parts.push(text, ...(asking.right >= 0 ? [verdict(asking)] : []), row);
-    if (phase === "collect") parts.push(...twins(seat), ...handIn(asking));
-  }
-  return parts;
+  if (phase === "ask") return [...twins(seat), ...(asking.question ? [choices(asking)] : []), ...(asking.predict > 0 ? [predictButton(asking)] : [])];
+  if (phase === "explain") return [...twins(seat), explanation(asking)];
+  if (phase === "results" && asking.question) return [verdict(asking)];
+  if (!OWN_BODY.has(phase) || seat.gathered) return [];
+  const follow = button(seat.follows ? "Back to my own body" : "Look at the teacher's", () => send({ do: "follow", on: !seat.follows }), { focus: "follow" });
+  if (seat.follows) return [follow];
+  return [
+    ...(asking.goal ? [make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`)] : []),
+    make("p", "", asking.do),
+    ...(asking.right >= 0 ? [verdict(asking)] : []),
+    box("div", "softrod-phases", button("Begin anew", () => perform("reset"), { focus: "reset" }), follow),
+    ...(phase === "collect" ? [...twins(seat), ...handIn(asking)] : []),
+  ];
 }
 
 /** @param {Asking} asking */
 function choices(asking) {
-  const given = mine(asking, "vote");
-  const box = make("fieldset", "");
-  // By which a screen reader reads the question first.
-  box.tabIndex = -1;
-  box.dataset.focus = "question";
-  box.append(make("legend", "", asking.question));
-  asking.choices.forEach((choice, i) => {
-    const button = makeButton(choice, () => give({ do: "giveVote", ...place(asking), choice: i }), "softrod-choice");
-    button.ariaPressed = String(given?.choice === i);
-    button.dataset.focus = `choice${i}`;
-    box.append(button);
-  });
-  return box;
-}
-
-/** @param {Asking} asking */
-function prediction(asking) {
-  if (!(asking.predict > 0)) return [];
-  const given = mine(asking, "ghost");
-  const button = makeButton(
-    given && !ghost.moved ? "Your prediction is in" : "It will be there",
-    () => {
-      give({ do: "givePlaces", ...place(asking), points: ghost.points() });
-      ghost.moved = false;
-      show();
-    },
-    "softrod-strong",
+  const given = mine(asking, "Vote");
+  const buttons = asking.choices.map((text, choice) =>
+    button(text, () => give({ do: "giveVote", ...place(asking), choice }), { focus: `choice${choice}`, name: "softrod-choice", pressed: given?.choice === choice }),
   );
-  button.disabled = !ghost.moved;
-  button.dataset.focus = "predict";
-  return [button];
+  const fieldset = box("fieldset", "", make("legend", "", asking.question), ...buttons);
+  // So that a screen reader reads the question first.
+  fieldset.tabIndex = -1;
+  fieldset.dataset.focus = "question";
+  return fieldset;
 }
 
 /** @param {Asking} asking */
-function line(asking) {
-  const given = mine(asking, "line");
-  const form = make("form", "");
-  const label = make("label", "", "Because ");
-  const input = make("input", "");
-  input.maxLength = MAX_LETTERS;
-  input.value = typed || given?.text || "";
-  input.dataset.focus = "line";
-  input.autocomplete = "off";
-  input.addEventListener("input", () => (typed = input.value));
-  label.append(input);
-  const button = make("button", "softrod-strong", given ? "Change it" : "Give it");
-  form.append(label, button);
-  form.addEventListener("submit", (event) => {
-    event.preventDefault();
-    if (input.value.trim()) give({ do: "giveLine", ...place(asking), text: input.value.trim() });
-  });
+function predictButton(asking) {
+  const predict = () => {
+    give({ do: "givePrediction", ...place(asking), points: prediction.points() });
+    prediction.moved = false;
+    show();
+  };
+  const isIn = mine(asking, "Prediction") && !prediction.moved;
+  const made = button(isIn ? "Your prediction is in" : "It will be there", predict, { focus: "predict", name: "softrod-strong" });
+  made.disabled = !prediction.moved;
+  return made;
+}
+
+/** @param {Asking} asking */
+function explanation(asking) {
+  const given = mine(asking, "Line");
+  /** @param {string} text */
+  const take = (text) => text && give({ do: "giveLine", ...place(asking), text });
+  const form = typedLine("Because ", { maxLength: MAX_LETTERS, value: typed || given?.text || "" }, [given ? "Change it" : "Give it", "softrod-strong"], take, "line");
+  form.addEventListener("input", ({ target }) => (typed = /** @type {HTMLInputElement} */ (target).value));
   return form;
 }
 
-/** The choice that was made, and once it may be known, what is right. @param {Asking} asking */
+/** The choice that was made, and what is right once that may be known. @param {Asking} asking */
 function verdict(asking) {
-  // Who was asked again has chosen again.
+  // Whoever was asked again has chosen again.
   const last = asking.phase === "results" ? asking.round : 1;
-  const given = (last ? mine({ ...asking, round: last }, "vote") : undefined) ?? mine({ ...asking, round: 0 }, "vote");
+  const given = mine({ ...asking, round: last }, "Vote") ?? mine({ ...asking, round: 0 }, "Vote");
   const text = make("p", "softrod-verdict");
   if (given && given.choice >= 0) text.append("You chose: ", make("b", "", asking.choices[given.choice]), ". ");
   if (asking.right >= 0) text.append("Right is: ", make("b", "", asking.choices[asking.right]), `. ${asking.because}`);
   return text;
 }
 
-/** What is handed in, and what was. @param {Asking} asking */
+/** The button that hands a run in, and what was handed in. @param {Asking} asking */
 function handIn(asking) {
-  const given = mine(asking, "work");
-  const what = asking.collects ? `Hand in: ${asking.collects}` : "Hand in this run";
-  const button = makeButton(given ? "Hand in anew" : what, () => give({ do: "handIn", ...place(asking) }), "softrod-strong");
-  button.dataset.focus = "handin";
-  const told = given?.sent ? `Handed in${given.text ? `: ${given.text}` : ""}.` : "";
-  return [button, ...(told ? [make("p", "softrod-verdict", told)] : [])];
+  const given = mine(asking, "Work");
+  const text = given ? "Hand in anew" : asking.collects ? `Hand in: ${asking.collects}` : "Hand in this run";
+  const made = button(text, () => give({ do: "giveWork", ...place(asking) }), { focus: "handin", name: "softrod-strong" });
+  return [made, ...(given?.sent ? [make("p", "softrod-verdict", `Handed in${given.text ? `: ${given.text}` : ""}.`)] : [])];
 }
 
-/** Who of two answers. @param {Seat} seat */
+/** Which of two pupils answers. @param {Seat} seat */
 function twins({ two }) {
   if (!two) return [];
-  const box = make("div", "softrod-twins");
-  ["First of you", "Second of you"].forEach((label, i) => {
-    const button = makeButton(label, () => {
-      twin = i;
+  /** @param {string} text @param {number} which */
+  const choice = (text, which) => {
+    const choose = () => {
+      twin = which;
       typed = "";
       show();
-    }, "softrod-small");
-    button.ariaPressed = String(twin === i);
-    button.dataset.focus = `twin${i}`;
-    box.append(button);
-  });
-  return [box];
-}
-
-/** What can be arranged later, too, folded. @param {Seat} seat */
-function about(seat) {
-  const box = make("details", "");
-  const summary = make("summary", "", "This seat");
-  summary.dataset.focus = "about";
-  box.open = arranges;
-  box.addEventListener("toggle", () => (arranges = box.open));
-  box.append(summary, ...lobby(seat));
-  return box;
+    };
+    return button(text, choose, { focus: `twin${which}`, pressed: twin === which });
+  };
+  return [box("div", "softrod-twins", choice("First of you", 0), choice("Second of you", 1))];
 }
 
 /** The way back to a seat that another device had. */
 function comeBack() {
-  const form = make("form", "softrod-back");
-  const label = make("label", "", "I had a seat on another device: its two digits ");
-  const input = make("input", "");
-  input.maxLength = 2;
-  input.inputMode = "numeric";
-  input.autocomplete = "off";
-  input.dataset.focus = "digits";
-  label.append(input);
-  form.append(label, make("button", "softrod-small", "Take it over"));
-  form.addEventListener("submit", (event) => {
-    event.preventDefault();
-    const digits = input.value.trim();
-    if (/^[0-9]{2}$/.test(digits)) send({ do: "takeOver", digits });
-  });
-  return form;
+  /** @param {string} digits */
+  const take = (digits) => /^[0-9]{2}$/.test(digits) && send({ do: "takeOver", digits });
+  return typedLine("I had a seat on another device: its two digits ", { maxLength: 2, inputMode: "numeric" }, ["Take it over"], take, "digits");
 }
 
-/** What can be arranged before it begins. @param {Seat} seat */
+/** What can be arranged about the seat. @param {Seat} seat @returns {HTMLElement[]} */
 function lobby({ two, digits, types_name }) {
-  const box = make("div", "softrod-lobby");
-  const other = makeButton("Another name", () => send({ do: "newName" }), "softrod-small");
-  other.dataset.focus = "name";
-  const both = makeButton("We are two", () => send({ do: "sitTogether", two: !two }), "softrod-small");
-  both.ariaPressed = String(two);
-  both.dataset.focus = "two";
-  const move = makeButton(digits ? `On the other device type ${digits}` : "Go on with another device", () => send({ do: "leaveBy" }), "softrod-small");
-  move.dataset.focus = "move";
-  box.append(other, both, move);
-  if (types_name) {
-    const form = make("form", "");
-    const input = make("input", "");
-    input.maxLength = 20;
-    input.ariaLabel = "Your name";
-    input.placeholder = "Your name";
-    form.append(input, make("button", "softrod-small", "That is me"));
-    form.addEventListener("submit", (event) => {
-      event.preventDefault();
-      send({ do: "newName", wanted: input.value });
-    });
-    box.append(form);
-  }
-  return [box, comeBack()];
+  const move = digits ? `On the other device type ${digits}` : "Go on with another device";
+  const parts = [
+    button("Another name", () => send({ do: "newName" }), { focus: "name" }),
+    button("We are two", () => send({ do: "sitTogether", two: !two }), { focus: "two", pressed: two }),
+    button(move, () => send({ do: "leaveBy" }), { focus: "move" }),
+  ];
+  const named = { maxLength: MAX_NAME_LETTERS, ariaLabel: "Your name", placeholder: "Your name" };
+  const own = types_name ? [typedLine("", named, ["That is me"], (wanted) => send({ do: "newName", wanted }))] : [];
+  return [box("div", "softrod-lobby", ...parts, ...own), comeBack()];
 }
 
-/** Where one is in no class: which is it? @param {Seat} seat */
+/** The page of somebody who is in no class: which one do they come to? @param {Seat} seat */
 function entrance({ problem }) {
-  const form = make("form", "softrod-entrance");
-  const label = make("label", "", "The four letters on the wall ");
-  const input = make("input", "");
-  input.maxLength = 4;
-  input.autocapitalize = "characters";
-  input.autocomplete = "off";
-  input.dataset.focus = "code";
-  label.append(input);
-  form.append(label, make("button", "softrod-strong", "Come in"));
-  form.addEventListener("submit", (event) => {
-    event.preventDefault();
-    const letters = input.value.trim().toUpperCase();
-    if (/^[A-Z]{4}$/.test(letters)) location.search = `?room=${letters}`;
-  });
-  const title = make("h1", "", "softrod");
-  const within = /^[A-Za-z]{4}$/.test(new URLSearchParams(location.search).get("room") ?? "");
-  const refused = refusal ? [make("p", "softrod-warning", refusal)] : [];
-  return [title, ...(problem ? [make("p", "softrod-warning", problem)] : []), form, ...(within ? [comeBack(), ...refused] : [])];
+  /** @param {string} text */
+  const enter = (text) => /^[A-Za-z]{4}$/.test(text) && (location.search = `?room=${text.toUpperCase()}`);
+  const isNamed = /^[A-Za-z]{4}$/.test(new URLSearchParams(location.search).get("room") ?? "");
+  return [
+    make("h1", "", "softrod"),
+    ...(problem ? [make("p", "softrod-warning", problem)] : []),
+    typedLine("The four letters on the wall ", { maxLength: 4, autocapitalize: "characters" }, ["Come in", "softrod-strong"], enter, "code"),
+    ...(isNamed ? [comeBack(), ...(refusal ? [make("p", "softrod-warning", refusal)] : [])] : []),
+  ];
 }

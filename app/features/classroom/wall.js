@@ -1,89 +1,77 @@
 // @ts-check
-/** The wall: what a class sees in front, large enough for the last row, and without a name. */
+/** The wall: what a class sees on the projector, large enough for the last row, and without names. */
 import { onTold } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
-import { Ghosts } from "./ghost.js";
+import { box, qrCode, typedAddress, untranslated, voteBars } from "./elements.js";
 import { plot, power } from "./plot.js";
+import { Predictions } from "./prediction.js";
 
 /** @typedef {import("../../wire/wire.js").Wall} Wall */
 
-/** Milliseconds after which a wall to which nobody has come says what that may be due to. */
-const ALONE_AFTER = 60_000;
+/** Milliseconds after which a wall that nobody has come to names a possible reason. */
+const EMPTY_AFTER = 60_000;
+/** What the class has to do in a phase that waits for all. */
+const WAITS = { ask: "have answered", explain: "have written a line", collect: "have handed in" };
 
 /** Makes the wall. */
 export function addWall() {
   const head = make("header", "softrod-class softrod-wall-head");
   const side = make("aside", "softrod-class softrod-wall-side");
-  const corner = make("div", "softrod-class softrod-wall-corner");
+  const corner = untranslated(make("div", "softrod-class softrod-wall-corner"));
   document.body.append(head, side, corner);
-  const ghosts = new Ghosts();
+  const predictions = new Predictions();
   /** @type {Wall | null} */
-  let last = null;
-  let waited = false;
-  /** @param {Wall} wall */
-  const show = (wall) => {
+  let wall = null;
+  let hasWaited = false;
+  const show = () => {
+    if (!wall) return;
     head.replaceChildren(make("h1", "", title(wall)));
     const parts = content(wall);
-    side.replaceChildren(...parts);
-    // With nothing beside it, the body has the room.
+    // With nothing beside it, the body has the whole width.
     document.documentElement.toggleAttribute("data-softrod-wide", !parts.length);
-    if (waited && wall.asking.phase === "lobby" && !wall.seats) {
-      side.append(make("p", "softrod-warning", "Nobody yet? Networks may keep devices apart: try this laptop's hotspot."));
+    if (hasWaited && wall.asking.phase === "lobby" && !wall.seats) {
+      parts.push(make("p", "softrod-warning", "Nobody yet? Networks may keep devices apart: try this laptop's hotspot."));
     }
-    corner.replaceChildren(`${host(wall.address)}   `, make("b", "", wall.code));
-    corner.translate = false;
+    side.replaceChildren(...parts);
+    corner.replaceChildren(`${typedAddress(wall.address)}   `, make("b", "", wall.code));
   };
   setTimeout(() => {
-    waited = true;
-    if (last) show(last);
-  }, ALONE_AFTER);
-  onTold("predictions", ({ bodies }) => ghosts.show(bodies));
-  onTold("wall", (wall) => {
-    last = wall;
-    show(wall);
+    hasWaited = true;
+    show();
+  }, EMPTY_AFTER);
+  onTold("predictions", ({ bodies }) => predictions.show(bodies));
+  onTold("wall", (told) => {
+    wall = told;
+    show();
   });
   onTold("classEnded", () => {
-    ghosts.show([]);
+    predictions.show([]);
     head.replaceChildren(make("h1", "", "The class is over."));
     side.replaceChildren();
     corner.replaceChildren();
   });
 }
 
-/** An address as one types it. @param {string} address */
-const host = (address) => address.replace(/^http:\/\//, "").replace(/\/$/, "");
-
 /** @param {Wall} wall */
-function title({ asking, seats, answered }) {
-  const { phase } = asking;
+function title({ asking: { phase, title }, seats, answered }) {
   if (phase === "lobby") return `${seats} ${seats === 1 ? "is" : "are"} here`;
-  if (phase === "ask" || phase === "explain" || phase === "collect") {
-    const what = { ask: "have answered", explain: "have written a line", collect: "have handed in" }[phase];
-    return `${answered} of ${seats} ${what}`;
-  }
-  return asking.title;
+  return phase in WAITS ? `${answered} of ${seats} ${WAITS[/** @type {keyof typeof WAITS} */ (phase)]}` : title;
 }
 
 /** @param {Wall} wall @returns {Element[]} */
 function content({ asking, bars, lines, code, address, qr, found, over, law, doing }) {
   const { phase, question, choices, right, because, predict } = asking;
   if (phase === "lobby") {
-    const picture = make("img", "softrod-wall-qr");
-    picture.src = qr;
-    picture.alt = `QR code of ${address}?room=${code}`;
-    const typed = make("p", "softrod-wall-address", host(address));
-    const letters = make("p", "softrod-wall-code", code);
-    typed.translate = letters.translate = false;
-    return [picture, make("p", "", "Scan this, or type"), typed, make("p", "", "and the four letters"), letters];
+    const typed = untranslated(make("p", "softrod-wall-address", typedAddress(address)));
+    const letters = untranslated(make("p", "softrod-wall-code", code));
+    const scanned = qrCode(qr, `${address}?room=${code}`, "softrod-wall-qr");
+    return [scanned, make("p", "", "Scan this, or type"), typed, make("p", "", "and the four letters"), letters];
   }
   /** @type {Element[]} */
   const parts = [];
   const asks = phase === "ask" || phase === "results" || phase === "run";
   if (phase === "ask" && predict > 0) parts.push(make("p", "", `Where will it be after ${predict} s?`));
-  if (asks && question) {
-    parts.push(make("h2", "", question));
-    parts.push(voted(choices, phase === "ask" ? [] : bars, right));
-  }
+  if (asks && question) parts.push(make("h2", "", question), voteBars(choices, phase === "ask" ? [] : bars, right));
   if (right >= 0 && phase === "results") parts.push(make("p", "softrod-verdict", because));
   if (phase === "explain") parts.push(make("h2", "", "Why did it do that? One line."));
   if (phase === "try" || phase === "collect") {
@@ -103,36 +91,5 @@ function content({ asking, bars, lines, code, address, qr, found, over, law, doi
 }
 
 /** How many bodies do what, in large numbers. @param {Record<string, number>} doing */
-function counts(doing) {
-  const list = make("ul", "softrod-counts");
-  for (const [word, count] of Object.entries(doing)) {
-    const item = make("li", "");
-    item.append(make("b", "", String(count)), make("span", "", word));
-    list.append(item);
-  }
-  return list;
-}
-
-/**
- * The choices, and how many have chosen each; which is right is seen only when it is told.
- *
- * @param {string[]} choices
- * @param {number[]} bars
- * @param {number} right
- */
-export function voted(choices, bars, right) {
-  const list = make("ol", "softrod-bars");
-  const most = Math.max(1, ...bars);
-  choices.forEach((choice, i) => {
-    const item = make("li", "");
-    item.append(make("span", "", choice));
-    if (bars.length) {
-      const bar = make("i", "");
-      bar.style.setProperty("--softrod-part", String(bars[i] / most));
-      item.append(bar, make("b", "", String(bars[i])));
-    }
-    if (i === right) item.dataset.right = "";
-    list.append(item);
-  });
-  return list;
-}
+const counts = (doing) =>
+  box("ul", "softrod-counts", ...Object.entries(doing).map(([word, count]) => box("li", "", make("b", "", String(count)), make("span", "", word))));

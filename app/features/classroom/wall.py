@@ -1,84 +1,80 @@
-"""The wall: what the class sees in front. It has no panel, takes no hands, and shows no name."""
+"""The wall: what the class sees on the projector. It has no panel, ignores hands, and shows no names."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from app.classroom.live import Class, Front
-from app.classroom.room import FREE, PHASE_OF, Line, Phase, Vote, Work
+from app.classroom.answers import OWN_BODY, Line, Phase, Vote, Work
+from app.classroom.live import Class, SharedView
 from sim.errors import SettingError
 
 from ...session.session import Session
 from ...stage.plan import Picture
 from ...wire.carrier import Mail
 from ...wire.to_page import Wall, WallLine
-from .role import ClassRole, asking, found_by, law_of, over, plan_numbers, predictions
+from .role import ClassRole, abscissa, asking, found_by, law_of, plan_numbers, predictions
 
 
 class WallRole(ClassRole):
     """One window for a projector.
 
     Args:
-        klass: the class.
+        classroom: the class.
         mail: to the page's script.
         address: by which pupils come in.
         qr: a picture of its QR code, as an address.
     """
 
-    def __init__(self, klass: Class, mail: Mail, address: str, qr: str) -> None:
-        super().__init__(klass, mail)
+    def __init__(self, classroom: Class, mail: Mail, address: str, qr: str) -> None:
+        super().__init__(classroom, mail)
         self._address, self._qr = address, qr
-        self._work: tuple[str, Front | None] = "", None
+        self._work_view: tuple[str, SharedView | None] = "", None  # by the id of the answer
         self._works = 0
 
     @property
-    def front(self) -> Front | None:
-        if self.room.seat_on_wall:
-            return self.klass.lent or self.klass.front
-        return self._front_of_work() or self.klass.front
+    def shared_view(self) -> SharedView | None:
+        room, classroom = self.room, self.classroom
+        alone = classroom.wall_feed if room.seat_on_wall else self._view_of_work(room.on_wall)
+        return alone or classroom.shared_view
 
-    def frame(self, session: Session) -> None:
-        if self._tell_end():
-            return
-        self.klass.tend()
+    def _update(self, session: Session) -> None:
         room = self.room
-        doing = self._doing() if room.phase in FREE else {}
+        doing = self._count_bodies() if room.phase in OWN_BODY else {}
         if not self._is_new(tuple(doing.values())):
             return
-        found = found_by(room)
-        answered = answered_by(self.klass)
-        shown = room.phase in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN)
-        voted = shown and bool(room.given(room.at, 0, Vote))
-        lines = [answer for answer in room.given(room.at, 0, Line) if answer.starred]
+        found, answered = found_by(room), room.answered()
+        is_shown = room.phase in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN)
+        voted = is_shown and bool(room.given(room.at, 0, Vote))
+        lines = room.given(room.at, 0, Line) if room.phase is not Phase.EXPLAIN else []
         self._mail.tell(
             Wall(
                 code=room.code,
                 address=self._address,
                 qr=self._qr,
-                seats=len(seats_here(self.klass) | answered),
+                seats=len(self.classroom.present() | answered),
                 answered=len(answered),
                 asking=asking(room),
                 bars=tuple(room.bars(room.at, room.vote_round)) if voted else (),
                 lines=tuple(
-                    WallLine(text=answer.content.text, color=room.seats[answer.seat].color)
-                    for answer in lines
-                    if isinstance(answer.content, Line) and room.phase is not Phase.EXPLAIN
+                    WallLine(text=line.text, color=room.seats[answer.seat].color)
+                    for answer, line in lines
+                    if answer.starred
                 ),
                 alone=bool(room.on_wall or room.seat_on_wall),
                 paused=room.paused,
                 found=found,
-                over=over(self.klass),
+                over=abscissa(self.classroom),
                 law=law_of(found) if room.law else None,
                 doing=doing,
             )
         )
-        self._mail.tell(predictions(self.klass))
+        self._mail.tell(predictions(self.classroom))
 
-    def _doing(self) -> dict[str, int]:
-        """How many bodies are stable, have exploded, or have not been begun with, of the seats that are here.
-        With a goal, also how many have reached it."""
-        seats = seats_here(self.klass)
-        bodies = [self.klass.doing.get(number) for number in seats]
+    def _count_bodies(self) -> dict[str, int]:
+        """Count the stable, exploded and untouched bodies of the seats that are present; with a goal, also
+        those that have reached it."""
+        seats = self.classroom.present()
+        bodies = [self.classroom.statuses.get(number) for number in seats]
         exploded = sum(one is not None and one.word == "exploded" for one in bodies)
         idle = sum(one is None or (one.word != "exploded" and not one.begun) for one in bodies)
         counts = {"stable": len(seats) - exploded - idle, "exploded": exploded, "not begun": idle}
@@ -86,19 +82,18 @@ class WallRole(ClassRole):
             counts["at the goal"] = sum(one is not None and one.word == "goal reached" for one in bodies)
         return counts
 
-    def _front_of_work(self) -> Front | None:
-        """The body of a run that was handed in, if that is on the wall."""
-        id = self.room.on_wall
-        if self._work[0] != id:
-            answer, front = self.room.answers.get(id), None
-            if answer is not None and isinstance(work := answer.content, Work):
-                front = self._still(work, answer.stop)
-            self._work = id, front
-        return self._work[1]
+    def _view_of_work(self, id: str) -> SharedView | None:
+        """Return a view of the body of a run that was handed in; None if the answer is no run."""
+        if self._work_view[0] != id:
+            answer, view = self.room.answers.get(id), None
+            if answer is not None and isinstance(answer.content, Work):
+                view = self._still(answer.content, answer.stop)
+            self._work_view = id, view
+        return self._work_view[1]
 
-    def _still(self, work: Work, stop: int) -> Front | None:
+    def _still(self, work: Work, stop: int) -> SharedView | None:
         try:
-            scene = self.klass.scene(stop)
+            scene = self.classroom.scene(stop)
         except SettingError:
             return None
         if len(work.points) != len(scene.masses):
@@ -106,26 +101,5 @@ class WallRole(ClassRole):
         self._works += 1
         opening = self._first_opening + self._works
         angles = np.array([spring.rest_angle for spring in scene.angular_springs], float)
-        return Front(
-            next(plan_numbers),
-            set(),
-            scene,
-            opening,
-            angles,
-            Picture(np.array(work.points), damage=work.damage),
-            False,
-            1.0,
-        )
-
-
-def seats_here(klass: Class) -> set[int]:
-    """Numbers of the seats that somebody sits at."""
-    seats = klass.room.seats
-    return {number for number in klass.pupils if number in seats and not seats[number].removed}
-
-
-def answered_by(klass: Class) -> set[int]:
-    """Numbers of the seats that have given what is asked for now."""
-    room = klass.room
-    kinds = [kind for kind, phase in PHASE_OF.items() if phase is room.phase]
-    return {a.seat for kind in kinds for a in room.given(room.at, room.round, kind)}
+        picture = Picture(np.array(work.points), damage=work.damage)
+        return SharedView(next(plan_numbers), set(), scene, opening, angles, picture, False, 1.0)

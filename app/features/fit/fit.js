@@ -1,18 +1,19 @@
 // @ts-check
 /**
- * The places that a table says masses were at: all of them pale, and those of the time that is shown. After a fit, pale
- * bodies besides, which go with the table about as well.
+ * The measured places of a table: all of them small, and those of the present time larger. After a fit, also pale bodies
+ * that fit the table about as well.
  */
 import { onTold } from "../../wire/channel.js";
-import { onSight, redrawMarks, SVG } from "../../stage/overlay.js";
+import { makeSvg, onSight, redrawMarks } from "../../stage/overlay.js";
 
 /** Numbers of a place: time, x, y. */
 const EACH = 3;
-/** Radii of the places, px, and of those of now. */
-const [SMALL, LARGE] = [2, 4];
+/** Radius of a place, and of one of the present time, px. */
+const SMALL = 2;
+const LARGE = 4;
 
 /**
- * The places nearest to a time, not farther from it than places are from each other: several masses may have one each.
+ * The places nearest to a time, if they are no farther from it than the usual distance: one or more, by different masses.
  *
  * @param {ArrayLike<number>} numbers
  * @param {number} time
@@ -30,7 +31,7 @@ export function placesAt(numbers, time) {
 /** @typedef {{ numbers: ArrayLike<number>, draws: number, masses: number, rate: number }} Fan */
 
 /**
- * Where the masses of a fan are at a time, between its frames.
+ * The places of the masses of a fan at a time, interpolated between its frames.
  *
  * @param {Fan} fan
  * @param {number} time
@@ -45,15 +46,8 @@ export function fanAt({ numbers, draws, masses, rate }, time) {
 
 /** Begins to draw them. */
 function begin() {
-  const svg = document.createElementNS(SVG, "svg");
-  svg.classList.add("softrod-marks", "softrod-measured");
-  svg.setAttribute("aria-hidden", "true");
-  const [lines, all, now] = ["softrod-measured-fan", "softrod-measured-all", "softrod-measured-now"].map((name) => {
-    const path = document.createElementNS(SVG, "path");
-    path.classList.add(name);
-    svg.append(path);
-    return path;
-  });
+  const svg = makeSvg("svg", "softrod-marks softrod-measured");
+  const [lines, all, now] = ["fan", "all", "now"].map((name) => makeSvg("path", `softrod-measured-${name}`, svg));
   /** @type {Float32Array} */
   let numbers = new Float32Array();
   /** @type {Fan} */

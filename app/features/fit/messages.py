@@ -1,4 +1,4 @@
-"""What a page is told of a table that is fitted."""
+"""Messages to a page about a table that is fitted."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from ...wire.messages import Numbers
 
 
 class Measured(Numbers, frozen=True, kw_only=True):
-    """Where a table says that masses were: time, x and y of each place; none where no table is open."""
+    """The measured places of a table: time, x and y of each; empty without a table."""
 
 
 class Fan(Numbers, frozen=True, kw_only=True):
-    """Bodies that go with what was measured about as well as the fitted one: (frames, draws, masses, 2)
-    places, px, from time 0 on; none where no fit is shown.
+    """Bodies that fit the table about as well as the fitted one: (frames, draws, masses, 2) places, px,
+    from time 0 on; empty without a fit.
 
     Attributes:
         draws, masses: how many.

@@ -36,17 +36,32 @@ ABOUT = (
 )
 """The address is relative: a proxy may serve the page under a prefix."""
 FIRST = -10.0
-"""Order of the first control: before all others of the tab, since it is what the tab was opened for."""
+"""Order of the first control: before all others of the tab, which was opened for it."""
+
 LAST = 9.0
-"""Order of what is said of tables: before the plots."""
+"""Order of the line about tables: before the plots."""
+
 MAX_COLUMNS = 8
 """Columns that a page can match; the command `softrod fit` takes more."""
-MAX_MASSES, MAX_NUMBERS = 60, 4000
-"""Masses of a body, and numbers of a table, that a page fits: a fit shares the interpreter with the pages."""
+
+MAX_MASSES = 60
+"""Masses of a body that a page fits: a fit shares the interpreter with the pages."""
+
+MAX_NUMBERS = 4000
+"""Numbers of a table that a page fits, for the same reason."""
+
 MAX_POINTS = 2000
 """Places that are drawn."""
-DRAWS, RATE, MAX_OF_FAN = 8, 30.0, 60_000
-"""Bodies that go with the data about as well, their frames a second, and numbers of all at most."""
+
+DRAWS = 8
+"""Bodies of a fan."""
+
+FAN_RATE = 30.0
+"""Frames per second of a fan."""
+
+MAX_FAN_NUMBERS = 60_000
+"""Numbers of all frames of a fan."""
+
 _NOT_SOUGHT = ("dt", "tolerance", "template")
 
 NONE = np.zeros(0, np.float32)
@@ -55,11 +70,11 @@ _worker = BackgroundWorker()
 
 
 class _Stopped(Exception):
-    """Nobody waits for the fit any more."""
+    """The fit is no longer wanted."""
 
 
 class FitPanel:
-    """The controls; until a table comes there is but a line about tables.
+    """The controls; before a table is opened there is only a line about tables.
 
     Args:
         page: whose body is fitted.
@@ -155,14 +170,14 @@ class FitPanel:
         self._page.mail.tell(Fan(numbers=NONE))
 
     def build(self) -> None:
-        """Another scene: a table of another body is forgotten."""
+        """Forget the table if the scene has another body."""
         scene = self._scene
         if scene is not None and len(scene.masses) != len(self._session.scene.masses):
             self.forget()
 
     # --------------------------------------------------------------------- what is offered
     def _offered(self) -> dict[str, str]:
-        """What can be sought, with a label: settings that are no whole numbers, and what is of the table."""
+        """Return what can be fitted, with labels: settings but integers, and properties of the table."""
         settings = {
             setting.key: setting.label
             for setting in settings_of(self._session.scene)
@@ -171,10 +186,10 @@ class FitPanel:
         return {**settings, **_OF_TABLE}
 
     def _match(self) -> tuple[Match, ...]:
-        """The columns as the controls have them.
+        """Return the quantities of the columns as the controls have them.
 
         Raises:
-            InputError: one of them is not right.
+            InputError: one of them is wrong.
         """
         table, scene = self._table, self._session.scene
         if table is None:
@@ -182,7 +197,7 @@ class FitPanel:
         return matched(table, scene, {name: box.value[:100] for name, box in self._columns.items()})
 
     def _given_scale(self) -> float | None:
-        """What the box says; None if that is no scale."""
+        """Return the scale that was typed; None if it is none."""
         try:
             scale = float(self._scale.value[:100].replace(",", "."))
         except ValueError:
@@ -193,7 +208,7 @@ class FitPanel:
         return any(each.scale is None for each in matches) and not self._switches["length_scale"].value
 
     def _show_points(self) -> None:
-        """Draw the places of masses as they are matched now, after a fit where it says they are."""
+        """Draw the places of masses as they are matched now; after a fit with its scale and origin."""
         table = self._table
         if table is None:
             return
@@ -217,7 +232,7 @@ class FitPanel:
 
     # --------------------------------------------------------------------- the fit
     def _begin(self) -> None:
-        """Have the scene fitted in the thread for that, unless it is at work for this page."""
+        """Fit the scene in the thread, unless it is busy for this page."""
         table = self._table
         vary = [name for name, switch in self._switches.items() if switch.value]
         if table is None or not self._busy.acquire(blocking=False):
@@ -299,7 +314,7 @@ class FitPanel:
             self._result.content = _text(f"<b>It cannot be fitted</b>: {html.escape(text)}.")
 
     def _take_found(self, table: Measurement, scene: sim.Scene, found: Fit, seen: Fan) -> None:
-        """Show what was found, and put it into the scene as one step of undo."""
+        """Show the result, and apply it to the scene as one step of undo."""
         if self._table is not table:
             return
         if self._session.simulation.capture().scene is not scene:
@@ -320,21 +335,21 @@ _OF_TABLE = {
 }
 _OF_SPRINGS = ("linear_stiffness", "linear_damping")
 _OF_JOINTS = ("angular_stiffness", "angular_damping")
-"""What is sought at first: where there are joints, that they bend is what is seen."""
+"""What is fitted by default; of a body with joints, their bending is what one sees."""
 
 
 def fan(found: Fit, seconds: float, yield_gil: YieldGil) -> Fan:
-    """How bodies move whose numbers scatter as the data leave them open.
+    """Simulate bodies whose numbers vary as far as the data leave them open.
 
     Args:
         found: the fit.
-        seconds: for how long; a body of many masses is followed for a shorter time, see `MAX_OF_FAN`.
+        seconds: for how long; shorter for many masses, see `MAX_FAN_NUMBERS`.
         yield_gil: pauses after each body.
     """
     masses = len(found.scene.masses)
     dt = found.scene.integrator.dt
-    every = max(round(1.0 / (RATE * dt)), 1)
-    frames = min(int(seconds / (every * dt)) + 2, MAX_OF_FAN // (2 * DRAWS * masses))
+    every = max(round(1.0 / (FAN_RATE * dt)), 1)
+    frames = min(int(seconds / (every * dt)) + 2, MAX_FAN_NUMBERS // (2 * DRAWS * masses))
     places = np.zeros((frames, DRAWS, masses, 2))
     for i, scene in enumerate(found.draws(DRAWS)):
         body = sim.Simulation(scene)
@@ -359,7 +374,7 @@ def _text(content: str) -> str:
 
 
 def _found_html(found: Fit) -> str:
-    """Numbers with their intervals, what is left, and what the data cannot tell: all as text."""
+    """Return the numbers with their intervals, the residuals, and what the data cannot determine, as HTML."""
     rows = {html.escape(each.name): html.escape(each.text) for each in found.values.values()}
     left = [
         f"{each.column}: what is left is {each.noise:.3g} {each.unit}".rstrip() + "." for each in found.series

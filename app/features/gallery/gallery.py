@@ -10,7 +10,7 @@ import functools
 import shlex
 from pathlib import Path
 
-from app.classroom.room import Refused
+from app.classroom.answers import Refused
 from sim.edit.texts import renamed
 from sim.errors import SceneError
 from sim.scene.types import Scene

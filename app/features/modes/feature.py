@@ -1,5 +1,5 @@
-"""The modes of a page's body, while somebody looks at them: how much of each is in its motion, and how the
-body is put into one."""
+"""The modes of a page's body, while its strip is open: how much of each is in the motion, and how the body is
+put into one."""
 
 from __future__ import annotations
 
@@ -21,17 +21,19 @@ from ...wire.messages import FromPage
 from ...wire.sections import joined
 from . import messages
 
-EVERY = 1.0 / 20.0
-"""Seconds between two sets of levels while the body moves, at least; the page glides between them."""
-SHARE = 0.1
-"""Share of the time that looking at the motion may take, at most."""
-STILL = 2e-4
+LEVELS_EVERY = 1.0 / 20.0
+"""Least time between two sets of levels while the body moves, s; the page interpolates between them."""
+
+MAX_LOAD = 0.1
+"""Largest share of the time that projecting the motion onto the modes may take."""
+
+MIN_CHANGE = 2e-4
 """Change of a level, as a part of a full bar, below which nothing is sent."""
 
 
 @dataclass(frozen=True)
 class ShowModes(Command):
-    """Whether the body's slow vibrations are looked at; or the other of the two (None)."""
+    """Open or close the strip of modes; toggle it by default."""
 
     on: bool | None = None
     changes = Changed.SETTINGS
@@ -45,7 +47,7 @@ class ShowModes(Command):
 
 @dataclass(frozen=True)
 class PutIntoMode(Command):
-    """The body is to be put into a mode, with a part of the amplitude of a full bar."""
+    """Put the body into a mode, with a part of the amplitude of a full bar."""
 
     mode: int
     part: float
@@ -64,7 +66,7 @@ class PutIntoMode(Command):
 
 @dataclass(frozen=True)
 class DriveMode(Command):
-    """A mode is to be driven by hand from now on, or none any more (-1)."""
+    """Drive a mode by hand from now on, or stop driving (-1)."""
 
     mode: int
     acts = True
@@ -85,7 +87,7 @@ class DriveMode(Command):
 
 
 class ModesFeature(Feature):
-    """Tells a page of the modes of its body, and does what it says of them."""
+    """Sends a page the modes of its body, and puts the body into them."""
 
     messages: ClassVar = {messages.PutMode: "modes", messages.DriveMode: "modes"}
     commands: ClassVar = {
@@ -171,10 +173,10 @@ class ModesFeature(Feature):
             watch.unit,
             found.frames,
         )
-        self._due = now + max(EVERY, (session.now() - began) / SHARE) - 1e-3
+        self._due = now + max(LEVELS_EVERY, (session.now() - began) / MAX_LOAD) - 1e-3
         if self._sent is not None:
             number, _, before = self._sent
-            if number == watch.number and np.abs(numbers[3:] - before[3:]).max(initial=0.0) < STILL:
+            if number == watch.number and np.abs(numbers[3:] - before[3:]).max(initial=0.0) < MIN_CHANGE:
                 self._sent = number, simulation.time, before
                 return
         self._sent = watch.number, simulation.time, numbers
@@ -182,10 +184,10 @@ class ModesFeature(Feature):
 
 
 def encode_shapes(number: int, modes: Modes) -> NDArray[np.float32]:
-    """The shapes of modes, which the page draws as ghosts.
+    """Encode the shapes of modes, which the page draws over the body.
 
     Args:
-        number: that the state of the modes carries, too.
+        number: of these shapes; the state of the modes has it, too.
         modes: of the body.
     """
     sections: list[NDArray[np.float64] | list[float]] = [
@@ -210,15 +212,15 @@ def encode_levels(
     unit: float,
     frames: NDArray[np.float64],
 ) -> NDArray[np.float32]:
-    """How much of each mode is in a motion.
+    """Encode how much of each mode is in a motion.
 
     Args:
         number: of the shapes.
         time: simulated, s.
         levels: (k,) amplitudes in those of full bars.
         energies: (k,) of the modes, kg px²/s².
-        others: energy that is in none of them; below zero where they would have more than there is.
-        touching: energy of what is pressed together, in units.
+        others: energy in none of them; negative where the modes would have more than the body has.
+        touching: contact energy, in units.
         unit: energy that fills the bar of what is in no mode.
         frames: (P, 4) see `Excitation`.
     """
@@ -230,5 +232,5 @@ def encode_levels(
 
 
 def _rounded(values: NDArray[np.float64]) -> tuple[float, ...]:
-    """With as many digits as can be seen, so that rounding alone is no change."""
+    """Round to the digits that can be seen, so that rounding errors are no change."""
     return tuple(float(f"{value:.7g}") for value in values.tolist())

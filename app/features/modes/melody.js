@@ -1,14 +1,16 @@
 // @ts-check
-/** A plot as pitch, for who cannot see it: the higher the value, the higher the tone. */
+/** A plot as pitch, for those who cannot see it: the higher the value, the higher the tone. */
 import { loudspeaker } from "./sound.js";
 import { few } from "./shapes.js";
 import { melodyOf } from "./tones.js";
 import { onTold } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 
-/** Seconds of a plot, and of the way from one tone to the next and to silence. */
-const [LASTS, WAY] = [3, 0.01];
-const LOUD = 0.3;
+/** Seconds of a plot. */
+const LASTS = 3;
+/** Seconds of the transition from one tone to the next, or to silence. */
+const WAY = 0.01;
+const LOUDNESS = 0.3;
 
 /** Begins to listen for plots that are to be heard. */
 export function listenToMelodies() {
@@ -32,7 +34,7 @@ export function listenToMelodies() {
     melodyOf(numbers).forEach((pitch, i) => {
       const at = begin + (i / numbers.length) * LASTS;
       if (pitch) oscillator.frequency.setTargetAtTime(pitch, at, i ? WAY : 1e-4);
-      gain.gain.setTargetAtTime(pitch ? LOUD : 0, at, WAY);
+      gain.gain.setTargetAtTime(pitch ? LOUDNESS : 0, at, WAY);
     });
     gain.gain.setTargetAtTime(0, begin + LASTS, WAY);
     oscillator.connect(gain).connect(out);

@@ -1,4 +1,4 @@
-"""What a page says of modes, and is told of them."""
+"""Messages about modes, both ways."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ from ...wire.messages import Numbers, OwnBody, State
 
 
 class PutMode(OwnBody, frozen=True):
-    """The body is to be put into a mode, with a part of the amplitude of a full bar."""
+    """Put the body into a mode, with a part of the amplitude of a full bar."""
 
     mode: Annotated[int, Meta(ge=0, le=99)]
     part: Annotated[float, Meta(ge=0.0, le=1.0)]
 
 
 class DriveMode(OwnBody, frozen=True):
-    """A mode is to be driven as long as a bar is pressed; none (-1) from then on."""
+    """Drive a mode while a bar is pressed; stop driving (-1) when it is released."""
 
     mode: Annotated[int, Meta(ge=-1, le=99)]
 
 
 class Modes(State, frozen=True, kw_only=True, omit_defaults=True):
-    """The slow vibrations of the body, where the page looks at them.
+    """The slow vibrations of the body, while the strip of modes is open.
 
     Attributes:
-        on: whether it does.
+        on: whether it is.
         number: of the shapes that belong to them.
-        trouble: why there are none, in a sentence without a full stop; empty while they are looked for, too.
+        trouble: why there are none, in a sentence without a full stop; also empty while they are computed.
         frequencies: Hz, the slowest first.
         damping: ratios, 1 where a vibration is critically damped.
         full: amplitudes of full bars, px.
@@ -45,8 +45,8 @@ class Modes(State, frozen=True, kw_only=True, omit_defaults=True):
 
 
 class ModeShapes(Numbers, frozen=True, kw_only=True):
-    """Shapes of the modes, see `modes.feature.encode_shapes`; none while nobody looks."""
+    """Shapes of the modes, see `modes.feature.encode_shapes`; empty while the strip is closed."""
 
 
 class ModeLevels(Numbers, frozen=True, kw_only=True):
-    """How much of each mode is in the motion now, see `modes.feature.encode_levels`."""
+    """How much of each mode is in the present motion, see `modes.feature.encode_levels`."""

@@ -3,8 +3,8 @@
  * The strip of modes over the bar of time: a bar for each slow vibration of the body, and one for what is in none. A bar
  * that is pointed at shows its shape; one that is dragged puts the body into it; one that is pressed drives it.
  */
-import { addGhost } from "./ghost.js";
 import { listenToMelodies } from "./melody.js";
+import { ShapeMarks } from "./shape_marks.js";
 import { few, percent, readLevels, readShapes } from "./shapes.js";
 import { addSound, toggleSound } from "./sound.js";
 import { onTold, send, told } from "../../wire/channel.js";
@@ -17,299 +17,322 @@ import { perform } from "../../wire/perform.js";
  * @typedef {import("../../wire/wire.js").Modes} Modes
  * @typedef {import("./shapes.js").Shapes} Shapes
  * @typedef {import("./shapes.js").Levels} Levels
- * @typedef {object} Bar
- * @property {HTMLElement} element
- * @property {HTMLElement} fill
- * @property {HTMLElement} name
+ * @typedef {{element: HTMLElement, box: HTMLElement, fill: HTMLElement, name: HTMLElement}} Bar
+ * @typedef {{id: number, y: number, level: number, height: number, moved: boolean, timer: ReturnType<typeof setTimeout>}} Press
  */
 
-/** Pixels that a pointer moves before it drags, and milliseconds that it rests before it drives. */
-const [DRAG, HOLD] = [5, 350];
+/** Pixels that a pointer moves before it drags. */
+const DRAG = 5;
+/** Milliseconds that a pointer rests before it drives. */
+const HOLD = 350;
 /** Milliseconds between two reports of what is driven; the server forgets what it hears nothing of. */
 const REPEAT = 150;
-/** By how much of a full bar a key moves it, and with Shift. */
-const [STEP, FAR] = [0.05, 0.2];
+/** Part of a full bar by which an arrow key moves it, and by which it does with Shift. */
+const STEP = 0.05;
+const FAR = 0.2;
 /** Milliseconds between two readings for a screen reader. */
 const READ_EVERY = 500;
 
 const HOW = "Point at a bar for its shape. Drag it: the body swings so. Press and hold it: it is driven.";
 const OTHERS = "In none of these: faster modes, and what a large motion has beyond small ones";
 
-/** As it stands below a bar. @param {number} f Hz */
+/** A frequency as it stands below a bar. @param {number} f Hz */
 const hertz = (f) => few(f, f < 100 ? 2 : 3);
+/** @param {KeyboardEvent} event */
+const isPress = ({ code, key }) => code === "Space" || key === "Enter";
 
-/** Puts up the strip, which is hidden while nobody looks at modes. */
-function begin() {
-  listenToMelodies();
-  const { strip, head, says, live, show } = makeStrip("modes", "Modes");
-  says.textContent = HOW;
-  const close = makeButton("×", () => perform("modes"), "softrod-modes-close");
-  close.ariaLabel = "Close the modes";
-  close.title = withKey("Close", "modes");
-  const bars = make("div", "softrod-modes-bars");
-  const sound = addSound();
-  head.append(...sound.controls, close);
-  strip.append(bars);
-  const ghost = addGhost();
-
+/** The strip, which is hidden while nobody looks at modes. */
+class ModeStrip {
+  strip = makeStrip("modes", "Modes");
+  row = make("div", "softrod-modes-bars");
+  sound = addSound();
+  marks = new ShapeMarks(() => ({ shapes: this.shapes, frames: this.levels?.frames }));
   /** @type {Modes} */
-  let modes = { tell: "modes" };
+  modes = { tell: "modes" };
   /** @type {Shapes | null} */
-  let shapes = null;
+  shapes = null;
   /** @type {Levels | null} */
-  let levels = null;
-  /** @type {Bar[]} */
-  let shown = [];
-  /** The mode that is pointed at, has the focus, is dragged, or was tapped; -1 for none. */
-  let [over, focused, dragged, kept] = [-1, -1, -1, -1];
+  levels = null;
+  /** One for each mode, and one for what is in none. @type {Bar[]} */
+  bars = [];
+  /** The mode that is pointed at, has the focus, or was tapped; -1 for none. */
+  looks = { over: -1, focused: -1, kept: -1 };
+  dragged = -1;
   /** The part of a full bar to which it is dragged. */
-  let to = 0;
-  let driven = -1;
-  let read = 0;
-  ghost.from(() => ({ shapes, frames: levels?.frames }));
+  part = 0;
+  driven = -1;
+  isPutDue = false;
+  readAt = 0;
+  /** @type {Press | null} */
+  press = null;
 
-  const looked = () => [dragged, driven, over, focused, kept].find((mode) => mode >= 0) ?? -1;
-  const frequencies = () => modes.frequencies ?? [];
-  /** Its amplitude, px. @param {number} i */
-  const amplitude = (i) => (i === dragged ? to : (levels?.levels[i] ?? 0)) * (modes.full?.[i] ?? 0);
-  /** Its amplitude; what cannot be seen is none. @param {number} i */
-  const inUnits = (i) => {
-    const full = modes.full?.[i] ?? 0;
-    return `${amplitude(i) < 1e-3 * full ? 0 : few(amplitude(i), 2)} ${told().unit ?? ""}`;
-  };
-  /** @param {number} i */
-  const inWords = (i) => {
-    const share = levels?.shares[i] ?? 0;
-    if (i === shown.length - 1) {
-      const none = share < 0 ? `; the modes alone would have ${percent(share)} more` : `: ${percent(share)} of the energy`;
-      return OTHERS + none;
+  constructor() {
+    const close = makeButton("×", () => perform("modes"), "softrod-modes-close");
+    close.ariaLabel = "Close the modes";
+    close.title = withKey("Close", "modes");
+    this.strip.says.textContent = HOW;
+    this.strip.head.append(...this.sound.controls, close);
+    this.strip.strip.append(this.row);
+    setInterval(() => this.driven >= 0 && send({ do: "driveMode", mode: this.driven }), REPEAT);
+    window.addEventListener("blur", () => this.drive(-1));
+    document.addEventListener("visibilitychange", () => this.drive(-1));
+    onTold("modes", (told) => this.take(told));
+    onTold("modeShapes", ({ numbers }) => {
+      this.shapes = readShapes(numbers);
+      this.look();
+    });
+    onTold("modeLevels", ({ numbers }) => {
+      this.levels = readLevels(numbers);
+      this.sound.hear(this.levels);
+      this.drawLevels();
+    });
+  }
+
+  /** Frequencies of the modes, Hz. */
+  get frequencies() {
+    return this.modes.frequencies ?? [];
+  }
+
+  /** The mode that is looked at, or -1. */
+  get looked() {
+    const { over, focused, kept } = this.looks;
+    return [this.dragged, this.driven, over, focused, kept].find((mode) => mode >= 0) ?? -1;
+  }
+
+  /** The level of a mode, in that of a full bar. @param {number} i */
+  level(i) {
+    return i === this.dragged ? this.part : (this.levels?.levels[i] ?? 0);
+  }
+
+  /** @param {Modes} now */
+  take(now) {
+    this.modes = now;
+    const { on = false, frequencies = [], damping = [] } = now;
+    if (this.strip.strip.hidden === on) {
+      this.strip.show(on);
+      this.strip.live.textContent = on ? "Modes are shown over the bar of time" : "";
+      if (!on) this.forget();
     }
-    const damping = modes.damping?.[i] ?? 0;
+    if (!on || now.trouble || !now.frequencies) this.levels = null;
+    this.sound.use(on ? frequencies : [], damping);
+    this.build();
+    this.look();
+    this.drawLevels();
+  }
+
+  forget() {
+    this.looks = { over: -1, focused: -1, kept: -1 };
+    this.dragged = -1;
+  }
+
+  // ----------------------------------------------------------------------- words
+  /** The amplitude of a mode; 0 if it cannot be seen. @param {number} i */
+  inUnits(i) {
+    const level = this.level(i);
+    return `${level < 1e-3 ? 0 : few(level * (this.modes.full?.[i] ?? 0), 2)} ${told().unit ?? ""}`;
+  }
+
+  /** @param {number} i */
+  inWords(i) {
+    const share = this.levels?.shares[i] ?? 0;
+    const ofEnergy = `${percent(share)} of the energy`;
+    if (i === this.bars.length - 1) return `${OTHERS}${share < 0 ? `; the modes alone would have ${percent(share)} more` : `: ${ofEnergy}`}`;
+    const damping = this.modes.damping?.[i] ?? 0;
     const dies = damping >= 1 ? "does not swing" : `damping ${percent(damping)}`;
-    const doing = i === driven ? "driven" : `${percent(share)} of the energy`;
-    return `Mode ${i + 1}: ${few(frequencies()[i])} Hz, ${inUnits(i)}, ${dies}, ${doing}`;
-  };
-  const tellLooked = () => {
-    const mode = looked();
-    const text = modes.trouble
-      ? `No modes: ${modes.trouble}.`
-      : !shown.length
-        ? "The modes are being looked for."
-        : mode >= 0
-          ? inWords(mode)
-          : HOW;
-    if (says.textContent !== text) says.textContent = text;
-  };
-  const look = () => {
-    const mode = looked();
-    const has = mode >= 0 && mode < frequencies().length;
-    ghost.show(has ? mode : -1, has && mode === dragged ? amplitude(mode) : 0);
-    shown.forEach(({ element }, i) => element.classList.toggle("softrod-mode-seen", i === mode));
-    tellLooked();
-  };
+    return `Mode ${i + 1}: ${few(this.frequencies[i])} Hz, ${this.inUnits(i)}, ${dies}, ${i === this.driven ? "driven" : ofEnergy}`;
+  }
+
+  /** Says what is looked at. */
+  tell() {
+    const found = this.bars.length ? (this.looked >= 0 ? this.inWords(this.looked) : HOW) : "The modes are being looked for.";
+    const text = this.modes.trouble ? `No modes: ${this.modes.trouble}.` : found;
+    if (this.strip.says.textContent !== text) this.strip.says.textContent = text;
+  }
+
+  /** Shows the shape of what is looked at. */
+  look() {
+    const mode = this.looked, isMode = mode >= 0 && mode < this.frequencies.length;
+    this.marks.show(isMode ? mode : -1, isMode && mode === this.dragged ? this.part * (this.modes.full?.[mode] ?? 0) : 0);
+    this.bars.forEach(({ element }, i) => element.classList.toggle("softrod-mode-seen", i === mode));
+    this.tell();
+  }
+
+  /** @param {keyof ModeStrip["looks"]} how @param {number} mode */
+  lookAt(how, mode) {
+    this.looks[how] = mode;
+    this.look();
+  }
+
+  /** Keeps looking at a bar, or no longer. @param {number} i */
+  tap(i) {
+    this.lookAt("kept", this.looks.kept === i ? -1 : i);
+  }
 
   // ----------------------------------------------------------------------- what is done with a bar
-  let asked = false;
-  const sendPut = () => {
-    asked = false;
-    if (dragged >= 0) send({ do: "putMode", mode: dragged, part: to });
-  };
-  /** @param {number} i @param {number} part */
-  const put = (i, part) => {
-    [dragged, to] = [i, Math.min(Math.max(part, 0), 1)];
-    if (!asked) requestAnimationFrame(sendPut);
-    asked = true;
-    look();
-    drawLevels();
-  };
-  const drive = (/** @type {number} */ i) => {
-    if (i === driven) return;
-    driven = i;
+  sendPut() {
+    this.isPutDue = false;
+    if (this.dragged >= 0) send({ do: "putMode", mode: this.dragged, part: this.part });
+  }
+
+  /** Puts the body into a mode. @param {number} i @param {number} part of a full bar */
+  put(i, part) {
+    this.dragged = i;
+    this.part = Math.min(Math.max(part, 0), 1);
+    if (!this.isPutDue) requestAnimationFrame(() => this.sendPut());
+    this.isPutDue = true;
+    this.look();
+    this.drawLevels();
+  }
+
+  /** Drives a mode, or none (-1). @param {number} i */
+  drive(i) {
+    if (i === this.driven) return;
+    this.driven = i;
     send({ do: "driveMode", mode: i });
-    if (i >= 0) live.textContent = `Mode ${i + 1} is driven`;
-    look();
-  };
-  setInterval(() => driven >= 0 && send({ do: "driveMode", mode: driven }), REPEAT);
-  const stop = () => drive(-1);
-  window.addEventListener("blur", stop);
-  document.addEventListener("visibilitychange", stop);
+    if (i >= 0) this.strip.live.textContent = `Mode ${i + 1} is driven`;
+    this.look();
+  }
 
   /** @param {Bar} bar @param {number} i */
-  const listen = ({ element }, i) => {
-    element.addEventListener("pointerenter", ({ pointerType }) => {
-      if (pointerType !== "touch") over = i;
-      look();
-    });
-    element.addEventListener("pointerleave", () => {
-      if (over === i) over = -1;
-      look();
-    });
-    element.addEventListener("focus", () => {
-      focused = element.matches(":focus-visible") ? i : -1;
-      look();
-    });
+  listen({ element, box }, i) {
+    element.addEventListener("pointerenter", ({ pointerType }) => this.lookAt("over", pointerType === "touch" ? this.looks.over : i));
+    element.addEventListener("pointerleave", () => this.lookAt("over", this.looks.over === i ? -1 : this.looks.over));
+    element.addEventListener("focus", () => this.lookAt("focused", element.matches(":focus-visible") ? i : -1));
     element.addEventListener("blur", () => {
-      if (focused === i) focused = -1;
-      if (driven === i) stop();
-      look();
+      if (this.driven === i) this.drive(-1);
+      this.lookAt("focused", this.looks.focused === i ? -1 : this.looks.focused);
     });
-    if (i >= frequencies().length) {
-      element.addEventListener("click", () => {
-        kept = kept === i ? -1 : i;
-        look();
-      });
+    if (i >= this.frequencies.length) {
+      element.addEventListener("click", () => this.tap(i));
       return;
     }
-    /** @type {{id: number, y: number, level: number, height: number} | null} */
-    let begun = null;
-    let moved = false;
-    /** @type {ReturnType<typeof setTimeout> | undefined} */
-    let rests;
-    element.addEventListener("pointerdown", (event) => {
-      if (event.button > 0 || begun) return;
-      event.preventDefault();
-      element.setPointerCapture(event.pointerId);
-      const height = element.querySelector(".softrod-mode-box")?.clientHeight || 1;
-      begun = { id: event.pointerId, y: event.clientY, level: Math.min(levels?.levels[i] ?? 0, 1), height };
-      moved = false;
-      // A move that waits for a slow page comes before its next picture.
-      rests = setTimeout(() => requestAnimationFrame(() => !moved && begun && drive(i)), HOLD);
-    });
-    element.addEventListener("pointermove", (event) => {
-      if (begun?.id !== event.pointerId || driven >= 0) return;
-      const way = begun.y - event.clientY;
-      if (!moved && Math.abs(way) < DRAG) return;
-      if (!moved) send({ do: "visit" });
-      moved = true;
-      clearTimeout(rests);
-      put(i, begun.level + way / begun.height);
-    });
-    for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) {
-      element.addEventListener(kind, (event) => {
-        if (begun?.id !== event.pointerId) return;
-        clearTimeout(rests);
-        const drove = driven === i;
-        begun = null;
-        if (asked) sendPut();
-        dragged = -1;
-        stop();
-        if (!moved && !drove && kind === "pointerup") kept = kept === i ? -1 : i;
-        look();
-      });
-    }
+    element.addEventListener("pointerdown", (event) => this.down(event, element, box, i));
+    element.addEventListener("pointermove", (event) => this.move(event, i));
+    for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) element.addEventListener(kind, (event) => this.up(event, i));
     element.addEventListener("contextmenu", (event) => event.preventDefault());
-    element.addEventListener("keydown", (event) => {
-      if (event.ctrlKey || event.metaKey || event.altKey) return;
-      const level = Math.min(levels?.levels[i] ?? 0, 1);
-      const step = event.shiftKey ? FAR : STEP;
-      const part = { ArrowUp: level + step, ArrowDown: level - step, Home: 0, End: 1, PageUp: level + FAR, PageDown: level - FAR }[event.key];
-      const beside = { ArrowLeft: i - 1, ArrowRight: i + 1 }[event.key];
-      if (part !== undefined) {
-        if (!event.repeat) send({ do: "visit" });
-        put(i, part);
-        sendPut();
-        dragged = -1;
-        live.textContent = `Mode ${i + 1}: ${few(100 * to, 2)} percent of a full bar`;
-      } else if (beside !== undefined) shown[(beside + shown.length) % shown.length].element.focus();
-      else if (event.code === "Space" || event.key === "Enter") drive(i);
-      else return;
-      event.preventDefault();
-      event.stopPropagation();
-    });
+    element.addEventListener("keydown", (event) => this.key(event, i));
     element.addEventListener("keyup", (event) => {
-      if ((event.code === "Space" || event.key === "Enter") && driven === i) {
-        event.preventDefault();
-        stop();
-      }
+      if (!isPress(event) || this.driven !== i) return;
+      event.preventDefault();
+      this.drive(-1);
     });
-  };
+  }
 
-  // ----------------------------------------------------------------------- what is shown
-  /** @param {string} text below it @returns {Bar} */
-  const newBar = (text) => {
-    const element = make("div", "softrod-mode");
-    const [box, fill] = [make("span", "softrod-mode-box"), make("span", "softrod-mode-fill")];
-    const name = make("span", "softrod-mode-name", text);
-    box.append(fill);
-    element.append(box, name);
-    element.tabIndex = 0;
-    return { element, fill, name };
-  };
-  const build = () => {
-    const count = frequencies().length;
-    if (shown.length === (count ? count + 1 : 0)) {
-      shown.forEach(({ name }, i) => {
-        const text = i < count ? hertz(frequencies()[i]) : "else";
-        if (name.textContent !== text) name.textContent = text;
-      });
-    } else {
-      shown = count ? [...frequencies().map((f) => newBar(hertz(f))), newBar("else")] : [];
-      bars.replaceChildren(...shown.map(({ element }) => element));
-      shown.forEach((bar, i) => {
-        listen(bar, i);
-        if (i === count) {
-          bar.element.classList.add("softrod-mode-others");
-          bar.element.setAttribute("role", "img");
-        } else {
-          bar.element.setAttribute("role", "slider");
-          bar.element.ariaOrientation = "vertical";
-          Object.assign(bar.element, { ariaValueMin: "0", ariaValueMax: "100" });
-        }
-      });
-      [over, focused, dragged, kept] = [-1, -1, -1, -1];
+  /** @param {PointerEvent} event @param {HTMLElement} element @param {HTMLElement} box @param {number} i */
+  down(event, element, box, i) {
+    if (event.button > 0 || this.press) return;
+    event.preventDefault();
+    element.setPointerCapture(event.pointerId);
+    // A move that waits for a slow page comes before its next picture.
+    const timer = setTimeout(() => requestAnimationFrame(() => this.press && !this.press.moved && this.drive(i)), HOLD);
+    const level = Math.min(this.level(i), 1);
+    this.press = { id: event.pointerId, y: event.clientY, level, height: box.clientHeight || 1, moved: false, timer };
+  }
+
+  /** @param {PointerEvent} event @param {number} i */
+  move(event, i) {
+    const { press } = this;
+    if (press?.id !== event.pointerId || this.driven >= 0) return;
+    const way = press.y - event.clientY;
+    if (!press.moved && Math.abs(way) < DRAG) return;
+    if (!press.moved) send({ do: "visit" });
+    press.moved = true;
+    clearTimeout(press.timer);
+    this.put(i, press.level + way / press.height);
+  }
+
+  /** @param {PointerEvent} event @param {number} i */
+  up(event, i) {
+    const { press, driven } = this;
+    if (press?.id !== event.pointerId) return;
+    clearTimeout(press.timer);
+    this.press = null;
+    if (this.isPutDue) this.sendPut();
+    this.dragged = -1;
+    this.drive(-1);
+    if (!press.moved && driven !== i && event.type === "pointerup") this.tap(i);
+    else this.look();
+  }
+
+  /** @param {KeyboardEvent} event @param {number} i */
+  key(event, i) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const level = Math.min(this.level(i), 1);
+    const step = event.shiftKey ? FAR : STEP;
+    const part = { ArrowUp: level + step, ArrowDown: level - step, Home: 0, End: 1, PageUp: level + FAR, PageDown: level - FAR }[event.key];
+    const side = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (part !== undefined) {
+      if (!event.repeat) send({ do: "visit" });
+      this.put(i, part);
+      this.sendPut();
+      this.dragged = -1;
+      this.strip.live.textContent = `Mode ${i + 1}: ${few(100 * this.part, 2)} percent of a full bar`;
+    } else if (side) this.bars[(i + side + this.bars.length) % this.bars.length].element.focus();
+    else if (isPress(event)) this.drive(i);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  // ----------------------------------------------------------------------- bars
+  build() {
+    const names = this.frequencies.length ? [...this.frequencies.map(hertz), "else"] : [];
+    if (this.bars.length !== names.length) {
+      this.forget();
+      this.bars = names.map((_, i) => this.newBar(i));
+      this.row.replaceChildren(...this.bars.map(({ element }) => element));
     }
-    shown.forEach(({ element }, i) => {
-      element.ariaLabel = i < count ? `Mode ${i + 1}, ${few(frequencies()[i])} hertz` : "In no mode";
+    this.bars.forEach(({ element, name }, i) => {
+      if (name.textContent !== names[i]) name.textContent = names[i];
+      element.ariaLabel = i < names.length - 1 ? `Mode ${i + 1}, ${few(this.frequencies[i])} hertz` : "In no mode";
     });
-    readOut();
-  };
-  const readOut = () => {
-    read = performance.now();
-    shown.forEach(({ element }, i) => {
-      if (i === shown.length - 1) {
-        element.ariaLabel = inWords(i);
-        return;
+    this.readOut();
+  }
+
+  /** @param {number} i @returns {Bar} */
+  newBar(i) {
+    const isMode = i < this.frequencies.length;
+    const element = make("div", isMode ? "softrod-mode" : "softrod-mode softrod-mode-others");
+    const bar = { element, box: make("span", "softrod-mode-box"), fill: make("span", "softrod-mode-fill"), name: make("span", "softrod-mode-name") };
+    bar.box.append(bar.fill);
+    element.append(bar.box, bar.name);
+    element.tabIndex = 0;
+    element.setAttribute("role", isMode ? "slider" : "img");
+    if (isMode) Object.assign(element, { ariaOrientation: "vertical", ariaValueMin: "0", ariaValueMax: "100" });
+    this.listen(bar, i);
+    return bar;
+  }
+
+  /** Updates what a screen reader reads of the bars. */
+  readOut() {
+    this.readAt = performance.now();
+    this.bars.forEach(({ element }, i) => {
+      if (i === this.bars.length - 1) element.ariaLabel = this.inWords(i);
+      else {
+        element.ariaValueNow = String(Math.round(100 * Math.min(this.levels?.levels[i] ?? 0, 1)));
+        element.ariaValueText = `${this.inUnits(i)}, ${percent(this.levels?.shares[i] ?? 0)} of the energy`;
       }
-      element.ariaValueNow = String(Math.round(100 * Math.min(levels?.levels[i] ?? 0, 1)));
-      element.ariaValueText = `${inUnits(i)}, ${percent(levels?.shares[i] ?? 0)} of the energy`;
     });
-  };
-  const drawLevels = () => {
-    shown.forEach(({ fill, element }, i) => {
-      const isLast = i === shown.length - 1;
-      const level = i === dragged ? to : isLast ? (levels?.other ?? 0) : (levels?.levels[i] ?? 0);
+  }
+
+  drawLevels() {
+    this.bars.forEach(({ fill, element }, i) => {
+      const isLast = i === this.bars.length - 1;
+      const level = isLast ? (this.levels?.other ?? 0) : this.level(i);
       fill.style.transform = `scaleY(${Math.min(Math.abs(level), 1).toFixed(4)})`;
       element.classList.toggle("softrod-mode-lacks", isLast && level < 0);
       element.classList.toggle("softrod-mode-over", Math.abs(level) > 1);
-      element.classList.toggle("softrod-mode-driven", i === (modes.driven ?? -1));
+      element.classList.toggle("softrod-mode-driven", i === (this.modes.driven ?? -1));
     });
-    if (performance.now() - read > READ_EVERY) readOut();
-    tellLooked();
-  };
+    if (performance.now() - this.readAt > READ_EVERY) this.readOut();
+    this.tell();
+  }
+}
 
-  onTold("modes", (now) => {
-    modes = now;
-    const on = now.on ?? false;
-    if (strip.hidden === on) {
-      show(on);
-      live.textContent = on ? "Modes are shown over the bar of time" : "";
-      if (!on) [over, focused, dragged, kept] = [-1, -1, -1, -1];
-    }
-    if (!on || now.trouble || !now.frequencies) levels = null;
-    sound.use(on ? (now.frequencies ?? []) : [], now.damping ?? []);
-    build();
-    look();
-    drawLevels();
-  });
-  onTold("modeShapes", ({ numbers }) => {
-    shapes = readShapes(numbers);
-    look();
-  });
-  onTold("modeLevels", ({ numbers }) => {
-    levels = readLevels(numbers);
-    sound.hear(levels);
-    drawLevels();
-  });
+/** Puts up the strip, and begins to listen. */
+function begin() {
+  listenToMelodies();
+  new ModeStrip();
 }
 
 /** @type {import("../../ui/feature.js").Feature<"modes">} */

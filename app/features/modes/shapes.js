@@ -1,15 +1,15 @@
 // @ts-check
-/** Shapes and levels of modes as modes.py writes them, and where a shape is on the screen. Arithmetic only. */
+/** Shapes and levels of modes as feature.py encodes them, and where a shape places the masses. Arithmetic only. */
 import { sections } from "../../wire/unpack.js";
 
 /**
  * @typedef {object} Shape
- * @property {Float32Array} moves x and y of each mass, in the largest
- * @property {Float32Array} nodes of each a spring, and how far along it
+ * @property {Float32Array} moves x and y of each mass, relative to the largest
+ * @property {Float32Array} nodes a spring for each, and how far along it
  * @property {Float32Array} antinodes masses
  *
  * @typedef {object} Shapes
- * @property {number} number that levels carry, too
+ * @property {number} number that levels have, too
  * @property {number} size of the body, px
  * @property {Float32Array} rest x and y of each mass, px
  * @property {Float32Array} part of each mass
@@ -18,9 +18,9 @@ import { sections } from "../../wire/unpack.js";
  * @typedef {object} Levels
  * @property {number} number of the shapes
  * @property {number} time simulated seconds
- * @property {number} other what is in no mode, as a part of a full bar; below zero where the modes have more than there is
- * @property {number} touching energy of what is pressed together, in that of a full bar
- * @property {Float32Array} levels amplitude of each mode, in that of a full bar
+ * @property {number} other what is in no mode, in full bars; negative where the modes would have more than the body has
+ * @property {number} touching contact energy, in that of a full bar
+ * @property {Float32Array} levels amplitude of each mode, in full bars
  * @property {Float32Array} shares of the energy: of each mode, and of what is in none
  * @property {Float32Array} frames cosine, sine, x and y of each part
  */
@@ -44,12 +44,12 @@ export function readLevels(data) {
 }
 
 /**
- * Where the masses are when a mode is at an amplitude.
+ * The places of the masses when a mode is at an amplitude.
  *
  * @param {Shapes} shapes
  * @param {number} mode
- * @param {number} amplitude px of the mass that it moves most
- * @param {Float32Array} [frames] how the parts lie now
+ * @param {number} amplitude of the mass that it moves most, px
+ * @param {Float32Array} [frames] present positions and turns of the parts
  * @returns {Float32Array} px, x and y of each
  */
 export function posed({ rest, part, modes }, mode, amplitude, frames) {
@@ -66,7 +66,7 @@ export function posed({ rest, part, modes }, mode, amplitude, frames) {
   return places;
 }
 
-/** A number with as many digits as are of use. @param {number} value @param {number} [digits] */
+/** A number with as many digits as are useful. @param {number} value @param {number} [digits] */
 export const few = (value, digits = 3) => String(Number(value.toPrecision(digits)));
 
 /** A share of the energy in words. @param {number} share */

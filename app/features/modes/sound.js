@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * The sound of a body: each of its modes a tone as loud as the mode is large, and clicks where it touches something or
- * breaks. It is off until it is asked for; browsers let nothing sound before a gesture, either.
+ * The sound of a body: a tone for each of its modes, as loud as the mode is large, and clicks when it touches something
+ * or breaks. It is off until it is turned on; browsers allow no sound before a gesture, either.
  */
 import { tonesOf } from "./tones.js";
 import { onTold, told } from "../../wire/channel.js";
@@ -15,19 +15,25 @@ import { kept, store } from "../../ui/kept/storage.js";
  */
 
 const STORED = "softrod-volume";
-/** Seconds in which a tone follows a change, after which it goes on by its own decay, and in which all fall silent. */
-const [FOLLOWS, OWN, ENDS] = [0.02, 0.1, 0.05];
-/** Energies of what is pressed together, in those of a full bar, between which a touch begins. */
-const [LOOSE, TOUCH] = [1e-6, 1e-4];
-/** Seconds of a click, and of what breaks. */
-const [CLICK, CRACK] = [0.03, 0.12];
-/** Seconds between two clicks, at least. */
+/** Seconds in which a tone follows a change. */
+const FOLLOWS = 0.02;
+/** Seconds after a change from which a tone decays by itself: the next levels are late. */
+const DECAYS_AFTER = 0.1;
+/** Seconds in which all tones fall silent. */
+const ENDS = 0.05;
+/** Contact energy, in full bars, below which the body touches nothing, and above which a touch clicks. */
+const LOOSE = 1e-6;
+const TOUCH = 1e-4;
+/** Seconds in which a click dies away, and the crack of something that breaks. */
+const CLICK = 0.03;
+const CRACK = 0.12;
+/** Least time between two clicks, s. */
 const APART = 0.05;
 
 const ON = "M4 9v6h4l5 4V5L8 9zM16 9a4 4 0 0 1 0 6M18.500 6.500a8 8 0 0 1 0 11";
 const OFF = "M4 9v6h4l5 4V5L8 9zM16 9.500l5 5M21 9.500l-5 5";
 
-/** Tones that go on, each with its own loudness. */
+/** Continuous tones, each with its own loudness. */
 export class Voices {
   /** @param {BaseAudioContext} context @param {AudioNode} to where they are heard */
   constructor(context, to) {
@@ -37,7 +43,7 @@ export class Voices {
     this.all = [];
   }
 
-  /** Has as many of them as there are tones, silent at first. @param {number} count @param {number} at seconds of the context */
+  /** Makes as many of them as there are tones, silent at first. @param {number} count @param {number} at seconds of the context */
   count(count, at) {
     while (this.all.length > count) this.all.pop()?.oscillator.stop(at);
     while (this.all.length < count) {
@@ -49,7 +55,7 @@ export class Voices {
     }
   }
 
-  /** Each follows its tone, and dies away with that from then on. @param {Tone[]} tones @param {number} at seconds of the context */
+  /** Lets each follow its tone, and then die away as that does. @param {Tone[]} tones @param {number} at seconds of the context */
   follow(tones, at) {
     this.count(tones.length, at);
     tones.forEach(({ pitch, gain: loud, decay }, i) => {
@@ -57,11 +63,11 @@ export class Voices {
       if (pitch > 0 && oscillator.frequency.value !== pitch) oscillator.frequency.setValueAtTime(pitch, at);
       gain.gain.cancelScheduledValues(at);
       gain.gain.setTargetAtTime(loud, at, FOLLOWS);
-      if (decay > 0) gain.gain.setTargetAtTime(0, at + OWN, 1 / decay);
+      if (decay > 0) gain.gain.setTargetAtTime(0, at + DECAYS_AFTER, 1 / decay);
     });
   }
 
-  /** All fall silent. @param {number} at seconds of the context */
+  /** Silences all. @param {number} at seconds of the context */
   rest(at) {
     for (const { gain } of this.all) {
       gain.gain.cancelScheduledValues(at);
@@ -71,10 +77,10 @@ export class Voices {
 }
 
 /**
- * A short noise.
+ * Plays a short noise.
  *
  * @param {BaseAudioContext} context @param {AudioNode} to
- * @param {number} seconds @param {number} loud 0..1 @param {number} pitch Hz about which it lies
+ * @param {number} seconds @param {number} loud 0..1 @param {number} pitch centre frequency, Hz
  */
 function click(context, to, seconds, loud, pitch) {
   const buffer = context.createBuffer(1, Math.ceil(4 * seconds * context.sampleRate), context.sampleRate);
@@ -90,11 +96,11 @@ function click(context, to, seconds, loud, pitch) {
   source.start();
 }
 
-/** Everything that sounds on a page goes through this; null before the first gesture. @type {{context: AudioContext, out: GainNode} | null} */
+/** The output of the page; null before the first gesture. @type {{context: AudioContext, out: GainNode} | null} */
 let heard = null;
 let volume = Number(kept(STORED) || 0.5);
 
-/** Where sound goes; to be called in a gesture for the first time. */
+/** The output of the page; the first call has to be in a gesture. */
 export function loudspeaker() {
   if (!heard) {
     const context = new AudioContext();
@@ -112,7 +118,7 @@ let toggle = () => {};
 /** Turns the sound of the modes on or off, while they are shown. */
 export const toggleSound = () => toggle();
 
-/** The button and the volume, and what sounds. */
+/** The button, the volume, and the sound. */
 export function addSound() {
   const button = makeButton("", () => turn(!on), "softrod-modes-sound");
   const slider = make("input", "softrod-modes-volume");
@@ -151,7 +157,7 @@ export function addSound() {
   slider.addEventListener("input", () => {
     volume = Number(slider.value);
     store(STORED, String(volume));
-    // As loudness is heard.
+    // Squared, as loudness is perceived.
     heard?.out.gain.setTargetAtTime(volume * volume, heard.context.currentTime, FOLLOWS);
   });
   /** @param {number} seconds @param {number} loud @param {number} pitch */
@@ -168,13 +174,13 @@ export function addSound() {
   show();
   return {
     controls: [button, slider],
-    /** The modes that sound; none while they are not looked at. @param {ArrayLike<number>} hertz @param {ArrayLike<number>} ratios */
+    /** Takes the modes that sound; none while the strip is closed. @param {ArrayLike<number>} hertz @param {ArrayLike<number>} ratios */
     use(hertz, ratios) {
       [frequencies, dampings] = [hertz, ratios];
       button.disabled = !hertz.length;
       if (!hertz.length && on) turn(false);
     },
-    /** How large they are now. @param {Levels} levels */
+    /** Takes their present levels. @param {Levels} levels */
     hear({ levels, touching }) {
       if (on && heard && voices && told().playing) {
         voices.follow(tonesOf(frequencies, dampings, levels, told().speed ?? 1), heard.context.currentTime);

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * What modes sound like: one tone each, all moved by the same number of octaves, so that intervals stay what they are.
- * Arithmetic only, without a page.
+ * The tones of modes: one each, all transposed by the same number of octaves, so that intervals are preserved. Arithmetic
+ * only, without a page.
  */
 
 /** Hz from which the slowest mode can be heard well. */
@@ -18,7 +18,7 @@ const LOUDEST = 0.25;
  * @property {number} gain amplitude, 0..1
  */
 
-/** Octaves by which frequencies are moved so that the slowest can be heard; below zero for those that are too high. @param {ArrayLike<number>} frequencies Hz, the slowest first */
+/** Octaves by which frequencies are transposed so that the slowest can be heard; negative for high ones. @param {ArrayLike<number>} frequencies Hz, the slowest first */
 export function octavesOf(frequencies) {
   const slowest = frequencies[0];
   return slowest > 0 ? Math.ceil(Math.log2(LOWEST / slowest) - 1e-9) : 0;
@@ -28,7 +28,7 @@ export function octavesOf(frequencies) {
  * The tones of modes.
  *
  * A mode with frequency f and damping ratio z swings f √(1 − z²) times a second, and its amplitude falls with the rate
- * 2π f z. The pitch is moved by octaves; how fast it dies away is as in the body.
+ * 2π f z. The pitch is transposed; the decay is that of the body.
  *
  * @param {ArrayLike<number>} frequencies without damping, Hz, the slowest first
  * @param {ArrayLike<number>} dampings ratios
@@ -48,27 +48,10 @@ export function tonesOf(frequencies, dampings, amplitudes, speed = 1) {
   });
 }
 
-/**
- * Tones as samples, as they sound after one stroke.
- *
- * @param {Tone[]} tones
- * @param {number} seconds
- * @param {number} rate samples a second
- */
-export function rendered(tones, seconds, rate) {
-  const samples = new Float32Array(Math.round(seconds * rate));
-  for (const { pitch, decay, gain } of tones) {
-    if (!gain) continue;
-    for (let i = 0; i < samples.length; i++) {
-      const t = i / rate;
-      samples[i] += gain * Math.exp(-decay * t) * Math.sin(2 * Math.PI * pitch * t);
-    }
-  }
-  return samples;
-}
-
-/** Hz of the lowest and of the highest value of a plot. */
-export const [LOW, HIGH] = [220, 880];
+/** Hz of the lowest value of a plot. */
+export const LOW = 220;
+/** Hz of the highest value of a plot. */
+export const HIGH = 880;
 
 /**
  * A plot as pitch: equal steps of the values are equal intervals.

@@ -1,5 +1,5 @@
 // @ts-check
-/** Marks on the body the springs and joints of the muscles that are pointed at in the strip. */
+/** Marks on the body: the springs and joints of the muscles that are pointed at in the strip. */
 import { makeSvg, onSight, putUp, set, sight } from "../../stage/overlay.js";
 
 /** @typedef {import("./marks.js").Mark} Mark */
@@ -7,36 +7,40 @@ import { makeSvg, onSight, putUp, set, sight } from "../../stage/overlay.js";
 /** Pixels around the mass of a joint. */
 const RING = 9;
 
-export function addMuscleMarks() {
-  const svg = makeSvg("svg", "softrod-marks softrod-muscle-marks");
-  const path = makeSvg("path", "", svg);
+export class MuscleMarks {
+  svg = makeSvg("svg", "softrod-marks softrod-muscle-marks");
+  path = makeSvg("path", "", this.svg);
   /** @type {Mark[]} */
-  let marked = [];
+  marked = [];
+
+  constructor() {
+    onSight((seen) => this.draw(seen));
+  }
+
+  /** @param {Mark[]} marks */
+  show(marks) {
+    this.marked = marks;
+    const seen = sight();
+    if (seen) this.draw(seen);
+  }
+
   /** @param {import("../../stage/overlay.js").Sight} seen */
-  const draw = ({ plan, places, on }) => {
-    if (!marked.length && !svg.parentNode) return;
-    let d = "";
-    for (const { joint, part } of marked) {
+  draw({ plan, places, on }) {
+    if (!this.marked.length) {
+      this.svg.remove();
+      return;
+    }
+    /** @param {number} mass @param {number} [left] px */
+    const at = (mass, left = 0) => `${(places[2 * mass] - left).toFixed(1)} ${places[2 * mass + 1].toFixed(1)}`;
+    const paths = this.marked.map(({ joint, part }) => {
       if (joint && 4 * part < plan.joints.length) {
         const tip = plan.joints[4 * part + 2];
-        const r = (plan.radius[tip] * on.step + RING).toFixed(1);
-        d += `M${(places[2 * tip] - Number(r)).toFixed(1)} ${places[2 * tip + 1].toFixed(1)}a${r} ${r} 0 1 0 ${2 * Number(r)} 0a${r} ${r} 0 1 0 ${-2 * Number(r)} 0`;
-      } else if (!joint && 2 * part < plan.springs.length) {
-        const [a, b] = [2 * plan.springs[2 * part], 2 * plan.springs[2 * part + 1]];
-        d += `M${places[a].toFixed(1)} ${places[a + 1].toFixed(1)}L${places[b].toFixed(1)} ${places[b + 1].toFixed(1)}`;
+        const r = Number((plan.radius[tip] * on.step + RING).toFixed(1));
+        return `M${at(tip, r)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`;
       }
-    }
-    set(path, { d });
-    if (marked.length && !svg.parentNode) putUp(svg);
-    else if (!marked.length) svg.remove();
-  };
-  onSight(draw);
-  return {
-    /** @param {Mark[]} marks */
-    show: (marks) => {
-      marked = marks;
-      const seen = sight();
-      if (seen) draw(seen);
-    },
-  };
+      return !joint && 2 * part < plan.springs.length ? `M${at(plan.springs[2 * part])}L${at(plan.springs[2 * part + 1])}` : "";
+    });
+    set(this.path, { d: paths.join("") });
+    if (!this.svg.parentNode) putUp(this.svg);
+  }
 }

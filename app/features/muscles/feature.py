@@ -1,4 +1,4 @@
-"""Muscles: selected springs and joints become some, or are none any more; edits have what is done to them."""
+"""A command that makes selected springs and joints muscles; the edits have all changes of muscles."""
 
 from __future__ import annotations
 

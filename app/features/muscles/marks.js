@@ -1,8 +1,8 @@
 // @ts-check
 /**
- * Where muscles stand in the strip, and what a drag makes of them. Arithmetic only.
+ * The places of muscles in their strip, and what a drag does to them. Arithmetic only.
  *
- * A mark is the crest of its muscle's wave: across is where in the beat the wave is largest, up is how far it goes then.
+ * A mark is the crest of its muscle's wave: its x is when in the beat the wave is largest, its y the amplitude.
  *
  * @typedef {import("../../stage/plan.js").Plan} Plan
  * @typedef {import("../../stage/swing.js").Muscle} Muscle
@@ -12,15 +12,17 @@
  */
 import { countMuscles, muscleAt, waveAt } from "../../stage/swing.js";
 
-/** Amplitudes that reach to the edge: of a spring, a fraction, and of a joint, degrees. */
-const [FULL_STRETCH, FULL_TURN] = [0.4, 60];
-/** Amplitudes that there can be. */
-const [MAX_STRETCH, MAX_TURN] = [0.9, 180];
+/** Amplitude of a spring that reaches the edge of the strip, a fraction of its length, and the largest that there can be. */
+const FULL_STRETCH = 0.4;
+const MAX_STRETCH = 0.9;
+/** The same of a joint, degrees. */
+const FULL_TURN = 60;
+const MAX_TURN = 180;
 /** Pixels around the wave. */
 export const EDGE = 15;
-/** Parts of a beat to which a drag keeps. */
+/** Parts of a beat to which a drag snaps. */
 const GRID = 72;
-/** Points of a drawn wave, for each of its crests. */
+/** Points of a drawn wave per crest. */
 const POINTS = 48;
 
 /** @param {number} value */
@@ -30,14 +32,14 @@ const inTurn = (value) => value - Math.floor(value);
 export const marksOf = (plan) =>
   Array.from({ length: countMuscles(plan) }, (_, k) => {
     const muscle = muscleAt(plan, k);
-    // As the server has them, which are of double precision.
+    // The server's values, which have double precision.
     muscle.phase = Number(muscle.phase.toPrecision(7));
     muscle.amplitude = Number(muscle.amplitude.toPrecision(7));
     const crest = inTurn((90 - muscle.phase) / 360) / muscle.perBeat;
     return { ...muscle, key: `${muscle.joint ? "j" : "s"}${muscle.part}`, crest };
   });
 
-/** From the middle to the edge: -1 to 1. @param {Mark} mark */
+/** Height of a mark, from the middle to the edges: -1 to 1. @param {Mark} mark */
 const heightOf = ({ joint, amplitude }) => Math.max(-1, Math.min(1, amplitude / (joint ? FULL_TURN : FULL_STRETCH)));
 
 /** @param {number} part of the beat @param {Box} box */
@@ -45,10 +47,10 @@ export const across = (part, { width }) => EDGE + part * (width - 2 * EDGE);
 /** @param {number} height -1 to 1 @param {Box} box */
 const up = (height, { height: all }) => all / 2 - height * (all / 2 - EDGE);
 
-/** Where a mark is. @param {Mark} mark @param {Box} box */
+/** The place of a mark. @param {Mark} mark @param {Box} box */
 export const placeOf = (mark, box) => ({ x: across(mark.crest, box), y: up(heightOf(mark), box) });
 
-/** Where its wave is as high for other times in the beat, pixels across. @param {Mark} mark @param {Box} box */
+/** The other crests of its wave in the beat, px. @param {Mark} mark @param {Box} box */
 export const otherCrests = (mark, box) =>
   Array.from({ length: mark.perBeat - 1 }, (_, k) => across(mark.crest + (k + 1) / mark.perBeat, box));
 
@@ -65,7 +67,7 @@ export function waveOf(mark, box) {
   return path;
 }
 
-/** The nearest mark within reach, the last one drawn first. @param {Mark[]} marks @param {Box} box @param {{x: number, y: number}} at @param {number} reach */
+/** The nearest mark within reach; of equally near ones, the last one drawn. @param {Mark[]} marks @param {Box} box @param {{x: number, y: number}} at @param {number} reach */
 export function markAt(marks, box, at, reach) {
   let [found, least] = [/** @type {Mark | null} */ (null), reach];
   for (const mark of marks) {
@@ -77,7 +79,7 @@ export function markAt(marks, box, at, reach) {
 }
 
 /**
- * How far a drag moves marks: all by as much, on a grid for the one that is dragged, and none out of its range.
+ * How far a drag moves marks: all by the same amount, the dragged one on a grid, and none out of its range.
  *
  * @param {Mark} held the mark that is dragged, as it was
  * @param {Mark[]} all that move with it, as they were
@@ -91,7 +93,7 @@ export function wayOf(held, all, box, dx, dy) {
   const part = within(all, -dy / (box.height / 2 - EDGE));
   const full = held.joint ? FULL_TURN : FULL_STRETCH;
   const finest = held.joint ? 1 : 0.01;
-  // A mark that goes up or down stops at round numbers; one that does not stays where it is.
+  // A mark that is moved up or down snaps to round numbers; any other keeps its amplitude.
   const higher = dy ? within(all, (Math.round((held.amplitude + part * full) / finest) * finest - held.amplitude) / full) : 0;
   return {
     later: dx ? Math.round(crest * GRID) / GRID - held.crest : 0,
@@ -106,7 +108,7 @@ export function stepOf(all, later, higher) {
   return { later, stretch: part * FULL_STRETCH, turn: part * FULL_TURN };
 }
 
-/** By how much amplitudes can grow, of their full height, so that none leaves its range. @param {Mark[]} all @param {number} wanted */
+/** By how much all amplitudes can grow, in full heights, without leaving their ranges. @param {Mark[]} all @param {number} wanted */
 function within(all, wanted) {
   let part = wanted;
   for (const { joint, amplitude } of all) {
@@ -123,10 +125,10 @@ export const movedBy = (mark, { later, stretch, turn }) => ({
   amplitude: mark.amplitude + (mark.joint ? turn : stretch),
 });
 
-/** What a mark is called. @param {Mark} mark */
+/** The name of a mark. @param {Mark} mark */
 export const nameOf = ({ joint, part }) => `${joint ? "joint" : "spring"} ${part}`;
 
-/** How far its muscle goes, and when. @param {Mark} mark */
+/** Amplitude and time of a muscle in words. @param {Mark} mark */
 export function inWords({ joint, amplitude, crest }) {
   const size = joint ? `${Math.round(amplitude)}°` : `${Math.round(100 * amplitude)} %`;
   return `${amplitude > 0 ? "+" : ""}${size.replace("-", "−")} at ${crest.toFixed(2)} of the beat`;

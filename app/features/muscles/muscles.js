@@ -8,11 +8,12 @@ import { onPicture, shown } from "../../stage/canvas.js";
 import { has, onTold, send, told } from "../../wire/channel.js";
 import { change, editing, onEditing } from "../edit/editing.js";
 import { beatsAt, countMuscles } from "../../stage/swing.js";
-import { make, makeButton } from "../../ui/dialog.js";
+import { makeButton } from "../../ui/dialog.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { floorOf, makeSvg, set } from "../../stage/overlay.js";
+import { makeStrip } from "../../ui/strip.js";
 import { across, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf, stepOf, wayOf, waveOf } from "./marks.js";
-import { addMuscleMarks } from "./body_marks.js";
+import { MuscleMarks } from "./body_marks.js";
 import { timeNow } from "../../ui/clock.js";
 import { tuning } from "./tuning.js";
 import { viser } from "../../ui/viser/viser.js";
@@ -20,312 +21,330 @@ import { viser } from "../../ui/viser/viser.js";
 /**
  * @typedef {import("./marks.js").Mark} Mark
  * @typedef {import("./marks.js").Way} Way
+ * @typedef {{all: Mark[], way: Way}} Move marks as they were, and how far they are moved
+ * @typedef {Move & {id: number, held: Mark, x: number, y: number, moved: boolean, along: {x: boolean, y: boolean}, toggles: boolean, alone: boolean}} Drag
  */
 
-/** Pixels around a mark, for a mouse and for a finger. */
+/** Pixels around a mark that are pressed as it is, by kinds of pointers. */
 const REACH = { mouse: 14, pen: 18, touch: 30 };
-/** Pixels that a drag has to go before it counts, along each way; then all of it does. */
+/** Pixels that a drag has to go before it counts, in each direction; then all of it does. */
 const SLACK = 5;
-/** Milliseconds between two things that a drag tells the server. */
-const TELL_EVERY = 60;
-/** Milliseconds after a drag for which marks stay where they were left: what the server tells may still be older. */
+/** Milliseconds between two messages of a drag. */
+const SEND_EVERY = 60;
+/** Milliseconds after a drag for which marks stay where they were left: what the server sends may still be older. */
 const SETTLES = 500;
-/** Beats by which an arrow moves a mark, and parts of the full height; and how much less with Shift. */
-const [LATER, HIGHER, FINE] = [1 / 36, 0.05, 0.2];
-/** Waves that are drawn, beside those of marks that are selected. */
+/** Beats by which an arrow key moves a mark. */
+const LATER = 1 / 36;
+/** Part of the full height by which an arrow key moves a mark. */
+const HIGHER = 0.05;
+/** Part of both with Shift. */
+const FINE = 0.2;
+/** Waves that are drawn, in addition to those of selected marks. */
 const MAX_WAVES = 60;
-/** Waves of selected marks that are drawn boldly. */
+/** Bold waves above which they are drawn thinner. */
 const FEW = 5;
 /** Pixels of height below which the body needs the room more than the strip. */
-const LOW = 400;
+const MIN_ROOM = 400;
 /** Milliseconds between two looks at the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
 
 const HOW = "Drag a mark sideways: when it moves. Up or down: how far.";
 const NOWHERE = { later: 0, stretch: 0, turn: 0 };
+const DIAMOND = "M0 -9L9 0L0 9L-9 0Z";
+const DISC = "M-7 0a7 7 0 1 0 14 0a7 7 0 1 0 -14 0";
 
 /** Whether a mark's part is selected. @param {Mark} mark */
 const isSelected = ({ joint, part }) => editing.selected[joint ? "joints" : "springs"].includes(part);
 
-/** Selects the part of a mark. @param {Mark} mark @param {boolean} toggle whether it changes sides, and the others stay */
+/** Selects the part of a mark. @param {Mark} mark @param {boolean} toggle whether it is selected or deselected, and the others stay */
 function select({ joint, part }, toggle) {
   const kind = joint ? "joints" : "springs";
   const before = editing.selected[kind];
   send({ do: "select", [kind]: [part], ...(toggle && { toggle }) });
   // So that it can be moved at once: the server says the same.
   const others = toggle ? editing.selected : { masses: [], springs: [], joints: [] };
-  const parts = toggle ? (before.includes(part) ? before.filter((one) => one !== part) : [...before, part]) : [part];
+  const parts = !toggle ? [part] : before.includes(part) ? before.filter((one) => one !== part) : [...before, part];
   change({ selected: { ...others, [kind]: parts } });
 }
 
-function makeStrip() {
-  const strip = make("div", "softrod-strip softrod-muscles");
-  strip.setAttribute("role", "group");
-  strip.ariaLabel = "Muscles";
-  const head = make("div", "softrod-strip-head softrod-muscles-head");
-  const fold = makeButton("Muscles", () => setOpen(wave.hasAttribute("hidden")), "softrod-muscles-fold");
-  const says = make("span", "softrod-strip-says softrod-muscles-says", HOW);
-  const controls = tuning();
-  head.append(fold, says, ...controls.elements);
-  const wave = makeSvg("svg", "softrod-muscles-wave");
-  wave.removeAttribute("aria-hidden");
-  const axis = makeSvg("path", "softrod-muscles-axis", wave);
-  const waves = makeSvg("path", "softrod-muscles-waves", wave);
-  const chosen = makeSvg("path", "softrod-muscles-chosen", wave);
-  const now = makeSvg("path", "softrod-muscles-now", wave);
-  const others = makeSvg("path", "softrod-muscles-others", wave);
-  const group = makeSvg("g", "", wave);
-  strip.append(head, wave);
-  document.querySelector(".softrod-transport")?.before(strip);
-  const onBody = addMuscleMarks();
-
+class MuscleStrip {
+  strip = makeStrip("muscles", "Muscles");
+  fold = makeButton("Muscles", () => this.setOpen(!this.isOpen), "softrod-muscles-fold");
+  controls = tuning();
+  onBody = new MuscleMarks();
+  wave = makeSvg("svg", "softrod-muscles-wave");
+  axis = makeSvg("path", "softrod-muscles-axis", this.wave);
+  waves = makeSvg("path", "softrod-muscles-waves", this.wave);
+  bold = makeSvg("path", "softrod-muscles-chosen", this.wave);
+  now = makeSvg("path", "softrod-muscles-now", this.wave);
+  others = makeSvg("path", "softrod-muscles-others", this.wave);
+  group = makeSvg("g", "", this.wave);
   /** @type {Mark[]} */
-  let marks = [];
+  marks = [];
   /** @type {Map<string, SVGGElement>} */
-  const elements = new Map();
-  let box = { width: 0, height: 0 };
+  elements = new Map();
+  box = { width: 0, height: 0 };
   /** The mark under the pointer. */
-  let hovered = "";
+  hovered = "";
   /** The mark that the Tab key comes to. */
-  let reached = "";
-  /** What is dragged, and how far. @type {{id: number, held: Mark, all: Mark[], x: number, y: number, moved: boolean, along: {x: boolean, y: boolean}, toggles: boolean, alone: boolean, way: Way} | null} */
-  let drag = null;
-  /** What was dragged, where it was left. @type {{all: Mark[], way: Way} | null} */
-  let left = null;
+  tabbed = "";
+  /** @type {Drag | null} */
+  drag = null;
+  /** The last drag, where it was left. @type {Move | null} */
+  left = null;
   /** How far the server knows of. */
-  let known = NOWHERE;
-  let [telling, settling] = [0, 0];
+  known = NOWHERE;
+  /** Timers of messages, and of the marks that were left. */
+  sending = 0;
+  settling = 0;
+
+  constructor() {
+    const { wave, strip } = this;
+    wave.removeAttribute("aria-hidden");
+    strip.head.prepend(this.fold);
+    strip.head.append(...this.controls.elements);
+    strip.strip.append(wave);
+    wave.addEventListener("pointerdown", (event) => this.down(event));
+    wave.addEventListener("pointermove", (event) => (this.drag ? this.move(event, this.drag) : this.hover(event)));
+    wave.addEventListener("pointerup", (event) => this.up(event));
+    wave.addEventListener("pointercancel", (event) => this.up(event));
+    wave.addEventListener("pointerleave", () => !this.drag && this.point(""));
+    new ResizeObserver(() => {
+      this.box = { width: wave.clientWidth, height: wave.clientHeight };
+      this.drawMarks();
+      this.drawNow();
+    }).observe(wave);
+    let { selected, on } = editing;
+    onEditing(() => {
+      if (editing.selected === selected && editing.on === on) return; // not at every move of the pointer
+      ({ selected, on } = editing);
+      this.drawMarks();
+    });
+    setInterval(() => told().rest && !strip.strip.hidden && this.drawNow(), CLOCK_EVERY);
+  }
+
+  /** Shows the muscles of another plan, or nothing. @param {import("../../stage/plan.js").Plan} plan */
+  take(plan) {
+    this.marks = marksOf(plan);
+    const isShown = this.marks.length > 0 && has("edit");
+    this.strip.show(isShown);
+    if (!this.fold.ariaExpanded) {
+      const canvas = viser()?.canvas?.getBoundingClientRect();
+      this.setOpen(!canvas || floorOf(canvas) - canvas.top + this.strip.strip.offsetHeight >= MIN_ROOM);
+    }
+    const keys = new Set(this.marks.map(({ key }) => key));
+    for (const [key, element] of this.elements) {
+      if (keys.has(key)) continue;
+      element.remove();
+      this.elements.delete(key);
+    }
+    if (!keys.has(this.hovered)) this.hovered = "";
+    this.controls.showTempo(plan.muscles[0] ?? 0);
+    if (isShown) this.drawMarks();
+    else this.onBody.show([]);
+  }
+
+  get isOpen() {
+    return !this.wave.hasAttribute("hidden");
+  }
 
   /** @param {boolean} open */
-  const setOpen = (open) => {
-    wave.toggleAttribute("hidden", !open);
-    fold.ariaExpanded = String(open);
-    drawMarks();
-  };
+  setOpen(open) {
+    this.wave.toggleAttribute("hidden", !open);
+    this.fold.ariaExpanded = String(open);
+    this.drawMarks();
+  }
 
-  /** As marks are shown: those that are dragged where they are dragged to. @returns {Mark[]} */
-  const present = () => {
-    const moving = drag ?? left;
-    if (!moving) return marks;
-    const moved = new Map(moving.all.map((mark) => [mark.key, movedBy(mark, moving.way)]));
-    return marks.map((mark) => moved.get(mark.key) ?? mark);
-  };
+  // ----------------------------------------------------------------------- what is drawn
+  /** As marks are shown: those that are dragged where they are dragged to. */
+  present() {
+    const move = this.drag ?? this.left;
+    if (!move) return this.marks;
+    const moved = new Map(move.all.map((mark) => [mark.key, movedBy(mark, move.way)]));
+    return this.marks.map((mark) => moved.get(mark.key) ?? mark);
+  }
 
-  const drawMarks = () => {
-    const all = present();
+  drawMarks() {
+    const all = this.present(), { box } = this;
     const some = all.filter(isSelected);
-    controls.show(some);
-    const pointed = all.find(({ key }) => key === (drag?.held.key ?? hovered));
-    const focused = all.find(({ key }) => elements.get(key) === document.activeElement);
+    this.controls.show(some);
+    const pointed = all.find(({ key }) => key === (this.drag?.held.key ?? this.hovered));
+    const focused = all.find(({ key }) => this.elements.get(key) === document.activeElement);
     const named = pointed ?? focused ?? (some.length === 1 ? some[0] : null);
     const words = named ? `${nameOf(named)}: ${inWords(named)}` : some.length ? `${some.length} muscles selected` : HOW;
-    if (says.textContent !== words) says.textContent = words;
-    onBody.show([...(pointed ? [pointed] : []), ...(editing.on ? [] : some)]);
-    if (wave.hasAttribute("hidden") || !box.width) return;
-    const middle = (box.height / 2).toFixed(1);
-    set(axis, { d: `M0 ${middle}H${box.width}` });
+    if (this.strip.says.textContent !== words) this.strip.says.textContent = words;
+    this.onBody.show([...(pointed ? [pointed] : []), ...(editing.on ? [] : some)]);
+    if (!this.isOpen || !box.width) return;
+    set(this.axis, { d: `M0 ${(box.height / 2).toFixed(1)}H${box.width}` });
     const bold = all.filter((mark) => mark === pointed || mark === focused || isSelected(mark));
     const faint = all.filter((mark) => !bold.includes(mark)).slice(0, MAX_WAVES);
-    set(waves, { d: faint.map((mark) => waveOf(mark, box)).join("") });
-    chosen.classList.toggle("softrod-muscles-many", bold.length > FEW);
-    set(chosen, { d: bold.map((mark) => waveOf(mark, box)).join("") });
+    set(this.waves, { d: faint.map((mark) => waveOf(mark, box)).join("") });
+    this.bold.classList.toggle("softrod-muscles-many", bold.length > FEW);
+    set(this.bold, { d: bold.map((mark) => waveOf(mark, box)).join("") });
     const repeated = all.flatMap((mark) => otherCrests(mark, box).map((x) => `M${x.toFixed(1)} ${placeOf(mark, box).y.toFixed(1)}h0`));
-    set(others, { d: repeated.join("") });
-    if (!all.some(({ key }) => key === reached)) reached = all[0]?.key ?? "";
-    for (const mark of all) {
-      const element = elementOf(mark);
-      const { x, y } = placeOf(mark, box);
-      set(element, {
-        transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})`,
-        tabindex: mark.key === reached ? 0 : -1,
-        "aria-label": `Muscle of ${nameOf(mark)}${isSelected(mark) ? ", selected" : ""}`,
-        "aria-valuenow": Math.round(100 * mark.crest),
-        "aria-valuetext": inWords(mark),
-      });
-      element.classList.toggle("softrod-muscle-on", isSelected(mark));
-      element.classList.toggle("softrod-muscle-seen", mark === pointed);
-    }
-  };
+    set(this.others, { d: repeated.join("") });
+    if (!all.some(({ key }) => key === this.tabbed)) this.tabbed = all[0]?.key ?? "";
+    for (const mark of all) this.drawMark(mark, mark === pointed);
+  }
+
+  /** @param {Mark} mark @param {boolean} isPointed */
+  drawMark(mark, isPointed) {
+    const element = this.elements.get(mark.key) ?? this.newMark(mark);
+    const { x, y } = placeOf(mark, this.box);
+    set(element, {
+      transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})`,
+      tabindex: mark.key === this.tabbed ? 0 : -1,
+      "aria-label": `Muscle of ${nameOf(mark)}${isSelected(mark) ? ", selected" : ""}`,
+      "aria-valuenow": Math.round(100 * mark.crest),
+      "aria-valuetext": inWords(mark),
+    });
+    element.classList.toggle("softrod-muscle-on", isSelected(mark));
+    element.classList.toggle("softrod-muscle-seen", isPointed);
+  }
 
   /** @param {Mark} mark */
-  const elementOf = ({ key, joint }) => {
-    const before = elements.get(key);
-    if (before) return before;
-    const element = makeSvg("g", "softrod-muscle", group);
+  newMark({ key, joint }) {
+    const element = makeSvg("g", "softrod-muscle", this.group);
     set(element, { role: "slider", "aria-valuemin": 0, "aria-valuemax": 100 });
-    makeSvg("path", "", element).setAttribute("d", joint ? "M0 -9L9 0L0 9L-9 0Z" : "M-7 0a7 7 0 1 0 14 0a7 7 0 1 0 -14 0");
-    element.addEventListener("keydown", (event) => press(key, event));
-    for (const kind of ["focus", "blur"]) element.addEventListener(kind, drawMarks);
-    elements.set(key, element);
+    makeSvg("path", "", element).setAttribute("d", joint ? DIAMOND : DISC);
+    element.addEventListener("keydown", (event) => this.press(key, event));
+    for (const kind of ["focus", "blur"]) element.addEventListener(kind, () => this.drawMarks());
+    this.elements.set(key, element);
     return element;
-  };
+  }
 
-  const drawNow = () => {
+  /** Draws the present moment. */
+  drawNow() {
     const { pictured: plan } = shown();
-    if (!plan || wave.hasAttribute("hidden") || !box.width) return;
+    if (!plan || !this.isOpen || !this.box.width) return;
     const beats = beatsAt(plan, timeNow());
-    const x = across(beats - Math.floor(beats), box).toFixed(1);
-    set(now, { d: `M${x} 0V${box.height}` });
-  };
-
-  /** Tells the server how far marks have come since it was told last. */
-  const tell = () => {
-    clearTimeout(telling);
-    telling = 0;
-    const { way } = drag ?? left ?? { way: NOWHERE };
-    const more = { later: way.later - known.later, stretch: way.stretch - known.stretch, turn: way.turn - known.turn };
-    if (more.later || more.stretch || more.turn) send({ do: "moveMuscles", ...more });
-    known = way;
-  };
+    set(this.now, { d: `M${across(beats - Math.floor(beats), this.box).toFixed(1)} 0V${this.box.height}` });
+  }
 
   // ----------------------------------------------------------------------- pointers
   /** @param {PointerEvent} event */
-  const placeIn = ({ clientX, clientY }) => {
-    const { left: x, top: y } = wave.getBoundingClientRect();
-    return { x: clientX - x, y: clientY - y };
-  };
-  /** @param {PointerEvent} event */
-  const under = (event) => {
-    const reach = REACH[/** @type {keyof typeof REACH} */ (event.pointerType)] ?? REACH.mouse;
-    const all = present();
-    // Of marks in one place, one that is selected first.
-    const some = all.filter(isSelected);
-    return markAt(some, box, placeIn(event), reach / 2) ?? markAt(all, box, placeIn(event), reach);
-  };
+  placeIn({ clientX, clientY }) {
+    const { left, top } = this.wave.getBoundingClientRect();
+    return { x: clientX - left, y: clientY - top };
+  }
 
-  wave.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0 || drag) return;
+  /** @param {PointerEvent} event */
+  under(event) {
+    const reach = REACH[/** @type {keyof typeof REACH} */ (event.pointerType)] ?? REACH.mouse;
+    const all = this.present(), at = this.placeIn(event);
+    // Of marks in one place, one that is selected first.
+    return markAt(all.filter(isSelected), this.box, at, reach / 2) ?? markAt(all, this.box, at, reach);
+  }
+
+  /** @param {string} key of the mark that is pointed at */
+  point(key) {
+    if (key === this.hovered) return;
+    this.hovered = key;
+    this.drawMarks();
+  }
+
+  /** @param {PointerEvent} event */
+  hover(event) {
+    const key = event.pointerType === "touch" ? "" : (this.under(event)?.key ?? "");
+    this.wave.classList.toggle("softrod-muscles-grab", key !== "");
+    this.point(key);
+  }
+
+  /** @param {PointerEvent} event */
+  down(event) {
+    if (event.button !== 0 || this.drag) return;
     event.preventDefault();
-    const mark = under(event);
+    const mark = this.under(event);
     if (!mark) {
       if (editing.selected.springs.length || editing.selected.joints.length) send({ do: "select" });
       return;
     }
-    clearTimeout(settling);
-    left = null;
-    const was = isSelected(mark);
-    if (!was) select(mark, event.shiftKey);
-    reached = mark.key;
-    const held = marks.find(({ key }) => key === mark.key) ?? mark;
-    const toggles = was && event.shiftKey;
-    known = NOWHERE;
-    drag = {
-      id: event.pointerId, held, all: marks.filter(isSelected), ...placeIn(event), moved: false,
-      along: { x: false, y: false }, toggles, alone: was && !event.shiftKey, way: NOWHERE,
-    };
-    wave.setPointerCapture(event.pointerId);
+    clearTimeout(this.settling);
+    this.left = null;
+    const was = isSelected(mark), { shiftKey, pointerId: id } = event;
+    if (!was) select(mark, shiftKey);
+    this.tabbed = mark.key;
+    this.known = NOWHERE;
+    const held = this.marks.find(({ key }) => key === mark.key) ?? mark;
+    const along = { x: false, y: false };
+    const all = this.marks.filter(isSelected);
+    this.drag = { id, held, all, ...this.placeIn(event), moved: false, along, toggles: was && shiftKey, alone: was && !shiftKey, way: NOWHERE };
+    this.wave.setPointerCapture(id);
     send({ do: "visit" });
-    drawMarks();
-  });
-  wave.addEventListener("pointermove", (event) => {
-    if (!drag) {
-      const key = event.pointerType === "touch" ? "" : (under(event)?.key ?? "");
-      wave.classList.toggle("softrod-muscles-grab", key !== "");
-      if (key === hovered) return;
-      hovered = key;
-      drawMarks();
-      return;
-    }
+    this.drawMarks();
+  }
+
+  /** @param {PointerEvent} event @param {Drag} drag */
+  move(event, drag) {
     if (event.pointerId !== drag.id) return;
-    const at = placeIn(event);
-    const ways = { x: at.x - drag.x, y: at.y - drag.y };
-    // Whichever way it goes, it goes whole; along the other one it stays until it leaves the slack there, too.
-    drag.along.x ||= Math.abs(ways.x) > SLACK;
-    drag.along.y ||= Math.abs(ways.y) > SLACK;
-    if (!drag.along.x && !drag.along.y) return;
+    const at = this.placeIn(event), { along } = drag;
+    const dx = at.x - drag.x, dy = at.y - drag.y;
+    // Once it counts in a direction, all of it does; in the other it stays until it leaves the slack there, too.
+    along.x ||= Math.abs(dx) > SLACK;
+    along.y ||= Math.abs(dy) > SLACK;
+    if (!along.x && !along.y) return;
     drag.moved = true;
-    drag.way = wayOf(drag.held, drag.all, box, drag.along.x ? ways.x : 0, drag.along.y ? ways.y : 0);
-    telling ||= setTimeout(tell, TELL_EVERY);
-    drawMarks();
-  });
+    drag.way = wayOf(drag.held, drag.all, this.box, along.x ? dx : 0, along.y ? dy : 0);
+    this.sending ||= window.setTimeout(() => this.send(), SEND_EVERY);
+    this.drawMarks();
+  }
+
   /** @param {PointerEvent} event */
-  const up = (event) => {
-    if (!drag || event.pointerId !== drag.id) return;
-    const { held, moved, toggles, alone, all, way } = drag;
-    if (moved) tell();
+  up(event) {
+    if (!this.drag || event.pointerId !== this.drag.id) return;
+    const { held, moved, toggles, alone, all, way } = this.drag;
+    if (moved) this.send();
     else if (toggles) select(held, true);
     else if (alone && all.length > 1) select(held, false);
-    left = moved ? { all, way } : null;
-    drag = null;
-    settling = setTimeout(() => {
-      left = null;
-      drawMarks();
+    this.left = moved ? { all, way } : null;
+    this.drag = null;
+    this.settling = window.setTimeout(() => {
+      this.left = null;
+      this.drawMarks();
     }, SETTLES);
-    drawMarks();
-  };
-  wave.addEventListener("pointerup", up);
-  wave.addEventListener("pointercancel", up);
-  wave.addEventListener("pointerleave", () => {
-    if (drag || !hovered) return;
-    hovered = "";
-    drawMarks();
-  });
+    this.drawMarks();
+  }
+
+  /** Sends how far marks have come since the last message. */
+  send() {
+    clearTimeout(this.sending);
+    this.sending = 0;
+    const { known } = this, { way } = this.drag ?? this.left ?? { way: NOWHERE };
+    const more = { later: way.later - known.later, stretch: way.stretch - known.stretch, turn: way.turn - known.turn };
+    if (more.later || more.stretch || more.turn) send({ do: "moveMuscles", ...more });
+    this.known = way;
+  }
 
   // ----------------------------------------------------------------------- keys
   /** @param {string} key of a mark @param {KeyboardEvent} event */
-  const press = (key, event) => {
-    const { ctrlKey, metaKey, altKey, shiftKey } = event;
-    const mark = marks.find((one) => one.key === key);
-    if (!mark || ctrlKey || metaKey || altKey) return;
+  press(key, event) {
+    const mark = this.marks.find((one) => one.key === key);
+    if (!mark || event.ctrlKey || event.metaKey || event.altKey) return;
     const arrow = ARROWS[event.key];
     if (arrow) {
       if (!isSelected(mark)) select(mark, false);
-      const fine = shiftKey ? FINE : 1;
-      send({ do: "moveMuscles", ...stepOf(marks.filter(isSelected), arrow[0] * LATER * fine, arrow[1] * HIGHER * fine), keys: true });
+      const fine = event.shiftKey ? FINE : 1;
+      const step = stepOf(this.marks.filter(isSelected), arrow[0] * LATER * fine, arrow[1] * HIGHER * fine);
+      send({ do: "moveMuscles", ...step, keys: true });
     } else if (event.key === " " || event.key === "Enter") select(mark, event.key === " ");
     else {
-      const order = [...marks].sort((one, two) => one.crest - two.crest || (one.key < two.key ? -1 : 1));
+      const order = [...this.marks].sort((one, two) => one.crest - two.crest || (one.key < two.key ? -1 : 1));
       const at = order.indexOf(mark);
       const to = { PageDown: at + 1, PageUp: at - 1, Home: 0, End: order.length - 1 }[event.key];
-      const next = to === undefined ? undefined : order[to];
       if (to === undefined) return;
-      if (next) {
-        reached = next.key;
-        elements.get(reached)?.focus();
+      if (order[to]) {
+        this.tabbed = order[to].key;
+        this.elements.get(this.tabbed)?.focus();
       }
     }
     event.preventDefault();
     event.stopPropagation();
-  };
-
-  new ResizeObserver(() => {
-    box = { width: wave.clientWidth, height: wave.clientHeight };
-    drawMarks();
-    drawNow();
-  }).observe(wave);
-  let { selected } = editing;
-  let { on } = editing;
-  onEditing(() => {
-    if (editing.selected === selected && editing.on === on) return; // not at every move of the pointer
-    ({ selected, on } = editing);
-    drawMarks();
-  });
-  setInterval(() => told().rest && !strip.hidden && drawNow(), CLOCK_EVERY);
-  const canvas = viser()?.canvas?.getBoundingClientRect();
-  setOpen(!canvas || floorOf(canvas) - canvas.top + strip.offsetHeight >= LOW);
-  return {
-    /** Shows the muscles of another plan, or nothing. @param {import("../../stage/plan.js").Plan} plan */
-    take: (plan) => {
-      marks = marksOf(plan);
-      strip.hidden = !marks.length || !has("edit");
-      const keys = new Set(marks.map(({ key }) => key));
-      for (const [key, element] of elements) {
-        if (keys.has(key)) continue;
-        element.remove();
-        elements.delete(key);
-      }
-      if (!keys.has(hovered)) hovered = "";
-      controls.showTempo(plan.muscles[0] ?? 0);
-      if (strip.hidden) onBody.show([]);
-      else drawMarks();
-    },
-    drawNow,
-  };
+  }
 }
 
 /** Begins to look for muscles. */
 function begin() {
-  /** @type {ReturnType<typeof makeStrip> | null} */
+  /** @type {MuscleStrip | null} */
   let strip = null;
   /** @type {import("../../stage/plan.js").Plan | null} */
   let taken = null;
@@ -334,7 +353,7 @@ function begin() {
     if (!plan) return;
     if (plan !== taken) {
       if (!strip && !(countMuscles(plan) && has("edit"))) return;
-      strip ??= makeStrip();
+      strip ??= new MuscleStrip();
       strip.take(plan);
       taken = plan;
     }

@@ -1,14 +1,17 @@
 // @ts-check
-/** The tempo of the beat, and what the selected muscles have: their wave, and how often it comes in a beat. */
+/** Controls of the tempo, and of the selected muscles' wave and how often it comes in a beat. */
 import { send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 
 /** @typedef {import("./marks.js").Mark} Mark */
 
-/** Hz: the slider's end, what the box allows, and the steps of both. */
-const [FAST, FASTEST, STEP] = [4, 100, 0.05];
-/** Waves in a beat, at most. */
-const MOST = 16;
+/** The slider's largest tempo, Hz, and its step. */
+const FAST = 4;
+const STEP = 0.05;
+/** The largest tempo that can be typed, Hz. */
+const MAX_TEMPO = 100;
+/** Waves in a beat. */
+const MAX_WAVES = 16;
 
 /** @param {HTMLSelectElement} select @param {string} label @param {[string, string][]} options */
 function fill(select, label, options) {
@@ -23,7 +26,7 @@ export function tuning() {
   const slider = make("input", "");
   Object.assign(slider, { type: "range", min: "0", max: String(FAST), step: String(STEP), ariaLabel: "Tempo" });
   const number = make("input", "");
-  Object.assign(number, { type: "number", min: "0", max: String(FASTEST), step: "0.1", ariaLabel: "Tempo in Hz" });
+  Object.assign(number, { type: "number", min: "0", max: String(MAX_TEMPO), step: "0.1", ariaLabel: "Tempo in Hz" });
   label.append(slider, number, "Hz");
   const visit = () => send({ do: "visit" });
   slider.addEventListener("pointerdown", visit);
@@ -34,7 +37,7 @@ export function tuning() {
   });
   number.addEventListener("change", () => {
     const frequency = Number(number.value);
-    if (number.value === "" || !(frequency >= 0 && frequency <= FASTEST)) number.value = String(tempo);
+    if (number.value === "" || !(frequency >= 0 && frequency <= MAX_TEMPO)) number.value = String(tempo);
     else send({ do: "tempo", frequency });
   });
   let tempo = 0;
@@ -44,7 +47,7 @@ export function tuning() {
   const often = fill(
     make("select", ""),
     "Waves in a beat of the selected muscles",
-    Array.from({ length: MOST }, (_, k) => [String(k + 1), `${k + 1} ×`]),
+    Array.from({ length: MAX_WAVES }, (_, k) => [String(k + 1), `${k + 1} ×`]),
   );
   wave.addEventListener("change", () => send({ do: "shapeMuscles", wave: wave.value === "pulse" ? "pulse" : "sine" }));
   often.addEventListener("change", () => send({ do: "shapeMuscles", per_beat: Number(often.value) }));

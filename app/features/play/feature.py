@@ -82,12 +82,12 @@ class PlayFeature(Feature):
     def _add_numbers(
         self, tab: viser.GuiTabHandle, others: list[Setting], touching: list[str], moves: bool
     ) -> None:
-        """The other sliders of the body, and lists, in a folder.
+        """Add the other sliders of the body, and its lists, in a folder.
 
         Args:
             tab: where that stands.
             others: what the sliders set.
-            touching: keys of the choices that there are, of what the body touches.
+            touching: keys of the choices about contact that the scene has.
             moves: whether the body has any slider.
         """
         gui = self.page.client.gui

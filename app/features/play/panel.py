@@ -1,4 +1,4 @@
-"""The Play tab but for its sliders: the scene, the switch to follow the pointer, a joint, the arrow pad."""
+"""The Play tab except for its sliders: scene, switch to follow the pointer, a joint's angle, arrow pad."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class PlayPanel:
     """The controls of one page's Play tab; made inside the tab.
 
     Args:
-        page: whose body is played with.
+        page: whose body it is about.
     """
 
     def __init__(self, page: Page) -> None:
@@ -60,11 +60,11 @@ class PlayPanel:
             self._follow.visible = self._session.driven is not None
 
     def refresh_controls(self) -> None:
-        """Show in the switch what keys or commands changed."""
+        """Update the switch after keys or commands."""
         if self._follow is not None:
             self._follow.value = self._session.follow
 
     def refresh_readouts(self) -> None:
-        """Show the angle as it is now."""
+        """Show the present angle."""
         if self._readout is not None:
             self._readout.content = readouts.joint_table(self._session)

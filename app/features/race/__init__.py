@@ -1,1 +1,1 @@
-"""A race of the body against another one: the rival is found, and both are watched."""
+"""A race of the body against another one."""

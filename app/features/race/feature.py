@@ -25,15 +25,15 @@ from ...ui.page import Page
 from .messages import Race, RaceAnswer
 from .rival import Rival
 
-EVERY = 0.1
-"""Seconds between two readings while the bodies move; faster would only flicker."""
+READ_EVERY = 0.1
+"""Seconds between two readings while the bodies move; faster ones would only flicker."""
 
 _ADDRESS = re.compile(r"\S+\?(\S+)")
 
 
 @dataclass(frozen=True)
 class BeginRace(Command):
-    """The body is to race against that of another scene: both are put at their starts, and stand."""
+    """Race against the body of another scene: both are put at their starts, and wait."""
 
     scene: sim.Scene
     acts = True
@@ -55,7 +55,7 @@ class BeginRace(Command):
 
 @dataclass(frozen=True)
 class LeaveRace(Command):
-    """There is to be no race any more; the body goes on."""
+    """End the race; the body goes on."""
 
     changes = Changed.SETTINGS
 
@@ -64,7 +64,7 @@ class LeaveRace(Command):
 
 
 class RaceFeature(Feature):
-    """Finds a page's rivals, and tells the page how far each body has come."""
+    """Finds a page's rivals, and reports how far each body has come."""
 
     texts: ClassVar = {"rival": LongText(needs="chooser", verb="raced against")}
     commands: ClassVar = {
@@ -101,7 +101,7 @@ class RaceFeature(Feature):
         self.page.mail.tell(RaceAnswer(problem=""))
 
     def _find(self, text: str) -> sim.Scene:
-        """The scene that is meant.
+        """Return the scene that a text names.
 
         Raises:
             SceneError: there is none; one sentence.
@@ -129,7 +129,7 @@ class RaceFeature(Feature):
         now = session.now()
         if now < self._due:
             return
-        self._on, self._due = True, now + EVERY
+        self._on, self._due = True, now + READ_EVERY
         one, other = rival.ways(session.simulation)
         self.page.mail.tell(
             Race(

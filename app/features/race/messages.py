@@ -1,4 +1,4 @@
-"""What a page is told of a race."""
+"""Messages to a page about its race."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ class Race(State, frozen=True, kw_only=True, omit_defaults=True):
     Attributes:
         on: whether there is.
         names: of the body and of the other one.
-        ways: px that each has come along x since the start.
+        ways: distance of each along x since the start, px.
         seconds: simulated, since then.
         fair: whether nobody has moved or changed the body since then.
-        out: why the other one takes part no more; empty while it does.
+        out: why the other one is out of the race; empty while it is not.
     """
 
     on: bool = False
@@ -26,6 +26,6 @@ class Race(State, frozen=True, kw_only=True, omit_defaults=True):
 
 
 class RaceAnswer(Event, frozen=True, kw_only=True):
-    """Whether a race begins: a sentence that says why not, or nothing."""
+    """Whether a race begins: why not, in a sentence, or an empty text."""
 
     problem: str

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * The strip of a race over the bar of time: how far each body has come, who is ahead, and the start after a count-down.
- * It is made when there is a race for the first time.
+ * The strip of a race over the bar of time: how far each body has come, which is ahead, and a start after a count-down.
+ * It is made at the first race.
  */
 import { viser } from "../../ui/viser/viser.js";
 import { onTold, told } from "../../wire/channel.js";
@@ -15,12 +15,14 @@ import { perform } from "../../wire/perform.js";
 
 /** @typedef {import("../../wire/wire.js").Race} Race */
 
-/** Milliseconds of each number of the count-down, and of what comes after it. */
+/** Milliseconds of each number of the count-down, and of the word after it. */
 const COUNT = 700;
 /** Milliseconds between two readings for a screen reader. */
 const READ_EVERY = 3000;
-/** px by which one is ahead at least, and that a bar has at least in full. */
-const [CLOSE, SHORTEST] = [0.5, 100];
+/** Distance below which neither is ahead, px. */
+const CLOSE = 0.5;
+/** Shortest distance that fills a bar, px. */
+const MIN_FULL = 100;
 
 /** The group of presets that move by themselves. */
 const MOVING = "Muscles";
@@ -30,18 +32,18 @@ const RULE =
 /** @type {Race} */
 let race = { tell: "race" };
 
-/** A way in words. @param {number} way */
+/** A distance in words. @param {number} way */
 const inPx = (way) => {
   const size = Math.abs(way) < 10 ? Number(Math.abs(way).toPrecision(2)) : Math.round(Math.abs(way));
   return `${way < 0 && size ? "−" : ""}${size} ${told().unit ?? ""}`;
 };
 
-/** The names of both, which are told apart where they have the same. @param {Race} race @returns {[string, string]} */
+/** The names of both, which are made different if they are the same. @param {Race} race @returns {[string, string]} */
 export function namesOf({ names: [one, other] = ["", ""] }) {
   return one === other ? [one, `${other} (the other)`] : [one, other];
 }
 
-/** Who is ahead: whoever has come farther, to whichever side. @param {Race} race */
+/** Which is ahead: the one that has come farther, in either direction. @param {Race} race */
 export function verdict(race) {
   const { ways: [one, other] = [0, 0], out } = race;
   const [mine, theirs] = namesOf(race);
@@ -128,7 +130,7 @@ function makeRace() {
     show(on);
     if (!on) stopCount();
     const { ways = [0, 0], seconds = 0, fair = true } = now;
-    const full = roundUp(Math.max(SHORTEST, ...ways.map(Math.abs)));
+    const full = roundUp(Math.max(MIN_FULL, ...ways.map(Math.abs)));
     rows.forEach(({ who, bar, way }, i) => {
       const name = namesOf(now)[i];
       if (who.textContent !== name) who.textContent = name;

@@ -1,4 +1,4 @@
-"""A race: another body on the terrain of the session's, by itself, both on one clock."""
+"""The other body of a race, on the terrain of the session's body and on the same clock."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from sim.errors import SceneError
 from ...session.companion import Companion
 
 _ROUNDING = 1e-6
-"""Of a time step: what is as near to a whole one is one."""
+"""Part of a time step by which a step may be incomplete and still counts as whole."""
 
 
 class RivalMoment(NamedTuple):
-    """A rival at a moment that is past; see `Rival`."""
+    """A rival at a past moment; see `Rival`."""
 
     moment: sim.Moment
     owed: float
@@ -31,7 +31,7 @@ class RivalMoment(NamedTuple):
 class Rival(Companion):
     """The other body of a race.
 
-    It never falls behind: a session whose rival `is_late` waits for it. Nobody's hands reach it.
+    It never falls behind: a session waits for a rival that `is_late`. Hands do not reach it.
 
     Args:
         simulation: the session's body.
@@ -42,11 +42,11 @@ class Rival(Companion):
         scene: as above.
         simulation: the other body.
         seconds: simulated, since the start.
-        fair: whether nothing but time has moved or changed the session's body since then.
-        out: why the other body takes part no more; empty while it does.
+        fair: whether nobody has moved or changed the session's body since then.
+        out: why the other body is out of the race; empty while it is not.
 
     Raises:
-        SceneError: it does not go with the terrain.
+        SceneError: it does not fit the terrain.
     """
 
     name, by_hand, in_step, drawn = "rival", False, True, True
@@ -67,7 +67,7 @@ class Rival(Companion):
         return one, other
 
     def ways(self, simulation: sim.Simulation) -> tuple[float, float]:
-        """How far the session's body and the other one have come along x since the start, px."""
+        """Return how far the session's body and the other one have come along x since the start, px."""
         (one, other), (a, b) = self._centers(simulation), self._starts
         return one - a, other - b
 
@@ -81,7 +81,7 @@ class Rival(Companion):
         self.fair = False
 
     def begin(self, simulation: sim.Simulation) -> None:
-        """Start anew where the session's body is at its start; else that was changed on the way."""
+        """Start again if the session's body is at its start; otherwise that was changed on the way."""
         trouble = ""
         try:
             self.simulation.replace(on_terrain(self.scene, simulation.scene))
@@ -95,7 +95,7 @@ class Rival(Companion):
         self.out = trouble or self.out
 
     def adapt(self, simulation: sim.Simulation) -> None:
-        """See `begin`: the terrain may be another one."""
+        """See `begin`: the terrain may have changed."""
         self.begin(simulation)
 
     def capture(self) -> RivalMoment:
@@ -112,7 +112,7 @@ class Rival(Companion):
         self.simulation.restore(moment)
 
     def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
-        """Go on by as much time as the session's body has just done, and by what it was late."""
+        """Advance by as much time as the session's body just has, and by what is still owed."""
         own = self.simulation
         self.seconds += steps * simulation.dt
         self._owed += steps * simulation.dt

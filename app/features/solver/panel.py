@@ -76,7 +76,7 @@ class SolverPanel:
         on_change(self._foretell, lambda: session.post(commands.Foretell(self._foretell.value)))
 
     def build(self) -> None:
-        """Show what the session's scene has a use for."""
+        """Show the controls that the session's scene needs."""
         scene = self._session.scene
         jointed = CHOICES["force_law"].applies(scene)
         moving = CHOICES["method"].applies(scene)
@@ -90,7 +90,7 @@ class SolverPanel:
         self.refresh_controls()
 
     def refresh_controls(self) -> None:
-        """Show in the controls what commands or other controls changed."""
+        """Update the controls after commands or other controls."""
         scene, ghost = self._session.scene, self._session.ghost
         method = METHODS[scene.integrator.method]
         laws = CHOICES["force_law"].options
@@ -100,10 +100,10 @@ class SolverPanel:
         self._method.show(scene)
         self._law.show(scene)
         self._other.value = other
-        # The ghost's own controls come with it, and its step is of no meaning to a reference.
+        # The ghost has its own controls, and a reference has no step.
         self._other_law.visible = ghost is not None and CHOICES["force_law"].applies(scene)
         self._finer.visible = ghost is not None and ghost.method != REFERENCE
-        # Where there is none, the next one begins as the body is.
+        # Without one, these are the values that the next one begins with.
         self._other_law.value = laws[ghost.law] if ghost is not None and ghost.law else SAME_LAW
         self._finer.value = FINER_LABELS[ghost.finer if ghost is not None else 1]
         self._energy.value = self._session.follows_energy
@@ -116,7 +116,7 @@ class SolverPanel:
         return self._tuning.waits or self._advice.waits
 
     def refresh_readouts(self) -> None:
-        """Show the energies, the tuning, the ghost and the rates as they are now."""
+        """Show the present energies, tuning, ghost and rates."""
         session = self._session
         self._advice.refresh()
         self._tuning.refresh()
@@ -126,7 +126,7 @@ class SolverPanel:
         self.rates.content = readouts.rates_table(session)
 
     def _compare(self) -> None:
-        """The user chose what to compare with."""
+        """Compare with the chosen method."""
         law = _key_of(CHOICES["force_law"].options, self._other_law.value)
         finer: int = next((part for part, label in FINER_LABELS.items() if label == self._finer.value), 1)
         if self._other.value == REFERENCE_LABEL:

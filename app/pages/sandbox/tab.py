@@ -17,15 +17,15 @@ from typing import Any, Protocol
 import viser
 
 import sim
-from app.classroom.live import Front
+from app.classroom.live import SharedView
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 from sim.errors import InputError, SceneError
 from sim.methods.registry import METHODS
 from sim.scene.lesson import Lesson
 from sim.scene.types import shown_name
 
-from ...features.classroom.front import FrontView
 from ...features.classroom.role import Role
+from ...features.classroom.shared_view import Onlooker
 from ...features.gallery.feature import GalleryFeature
 from ...features.measure.feature import MeasureFeature
 from ...session import commands
@@ -148,8 +148,8 @@ class Tab:
         # In a class, the class says what is shown.
         self._first = scene = (self._asked_scene(query) if self._role is None else None) or scene
         self._view = Canvas(client, self._mail, self._post)
-        self._front: Front | None = None
-        self._front_view = FrontView(client, self._mail, self._view, self._number)
+        self._shared_view: SharedView | None = None
+        self._onlooker = Onlooker(client, self._mail, self._view, self._number)
         listen(client, self.hear)
         self._asked_controls = self._checked(partial(controls.of_query, parts=CONTROLS), query)
         self._scenes_controls = controls.ALL
@@ -166,7 +166,7 @@ class Tab:
 
     def leave(self) -> None:
         """The page is gone."""
-        self._front_view.leave()
+        self._onlooker.leave()
         if self._role is not None:
             self._role.leave()
 
@@ -309,8 +309,8 @@ class Tab:
             self._apply_looks()
             if self._role is not None:
                 self._role.frame(session)
-                told = self._show_teachers_body(session, self._role.front)
-                if self._front is not None:
+                told = self._show_teachers_body(session, self._role.shared_view)
+                if self._shared_view is not None:
                     return told
             self._prepare(session)
             if session.heavy:
@@ -326,27 +326,27 @@ class Tab:
         self._calm = self._is_settled(session)
         return True
 
-    def _show_teachers_body(self, session: Session, front: Front | None) -> bool:
+    def _show_teachers_body(self, session: Session, view: SharedView | None) -> bool:
         """Show what the teacher's page does, if there is that, instead of the page's own body.
 
         Returns:
             whether the page was told anything.
         """
-        before, self._front = self._front, front
-        if (before is None) != (front is None):
+        before, self._shared_view = self._shared_view, view
+        if (before is None) != (view is None):
             self._generation = -1
-            self._front_view.leave()
-        if front is None:
+            self._onlooker.leave()
+        if view is None:
             return False
-        show, anew = self._front_view.show, self._generation != session.generation
+        show, anew = self._onlooker.show, self._generation != session.generation
         if not (anew or session.notices or self._notices.has_new or self._notices.has_transient):
-            return show(front, self._page.looks.dark, session.now())
+            return show(view, self._page.looks.dark, session.now())
         with self.client.atomic():
             if anew:
-                self._front_view.leave()
+                self._onlooker.leave()
                 self._rebuild(session)
             self._notices.show(session)
-            show(front, self._page.looks.dark, session.now())
+            show(view, self._page.looks.dark, session.now())
         return True
 
     def _send(self, session: Session) -> None:

@@ -1,7 +1,7 @@
-// A card is made anew after a press on it, however late the click of that press comes.
+// A card is remade after a press on it, however late the click of that press comes.
 import assert from "node:assert/strict";
 import { mock, test } from "node:test";
-import { betweenPresses } from "../../app/features/classroom/anew.js";
+import { deferWhilePressed } from "../../app/features/classroom/rerender.js";
 
 /** A card, its window, and what has become of the card so far. */
 function opened(t) {
@@ -10,7 +10,7 @@ function opened(t) {
   const window = Object.assign(new EventTarget(), { setTimeout });
   globalThis.window = window;
   const card = new EventTarget();
-  const anew = betweenPresses(card);
+  const anew = deferWhilePressed(card);
   const made = [];
   return {
     made,
@@ -21,7 +21,7 @@ function opened(t) {
   };
 }
 
-test("without a press it is made anew at once", (t) => {
+test("without a press it is remade at once", (t) => {
   const { made, tell } = opened(t);
   tell("one");
   assert.deepEqual(made, ["one"]);

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import sim
-from app.classroom.live import Front
-from app.features.classroom import front as module
-from app.features.classroom.front import SURE_EVERY, FrontView, looks_alike, send
+from app.classroom.live import SharedView
+from app.features.classroom import shared_view as module
+from app.features.classroom.shared_view import RESYNC_EVERY, Onlooker, broadcast, same_view
 from app.stage.plan import Picture
 from app.ui.view import STILL, Canvas
 from app.viser_inside import SoftrodMessage
@@ -20,21 +20,21 @@ from tests.app.letters import Letters
 
 
 @pytest.fixture
-def front() -> Front:
+def front() -> SharedView:
     scene = sim.rope(4, view=sim.View(frame=(0.0, 0.0, 600.0, 600.0)))
     angles = np.array([joint.rest_angle for joint in scene.angular_springs])
-    return Front(1_000_000, set(), scene, 1, angles, Picture.at_start(scene), True, 1.0)
+    return SharedView(1_000_000, set(), scene, 1, angles, Picture.at_start(scene), True, 1.0)
 
 
-def moved(front: Front, pixels: float, time: float = 0.0, **more: object) -> Front:
+def moved(front: SharedView, pixels: float, time: float = 0.0, **more: object) -> SharedView:
     picture = replace(front.picture, positions=front.picture.positions + pixels, time=time)
     return replace(front, picture=picture, **more)  # type: ignore[arg-type]
 
 
-def a_view() -> tuple[FrontView, Letters]:
+def a_view() -> tuple[Onlooker, Letters]:
     letters = Letters()
     client = MagicMock()
-    return FrontView(client, letters, Canvas(client, letters, lambda _: None), "page"), letters
+    return Onlooker(client, letters, Canvas(client, letters, lambda _: None), "page"), letters
 
 
 def numbers(letters: Letters, kind: str) -> list[np.ndarray]:
@@ -45,34 +45,34 @@ def numbers(letters: Letters, kind: str) -> list[np.ndarray]:
 
 
 def test_a_moving_picture_is_encoded_once_for_all_who_look_on(
-    front: Front, monkeypatch: pytest.MonkeyPatch
+    front: SharedView, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     sent: list[tuple[int, bytes]] = []
     monkeypatch.setattr(
         module.viser_inside, "send_at_once", lambda clients, data: sent.append((len(clients), data))
     )
     views = [a_view() for _ in range(3)]
-    send(front, 0.0)
+    broadcast(front, 0.0)
     assert not sent, "nobody has the plan yet"
     for view, letters in views:
         assert view.show(front, dark=False, now=0.0)
         (plan,) = numbers(letters, "plan")
         assert plan[1] == numbers(letters, "frame")[0][1] == front.number
     after = moved(front, 5.0, 0.1)
-    send(after, 0.1)
+    broadcast(after, 0.1)
     assert [count for count, _ in sent] == [3]
     assert not any(view.show(after, dark=False, now=0.1) for view, _ in views), "they have it already"
     # One that was too slow for it has it a second later.
-    assert all(view.show(after, dark=False, now=0.1 + SURE_EVERY) for view, _ in views)
+    assert all(view.show(after, dark=False, now=0.1 + RESYNC_EVERY) for view, _ in views)
     place = after.picture.positions[0, 0]
     assert all(np.isclose(numbers(letters, "frame")[-1][7], place) for _, letters in views)
     assert not any(view.show(after, dark=False, now=9.0) for view, _ in views), "and at rest nothing is sent"
     views[0][0].leave()
-    send(after, 9.0)
+    broadcast(after, 9.0)
     assert sent[-1][0] == 2
 
 
-def test_what_stands_or_is_broken_goes_to_each_page_by_its_mail(front: Front) -> None:
+def test_what_stands_or_is_broken_goes_to_each_page_by_its_mail(front: SharedView) -> None:
     view, letters = a_view()
     view.show(front, dark=False, now=0.0)
     stands = moved(front, 0.01, 0.2, playing=False)
@@ -87,16 +87,18 @@ def test_what_stands_or_is_broken_goes_to_each_page_by_its_mail(front: Front) ->
     assert numbers(letters, "frame")[-1][1] == front.number + 1
 
 
-def test_two_pictures_look_alike_to_a_tenth_of_a_pixel_and_exactly_where_they_stand(front: Front) -> None:
-    assert looks_alike(front, moved(front, 0.9 * STILL, 0.1))
-    assert not looks_alike(front, moved(front, 1.1 * STILL, 0.1))
+def test_two_pictures_look_alike_to_a_tenth_of_a_pixel_and_exactly_at_rest(
+    front: SharedView,
+) -> None:
+    assert same_view(front, moved(front, 0.9 * STILL, 0.1))
+    assert not same_view(front, moved(front, 1.1 * STILL, 0.1))
     stands = replace(front, playing=False)
-    assert looks_alike(stands, moved(stands, 0.0))
-    assert not looks_alike(stands, moved(stands, 0.001))
-    assert not looks_alike(stands, moved(stands, 0.0, 0.1))
-    assert not looks_alike(front, stands)
-    assert not looks_alike(front, replace(front, number=7))
+    assert same_view(stands, moved(stands, 0.0))
+    assert not same_view(stands, moved(stands, 0.001))
+    assert not same_view(stands, moved(stands, 0.0, 0.1))
+    assert not same_view(front, stands)
+    assert not same_view(front, replace(front, number=7))
     ghost = replace(stands, picture=replace(stands.picture, ghost=stands.picture.positions))
-    assert not looks_alike(stands, ghost)
-    assert looks_alike(ghost, ghost)
-    assert not looks_alike(replace(ghost, playing=True), replace(ghost, playing=True)), "it is drawn by each"
+    assert not same_view(stands, ghost)
+    assert same_view(ghost, ghost)
+    assert not same_view(replace(ghost, playing=True), replace(ghost, playing=True)), "it is drawn by each"

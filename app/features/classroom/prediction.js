@@ -1,0 +1,204 @@
+// @ts-check
+/**
+ * Predictions: pale copies of the body, of which a pupil drags one to where the body will be. When one mass is dragged,
+ * the others follow as a chain of massless springs would: each spring is brought back towards its length, again and again
+ * (Jakobsen 2001, Advanced Character Physics).
+ */
+import { makeSvg, onSight, putUp, redrawMarks, set } from "../../stage/overlay.js";
+import { worldAt, wireNumber } from "../../stage/screen.js";
+import { ARROWS } from "../../ui/hands/arrow_keys.js";
+import { screen } from "../../ui/viser/screen.js";
+
+/** @typedef {import("../../stage/overlay.js").Sight} Sight */
+/** @typedef {[number, number]} Place in the page's world */
+/** @typedef {[a: number, b: number, length: number]} Spring the masses that it joins, and its length */
+
+/** How often every spring is brought towards its length for one movement of the pointer. */
+const ROUNDS = 30;
+/** Pixels by which an arrow key moves a mass; a tenth with Shift. */
+const KEY_STEP = 20;
+/** Radius of a grip for a finger, px; half of it where there are more grips than `CROWDED`. */
+const REACH = 22;
+const CROWDED = 12;
+/** Bodies with more masses than this have a grip at only every so many. */
+const MAX_GRIPS = 40;
+
+/**
+ * Moves one mass of a body, and lets the others follow.
+ *
+ * @param {Place[]} places of the masses; changed
+ * @param {number} mass
+ * @param {Place} to
+ * @param {Spring[]} springs
+ * @param {Set<number>} held masses that stay
+ */
+export function drag(places, mass, to, springs, held) {
+  places[mass] = to;
+  for (let round = 0; round < ROUNDS; round++) {
+    for (const [a, b, length] of springs) {
+      const mayA = a !== mass && !held.has(a), mayB = b !== mass && !held.has(b);
+      if (!mayA && !mayB) continue;
+      const [dx, dy] = [places[b][0] - places[a][0], places[b][1] - places[a][1]];
+      const distance = Math.hypot(dx, dy) || 1e-9;
+      const share = (distance - length) / distance / (mayA && mayB ? 2 : 1);
+      if (mayA) places[a] = [places[a][0] + share * dx, places[a][1] + share * dy];
+      if (mayB) places[b] = [places[b][0] - share * dx, places[b][1] - share * dy];
+    }
+  }
+}
+
+/** The places of a body's masses in the page's world. @param {Sight} seen @returns {Place[]} */
+const placesOf = ({ plan, frame }) =>
+  Array.from(plan.radius, (_, i) => [
+    (frame.positions[2 * i] - plan.x) * plan.scale,
+    (frame.positions[2 * i + 1] - plan.y) * plan.scale * plan.flip,
+  ]);
+
+/** The springs between some places. @param {Sight} seen @param {Place[]} places @returns {Spring[]} */
+const springsOf = ({ plan: { springs } }, places) =>
+  Array.from({ length: springs.length / 2 }, (_, i) => {
+    const [a, b] = [springs[2 * i], springs[2 * i + 1]];
+    return [a, b, Math.hypot(places[b][0] - places[a][0], places[b][1] - places[a][1])];
+  });
+
+/** The springs of a body as the path of a line. @param {Place[]} places @param {Sight} seen */
+function outline(places, { plan: { springs }, on }) {
+  /** @param {number} i */
+  const at = (i) => `${(on.x + places[i][0] * on.step).toFixed(1)} ${(on.y - places[i][1] * on.step).toFixed(1)}`;
+  let path = "";
+  for (let i = 0; i < springs.length; i += 2) {
+    if (places[springs[i]] && places[springs[i + 1]]) path += `M${at(springs[i])}L${at(springs[i + 1])}`;
+  }
+  return path;
+}
+
+/** The prediction that is dragged. */
+export class OwnPrediction {
+  svg = makeSvg("svg", "softrod-marks softrod-own-prediction");
+  path = makeSvg("path", "", this.svg);
+  /** @type {Place[]} */
+  places = [];
+  /** @type {Spring[]} */
+  springs = [];
+  /** @type {Set<number>} */
+  held = new Set();
+  /** @type {SVGCircleElement[]} */
+  grips = [];
+  isOn = false;
+  moved = false;
+
+  /** @param {() => void} changed called when it was moved */
+  constructor(changed) {
+    this.changed = changed;
+    this.svg.removeAttribute("aria-hidden");
+    onSight((seen) => this.draw(seen));
+  }
+
+  /** Begins a prediction where the body is, or ends it. @param {boolean} on */
+  show(on) {
+    if (on === this.isOn) return;
+    this.isOn = on;
+    this.places = [];
+    this.moved = false;
+    if (on) putUp(this.svg);
+    else this.svg.remove();
+    redrawMarks();
+  }
+
+  /** The places of its masses, for a message. */
+  points() {
+    return this.places.map(([x, y]) => /** @type {Place} */ ([wireNumber(x), wireNumber(y)]));
+  }
+
+  /** @param {Sight} seen */
+  draw(seen) {
+    if (!this.isOn) return;
+    const { plan, on } = seen;
+    if (this.places.length !== plan.radius.length) {
+      this.places = placesOf(seen);
+      this.springs = springsOf(seen, this.places);
+      this.held = new Set([...plan.pinned, ...(plan.driven >= 0 ? [plan.driven] : [])]);
+      this.makeGrips();
+    }
+    set(this.path, { d: outline(this.places, seen) });
+    for (const grip of this.grips) {
+      const [x, y] = this.places[Number(grip.dataset.mass)];
+      set(grip, { cx: (on.x + x * on.step).toFixed(1), cy: (on.y - y * on.step).toFixed(1) });
+    }
+  }
+
+  makeGrips() {
+    for (const grip of this.grips) grip.remove();
+    const free = this.places.map((_, i) => i).filter((i) => !this.held.has(i));
+    const every = Math.ceil(free.length / MAX_GRIPS);
+    // The last one, at the free end of a rope, has a grip, and is on top.
+    const masses = free.filter((_, i) => (free.length - 1 - i) % every === 0);
+    const radius = masses.length > CROWDED ? REACH / 2 : REACH;
+    this.grips = masses.map((mass) => this.makeGrip(mass, radius));
+  }
+
+  /** @param {number} mass @param {number} r px */
+  makeGrip(mass, r) {
+    const grip = makeSvg("circle", "softrod-own-grip", this.svg);
+    const label = `Mass ${mass} of your prediction: move it with the arrow keys`;
+    set(grip, { "data-mass": mass, r, tabindex: 0, role: "button", "aria-label": label });
+    /** @param {Event} event */
+    const stop = (event) => {
+      event.preventDefault();
+      event.stopPropagation();
+    };
+    grip.addEventListener("pointerdown", (event) => {
+      stop(event);
+      grip.focus();
+      grip.setPointerCapture(event.pointerId);
+    });
+    grip.addEventListener("pointermove", ({ pointerId, clientX, clientY }) => {
+      const on = screen();
+      if (!on || !grip.hasPointerCapture(pointerId)) return;
+      const { x, y } = worldAt({ x: clientX, y: clientY }, on);
+      this.move(mass, [x, y]);
+    });
+    grip.addEventListener("keydown", (event) => {
+      const on = screen(), way = ARROWS[event.key];
+      if (!way || !on) return;
+      stop(event);
+      const step = KEY_STEP / on.step / (event.shiftKey ? 10 : 1);
+      const [x, y] = this.places[mass];
+      this.move(mass, [x + way[0] * step, y + way[1] * step]);
+    });
+    return grip;
+  }
+
+  /** @param {number} mass @param {Place} to */
+  move(mass, to) {
+    drag(this.places, mass, to, this.springs, this.held);
+    this.moved = true;
+    redrawMarks();
+    this.changed();
+  }
+}
+
+/** Draws the predictions of a class. */
+export class Predictions {
+  svg = makeSvg("svg", "softrod-marks softrod-predictions");
+  /** @type {Place[][]} */
+  bodies = [];
+
+  constructor() {
+    onSight((seen) => this.draw(seen));
+  }
+
+  /** @param {Place[][]} bodies */
+  show(bodies) {
+    this.bodies = bodies;
+    this.svg.replaceChildren(...bodies.map(() => makeSvg("path", "")));
+    if (bodies.length && !this.svg.parentNode) putUp(this.svg);
+    if (!bodies.length) this.svg.remove();
+    redrawMarks();
+  }
+
+  /** @param {Sight} seen */
+  draw(seen) {
+    this.bodies.forEach((places, i) => set(this.svg.children[i], { d: outline(places, seen) }));
+  }
+}

@@ -1,0 +1,119 @@
+"""What a page shows of the body of another page, while it has none of its own.
+
+A picture is encoded once, and sent to all pages that look at it at the same time, bypassing viser's queues:
+thirty pages cost little more than one. Everything else reaches a page by its mail, in order, as always.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+
+from app.classroom.live import SharedView
+from sim.scene.types import shown_name
+
+from ... import viser_inside as viser_inside
+from ...stage.plan import encode_frame
+from ...stage.sketch import Mapping, world_size
+from ...ui.view import STILL, Canvas
+from ...wire.carrier import Mail, encoded
+from ...wire.to_page import Frame, PageState
+
+RESYNC_EVERY = 1.0
+"""Seconds after which a page is also sent the picture by its mail: a slow page has missed some."""
+
+
+class Onlooker:
+    """A page that looks at the body of another one.
+
+    Args:
+        client: the page.
+        mail: to its script.
+        canvas: its picture.
+        page: its number.
+    """
+
+    def __init__(self, client: viser.ClientHandle, mail: Mail, canvas: Canvas, page: str) -> None:
+        self._client, self._mail, self._canvas, self._page = client, mail, canvas, page
+        self._state: tuple[int, bool, float] | None = None
+        self._synced: SharedView | None = None
+        self._sync_due = 0.0
+        self._audience: set[viser.ClientHandle] = set()
+
+    def show(self, view: SharedView, dark: bool, now: float) -> bool:
+        """Send what the page does not have yet; return whether there was anything.
+
+        Args:
+            view: of the other page.
+            dark: whether the page is dark.
+            now: wall time, s.
+        """
+        state = view.number, view.playing, view.speed
+        is_synced = view is self._synced or (is_broadcast(view) and now < self._sync_due)
+        if is_synced and state == self._state:
+            return False
+        with self._client.atomic():
+            if self._state is None or self._state[0] != view.number:
+                self._canvas.build(view.scene, dark, view.rest_angles, view.number)
+            self._canvas.draw(view.picture, now, force=True)
+            self._synced, self._sync_due = view, now + RESYNC_EVERY
+            self._mail.tell(_page_state(view, self._page))
+        self._state = state
+        if view.audience is not self._audience:
+            self._audience.discard(self._client)
+            self._audience = view.audience
+        self._audience.add(self._client)
+        return True
+
+    def leave(self) -> None:
+        """Stop looking: the page shows something else, or is gone."""
+        self._audience.discard(self._client)
+        self._state = self._synced = None
+
+
+def is_broadcast(view: SharedView) -> bool:
+    """Whether its pictures are sent to all pages at once: those of a moving body with nothing broken."""
+    return view.playing and view.picture.ghost is None and view.picture.damage is None
+
+
+def broadcast(view: SharedView, now: float) -> None:
+    """Send its picture to all pages that look at it; `now` is wall time, s."""
+    if view.audience and is_broadcast(view):
+        frame = Frame(numbers=encode_frame(view.number, view.picture), wall=round(now, 4))
+        viser_inside.send_at_once(tuple(view.audience), viser_inside.batch(encoded(frame)))
+
+
+def same_view(before: SharedView, after: SharedView) -> bool:
+    """Whether two views cannot be told apart; of bodies at rest in time, whether they are equal."""
+    then, now = before.picture, after.picture
+    if (before.number, before.playing, before.speed) != (after.number, after.playing, after.speed):
+        return False
+    if then.damage != now.damage or then.ghost_broken != now.ghost_broken:
+        return False
+    if then.ghost is None or now.ghost is None:
+        if then.ghost is not now.ghost:
+            return False
+    else:
+        return not after.playing and then.time == now.time and np.array_equal(then.ghost, now.ghost)
+    moved = np.abs(now.positions - then.positions).max(initial=0.0)
+    turned = abs(now.rest_angle_shift - then.rest_angle_shift)
+    grown = abs(now.rest_length_scale / then.rest_length_scale - 1.0)
+    if not after.playing:
+        return then.time == now.time and not (moved or turned or grown)
+    return bool(moved < STILL / (100.0 * Mapping.of(after.scene).scale) and turned < 0.5 and grown < 1e-3)
+
+
+def _page_state(view: SharedView, page: str) -> PageState:
+    """Return the state of a page that only looks."""
+    scene = view.scene
+    width, height = world_size(scene)
+    return PageState(
+        page=page,
+        scene=-1 - view.opening,  # no number of a scene that the page itself opens
+        title=shown_name(scene),
+        width=width,
+        height=height,
+        unit=scene.view.unit,
+        playing=view.playing,
+        speed=view.speed,
+    )
