@@ -14,7 +14,7 @@ from sim.scene.lesson import Goal, Reading
 from sim.settings import CHOICES, scene_of_step, setting_of
 
 from .session.ghost import REFERENCE
-from .session.plots import Plot, wish_of
+from .session.plots import Plot, parse_plot
 
 
 def check_lesson(scene: sim.Scene) -> None:
@@ -37,7 +37,7 @@ def check_lesson(scene: sim.Scene) -> None:
             raise InputError(f"lesson.steps[{number}].ghost: {step.ghost!r} is not one of {known}")
         for i, text in enumerate(step.plots or ()):
             try:
-                Plot(wish_of(text), scene)
+                Plot(parse_plot(text), scene)
             except InputError as error:
                 raise InputError(f"lesson.steps[{number}].plots[{i}]: {error}") from None
         for field, reading in (("goal", step.goal), ("collect", step.collect)):

@@ -170,9 +170,9 @@ def serve(
         signal.signal(number, lambda number, _: signals.append(number))
     with serving(scene, host, port, embed, allow_hosts, public_url, classes) as (server, ticker, compiler):
         if classes is None:
-            address = tell_addresses(server, host, public_url, qr, console)
+            address = print_addresses(server, host, public_url, qr, console)
         else:
-            address = tell_classes(server, host, public_url, classes, console)
+            address = print_class_addresses(server, host, public_url, classes, console)
         if open_browser:
             webbrowser.open(address)
         start_compiling(scene, ticker, compiler)
@@ -224,7 +224,9 @@ def _set_stage(server: viser.ViserServer) -> None:
     set_theme(server.gui, dark=False)
 
 
-def tell_addresses(server: GatedServer, host: str, public_url: str | None, qr: bool, console: Console) -> str:
+def print_addresses(
+    server: GatedServer, host: str, public_url: str | None, qr: bool, console: Console
+) -> str:
     """Say where the page is; returns the owner's address, which is for nobody else."""
     port = server.get_port()
     address, *others = page_addresses(host, port)
@@ -245,7 +247,7 @@ def tell_addresses(server: GatedServer, host: str, public_url: str | None, qr: b
     return address
 
 
-def tell_classes(
+def print_class_addresses(
     server: GatedServer, host: str, public_url: str | None, classes: Classes, console: Console
 ) -> str:
     """Say how teachers and pupils come to each class; returns the first teacher's address."""

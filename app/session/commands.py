@@ -25,8 +25,8 @@ from .ghost import Ghost
 from .hand import DRAG_EVENT, FRAME
 from .log import Log
 from .pacing import is_large
-from .session import Changed, Command, Session
-from .shadow import Foresight
+from .predictability import PredictabilityMeter
+from .session import Command, Refresh, Session
 from .versions import Versions
 
 _MAX_STEPS = 1000
@@ -73,7 +73,7 @@ class Follow(Command):
     """Whether the driven mass follows the pointer without a button."""
 
     on: bool
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         session.follow = self.on and session.driven is not None
@@ -124,7 +124,7 @@ class SetValue(Command):
         act = log.Set(key=self.key, value=value)
         session.change(lambda: session.recorder.do(act), setting.label, self.key)
         if self.key not in _NOT_OF_REST:
-            session.foreseen.look(session.simulation, session.now())
+            session.rest_pose_preview.look(session.simulation, session.now())
 
 
 @dataclass(frozen=True)
@@ -142,7 +142,7 @@ class SetChoice(Command):
     key: str
     value: str
     acts = True
-    changes = Changed.CONTROLS
+    refresh = Refresh.CONTROLS
 
     def apply(self, session: Session, at: float) -> None:
         label = CHOICES[self.key].label if self.key in CHOICES else self.key
@@ -155,15 +155,15 @@ class SetChoice(Command):
 
 
 @dataclass(frozen=True)
-class OwnValues(Command):
+class RestoreSceneValues(Command):
     """The settings are to be those that the scene was opened with, of the body or of the solver."""
 
     of: Literal["body", "solver"]
     acts = True
-    changes = Changed.CONTROLS
+    refresh = Refresh.CONTROLS
 
     def apply(self, session: Session, at: float) -> None:
-        session.own_values(self.of)
+        session.restore_scene_values(self.of)
 
 
 @dataclass(frozen=True)
@@ -177,29 +177,29 @@ class Compare(Command):
     law: str
     finer: int = 1
     acts = True
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         if not self.method:
             session.companions.remove(Ghost, session.history)
             return
         ghost = Ghost(session.simulation, self.method, self.law, self.finer, session.can_wait)
-        session.companions.put(ghost, session.history)
+        session.companions.add(ghost, session.history)
 
 
 @dataclass(frozen=True)
-class Foretell(Command):
+class MeasurePredictability(Command):
     """Whether it is to be told how fast errors grow."""
 
     on: bool
     acts = True
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         if self.on:
-            session.companions.put(Foresight(session.simulation, session.can_wait), session.history)
+            session.companions.add(PredictabilityMeter(session.simulation, session.can_wait), session.history)
         else:
-            session.companions.remove(Foresight, session.history)
+            session.companions.remove(PredictabilityMeter, session.history)
 
 
 @dataclass(frozen=True)
@@ -208,7 +208,7 @@ class FollowEnergy(Command):
 
     on: bool
     acts = True
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         session.follows_energy = self.on
@@ -220,7 +220,7 @@ class SelectJoint(Command):
     """The joint whose angle is read out."""
 
     joint: int
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         if 0 <= self.joint < len(session.simulation.scene.angular_springs):
@@ -264,7 +264,7 @@ class Change(Command):
         if edit.scene is not before.scene:
             session.branch()
             session.versions.add_edit(edit, before, self.key, session.now(), self.within)
-            session.go_on_at(carried(edit, before), edit)
+            session.continue_at(carried(edit, before), edit)
 
 
 @dataclass(frozen=True)
@@ -304,7 +304,7 @@ def _go_on_at(session: Session, version: tuple[Moment, Edit | None] | None) -> N
     """Go on at another version of the scene, if there is one."""
     if version is not None:
         session.branch()
-        session.go_on_at(*version)
+        session.continue_at(*version)
 
 
 # ------------------------------------------------------------------------- another body
@@ -400,7 +400,7 @@ class Reset(Command):
     """Back to the scene's start."""
 
     acts = True
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         session.reset()
@@ -411,7 +411,7 @@ class Speed(Command):
     """Simulated seconds per second."""
 
     factor: float
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         factor = self.factor if math.isfinite(self.factor) else 1.0
@@ -454,10 +454,10 @@ class GoForward(Command):
 class ForgetFuture(Command):
     """The old future is no longer wanted."""
 
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
-        session.old_future = None
+        session.abandoned_future = None
 
 
 @dataclass(frozen=True)

@@ -38,7 +38,7 @@ class Companion(ABC):
         self.cost, self.costs = 0.0, Costs()
 
     @property
-    def waits(self) -> bool:
+    def is_compiling(self) -> bool:
         """Whether its method is still being compiled; by NumPy, it would say nothing of that method."""
         return any(body.plain for body in self.bodies)
 
@@ -52,7 +52,7 @@ class Companion(ABC):
 
     def is_ready(self, simulation: sim.Simulation) -> bool:
         """Whether it may go on; when its method has just become ready, it begins with the body."""
-        if not self.waits:
+        if not self.is_compiling:
             return True
         ready = [body.take_compiled() for body in self.bodies]
         if all(ready):

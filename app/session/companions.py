@@ -31,7 +31,7 @@ class Companions:
         one = self._all.get(kind)
         return one if isinstance(one, kind) else None
 
-    def put(self, one: Companion, history: History) -> None:
+    def add(self, one: Companion, history: History) -> None:
         """Have one go along, in place of another of its kind, whose past is forgotten."""
         history.forget(one.name)
         self._all[type(one)] = one

@@ -103,8 +103,8 @@ class Ghost(Companion):
         self._owed = self.distance = self.worst = 0.0
 
     def capture(self) -> GhostMoment | None:
-        """Where it is now, to come back to; None while it `waits`."""
-        return None if self.waits else GhostMoment(self.simulation.capture(), self._owed, self.worst)
+        """Where it is now, to come back to; None while it `is_compiling`."""
+        return None if self.is_compiling else GhostMoment(self.simulation.capture(), self._owed, self.worst)
 
     def go_back(self, past: Sequence[tuple[float, GhostMoment]], simulation: sim.Simulation) -> None:
         """Be where it was at the moment that the first body has gone to; if none is kept, begin with that."""

@@ -239,7 +239,7 @@ class History:
         self._bytes = sum(map(_size, self._frames, [None, *self._frames[:-1]]))
 
 
-class OldFuture:
+class AbandonedFuture:
     """What would have come, had the user not gone back and changed something.
 
     Args:
@@ -254,7 +254,7 @@ class OldFuture:
         self.start, self.end = moments[0].time, moments[-1].time
 
     @classmethod
-    def of(cls, moments: list[Moment]) -> OldFuture | None:
+    def of(cls, moments: list[Moment]) -> AbandonedFuture | None:
         """As far as the body has the same masses; None where that is no time at all."""
         n = len(moments[0].scene.masses)
         same = list(takewhile(lambda moment: len(moment.scene.masses) == n, moments))

@@ -35,7 +35,7 @@ class Second(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     finer: int = 1
 
 
-class Wishes(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class Choices(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """What the user of a page had chosen beside the scene.
 
     Attributes:
@@ -65,7 +65,7 @@ class _Keepsake(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
     version: Annotated[int, Meta(ge=1)]
     scene: msgspec.Raw
     moment: log.Restore | None
-    wishes: Wishes
+    wishes: Choices
     opened: msgspec.Raw = _NOTHING
 
 
@@ -80,11 +80,11 @@ class Kept:
     """
 
     moment: sim.Moment
-    wishes: Wishes
+    wishes: Choices
     opened: sim.Scene
 
 
-def encode(moment: sim.Moment, wishes: Wishes, opened: sim.Scene) -> bytes:
+def encode(moment: sim.Moment, wishes: Choices, opened: sim.Scene) -> bytes:
     """A keepsake; see `Kept`."""
     scene = log.raw_scene(moment.scene)
     there = log.restore_entry(moment, with_scene=False)

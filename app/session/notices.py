@@ -28,7 +28,7 @@ class Notice:
     about: About | None = None
 
 
-def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
+def runaway_notice(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
     """What to tell when the simulation of a scene has stopped."""
     limit, cause = divergence.stability.limit, divergence.stability.cause
     if cause is not None and divergence.dt > limit:
@@ -47,7 +47,7 @@ def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
     return Notice("error", "The body exploded", text, "runaway")
 
 
-def no_shape(error: sim.DesignError) -> Notice:
+def shape_notice(error: sim.DesignError) -> Notice:
     """What to tell where a body cannot keep its shape."""
     sentence = error.sentence
     text = f"{sentence[:1].upper()}{sentence[1:]}."

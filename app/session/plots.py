@@ -52,7 +52,7 @@ MIN_LENGTH = 1.0 / 60_000.0
 Name = Annotated[str, Meta(max_length=60)]
 
 
-class Wish(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class PlotSpec(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A plot that is wanted.
 
     Attributes:
@@ -64,15 +64,15 @@ class Wish(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     over: Name = ""
 
 
-def wish_of(text: str) -> Wish:
+def parse_plot(text: str) -> PlotSpec:
     """The plot that a text names: "joint0.angle", "mass1.x, mass3.x", "joint0.rate over joint0.angle"."""
     names, _, over = text.partition(" over ")
-    return Wish(tuple(name.strip() for name in names.split(",")), over.strip())
+    return PlotSpec(tuple(name.strip() for name in names.split(",")), over.strip())
 
 
-def text_of(wish: Wish) -> str:
-    """What names a plot, as `wish_of` reads it."""
-    return ", ".join(wish.names) + (f" over {wish.over}" if wish.over else "")
+def plot_text(spec: PlotSpec) -> str:
+    """What names a plot, as `parse_plot` reads it."""
+    return ", ".join(spec.names) + (f" over {spec.over}" if spec.over else "")
 
 
 _GHOST = Kind(
@@ -102,12 +102,12 @@ class Plot:
     """A plot: its quantities, and a ring of their values, one row for each frame in which time passed.
 
     Args:
-        wish: what it is of.
+        spec: what it is of.
         scene: whose quantities they are.
 
     Attributes:
-        wish: as above.
-        quantities: those of the wish, and then the one that they are plotted over, if any.
+        spec: as above.
+        quantities: those of the spec, and then the one that they are plotted over, if any.
         shown: the time that the page shows, s.
         version: counts changes of what is to be drawn.
 
@@ -115,12 +115,12 @@ class Plot:
         InputError: there is no such quantity or part, or the quantities or their units are too many.
     """
 
-    def __init__(self, wish: Wish, scene: sim.Scene) -> None:
-        names = tuple(dict.fromkeys(wish.names))
+    def __init__(self, spec: PlotSpec, scene: sim.Scene) -> None:
+        names = tuple(dict.fromkeys(spec.names))
         if len(names) > MAX_SERIES:
             raise InputError(f"a plot has room for {MAX_SERIES} quantities")
-        self.quantities = tuple(find(name, scene) for name in (*names, *((wish.over,) if wish.over else ())))
-        self.wish = Wish(tuple(q.name for q in self.quantities[: len(names)]), wish.over)
+        self.quantities = tuple(find(name, scene) for name in (*names, *((spec.over,) if spec.over else ())))
+        self.spec = PlotSpec(tuple(q.name for q in self.quantities[: len(names)]), spec.over)
         if len(self.units) > MAX_UNITS:
             raise InputError(f"a plot has room for two units, but not for {', '.join(self.units)}")
         self._y_down = scene.view.y_down
@@ -136,7 +136,7 @@ class Plot:
     @property
     def units(self) -> tuple[str, ...]:
         """The units of what is plotted upwards, each once."""
-        return tuple(dict.fromkeys(q.unit for q in self.quantities[: len(self.wish.names)]))
+        return tuple(dict.fromkeys(q.unit for q in self.quantities[: len(self.spec.names)]))
 
     @property
     def turned(self) -> tuple[bool, ...]:
@@ -145,7 +145,7 @@ class Plot:
         They do where y coordinates or components are on it and the scene's y grows downwards, so that a curve
         goes down as its mass does.
         """
-        quantities = self.quantities[: len(self.wish.names)]
+        quantities = self.quantities[: len(self.spec.names)]
         vertical = {q.unit for q in quantities if q.kind.vertical} if self._y_down else set[str]()
         return tuple(unit in vertical for unit in self.units)
 
@@ -228,10 +228,10 @@ class Plot:
 
         Those of one axis that hardly differ are one value: see `MIN_PART` and `MIN_LENGTH`.
         """
-        values, count = values.copy(), len(self.wish.names)
+        values, count = values.copy(), len(self.spec.names)
         units = [q.unit for q in self.quantities[:count]]
         axes = [[i for i, unit in enumerate(units, start=1) if unit == one] for one in dict.fromkeys(units)]
-        for rows in (*axes, *([[1 + count]] if self.wish.over else [])):
+        for rows in (*axes, *([[1 + count]] if self.spec.over else [])):
             shown = values[rows]
             finite = np.isfinite(shown)
             some = shown[finite]
@@ -249,7 +249,7 @@ class Plot:
         return table_text(self.quantities, self.rows, decimal_comma)
 
 
-class Drawn(NamedTuple):
+class PlotWindow(NamedTuple):
     """What a page is sent of a plot.
 
     Attributes:
@@ -261,7 +261,7 @@ class Drawn(NamedTuple):
     past: int
 
 
-def curve(plot: Plot, seconds: float, width: int) -> Drawn:
+def curve(plot: Plot, seconds: float, width: int) -> PlotWindow:
     """What a page is sent of a plot, rounded to what can be seen.
 
     Args:
@@ -271,15 +271,15 @@ def curve(plot: Plot, seconds: float, width: int) -> Drawn:
             another quantity than the time there is the first moment of each of `FINE` times as many.
     """
     rows, past = plot.view(seconds)
-    pieces = FINE * width if plot.wish.over else width
-    if len(rows) > (pieces if plot.wish.over else 2 * pieces):
+    pieces = FINE * width if plot.spec.over else width
+    if len(rows) > (pieces if plot.spec.over else 2 * pieces):
         # The pieces lie at fixed times, or the curve would flicker as it moves on.
         piece = np.floor(rows[:, 0] * (pieces / seconds)).astype(np.int64)
         starts = np.flatnonzero(np.diff(piece, prepend=piece[0] - 1))
         keep = {0, max(past - 1, 0), len(rows) - 1}
-        if plot.wish.over:
+        if plot.spec.over:
             keep.update(starts.tolist())
-        for column in () if plot.wish.over else rows.T[1:]:
+        for column in () if plot.spec.over else rows.T[1:]:
             for sign in (1.0, -1.0):
                 height = np.where(np.isnan(column), -np.inf, sign * column)
                 most = np.maximum.reduceat(height, starts)
@@ -288,7 +288,7 @@ def curve(plot: Plot, seconds: float, width: int) -> Drawn:
         kept = sorted(keep)
         rows, past = rows[kept], bisect_left(kept, past)
     values = np.array([_rounded(column) for column in rows.T]).reshape(rows.shape[::-1])
-    return Drawn(plot.level(values), past)
+    return PlotWindow(plot.level(values), past)
 
 
 def _rounded(values: Floats) -> Floats:
@@ -306,7 +306,7 @@ def _value(session: Session, quantity: sim.Quantity, before: float = math.nan) -
     simulation, of = session.simulation, quantity.kind.of
     if of == "ghost":
         ghost = session.ghost
-        value = math.nan if ghost is None or ghost.waits else ghost.distance
+        value = math.nan if ghost is None or ghost.is_compiling else ghost.distance
     elif of == "stability":
         value = simulation.dt / session.stability.limit  # the meter is looked at now and then
     elif of == "energy" and not simulation.track_energy(True):

@@ -30,7 +30,7 @@ class Recorder:
     Attributes:
         simulation: the body.
         acts: how often something was done to it.
-        been: digests of the moments that the log goes back to, or on from, see `log.digest_of`.
+        visited: digests of the moments that the log goes back to, or on from, see `log.digest_of`.
     """
 
     def __init__(self, simulation: sim.Simulation, note: str = "") -> None:
@@ -54,7 +54,7 @@ class Recorder:
         self._last: Entry | None = None  # not in the lines yet: it may come again
         self._times = 0
         self._moment: tuple[sim.Moment, bool, str] | None = None  # gone back to, and not noted yet
-        self.been: set[str] = set()
+        self.visited: set[str] = set()
         self._checked = self.simulation.time
         self._complete = self.simulation.complete
 
@@ -162,7 +162,7 @@ class Recorder:
         if self._moment is not None:
             moment, with_scene, digest = self._moment
             self._moment = None
-            self.been.add(digest)
+            self.visited.add(digest)
             self._write(log.restore_entry(moment, with_scene))
 
     def _write_last(self) -> None:

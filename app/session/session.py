@@ -27,17 +27,17 @@ from sim.motion.stability import StabilityEstimate
 from . import keepsakes, log
 from .companions import Companions
 from .driving import Driving
-from .foreseen import Foreseen
 from .ghost import Ghost
 from .hand import FRAME, PointerHands
-from .history import History, OldFuture
+from .history import AbandonedFuture, History
 from .log import Log
 from .modes import ModesWatch
-from .notices import About, Notice, no_shape, runaway
+from .notices import About, Notice, runaway_notice, shape_notice
 from .pacing import HEAVY_UNIT, LONGEST_FRAME, Costs, Pacer, is_large
+from .predictability import PredictabilityMeter
 from .record import Recorder
 from .replay import Player
-from .shadow import Foresight
+from .rest_pose import RestPosePreview
 from .stability import StabilityWatch
 from .versions import Versions
 
@@ -61,7 +61,7 @@ _AFTER_REPLAY = "it begins where a replay was left"
 T = TypeVar("T")
 
 
-class Changed(enum.Enum):
+class Refresh(enum.Enum):
     """What something changes that the page looks at only when it is told to."""
 
     NOTHING = enum.auto()
@@ -83,7 +83,7 @@ class Command:
             waits, since they may be of many megabytes.
     """
 
-    changes: ClassVar[Changed] = Changed.NOTHING
+    refresh: ClassVar[Refresh] = Refresh.NOTHING
     acts: ClassVar[bool] = False
     brings_body: ClassVar[bool] = False
 
@@ -153,7 +153,7 @@ class Session:
         fallbacks: fallback steps since the scene was opened or reset.
         recorder: what acts on the body, and keeps its log; not while a log is played.
         history: the moments that are past, and which of them is shown.
-        old_future: what would have come, where the user has gone back and on; or None.
+        abandoned_future: what would have come, where the user has gone back and on; or None.
         refusal: why the body could not keep its shape, until something else is done to it; or None.
         refused_shape: (n, 2) that shape, px.
         offer_back: whether the body ran away and can be taken back to just before that.
@@ -163,7 +163,7 @@ class Session:
         waits: whether the clock stands only until a question of the scene's lesson is answered.
         hands: what the pointers do.
         preparing: what is being compiled, for the page to say; empty when nothing is.
-        foreseen: where the body will rest, while a slider moves.
+        rest_pose_preview: where the body will rest, while a slider moves.
         modes: the body's slow vibrations, while somebody looks at them; else None.
         driving: what drives one of them.
     """
@@ -200,7 +200,7 @@ class Session:
         self.follows_energy = False
         self.fallbacks = 0
         self.preparing = ""
-        self.foreseen = Foreseen()
+        self.rest_pose_preview = RestPosePreview()
         self.modes: ModesWatch | None = None
         self.driving = Driving(lambda: self.simulation, self.do)
 
@@ -230,9 +230,9 @@ class Session:
         return self.companions.get(Ghost)
 
     @property
-    def foresight(self) -> Foresight | None:
+    def predictability(self) -> PredictabilityMeter | None:
         """What tells how fast errors grow, if that is wanted."""
-        return self.companions.get(Foresight)
+        return self.companions.get(PredictabilityMeter)
 
     @property
     def stability(self) -> StabilityEstimate:
@@ -240,7 +240,7 @@ class Session:
         return self.stability_watch.estimate
 
     @property
-    def heavy(self) -> bool:
+    def is_heavy(self) -> bool:
         """Whether the next frame may take longer than others can wait for."""
         costs = [self.costs.unit, *(one.costs.unit for one in self.companions)]
         return (
@@ -250,7 +250,7 @@ class Session:
         )
 
     @property
-    def is_left_alone(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether nothing but the clock goes on, and costs next to nothing.
 
         No hand, key or log moves the body then, there is no other one, and nothing was asked for.
@@ -274,7 +274,7 @@ class Session:
             playing = command.playing_after(playing)
         return playing
 
-    def holds(self, about: About) -> bool:
+    def notice_still_applies(self, about: About) -> bool:
         """Whether what a notice is about is still so."""
         return self.simulation.divergence is not None if about == "runaway" else self.refusal is not None
 
@@ -358,11 +358,11 @@ class Session:
                 if command.takes_over(self) or command.brings_body:
                     self.refusal = None
                 command.apply(self, at)
-                self.note(command.changes)
+                self.refresh(command.refresh)
             except (InputError, SettingError, SceneError) as error:
                 if isinstance(error, sim.DesignError):
                     self.refusal, self.refused_shape = error, self.simulation.positions
-                    self.notices.append(no_shape(error))
+                    self.notices.append(shape_notice(error))
                 else:
                     self.notices.append(Notice("error", "That cannot be done", str(error)))
         if self.replay is None and (not self.playing or self.simulation.divergence is not None):
@@ -395,24 +395,24 @@ class Session:
         ghost = self.ghost
         return keepsakes.encode(
             self.simulation.capture(),
-            keepsakes.Wishes(
+            keepsakes.Choices(
                 playing=self.playing,
                 speed=self.pacer.speed,
                 follow=self.follow,
                 joint=self.joint,
                 ghost=keepsakes.Second(ghost.method, ghost.law, ghost.finer) if ghost else None,
-                foretell=self.foresight is not None,
+                foretell=self.predictability is not None,
                 touched=self.recorder.acts > 0,
             ),
             self.opened,
         )
 
     # --------------------------------------------------------------------- what commands do
-    def note(self, changed: Changed) -> None:
-        """Have the page look at what has changed."""
-        self.revision += changed is not Changed.NOTHING
-        self.generation += changed in (Changed.CONTROLS, Changed.BODY)
-        self.openings += changed is Changed.BODY
+    def refresh(self, what: Refresh) -> None:
+        """Have the page show again what has changed."""
+        self.revision += what is not Refresh.NOTHING
+        self.generation += what in (Refresh.CONTROLS, Refresh.BODY)
+        self.openings += what is Refresh.BODY
 
     def play(self, on: bool) -> None:
         """Let the clock run, from the moment that is shown, or stand."""
@@ -422,7 +422,7 @@ class Session:
         if on != self.playing:
             self.playing = on
             self.pacer.restart()
-            self.note(Changed.SETTINGS)
+            self.refresh(Refresh.SETTINGS)
 
     def do_steps(self, steps: int) -> None:
         """Stand, and do some steps."""
@@ -459,7 +459,7 @@ class Session:
         self.driving.end()
         self.hands.let_all_go(self.following)
 
-    def put(self, make: Callable[[sim.Moment], sim.Moment], label: str, key: str) -> None:
+    def jump_to(self, make: Callable[[sim.Moment], sim.Moment], label: str, key: str) -> None:
         """Go on with other places and speeds of the same body.
 
         Args:
@@ -475,7 +475,7 @@ class Session:
         self.versions.add_leap(label, before, moment, key)
         self.companions.begin(self.simulation, self.history)
         self.history.amend(self.simulation.capture(), self.companions.capture())
-        self.note(Changed.SETTINGS)
+        self.refresh(Refresh.SETTINGS)
 
     def change(self, change: Callable[[], None], label: str, key: str = "") -> None:
         """Go on with changed settings.
@@ -502,10 +502,10 @@ class Session:
             if after.scene is not before.scene:
                 self.versions.add_change(label, before, after, key)
             self.companions.adapt(self.simulation)
-        self.note(Changed.BODY if rebuilt else Changed.SETTINGS)
-        self.stability_watch.hurry()
+        self.refresh(Refresh.BODY if rebuilt else Refresh.SETTINGS)
+        self.stability_watch.look_soon()
 
-    def own_values(self, of: Literal["body", "solver"]) -> None:
+    def restore_scene_values(self, of: Literal["body", "solver"]) -> None:
         """Go on with the settings that the scene was opened with."""
         present = self.simulation.capture().scene
         with_body, with_solver = (self.opened, present) if of == "body" else (present, self.opened)
@@ -515,7 +515,7 @@ class Session:
         self.let_go()
         self.change(lambda: self.recorder.set_scene(scene, keys_too=of == "body"), f"own values of the {of}")
 
-    def go_on_at(self, moment: sim.Moment, edit: Edit | None) -> None:
+    def continue_at(self, moment: sim.Moment, edit: Edit | None) -> None:
         """Go on at a moment of an edited scene, at the same time.
 
         Args:
@@ -528,13 +528,13 @@ class Session:
         self.recorder.restore(moment)
         self.selection = Selection() if edit is None else still_selected(edit, self.selection)
         if edit is None or edit.moves_parts:
-            self.old_future = None
+            self.abandoned_future = None
             self._choose_joint()
             self.follow = self.follow and self.driven is not None
         self.companions.begin(self.simulation, self.history)
         self.history.amend(self.simulation.capture(), self.companions.capture())
-        self.note(Changed.BODY if edit is None else Changed.CONTROLS)
-        self.stability_watch.hurry()
+        self.refresh(Refresh.BODY if edit is None else Refresh.CONTROLS)
+        self.stability_watch.look_soon()
 
     def open(self, scene: sim.Scene) -> None:
         """Have another body, at the beginning of its scene, with nothing beside it."""
@@ -556,7 +556,7 @@ class Session:
         # What the last body cost says nothing.
         self.pacer, self.costs = Pacer(self.pacer.speed), Costs()
         self.stability_watch.forget()
-        self.note(Changed.BODY)
+        self.refresh(Refresh.BODY)
 
     def reset(self) -> None:
         """Back to the scene's start."""
@@ -597,9 +597,9 @@ class Session:
         self.pacer.speed = wishes.speed
         if (second := wishes.ghost) is not None:
             ghost = Ghost(self.simulation, second.method, second.law, second.finer, self.can_wait)
-            self.companions.put(ghost, self.history)
+            self.companions.add(ghost, self.history)
         if wishes.foretell:
-            self.companions.put(Foresight(self.simulation, self.can_wait), self.history)
+            self.companions.add(PredictabilityMeter(self.simulation, self.can_wait), self.history)
         self.play(wishes.playing)
 
     # --------------------------------------------------------------------- time
@@ -609,8 +609,8 @@ class Session:
             if self.history.scrubbed:
                 self.show(self.history.last)
         elif newer := self.history.cut():
-            self.old_future = OldFuture.of(newer)
-            self.note(Changed.SETTINGS)
+            self.abandoned_future = AbandonedFuture.of(newer)
+            self.refresh(Refresh.SETTINGS)
 
     def show(self, index: int) -> None:
         """Stand, and show a moment that is past."""
@@ -633,8 +633,8 @@ class Session:
         self.offer_back = False
         self._changed_from(before)
         self.companions.go_back(history, index, self.simulation)
-        self.note(Changed.SETTINGS)
-        self.stability_watch.hurry()
+        self.refresh(Refresh.SETTINGS)
+        self.stability_watch.look_soon()
 
     def begin_replay(self, record: Log) -> None:
         """Show a log's body, and play what was done to it."""
@@ -650,7 +650,7 @@ class Session:
     def _begin_history(self) -> None:
         self.history.clear()
         self.history.add(self.simulation.capture())
-        self.old_future: OldFuture | None = None
+        self.abandoned_future: AbandonedFuture | None = None
         self.offer_back = False
 
     def _remember(self) -> None:
@@ -686,7 +686,7 @@ class Session:
             self.offer_back = True
             # The limit that is told is that of the body when it ran away, not of what is left of it.
             self.stability_watch.set(divergence.stability, self.revision)
-            self.notices.append(runaway(divergence, self.simulation.scene))
+            self.notices.append(runaway_notice(divergence, self.simulation.scene))
 
     def _changed_from(self, before: sim.Scene) -> None:
         """Have the page look at the settings again, if they are no longer those of a scene."""
@@ -698,10 +698,10 @@ class Session:
         if other:
             self._choose_joint()
             self.selection = Selection()  # other parts may have its numbers
-            self.old_future = None
+            self.abandoned_future = None
         controls = (scene.force_law, scene.integrator.method)
         differ = other or controls != (before.force_law, before.integrator.method)
-        self.note(Changed.CONTROLS if differ else Changed.SETTINGS)
+        self.refresh(Refresh.CONTROLS if differ else Refresh.SETTINGS)
 
     def _play_log(self, player: Player, now: float, budget: float) -> None:
         """Go on by a frame of a replay."""
@@ -730,5 +730,5 @@ class Session:
         self.replay = self._viewer = None
         self.recorder = Recorder(self.simulation, _AFTER_REPLAY)
         self.hold_keys(frozenset(), self._keys_at)
-        self.note(Changed.SETTINGS)
+        self.refresh(Refresh.SETTINGS)
         self.notices.append(Notice(kind, "The replay has ended", text))

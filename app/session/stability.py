@@ -35,7 +35,7 @@ class StabilityWatch:
         self._spent = 0.0  # seconds of computing that the present look has taken
         self._due = 0.0
 
-    def hurry(self) -> None:
+    def look_soon(self) -> None:
         """Look as soon as may be: something has changed."""
         self._due = 0.0
 

@@ -108,7 +108,7 @@ def _tab(scene: Scene) -> Iterator[Tab]:
 def _frame(tab: Tab) -> None:
     """A whole frame; what a heavy body needs is done at once."""
     tab.frame(BUDGET * FRAME, _at_once)
-    if tab.session is not None and tab.session.heavy:
+    if tab.session is not None and tab.session.is_heavy:
         tab.frame(BUDGET * FRAME, _at_once)
     tab.client.flush()
 

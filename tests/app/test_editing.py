@@ -79,7 +79,7 @@ def test_everything_that_changes_the_scene_is_a_step(page: SessionPage) -> None:
     first = session.simulation.capture().scene
     page.frames(1, commands.SetValue("gravity", 500.0))
     page.frames(1, commands.SetChoice("method", "rk4"))
-    page.frames(1, commands.OwnValues("body"))
+    page.frames(1, commands.RestoreSceneValues("body"))
     page.frames(1, commands.Open(sim.load_scene("ring")))
     assert session.versions.undoable == "opening Ring"
     openings = session.openings

@@ -143,7 +143,7 @@ def test_a_ghost_has_the_time_that_the_body_leaves() -> None:
     page.frames(1)
     assert 8 <= tried[0] <= 20
     ghost.costs.learn(1, 10.0 * HEAVY_UNIT, 1)
-    assert page.session.heavy
+    assert page.session.is_heavy
 
 
 def test_a_reset_forgets_how_far_off_the_ghost_has_been() -> None:

@@ -45,7 +45,7 @@ def test_others_go_on_and_pause_is_answered_while_a_step_takes_its_time(
                     assert go_on.wait(30.0)
                 tick(self, *given)
 
-            monkeypatch.setattr(Session, "heavy", property(lambda self: self is session))
+            monkeypatch.setattr(Session, "is_heavy", property(lambda self: self is session))
             monkeypatch.setattr(Session, "tick", slow)
             try:
                 assert begun.wait(10.0)
@@ -65,9 +65,9 @@ def test_others_go_on_and_pause_is_answered_while_a_step_takes_its_time(
 
 def test_a_scene_is_heavy_by_its_size_or_by_what_its_steps_cost() -> None:
     session = Session(sim.rope(12))
-    assert not session.heavy
+    assert not session.is_heavy
     session.post(commands.Open(cloth(40)))
-    assert session.heavy  # also while it is only about to be opened
+    assert session.is_heavy  # also while it is only about to be opened
     assert is_large(cloth(40))
     assert not is_large(cloth(20))
 
@@ -76,7 +76,7 @@ def test_a_scene_is_heavy_by_its_size_or_by_what_its_steps_cost() -> None:
     assert costs.unit < HEAVY_UNIT
     session.costs = costs
     session.drain()
-    assert session.heavy
+    assert session.is_heavy
 
 
 def test_frames_grow_longer_with_the_work_but_never_beyond_their_limit() -> None:

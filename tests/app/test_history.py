@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 import sim
 from app.session import commands, history
 from app.session.ghost import Ghost, GhostMoment
-from app.session.history import History, OldFuture
+from app.session.history import AbandonedFuture, History
 from tests.amount import examples, part_of
 from tests.app.pages import FRAME, SessionPage
 from tests.sim.builders import tutorial_preset
@@ -294,7 +294,7 @@ def test_the_past_begins_anew_with_another_body(page: SessionPage) -> None:
         page.frames(30, commands.Play(True))
         page.frames(1, commands.GoBack(0.2), commands.Play(False), command)
         session = page.session
-        assert (len(session.history), session.history.end, session.old_future) == (1, 0.0, None)
+        assert (len(session.history), session.history.end, session.abandoned_future) == (1, 0.0, None)
         page.frames(1, commands.GoBack())
         assert len(session.simulation.positions) == len(session.scene.masses)
 
@@ -304,11 +304,11 @@ def test_the_old_future_stays_for_comparison(page: SessionPage) -> None:
     session = page.session
     newer = [session.history[i] for i in range(len(session.history))]
     page.frames(2, commands.GoTo(0.5))
-    assert session.old_future is None
+    assert session.abandoned_future is None
     start, end = session.simulation.time, session.history.end
     page.frames(1, commands.SetValue("gravity", 100.0))
     page.frames(12, commands.Play(True))
-    old = session.old_future
+    old = session.abandoned_future
     assert old is not None
     assert (old.start, old.end) == (start, end)
     assert session.history.end == session.simulation.time < end
@@ -322,22 +322,22 @@ def test_the_old_future_stays_for_comparison(page: SessionPage) -> None:
     assert at is not None
     assert np.abs(at - session.simulation.positions).max() > 0.1
     page.frames(5, commands.Play(False), commands.Play(True))
-    assert session.old_future is old
+    assert session.abandoned_future is old
     page.frames(2, commands.GoBack(0.1), commands.Play(True))
-    assert session.old_future is not None
-    assert session.old_future is not old
+    assert session.abandoned_future is not None
+    assert session.abandoned_future is not old
     page.frames(1, commands.ForgetFuture())
-    assert session.old_future is None
+    assert session.abandoned_future is None
 
 
 def test_single_steps_from_the_past_branch_too(page: SessionPage) -> None:
     page.frames(1, commands.GoTo(0.5), commands.DoSteps(3))
-    assert page.session.old_future is not None
+    assert page.session.abandoned_future is not None
     assert page.session.history.end == page.simulation.time == pytest.approx(0.5075, abs=0.01)
 
 
 def test_an_old_future_is_a_copy() -> None:
-    future = OldFuture([moment(0.0), moment(1.0)])
+    future = AbandonedFuture([moment(0.0), moment(1.0)])
     found = future.positions_at(0.5)
     assert found is not None
     found[:] = 7.0

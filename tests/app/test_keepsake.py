@@ -64,7 +64,7 @@ def test_a_page_goes_on_where_it_was(page: SessionPage, playing: bool) -> None:
 
 def test_the_scene_s_own_values_are_kept_too(kept: bytes) -> None:
     other = resumed(kept)
-    other.frames(1, commands.OwnValues("body"), commands.OwnValues("solver"))
+    other.frames(1, commands.RestoreSceneValues("body"), commands.RestoreSceneValues("solver"))
     assert other.session.scene == sim.load_scene(other.session.scene.name)
 
 
@@ -88,7 +88,7 @@ def test_own_values_of_another_body_begin_its_time_anew(kept: bytes) -> None:
     another = json.loads(log.encode_header(sim.rope(masses=12, joints=False)))["scene"]
     other = resumed(changed(kept, "opened", value=another))
     other.frames(10, commands.Play(True))
-    other.frames(1, commands.Play(False), commands.OwnValues("body"))
+    other.frames(1, commands.Play(False), commands.RestoreSceneValues("body"))
     assert (len(other.session.history), other.simulation.time) == (1, 0.0)
     other.frames(10, commands.Play(True))
     agrees(other)
@@ -99,7 +99,7 @@ def test_a_keepsake_is_small() -> None:
     assert len(small) < 6000
     scene = sim.rope(masses=20_000)
     rows = np.random.default_rng(1).normal(0.0, 300.0, (4, 20_000))
-    data = keepsakes.encode(sim.Moment(scene, 1.0, 0.0, rows, 5.0, 2000), keepsakes.Wishes(), scene)
+    data = keepsakes.encode(sim.Moment(scene, 1.0, 0.0, rows, 5.0, 2000), keepsakes.Choices(), scene)
     assert len(data) < keepsakes.MAX_BYTES
     assert json.loads(data)["moment"] is None
     moment = keepsakes.decode(data).moment

@@ -98,7 +98,7 @@ ACTS: st.SearchStrategy[commands.Command] = st.one_of(
     st.builds(
         commands.SetChoice, st.just("method"), st.sampled_from(["rk4", "symplectic_euler", "adams", "rodas4"])
     ),
-    st.builds(commands.OwnValues, st.sampled_from(["body", "solver"])),
+    st.builds(commands.RestoreSceneValues, st.sampled_from(["body", "solver"])),
     st.builds(commands.FollowEnergy, st.booleans()),
     st.builds(commands.Play, st.sampled_from([None, True, False])),
     st.builds(commands.DoSteps, st.integers(0, 20)),

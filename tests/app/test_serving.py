@@ -22,11 +22,11 @@ from app.features.gallery.messages import OpenScene
 from app.gate.gate import open_server
 from app.pages.sandbox.tab import Tab
 from app.server import serve as serve_module
-from app.server.serve import serving, start_compiling, tell_addresses
+from app.server.serve import print_addresses, serving, start_compiling
 from app.server.ticker import Ticker
 from app.session import commands
 from app.session.commands import DragStart, Open
-from app.session.plots import Wish
+from app.session.plots import PlotSpec
 from app.session.session import Session
 from app.ui import owner
 from app.ui.kept import keeper, keeping
@@ -149,7 +149,7 @@ def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
         )
 
 
-def kept_letters(session: Session, plots: tuple[Wish, ...] = ()) -> str:
+def kept_letters(session: Session, plots: tuple[PlotSpec, ...] = ()) -> str:
     """What a page's script gives back of what it kept of a session."""
     kept = keeping.encode(session.keepsake(), keeping.Looks(dark=True), plots)
     return base64.b64encode(zlib.compress(kept)).decode()
@@ -172,13 +172,13 @@ def test_a_link_goes_before_what_the_page_kept(stage: Stage, monkeypatch: pytest
 def test_what_the_page_kept_brings_its_plots_whenever_it_comes(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    letters = kept_letters(Session(sim.load_scene("rod")), (Wish(("joint0.angle",)),))
+    letters = kept_letters(Session(sim.load_scene("rod")), (PlotSpec(("joint0.angle",)),))
     with stage.page() as page:
         tab = stage.new_tab(set())
         in_the_middle_of_a_frame(tab, lambda: tab.hear(Part("resume", 1, 1, letters)), monkeypatch)
         eventually(lambda: tab.probe().looks.dark and session_of(tab).scene.name == "rod")
         page.read_for(0.1)
-        assert tab.probe().plots == (Wish(("joint0.angle",)),)
+        assert tab.probe().plots == (PlotSpec(("joint0.angle",)),)
 
 
 def test_what_the_page_gives_back_is_not_lost_with_a_panel(
@@ -432,7 +432,7 @@ def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytes
         page.wait_for(lambda m: "residual" in str(m))
         page.wait_for(lambda m: "largest distance" in str(m))
         assert session.ghost is not None
-        assert not session.ghost.waits
+        assert not session.ghost.is_compiling
         assert max(s.stiffness for s in session.scene.linear_springs) == 12345.0
 
 
@@ -447,7 +447,7 @@ def test_the_address_for_others_never_has_the_owner_s_key(
         try:
             text = io.StringIO()
             console = Console(file=text, width=200)
-            address = tell_addresses(server, "127.0.0.1", public, True, console)
+            address = print_addresses(server, "127.0.0.1", public, True, console)
         finally:
             server.stop()
         own = f"http://127.0.0.1:{server.get_port()}/"

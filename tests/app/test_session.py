@@ -259,20 +259,20 @@ def test_the_scene_s_own_values_come_back_and_nothing_else(page: SessionPage) ->
     )
     page.frames(1, commands.HoldKeys(frozenset()), commands.Play(False))
     before, time = session.simulation.positions, session.simulation.time
-    page.session.post(commands.OwnValues("body"))
+    page.session.post(commands.RestoreSceneValues("body"))
     page.session.drain()
     assert session.scene == msgspec.structs.replace(
         mine, force_law="angle", integrator=session.scene.integrator
     )
     assert session.scene.integrator.method == "rk4"
     assert session.simulation.dt == 0.001
-    page.session.post(commands.OwnValues("solver"))
+    page.session.post(commands.RestoreSceneValues("solver"))
     page.session.drain()
     assert session.scene == mine
     assert np.array_equal(session.simulation.positions, before)
     assert session.simulation.time == time
     # Another number of masses is another body.
-    page.frames(1, commands.SetValue("masses", 20.0), commands.OwnValues("body"))
+    page.frames(1, commands.SetValue("masses", 20.0), commands.RestoreSceneValues("body"))
     assert session.scene == mine
 
 
@@ -438,10 +438,10 @@ def test_of_bodies_that_are_to_come_the_last_waits_alone(page: SessionPage) -> N
 def test_what_one_body_cost_says_nothing_of_the_next(page: SessionPage) -> None:
     page.session.pacer.speed = 2.0
     page.session.costs.learn(0, 1.0, 1)
-    assert page.session.heavy
+    assert page.session.is_heavy
     page.session.post(commands.Open(sim.load_scene("box")))
     page.session.drain()
-    assert not page.session.heavy
+    assert not page.session.is_heavy
     assert page.session.pacer.speed == 2.0
 
 
@@ -474,7 +474,7 @@ def test_what_waits_is_read_while_nobody_adds_to_it(page: SessionPage) -> None:
         def __exit__(self, *_: object) -> None: ...
 
     guard(session, Lock())
-    for look in (lambda: session.heavy, lambda: session.will_play):
+    for look in (lambda: session.is_heavy, lambda: session.will_play):
         entered.clear()
         look()
         assert entered

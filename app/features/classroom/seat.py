@@ -290,7 +290,7 @@ class SeatRole(ClassRole):
             self.room.take(seat.number, answer)
         else:
             scene, log = self.klass.scene(self.room.at), session.recorder.file()
-            self.klass.hand_in(answer, log, step, scene, frozenset(session.recorder.been))
+            self.klass.hand_in(answer, log, step, scene, frozenset(session.recorder.visited))
         self._unwritten.append((self.room.version, said.id))
 
     def _state(self) -> Seat:

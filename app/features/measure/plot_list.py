@@ -18,7 +18,7 @@ from sim.scene.types import shown_name
 
 from ...export.workshop import workshop
 from ...session.notices import Notice
-from ...session.plots import MAX_PLOTS, Plot, Wish, curve
+from ...session.plots import MAX_PLOTS, Plot, PlotSpec, curve
 from ...stage.colors import palette
 from ...ui.page import Page
 from . import plots
@@ -101,7 +101,7 @@ class PlotList:
         self._extend_by, self._changed = extend, changed
         page.plots.append(self)
         self._plots: list[_Shown] = []
-        self._kept: tuple[Wish, ...] | None = None  # None for those that are open
+        self._kept: tuple[PlotSpec, ...] | None = None  # None for those that are open
         self._due = self._read_due = 0.0
         self._numbers = 0
         self.looked_at = True
@@ -113,35 +113,35 @@ class PlotList:
     @property
     def names(self) -> tuple[str, ...]:
         """The quantities that are plotted."""
-        return tuple(name for shown in self._plots for name in shown.plot.wish.names)
+        return tuple(name for shown in self._plots for name in shown.plot.spec.names)
 
     @property
-    def wishes(self) -> tuple[Wish, ...]:
+    def specs(self) -> tuple[PlotSpec, ...]:
         """The plots that are open."""
-        return tuple(shown.plot.wish for shown in self._plots) if self._kept is None else self._kept
+        return tuple(shown.plot.spec for shown in self._plots) if self._kept is None else self._kept
 
     @property
     def wants_energy(self) -> bool:
         """Whether any quantity is an entry of the energy balance."""
         return any(shown.plot.wants_energy for shown in self._plots)
 
-    def remember(self, wishes: tuple[Wish, ...]) -> None:
+    def remember(self, specs: tuple[PlotSpec, ...]) -> None:
         """Have these plots, and no others, as soon as the scene is there that they are of."""
-        self._kept = wishes[:MAX_PLOTS]
+        self._kept = specs[:MAX_PLOTS]
 
     def build(self) -> None:
         """Another scene, or other looks: plots of what is not there any more go, the others begin anew if
         their time does."""
         scene = self._session.scene
-        wishes, self._kept = self._kept, None
-        if wishes is not None:
+        specs, self._kept = self._kept, None
+        if specs is not None:
             for shown in list(self._plots):
                 self._remove(shown)
-            for wish in wishes:
-                self.add(wish)
+            for spec in specs:
+                self.add(spec)
         for shown in list(self._plots):
             try:
-                plot = Plot(shown.plot.wish, scene)
+                plot = Plot(shown.plot.spec, scene)
             except InputError:
                 self._remove(shown)
                 continue
@@ -171,12 +171,12 @@ class PlotList:
                     if reads:
                         shown.sent = shown.plot.version
 
-    def add(self, wish: Wish) -> None:
+    def add(self, spec: PlotSpec) -> None:
         """Open a plot, or say why not."""
         try:
             if len(self._plots) == MAX_PLOTS:
                 raise InputError(f"a page has room for {MAX_PLOTS} plots; remove one first")
-            plot = Plot(wish, self._session.scene)
+            plot = Plot(spec, self._session.scene)
         except InputError as error:
             self._page.notify(Notice("error", "That cannot be plotted", f"{error}."))
             return
@@ -226,11 +226,11 @@ class PlotList:
     def _extend(self, shown: _Shown) -> None:
         """Plot what is chosen beside what a plot has."""
         assert self._extend_by is not None
-        wish, name = shown.plot.wish, self._extend_by()
-        if shown not in self._plots or name in wish.names:
+        spec, name = shown.plot.spec, self._extend_by()
+        if shown not in self._plots or name in spec.names:
             return
         try:
-            plot = Plot(Wish((*wish.names, name), wish.over), self._session.scene)
+            plot = Plot(PlotSpec((*spec.names, name), spec.over), self._session.scene)
         except InputError as error:
             self._page.notify(Notice("error", "That cannot be added", f"{error}."))
             return
@@ -241,7 +241,7 @@ class PlotList:
         self._show(shown, reads=True)
 
     def _download(self, shown: _Shown) -> None:
-        name = f"{self._session.scene.name}-{shown.plot.wish.names[0]}.csv"
+        name = f"{self._session.scene.name}-{shown.plot.spec.names[0]}.csv"
         table = shown.plot.table(self._page.commas.on).encode()
         self._client.send_file_download(name, table, save_immediately=True)
 
@@ -250,7 +250,7 @@ class PlotList:
         scene, plot = self._session.scene, shown.plot
         drawn = curve(plot, self.seconds, PICTURE_PIECES)
         colors = plots.colors_of(plot, palette(scene.view.colors, dark=False))
-        title, name = shown_name(scene), f"{scene.name}-{plot.wish.names[0]}.png"
+        title, name = shown_name(scene), f"{scene.name}-{plot.spec.names[0]}.png"
 
         def make() -> None:
             from ...export.plot_picture import plot_png  # matplotlib does not delay the start
@@ -279,7 +279,7 @@ class PlotList:
         series = plots.colors_of(plot, colors)
         gui, chart = self._client.gui, shown.chart
         with self._client.atomic(), self._tab:
-            if plot.wish.over:
+            if plot.spec.over:
                 content = plots.draw_over_another(plot, drawn, series)
                 if isinstance(chart, viser.GuiHtmlHandle):
                     chart.content = content

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from sim.analysis.modes import Modes
 
 from ...session.modes import ModesWatch
-from ...session.session import Changed, Command, Session
+from ...session.session import Command, Refresh, Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
@@ -34,7 +34,7 @@ class ShowModes(Command):
     """Whether the body's slow vibrations are looked at; or the other of the two (None)."""
 
     on: bool | None = None
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         on = session.modes is None if self.on is None else self.on
@@ -59,7 +59,7 @@ class PutIntoMode(Command):
             return
         mode, modes = self.mode, watch.found
         amplitude = min(max(self.part, 0.0), 1.0) * float(watch.full[mode])
-        session.put(lambda now: modes.put(now, mode, amplitude), f"mode {mode + 1}", f"mode {mode}")
+        session.jump_to(lambda now: modes.put(now, mode, amplitude), f"mode {mode + 1}", f"mode {mode}")
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from sim.store import files
 from sim.store.files import read_scene
 
 from ...session.pacing import is_large
-from ...session.session import Changed, Command, Session
+from ...session.session import Command, Refresh, Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature, LongText
 from ...ui.opening import asked_scene
@@ -37,12 +37,12 @@ class BeginRace(Command):
 
     scene: sim.Scene
     acts = True
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         rival = Rival(session.simulation, self.scene, session.can_wait)
         session.play(False)
-        session.companions.put(rival, session.history)
+        session.companions.add(rival, session.history)
         session.reset()
 
     @property
@@ -57,7 +57,7 @@ class BeginRace(Command):
 class LeaveRace(Command):
     """There is to be no race any more; the body goes on."""
 
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         session.companions.remove(Rival, session.history)

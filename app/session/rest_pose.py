@@ -21,7 +21,7 @@ _QUICK = 0.05
 """Seconds of computing up to which a pose at rest is found; what takes longer is not looked for again."""
 
 
-class Foreseen:
+class RestPosePreview:
     """The pose at rest of a session's body while a slider moves.
 
     It is found by a thread that is there only meanwhile, from the pose that the body has. Of numbers that
@@ -51,7 +51,7 @@ class Foreseen:
             if self._works:
                 return
             self._works = True
-        threading.Thread(target=self._run, name="softrod-foreseen", daemon=True).start()
+        threading.Thread(target=self._run, name="softrod-rest-pose", daemon=True).start()
 
     def positions(self, masses: int, now: float) -> NDArray[np.float64] | None:
         """(n, 2) where the masses will rest, px; None where no number has just changed, or nothing rests."""

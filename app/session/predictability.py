@@ -38,7 +38,7 @@ class ShadowMoment(NamedTuple):
     level: float
 
 
-class Foresight(Companion):
+class PredictabilityMeter(Companion):
     """Tells how fast errors grow in the motion of a session's body.
 
     Args:
@@ -49,7 +49,7 @@ class Foresight(Companion):
         shadow: the two bodies.
     """
 
-    name, span = "foresight", WINDOW
+    name, span = "predictability", WINDOW
 
     def __init__(self, simulation: sim.Simulation, wait: bool = True) -> None:
         self.shadow = Shadow(simulation, wait)
@@ -114,7 +114,7 @@ class Foresight(Companion):
         return None if self.shadow.held else growth_within(times, levels, SPAN)
 
     @property
-    def many(self) -> bool:
+    def is_chaotic(self) -> bool:
         """Whether errors grow too fast for any tolerance."""
         return self.growth is not None and factor_of(self.growth / SPAN) >= MANY
 
