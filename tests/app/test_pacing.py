@@ -131,13 +131,13 @@ def test_a_motion_that_has_ended_is_asked_no_more() -> None:
 
 def test_what_another_body_costs_is_not_known_by_that_of_the_last_one() -> None:
     costs = Costs()
-    costs.look_at(sim.rope(12))
+    costs.reset_for(sim.rope(12))
     cheap = Machine(1e-6)
     cheap.frame(costs, 100)
     cheap.frame(costs, 100)
     for scene in (sim.rope(13), sim.rope(13, integrator=sim.Integrator(method="rodas4"))):
-        costs.look_at(scene)
+        costs.reset_for(scene)
         _, took = Machine(0.02, each=1000).frame(costs, 6)
         assert took == pytest.approx(0.02)
-    costs.look_at(sim.rope(13, integrator=sim.Integrator(method="rodas4"), gravity=(0.0, 1.0)))
+    costs.reset_for(sim.rope(13, integrator=sim.Integrator(method="rodas4"), gravity=(0.0, 1.0)))
     assert costs.unit == pytest.approx(0.02)

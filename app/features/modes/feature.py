@@ -4,7 +4,6 @@ body is put into one."""
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -29,7 +28,6 @@ STILL = 2e-4
 """Change of a level, as a part of a full bar, below which nothing is sent."""
 
 
-@dataclass(frozen=True)
 class ShowModes(Command):
     """Whether the body's slow vibrations are looked at; or the other of the two (None)."""
 
@@ -43,7 +41,6 @@ class ShowModes(Command):
         session.modes = (session.modes or ModesWatch()) if on else None
 
 
-@dataclass(frozen=True)
 class PutIntoMode(Command):
     """The body is to be put into a mode, with a part of the amplitude of a full bar."""
 
@@ -62,7 +59,6 @@ class PutIntoMode(Command):
         session.jump_to(lambda now: modes.put(now, mode, amplitude), f"mode {mode + 1}", f"mode {mode}")
 
 
-@dataclass(frozen=True)
 class DriveMode(Command):
     """A mode is to be driven by hand from now on, or none any more (-1)."""
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import urllib.parse
-from dataclasses import dataclass
 from typing import ClassVar
 
 import viser
@@ -31,7 +30,6 @@ EVERY = 0.1
 _ADDRESS = re.compile(r"\S+\?(\S+)")
 
 
-@dataclass(frozen=True)
 class BeginRace(Command):
     """The body is to race against that of another scene: both are put at their starts, and stand."""
 
@@ -53,7 +51,6 @@ class BeginRace(Command):
         return False
 
 
-@dataclass(frozen=True)
 class LeaveRace(Command):
     """There is to be no race any more; the body goes on."""
 
