@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 
 from sim.store import files
 from tests.app.command import Softrod, softrod_here
+from tests.app.hostile import Sandbox
 
 
 @pytest.fixture
@@ -24,3 +26,11 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder = files.user_folder()
     folder.mkdir(parents=True)
     return folder
+
+
+@pytest.fixture
+def sandbox() -> Iterator[Sandbox]:
+    """A server behind its gate, and its users."""
+    sandbox = Sandbox()
+    yield sandbox
+    sandbox.close()

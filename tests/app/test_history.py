@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 import sim
 from app.session import commands, history
-from app.session.ghost import Ghost, GhostMoment
+from app.session.ghost import GhostMoment
 from app.session.history import AbandonedFuture, History
 from tests.amount import examples, part_of
 from tests.app.pages import FRAME, SessionPage
@@ -174,8 +174,7 @@ def test_no_time_at_all_is_refused(page: SessionPage, time: float) -> None:
 
 def test_settings_and_keys_come_back(page: SessionPage) -> None:
     session = page.session
-    page.frames(20, commands.HoldKeys(frozenset({"up"})))
-    page.frames(1, commands.HoldKeys(frozenset()))
+    page.hold(20, "up")
     time, scene = session.simulation.time, session.scene
     revision, generation = session.revision, session.generation
     page.frames(10, commands.SetValue("gravity", 10.0))
@@ -239,14 +238,9 @@ def test_what_follows_the_pointer_does_not_disturb_the_past(page: SessionPage) -
     assert page.simulation.positions[0] == pytest.approx((400.0, 300.0))
 
 
-def ghost_of(page: SessionPage) -> Ghost:
-    assert page.session.ghost is not None
-    return page.session.ghost
-
-
 def test_the_ghost_goes_back_to_where_it_was(page: SessionPage) -> None:
     page.frames(30, commands.Compare("rk4", "angle", 1), commands.SetValue("rest_angle", 30.0))
-    ghost = ghost_of(page)
+    ghost = page.ghost
     time, positions, worst = page.simulation.time, ghost.simulation.positions, ghost.worst
     assert worst > 0.0
     page.frames(30)
@@ -271,9 +265,9 @@ def test_the_ghost_starts_from_a_moment_before_it_was_there_and_before_it_was_an
     page.frames(30, commands.Compare("adams", "", 1))
     for moment in (keyed + 0.3, keyed, time):
         page.frames(1, commands.GoTo(moment))
-        ghost, body = ghost_of(page).simulation, page.simulation
+        ghost, body = page.ghost.simulation, page.simulation
         assert np.array_equal(ghost.positions, body.positions)
-        assert (ghost.time, ghost_of(page).worst) == (body.time, 0.0)
+        assert (ghost.time, page.ghost.worst) == (body.time, 0.0)
         # What keys have changed until then is in both.
         assert ghost.rest_length_scale == body.rest_length_scale
         assert ghost.rest_angles == pytest.approx(body.rest_angles)
@@ -285,8 +279,8 @@ def test_a_body_and_a_ghost_that_do_the_same_are_never_apart(page: SessionPage) 
     page.frames(10, commands.HoldKeys(frozenset()))
     page.frames(1, commands.GoBack(0.2))
     page.frames(30, commands.Play(True))
-    assert ghost_of(page).simulation.time == page.simulation.time
-    assert ghost_of(page).worst == 0.0
+    assert page.ghost.simulation.time == page.simulation.time
+    assert page.ghost.worst == 0.0
 
 
 def test_the_past_begins_anew_with_another_body(page: SessionPage) -> None:
@@ -399,8 +393,7 @@ def test_there_is_a_way_back_to_before_a_divergence(preset: str, method: str, ov
         pytest.skip("it does not run away")
     assert session.offer_back
     diverged = session.simulation.time
-    (notice,) = session.notices
-    assert "Go back to just before it, lower" in notice.text
+    assert "Go back to just before it, lower" in page.told
     page.frames(2, commands.BackBeforeDivergence())
     assert not session.playing
     assert not session.offer_back

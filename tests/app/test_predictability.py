@@ -52,9 +52,8 @@ def test_the_body_does_not_notice() -> None:
     pages = [SessionPage() for _ in range(2)]
     pages[1].frames(0, commands.MeasurePredictability(True))
     for page in pages:
-        x, y = map(float, page.simulation.positions[0])
-        page.frames(10, commands.DragStart(5, x, y))
-        page.frames(10, commands.Point(x + 50.0, y), commands.HoldKeys(frozenset({"up"})))
+        page.drag(5, 50.0, frames=20)
+        page.frames(10, commands.HoldKeys(frozenset({"up"})))
         page.frames(10, commands.DragEnd(), commands.SetValue("gravity", 500.0))
     one, other = (page.simulation for page in pages)
     assert np.array_equal(one.positions, other.positions)

@@ -221,8 +221,7 @@ def test_going_back_brings_springs_back_in_body_ghost_and_old_future() -> None:
     page.frames(1, commands.Compare("rk4", ""))
     page.frames(60)
     assert broken(page) == 1
-    ghost = session.ghost
-    assert ghost is not None
+    ghost = page.ghost
     assert ghost.simulation.damage is not None
     page.frames(1, commands.GoTo(0.05))
     assert broken(page) == 0
@@ -234,10 +233,8 @@ def test_going_back_brings_springs_back_in_body_ghost_and_old_future() -> None:
     future = session.abandoned_future
     assert future is not None
     late = future.damage_at(0.6)
-    assert late is not None
-    assert late.broken == (1,)
-    assert future.damage_at(0.06) is None
-    assert future.damage_at(99.0) is None
+    assert late and late.broken == (1,)
+    assert future.damage_at(0.06) is future.damage_at(99.0) is None
 
 
 def test_the_head_up_display_counts_broken_springs() -> None:
