@@ -330,7 +330,7 @@ def test_single_steps_from_the_past_branch_too(page: SessionPage) -> None:
     assert page.session.history.end == page.simulation.time == pytest.approx(0.5075, abs=0.01)
 
 
-def test_an_old_future_is_a_copy() -> None:
+def test_positions_of_an_abandoned_future_are_copies() -> None:
     future = AbandonedFuture([moment(0.0), moment(1.0)])
     found = future.positions_at(0.5)
     assert found is not None
