@@ -1,4 +1,4 @@
-"""The softrod application: the viser page and the gate in front of it; `app.show` for notebooks."""
+"""The softrod application: the page, its server and the command line; `app.show` is for notebooks."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ def show(scene: sim.Scene, width: int | str = "100%", height: int = 620) -> Show
         shown.scene()  # as it is now, with its pose
         shown.close()
 
-    The page's server runs in the background of this process, and listens on this machine only. So the browser
-    has to run on this machine, too.
+    The server runs in the background of this process, and listens on this machine only, where the browser
+    has to run, too.
 
     Args:
         scene: what the page shows first.
@@ -32,7 +32,7 @@ def show(scene: sim.Scene, width: int | str = "100%", height: int = 620) -> Show
     Raises:
         SceneError: the scene is not valid.
     """
-    # Here, not above: whoever imports a part of this has no use for viser, which takes a second to import.
+    # Imported here: other parts of the package do not need viser, whose import takes a second.
     from .notebook import Shown
 
     return Shown(scene, width, height)

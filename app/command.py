@@ -1,8 +1,9 @@
-"""What the commands share: the scene with its changed numbers, and how they fail."""
+"""What commands share: loading a scene with `--set`, options, and how they fail."""
 
 from __future__ import annotations
 
 import sys
+from dataclasses import dataclass
 from typing import Annotated
 
 from tyro.conf import UseAppendAction, arg
@@ -32,17 +33,34 @@ CsvComma = Annotated[
 ]
 
 
+@dataclass
+class Listening:
+    """Where a command serves pages, and by which names."""
+
+    host: str = "127.0.0.1"
+    """Address to listen on. Any other than this machine's own lets other machines in."""
+    port: int = 8080
+    """Port to listen on; 0 for any free one."""
+    open: bool = True
+    """Open the page in a browser."""
+    allow_host: Annotated[UseAppendAction[tuple[str, ...]], arg(metavar="NAME")] = ()
+    """A further name by which browsers may reach the page, with its port if that is another, as in
+    laptop.local or laptop.local:9000; may be repeated."""
+    public_url: Annotated[str | None, arg(metavar="URL")] = None
+    """The address by which others reach the page through a proxy, as in https://school.example/lab/."""
+
+
 def scene_of(name: str, settings: tuple[str, ...]) -> sim.Scene:
-    """A scene by its name, its file's path or a link, with settings KEY=VALUE.
+    """Load a scene by name, path or link, and apply settings KEY=VALUE.
 
     Raises:
-        SceneError: there is none, or it is not valid.
-        SettingError: one of the settings makes no sense.
+        SceneError: it does not exist, or is not valid.
+        SettingError: a setting makes no sense.
     """
     return apply_assignments(sim.load_scene(name), settings)
 
 
 def fail(reason: object) -> int:
-    """Say why on the error stream; the exit status is 1."""
+    """Print the reason on the error stream; the exit status, 1."""
     print(f"softrod: {reason}", file=sys.stderr)
     return 1

@@ -1,8 +1,10 @@
-"""Lessons: whether every step can begin, for `softrod check`, goals in words, and how answers know them."""
+"""Lessons: a check that every step can begin, for `softrod check`; their codes; goals in words."""
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
+from collections.abc import Iterator
 
 import msgspec
 
@@ -14,45 +16,49 @@ from sim.scene.lesson import Goal, Reading
 from sim.settings import CHOICES, scene_of_step, setting_of
 
 from .session.ghost import REFERENCE
-from .session.plots import Plot, wish_of
+from .session.plots import Plot, parse_plot
 
 
 def check_lesson(scene: sim.Scene) -> None:
-    """Try what each step sets, shows and plots, one after the other.
+    """Check what each step sets, shows and plots, one after the other.
 
     Raises:
-        SettingError: something cannot be set, or has no slider.
-        InputError: something cannot be plotted or compared with; both name the field.
+        SettingError: something cannot be set, or has no slider; names the field.
+        InputError: something cannot be plotted, compared or measured; names the field.
     """
     for number, step in enumerate(scene.lesson.steps if scene.lesson else ()):
+        place = f"lesson.steps[{number}]"
         scene = scene_of_step(scene, number)
         for i, key in enumerate(step.controls):
-            try:
-                if key not in CHOICES or not CHOICES[key].applies(scene):
+            if key not in CHOICES or not CHOICES[key].applies(scene):
+                with _at(f"{place}.controls[{i}]"):
                     setting_of(scene, key)
-            except sim.SettingError as error:
-                raise sim.SettingError(f"lesson.steps[{number}].controls[{i}]: {error}") from None
         if step.ghost is not None and step.ghost not in (REFERENCE, *METHODS):
             known = ", ".join((REFERENCE, *METHODS))
-            raise InputError(f"lesson.steps[{number}].ghost: {step.ghost!r} is not one of {known}")
+            raise InputError(f"{place}.ghost: {step.ghost!r} is not one of {known}")
         for i, text in enumerate(step.plots or ()):
-            try:
-                Plot(wish_of(text), scene)
-            except InputError as error:
-                raise InputError(f"lesson.steps[{number}].plots[{i}]: {error}") from None
+            with _at(f"{place}.plots[{i}]"):
+                Plot(parse_plot(text), scene)
         for field, reading in (("goal", step.goal), ("collect", step.collect)):
             if reading is not None:
-                try:
+                with _at(f"{place}.{field}.quantity"):
                     quantity(reading.quantity, scene)
-                except InputError as error:
-                    raise InputError(f"lesson.steps[{number}].{field}.quantity: {error}") from None
+
+
+@contextlib.contextmanager
+def _at(place: str) -> Iterator[None]:
+    """Have errors name the field."""
+    try:
+        yield
+    except (sim.SettingError, InputError) as error:
+        raise type(error)(f"{place}: {error}") from None
 
 
 def lesson_code(scene: sim.Scene) -> str:
-    """Eight hexadecimal digits by which answers know the lesson of a scene.
+    """Eight hexadecimal digits that link answers to the lesson of a scene.
 
-    They are others for other questions, choices, predictions or masses. What else a lesson has may be mended
-    without losing its answers.
+    They depend on questions, choices, predictions and the number of masses. The rest of a lesson may be
+    corrected without losing its answers.
     """
     steps = scene.lesson.steps if scene.lesson is not None else ()
     asked = [

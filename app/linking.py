@@ -1,4 +1,4 @@
-"""`softrod link`: a scene as a link."""
+"""`softrod link`: prints a scene as a link."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from sim.store.shared import share_scene
 from .command import Settings, fail, scene_of
 
 ADDRESS = "http://127.0.0.1:8080"
-"""Of the page that softrod serves on this machine unless told otherwise."""
+"""Of the page that softrod serves on this machine by default."""
 
 
 @dataclass
@@ -58,10 +58,10 @@ class Link:
 
 
 def link_to(scene: Scene, address: str = ADDRESS) -> str:
-    """A link that holds a scene.
+    """A link that holds a scene, with its pose if it has one.
 
     Args:
-        scene: with its pose, if it has one.
+        scene: the scene.
         address: of the page that is to open it, without a slash at its end.
 
     Raises:
@@ -71,13 +71,13 @@ def link_to(scene: Scene, address: str = ADDRESS) -> str:
 
 
 def short_address(base: str, scene: Scene) -> str:
-    """An address of a scene that this machine keeps: a preset by its name, any other by a code.
+    """An address of a scene on this machine: a preset by its name, any other by the code it is stored under.
 
     Args:
         base: the page's address, with a slash at its end.
 
     Raises:
-        SceneError: the scene cannot be kept.
+        SceneError: the scene cannot be stored.
     """
     if _is_preset(scene):
         return f"{base}?scene={scene.name}"
@@ -85,7 +85,7 @@ def short_address(base: str, scene: Scene) -> str:
 
 
 def _is_preset(scene: Scene) -> bool:
-    """Whether a scene is a preset as it is."""
+    """Whether a scene is an unchanged preset."""
     path = next((path for path in built_in_files() if path.stem == scene.name), None)
     return path is not None and read_scene(path) == scene
 

@@ -16,17 +16,17 @@ from .server.serve import serving
 HOST = "127.0.0.1"
 
 _all: list[Shown] = []
-"""All that is shown, whether anyone else still knows of it or not."""
+"""All that is shown, to be closed at exit."""
 
 
 class Shown:
-    """A scene that is shown in the page, by a server in the background of this process.
+    """A scene in the live page, served in the background of this process.
 
     Args:
-        scene, width, height: as of `app.show`.
+        scene, width, height: see `app.show`.
 
     Attributes:
-        url: the page's address; every browser tab and frame that opens it has a body of its own.
+        url: the page's address; every tab and frame that opens it has its own body.
 
     Raises:
         SceneError: the scene is not valid.
@@ -48,9 +48,9 @@ class Shown:
             print(f"softrod is at {self.url}")
 
     def scene(self) -> sim.Scene:
-        """The scene as it is now in the page that was opened last, with its pose.
+        """The scene as it is now, with its pose, in the page that was opened last.
 
-        Before a page is open, and after it is closed, it is the scene as it was given, or as it was last.
+        Before a page is open it is the given scene; after a page is closed, the scene as it was last.
 
         Raises:
             InputError: the page did not answer.
@@ -61,7 +61,7 @@ class Shown:
         return self._scene
 
     def close(self) -> None:
-        """End the server; the page stops."""
+        """Stop the server, and with it the page."""
         if self._open:
             self._open = False
             _all.remove(self)
@@ -83,7 +83,7 @@ class Shown:
 
 
 def _in_notebook() -> bool:
-    """Whether a notebook draws what a cell ends with."""
+    """Whether this runs in a notebook, which displays the last line of a cell."""
     shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
     return shell is not None and hasattr(shell, "kernel")
 

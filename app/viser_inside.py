@@ -1,9 +1,8 @@
-"""All that uses viser's inside, for want of a public way: an upgrade of viser is a review of this module.
+"""All uses of viser's internals that have no public counterpart; review this module when viser is upgraded.
 
-It was written for the version below, which is pinned; `tests/app/test_viser_inside.py` fails where viser has
-become another one. What the page's script uses of viser's page is in `app/ui/viser`, and the messages that
-viser's page may send are in `app/gate/messages.py`.
-"""
+It was written for the version below, which is pinned; `tests/app/test_viser_inside.py` fails if viser
+differs. What the page's script uses of viser's page is in `app/ui/viser`, and the messages that viser's page
+may send are in `app/gate/messages.py`."""
 
 from __future__ import annotations
 
@@ -33,10 +32,10 @@ VERSION = "1.1.1"
 # ------------------------------------------------------------------------- messages
 @dataclass(init=False)
 class SoftrodMessage(viser._messages.Message, include_in_scene_serialization=False):
-    """Carries a message of `app.wire`, JSON, either way, and numbers to the page.
+    """Carries a JSON message of `app.wire` in either direction, and numbers to the page.
 
-    viser leads every subclass of its `Message` to whoever registered for it. viser's page never sees this
-    one: the script takes it out of the queue.
+    viser dispatches every subclass of its `Message` to registered handlers. viser's page never sees this one:
+    the script takes it out of the queue.
     """
 
     text: str
@@ -46,16 +45,16 @@ class SoftrodMessage(viser._messages.Message, include_in_scene_serialization=Fal
         self.text, self.numbers, self._key = text, numbers, key
 
     def redundancy_key(self) -> str:
-        """Of messages with the same key that wait to be sent, viser keeps the last one."""
+        """Of waiting messages with the same key, viser sends only the last one."""
         return self._key
 
 
 class _LoopEvent(asyncio.Event):
     """An event that only the thread of its event loop sets.
 
-    Whoever puts a message into a queue of viser 1.1.1 sets the queue's event from any thread, and then has
-    the loop set it, too. Where the first comes just as the loop begins to wait, it marks the event as set and
-    wakes nobody; the loop then finds it set, and the page is never sent anything again.
+    viser 1.1.1 sets a queue's event from any thread that adds a message, and then again on the loop. If the
+    first comes just as the loop begins to wait, the event is marked as set but wakes nobody; the second then
+    finds it set already, and nothing is ever sent to the page again.
     """
 
     def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
@@ -69,7 +68,7 @@ class _LoopEvent(asyncio.Event):
 
 
 def _set_events_on_their_loops(queue: type[viser.infra._async_message_buffer.AsyncMessageBuffer]) -> None:
-    """Have all queues that are made from now on woken by their event loops alone."""
+    """Have all queues that are made from now on woken by their event loops only."""
     made = queue.__init__
 
     @functools.wraps(made)
@@ -84,17 +83,17 @@ _set_events_on_their_loops(viser.infra._async_message_buffer.AsyncMessageBuffer)
 
 
 def send(client: viser.ClientHandle, message: SoftrodMessage) -> None:
-    """Send a page a message; any thread may."""
+    """Send a message to a page; any thread may."""
     client._websock_connection.queue_message(message)
 
 
 def listen(client: viser.ClientHandle, heard: Callable[[str], None]) -> None:
-    """Have the text of every message from a page's script heard, on viser's event loop."""
+    """Call `heard` with the text of every message of a page's script, on viser's event loop."""
     client._websock_connection.register_handler(SoftrodMessage, lambda _, message: heard(message.text))
 
 
 def batch(*messages: SoftrodMessage) -> bytes:
-    """A batch of messages, as viser's page reads it (`viser.infra._infra._message_producer`)."""
+    """Encode messages as viser's page reads them (`viser.infra._infra._message_producer`)."""
     arrays: list[memoryview] = []
     fields = tuple(message.as_serializable_dict(arrays) for message in messages)
     lengths = tuple(array.nbytes for array in arrays)
@@ -103,14 +102,14 @@ def batch(*messages: SoftrodMessage) -> bytes:
     )
     packed = zstandard.compress(inner, 1)
     parts = (len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little") + packed, *arrays)
-    # Each begins at a multiple of eight bytes.
+    # Each part begins at a multiple of eight bytes.
     return b"".join(bytes(part).ljust(-(-len(bytes(part)) // 8) * 8, b"\0") for part in parts)
 
 
 def send_at_once(clients: Sequence[viser.ClientHandle], data: bytes) -> None:
-    """Send a batch to several pages of one server, beside viser's queues; any thread may.
+    """Send a batch to several pages of one server, bypassing viser's queues; any thread may.
 
-    A page that has not taken yet what it was sent before is left out, as one that is gone.
+    Pages that are gone, or have not yet received what was sent before, are left out.
     """
     if not clients:
         return
@@ -122,24 +121,24 @@ def send_at_once(clients: Sequence[viser.ClientHandle], data: bytes) -> None:
         ready = [one for one in found if one is not None and not one.transport.get_write_buffer_size()]
         websockets.asyncio.server.broadcast(ready, data)
 
-    with contextlib.suppress(RuntimeError):  # the server ends
+    with contextlib.suppress(RuntimeError):  # the server has ended
         server.get_event_loop().call_soon_threadsafe(send)
 
 
 # ------------------------------------------------------------------------- the panel
 def element_id(handle: viser.GuiInputHandle[Any] | viser.GuiTabHandle) -> str:
-    """The id that an element of the panel has in the page."""
+    """The id of a panel's element in the page."""
     return handle._id if isinstance(handle, viser.GuiTabHandle) else handle._impl.uuid
 
 
 def input_handle(owner: viser.ViserServer | viser.ClientHandle, uuid: str) -> Any:
-    """The element of a panel that a page may set, by its id; None if there is none."""
+    """The element of a panel with an id, which a page may set; None if there is none."""
     return owner.gui._gui_input_handle_from_uuid.get(uuid)
 
 
 # ------------------------------------------------------------------------- connections
 def connections(server: viser.ViserServer) -> dict[int, Any]:
-    """The connections of the pages that are there, by the ids of their clients."""
+    """The open connections, by the ids of their clients."""
     return server._websock_server._live_connections
 
 
@@ -148,19 +147,19 @@ _replacing = threading.Lock()
 
 @contextlib.contextmanager
 def served_by(options_of: Callable[[Any], dict[str, Any]]) -> Iterator[list[Any]]:
-    """Give viser's call of `websockets.serve` other options; yields the list of such calls.
+    """Add options to viser's call of `websockets.serve`; yields the list of such calls.
 
-    websockets' own module is changed meanwhile.
+    websockets' own module is patched meanwhile.
 
     Args:
-        options_of: the options, from what viser answers to requests by.
+        options_of: makes the options, given the function by which viser answers requests.
     """
     module: Any = websockets.asyncio.server
     calls: list[Any] = []
 
     def serve(handler: Any, *address: Any, process_request: Any = None, **options: Any) -> Any:
         if getattr(handler, "__module__", None) != "viser.infra._infra":
-            # Someone else's server, started by chance at this moment.
+            # Another server, started by chance at this moment.
             return real_serve(handler, *address, process_request=process_request, **options)
         calls.append(address)
         return real_serve(handler, **(options | options_of(process_request)))
@@ -176,17 +175,17 @@ def served_by(options_of: Callable[[Any], dict[str, Any]]) -> Iterator[list[Any]
 
 # ------------------------------------------------------------------------- the page
 PLACE = '<div id="root"></div>'
-"""Where viser's page is built."""
+"""The element in which viser's page is built."""
 
 
 def page_script() -> str:
-    """The one script of viser's page, which holds all of it, with its element.
+    """The element of the one script that is viser's page.
 
-    It is made to find its data, which stand in that element, also where another one runs it.
+    The script reads data from its own element; it is changed to find them also when another element runs it.
 
     Raises:
         OSError: it cannot be read.
-        ValueError: it is not as it is known here.
+        ValueError: it is not the expected page.
     """
     path = Path(viser.__file__).parent / "client" / "build" / "index.html"
     text = path.read_text(encoding="utf-8")

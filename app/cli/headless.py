@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Protocol
 
 import msgspec
 import numpy as np
@@ -25,29 +24,15 @@ LONG_RUN = 200_000
 """Steps from which on a run shows its progress."""
 
 
-class Table(Protocol):
-    """Rows of a run, one after each K-th step."""
-
-    def __len__(self) -> int: ...
-
-    def add(self, simulation: sim.Simulation) -> None:
-        """Note the present state."""
-        ...
+class QuantityTable(sim.Recording):
+    """A table of quantities, for `--record`; a row after each K-th step."""
 
     def write(self, path: Path, decimal_comma: bool = False) -> None:
-        """Write as CSV, which may have decimal commas, or NPZ.
+        """Write as CSV, which may have decimal commas, or NPZ (`time`, and an array for each quantity).
 
         Raises:
-            InputError: the ending is neither, or the file cannot be written.
+            InputError: the file has another ending, or cannot be written.
         """
-        ...
-
-
-class QuantityTable(sim.Recording):
-    """A table of quantities, for `--record`."""
-
-    def write(self, path: Path, decimal_comma: bool = False) -> None:
-        """As `Table` says; in NPZ, there is an array `time`, and one for each quantity by its name."""
         if path.suffix == ".npz":
             write_file(path, _npz(time=self.time, **{name: self[name] for name in self.units}))
         else:
@@ -55,7 +40,7 @@ class QuantityTable(sim.Recording):
 
 
 class PositionTable:
-    """A table of the places of all masses, and of the energies if they are asked for."""
+    """A table of the positions of all masses, and optionally of the energies."""
 
     def __init__(self, masses: int, energy: bool) -> None:
         self._masses, self._energies = masses, ENERGY_FIELDS if energy else ()
@@ -65,19 +50,15 @@ class PositionTable:
         return len(self._rows)
 
     def add(self, simulation: sim.Simulation) -> None:
-        """As `Table` says."""
         balance = simulation.energy() if self._energies else None
         energies = (getattr(balance, name) for name in self._energies)
         places = simulation.positions.ravel().tolist()
         self._rows.append((simulation.step_count, simulation.time, *energies, *places))
 
     def write(self, path: Path, decimal_comma: bool = False) -> None:
-        """Write as CSV (17 significant digits) or NPZ (`step`, `time`, `positions` of shape (rows, n, 2)).
+        """See `QuantityTable`; CSV has 17 significant digits, NPZ `step`, `time`, `positions` (rows, n, 2).
 
-        With energies, there is a column, or an array, for each field of `sim.Energies`.
-
-        Raises:
-            InputError: the ending is neither, or the file cannot be written.
+        With energies, there is also a column, or an array, for each field of `sim.Energies`.
         """
         names = ("step", "time", *self._energies)
         if path.suffix == ".npz":
@@ -90,8 +71,11 @@ class PositionTable:
             write_file(path, csv_text(table, decimal_comma, "{:.17g}".format).encode())
 
 
+Table = QuantityTable | PositionTable
+
+
 def new_table(scene: sim.Scene, energy: bool, names: Sequence[str]) -> Table:
-    """A table of the named quantities of a scene; without any, of the places of its masses.
+    """A table of the named quantities of a scene, or without names of the positions of its masses.
 
     Raises:
         InputError: there is no such quantity, or the scene has no such part.
@@ -102,7 +86,7 @@ def new_table(scene: sim.Scene, energy: bool, names: Sequence[str]) -> Table:
 
 
 def _are_energies(names: Sequence[str]) -> bool:
-    """Whether any of the quantities is an entry of the energy balance, which is then kept from the start."""
+    """Whether any of the quantities needs the energy balance, which is then followed from the start."""
     return any(name.startswith("energy.") for name in names)
 
 
@@ -113,7 +97,7 @@ def _npz(**arrays: np.ndarray) -> bytes:
 
 
 def check_output(path: Path) -> None:
-    """Refuse an output that could not be written, before any time goes into a run.
+    """Check that an output can be written, before time is spent on a run.
 
     Raises:
         InputError: the ending is neither .csv nor .npz, or the folder does not exist.
@@ -132,24 +116,24 @@ def run(
     energy: bool = False,
     names: Sequence[str] = (),
 ) -> tuple[Table, Player]:
-    """Do what a log says, go on from there, and return the rows, and how it compares with what was recorded.
+    """Play a log, and continue from its end.
 
     Args:
-        record: the log; one without entries is its scene, left to itself.
-        steps: steps after which it ends, within the log or beyond; None for all of the log.
-        every: a row is taken after each multiple of this many steps, or after the call of the log in which
-            it was passed.
+        record: the log; without entries, its scene moves freely.
+        steps: steps after which the run ends, within the log or beyond; None for all of the log.
+        every: a row is added after each multiple of so many steps, or after the call of the log that passes
+            it.
         console: for the progress bar of a long run.
-        energy: whether the rows have the energies.
-        names: quantities that the rows have instead of places.
+        energy: whether rows have the energies.
+        names: quantities that rows have instead of positions.
 
     Returns:
-        The rows until the steps are done, or until the body runs away for good: where no check of a log says
-        that it is to. And what has done the log.
+        The rows until the steps are done, or until the body runs away, unless checks of the log expect that;
+        and the player, which has compared the run with the log.
 
     Raises:
-        InputError: there would be no row, or there is no such quantity, or the log asks for what cannot be
-            done; the sentence names its line.
+        InputError: there would be no row, there is no such quantity, or the log cannot be played; names the
+            line.
     """
     if steps is not None and every > steps:
         raise InputError(f"--every: {every} is more than the run's {steps} steps, so no row would be written")
@@ -181,6 +165,6 @@ def run(
 
 
 def same_body(one: sim.Scene, other: sim.Scene) -> bool:
-    """Whether two scenes differ in no more than their names, titles, descriptions and views."""
+    """Whether two scenes are equal except for names, titles, descriptions and views."""
     plain = {"name": "scene", "title": "", "description": "", "view": sim.View()}
     return msgspec.structs.replace(one, **plain) == msgspec.structs.replace(other, **plain)

@@ -22,7 +22,7 @@ from sim.motion.quantities import PARTS
 from sim.store.files import read_scene
 from sim.store.schema import schema_bytes
 
-from ..command import CsvComma, Settings, fail, scene_of
+from ..command import CsvComma, Listening, Settings, fail, scene_of
 from ..export.command import Export
 from ..lessons import check_lesson
 from ..linking import Link
@@ -34,35 +34,24 @@ from .teaching import TeachClass
 DEFAULT_SCENE = "rope"
 
 _GROUPS = {"lessons": "scenes with steps beside the body", "study": "scenes of `softrod study`"}
-"""What the groups of presets are."""
+"""Descriptions of the groups of presets."""
 
 
 @dataclass
-class Serve:
+class Serve(Listening):
     """Serve a scene in the browser."""
 
     scene: Annotated[Positional[str], arg(metavar="SCENE")] = DEFAULT_SCENE
     """A preset's name, a file's path or a link."""
-    host: str = "127.0.0.1"
-    """Address to listen on. Any other than this machine's own lets other machines in."""
-    port: int = 8080
-    """Port to listen on; 0 for any free one."""
-    open: bool = True
-    """Open the page in a browser."""
     embed: Annotated[UseAppendAction[tuple[str, ...]], arg(metavar="ORIGIN")] = ()
     """A site that may show the page in a frame, as in https://school.example; may be repeated."""
-    allow_host: Annotated[UseAppendAction[tuple[str, ...]], arg(metavar="NAME")] = ()
-    """A further name by which browsers may reach the page, with its port if that is another, as in
-    laptop.local or laptop.local:9000; may be repeated."""
-    public_url: Annotated[str | None, arg(metavar="URL")] = None
-    """The address by which others reach the page through a proxy, as in https://school.example/lab/."""
     qr: bool = False
     """Print the QR code of the address by which others reach the page."""
     settings: Settings = ()
 
     def run(self) -> int:
         """Serve until told to stop."""
-        # Here, not above: the other commands have no use for viser, which takes a second to import.
+        # Imported here: the other commands do not need viser, whose import takes a second.
         from ..gate.gate import GateError, PortBusy
         from ..server.serve import serve
 
@@ -219,11 +208,11 @@ class Schema:
 
 
 _COARSE = 0.01
-"""Part of a body's size from which on a tolerance is called coarse; that of the presets is a thousandth."""
+"""Part of a body's size beyond which a tolerance is called coarse; presets have a thousandth."""
 
 
 def _note_on_tolerance(scene: sim.Scene) -> str:
-    """What to know of a tolerance that is large for its body, as the usual one is in metres."""
+    """A note on a tolerance that is large for its body, as the default is in metres; else empty."""
     tolerance, unit = scene.integrator.tolerance, scene.view.unit
     places = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
     size = max(max(axis) - min(axis) for axis in zip(*places, strict=True))
@@ -236,10 +225,10 @@ def _note_on_tolerance(scene: sim.Scene) -> str:
 
 
 class Command(Protocol):
-    """What a command line is read into."""
+    """A parsed command line."""
 
     def run(self) -> int:
-        """Do it; the exit status."""
+        """Run the command; the exit status."""
         ...
 
 
@@ -255,10 +244,10 @@ _COMMANDS: dict[str, type[Command]] = {
 }
 
 STUDIES = ("bench", "validate", "stability", "study", "sweep", "improve", "fit")
-"""Commands of the package `studies`, which is loaded for them alone."""
+"""Commands of the package `studies`, which is loaded only for them."""
 
 _SOLVING = ("run", "export", *STUDIES)
-"""Commands that compile the solver before they do anything; the page says it while it compiles."""
+"""Commands that compile the solver first, and report trouble with its cache; the page does so by itself."""
 
 
 def _command(name: str) -> type[Command] | None:
@@ -273,7 +262,7 @@ def _command(name: str) -> type[Command] | None:
 def main(arguments: list[str] | None = None) -> None:
     """The entry point of the command `softrod`."""
     if isinstance(sys.stdout, io.TextIOWrapper):
-        # Names may have letters that the terminal's encoding lacks. The error stream does this anyway.
+        # Names may have letters that the terminal's encoding lacks; the error stream does this by itself.
         sys.stdout.reconfigure(errors="backslashreplace")
     words = sys.argv[1:] if arguments is None else arguments
     name = words[0] if words else ""

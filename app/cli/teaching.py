@@ -5,15 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from tyro.conf import Positional, UseAppendAction, arg
+from tyro.conf import Positional, arg
 
 import sim
 
-from ..command import fail
+from ..command import Listening, fail
 
 
 @dataclass
-class TeachClass:
+class TeachClass(Listening):
     """Hold a class: pupils predict, see it run, compare and hand in, each in their own browser."""
 
     scenes: Annotated[Positional[tuple[str, ...]], arg(metavar="SCENE")] = ()
@@ -21,22 +21,14 @@ class TeachClass:
     step."""
     host: str = "0.0.0.0"
     """Address to listen on; 127.0.0.1 to try it alone."""
-    port: int = 8080
-    """Port to listen on; 0 for any free one."""
-    open: bool = True
-    """Open the teacher's page in a browser."""
     new: bool = False
     """Forget a class that was not ended, with all that was handed in, instead of going on with it."""
     classes: Annotated[int, arg(metavar="N")] = 1
     """Classes at once, each with a teacher's page and a code of its own."""
-    allow_host: Annotated[UseAppendAction[tuple[str, ...]], arg(metavar="NAME")] = ()
-    """A further name by which browsers may reach the page; may be repeated."""
-    public_url: Annotated[str | None, arg(metavar="URL")] = None
-    """The address by which others reach the page through a proxy, as in https://school.example/lab/."""
 
     def run(self) -> int:
         """Serve until told to stop."""
-        # Here, not above: the other commands have no use for viser, which takes a second to import.
+        # Imported here: the other commands do not need viser, whose import takes a second.
         from ..classroom.answers import Refused
         from ..classroom.live import MAX_CLASSES, Classes
         from ..gate.gate import GateError, PortBusy

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ..session.plots import Drawn, Plot
+from ..session.plots import Plot, PlotWindow
 from ..stage.colors import palette
 
 SIZE = 7.0, 4.2
@@ -17,7 +17,7 @@ SIZE = 7.0, 4.2
 DPI = 200
 
 
-def plot_png(plot: Plot, drawn: Drawn, colors: Sequence[str], title: str) -> bytes:
+def plot_png(plot: Plot, drawn: PlotWindow, colors: Sequence[str], title: str) -> bytes:
     """A plot as PNG, with all that is in its window.
 
     Args:
@@ -26,12 +26,12 @@ def plot_png(plot: Plot, drawn: Drawn, colors: Sequence[str], title: str) -> byt
         colors: of the quantities that are plotted upwards, as CSS has them.
         title: above it.
     """
-    count, units = len(plot.wish.names), plot.units
+    count, units = len(plot.spec.names), plot.units
     figure = Figure(figsize=SIZE, dpi=DPI, layout="constrained")
     FigureCanvasAgg(figure)
     left = figure.add_subplot()
     axes = [left] if len(units) < 2 else [left, left.twinx()]
-    across = drawn.values[1 + count] if plot.wish.over else drawn.values[0]
+    across = drawn.values[1 + count] if plot.spec.over else drawn.values[0]
     lines = []
     for quantity, values, color in zip(plot.quantities, drawn.values[1:], colors, strict=False):
         axis = axes[units.index(quantity.unit)]
@@ -44,7 +44,7 @@ def plot_png(plot: Plot, drawn: Drawn, colors: Sequence[str], title: str) -> byt
             axis.invert_yaxis()
     last = plot.quantities[-1]
     over = f"{last.name}, {last.unit}" if last.unit else last.name
-    left.set_xlabel(over if plot.wish.over else "time, s", parse_math=False)
+    left.set_xlabel(over if plot.spec.over else "time, s", parse_math=False)
     left.set_title(title, parse_math=False)
     left.grid(color=palette("softrod", dark=False).css("line"), linewidth=0.8)
     left.set_axisbelow(True)

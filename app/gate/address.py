@@ -1,4 +1,4 @@
-"""Where the page is served: the socket to listen on, and the names a browser may reach it by."""
+"""Addresses: the socket to listen on, and the names by which browsers may reach the page."""
 
 import contextlib
 import errno
@@ -18,15 +18,14 @@ _FIELDS = {
     "room": re.compile(r"[A-Za-z]{0,4}", re.ASCII),
     "as": re.compile(r"(desk|wall|seat|check)?", re.ASCII),
 }
-"""What the query of a page's address may say: which controls there are (`app.ui.controls`), which scene
-(`app.ui.opening`), and which class, and as what the page takes part in that
-(`app.features.classroom`)."""
+"""Fields of the query of a page's address: controls (`app.ui.controls`), scene (`app.ui.opening`), class and
+role in it (`app.features.classroom`)."""
 
 _PAGE = re.compile(r".*/at/([0-9a-f]{32})", re.ASCII)
 
 
 def page_query(query: str) -> dict[str, str] | None:
-    """The fields of the query of a page's address, each as it stands there; None if it is none."""
+    """The fields of the query of a page's address, undecoded; None if it is not such a query."""
     fields: dict[str, str] = {}
     for field in query.split("&") if query else ():
         name, _, text = field.partition("=")
@@ -37,20 +36,20 @@ def page_query(query: str) -> dict[str, str] | None:
 
 
 def page_name(path: str) -> str:
-    """The name that a page has chosen for itself, by the path at which it connects; empty if it has none."""
+    """The name that a page has chosen for itself, from the path at which it connects; empty if none."""
     match = _PAGE.fullmatch(path)
     return match[1] if match else ""
 
 
 def visitor(peer: str, own: str, forwarded: Sequence[str], public: bool) -> str:
-    """What stands for one visitor where each has a share: an address, or the network that one customer has.
+    """The key of a visitor, for shares of the server: an address, or the network of one customer.
 
     Args:
         peer: address at the other end of the connection.
         own: the server's address at this end.
         forwarded: the values of ``X-Forwarded-For``, in order.
-        public: whether the page is reached through a proxy, which adds whom it speaks for at the end of the
-            last of these. Anything before was said by somebody else.
+        public: whether the page is reached through a proxy. It appends the address for which it speaks to the
+            last of these; anything before that anybody may have claimed.
     """
     addresses = ",".join(forwarded).split(",") if public else []
     try:
@@ -61,7 +60,7 @@ def visitor(peer: str, own: str, forwarded: Sequence[str], public: bool) -> str:
         if address.ipv4_mapped is not None:
             return str(address.ipv4_mapped)
         network = ipaddress.ip_network((address, 64), strict=False)
-        # A customer has as many addresses as they like, and a school's network has everybody's.
+        # A customer has a whole network of addresses, but the server's own network has many people's.
         if not addresses and ipaddress.ip_address(own) in network:
             return str(address)
         return str(network)
@@ -69,7 +68,7 @@ def visitor(peer: str, own: str, forwarded: Sequence[str], public: bool) -> str:
 
 
 class GateError(RuntimeError):
-    """The gate could not be put in place, so nothing is served."""
+    """The gate could not be installed, so nothing is served."""
 
 
 class PortBusy(OSError):
@@ -83,20 +82,20 @@ class PortBusy(OSError):
 
 
 def own_authorities(bound: str, host: str, port: int, extra_hosts: Sequence[str]) -> frozenset[str]:
-    """What a browser may send as Host to a server for `host` that is bound to the address `bound`."""
+    """The values of Host that browsers send to a server for `host` that is bound to the address `bound`."""
     names = {*extra_hosts, "localhost", "127.0.0.1", "::1"}
     names |= _machine_names() if ipaddress.ip_address(bound).is_unspecified else {host, bound}
     return frozenset(authority for name in names for authority in authorities(name, port))
 
 
 def authorities(name: str, port: int) -> set[str]:
-    """What a browser sends as Host for a name or address, which may carry a port of its own."""
+    """The values of Host that browsers send for a name or address, which may have a port of its own."""
     name = name.lower()
     if own := re.fullmatch(r"(\[.+\]|[^:]+):(\d+)", name):
         return {name, own[1]} if own[2] == "80" else {name}
     if ":" in name and not name.startswith("["):
         name = f"[{name}]"
-    # Browsers leave out HTTP's own port.
+    # Browsers omit the default port of HTTP.
     return {name, f"{name}:80"} if port == 80 else {f"{name}:{port}"}
 
 
@@ -113,16 +112,15 @@ _LOOPBACK = re.compile(r"(localhost|127\.0\.0\.1|\[::1\])(:\d{1,5})?")
 def is_loopback(host: str) -> bool:
     """Whether a Host is this machine's name for itself, with any port.
 
-    Such a name needs no list of ports, so that a tunnel may end at any (``ssh -L 9000:localhost:8080``). A
-    page that attacks by DNS rebinding has a name of its own, which it points here, and sends that: nobody can
-    own `localhost` or 127.0.0.1. A page of another program on this machine sends our port as Host and its
-    own as Origin, and the gate wants them to be equal.
-    """
+    Any port is safe, and tunnels need it (``ssh -L 9000:localhost:8080``). A DNS rebinding attack uses a name
+    of its own that points here, and sends that: nobody can own `localhost` or 127.0.0.1. A page of another
+    program on this machine sends our port as Host and its own as Origin, and the gate requires both to be
+    equal."""
     return _LOOPBACK.fullmatch(host) is not None
 
 
 def host_name(text: str) -> str:
-    """A further name of this server, with a port or without.
+    """Check a further name of this server, with or without a port.
 
     Raises:
         GateError: it is no such name.
@@ -137,14 +135,14 @@ def host_name(text: str) -> str:
 
 
 @dataclass(frozen=True)
-class Public:
-    """The address by which others reach the page, through whatever stands before the server.
+class PublicAddress:
+    """The address by which others reach the page through a proxy.
 
     Attributes:
         url: with a slash at its end.
-        origin: what browsers send as Origin.
-        hosts: what a proxy may pass on as Host.
-        folder: path under which the page is, with a slash at either end.
+        origin: that browsers send.
+        hosts: values of Host that a proxy may pass on.
+        folder: path of the page, with a slash at either end.
     """
 
     url: str
@@ -153,8 +151,8 @@ class Public:
     folder: str
 
 
-def public_address(text: str) -> Public:
-    """The address that others see.
+def public_address(text: str) -> PublicAddress:
+    """Read the address by which others reach the page.
 
     Raises:
         GateError: it is not the address of a page.
@@ -169,18 +167,18 @@ def public_address(text: str) -> Public:
         )
     site = origin(match[0].removesuffix("/").removesuffix(match[4]))
     folder = f"{match[4]}/"
-    # Some proxies pass on the name without its port.
+    # Some proxies pass the name on without its port.
     hosts = frozenset((match[2], f"{match[2]}:{match[3] or _OWN_PORTS[match[1]]}"))
-    return Public(site + folder, site, hosts, folder)
+    return PublicAddress(site + folder, site, hosts, folder)
 
 
 OF_THIS_MACHINE = ("http://localhost:*", "http://127.0.0.1:*")
-"""Origins of all sites that this machine serves to itself, for a Content Security Policy."""
+"""Origins of all sites on this machine, for a Content Security Policy."""
 
 
 def origin(text: str) -> str:
-    """A site's origin as browsers write it, which may be given with capitals, its usual port or a slash;
-    or one of `OF_THIS_MACHINE`.
+    """Normalize a site's origin, given with capitals, its default port or a slash; or one of
+    `OF_THIS_MACHINE`.
 
     Raises:
         GateError: it is not the origin of a site.
@@ -202,8 +200,8 @@ def origin(text: str) -> str:
 _OWNER_ALONE = "Only pages with #owner= in their address can change your scenes."
 
 
-def exposure(host: str, public: Public | None = None) -> str | None:
-    """What serving on `host` exposes, in words for the terminal; None if only this machine can connect.
+def exposure(host: str, public: PublicAddress | None = None) -> str | None:
+    """A warning on what serving on `host` exposes; None if only this machine can connect.
 
     Args:
         public: the address by which others reach it through a proxy, if any.
@@ -223,8 +221,8 @@ def exposure(host: str, public: Public | None = None) -> str | None:
     )
 
 
-def class_exposure(host: str, public: Public | None = None) -> str:
-    """What a class that is served on `host` exposes, in words for the terminal.
+def class_exposure(host: str, public: PublicAddress | None = None) -> str:
+    """A warning on what a class served on `host` exposes.
 
     Args:
         public: the address by which others reach it through a proxy, if any.
@@ -241,14 +239,14 @@ def class_exposure(host: str, public: Public | None = None) -> str:
 
 
 def _is_this_machine(host: str) -> bool:
-    """Whether only this machine reaches a server for `host`."""
+    """Whether only this machine can reach a server for `host`."""
     with contextlib.suppress(OSError):
         return ipaddress.ip_address(_resolve(host, 0)[1][0]).is_loopback
     return False
 
 
 def listen(host: str, port: int) -> socket.socket:
-    """Open the socket to serve from, without viser's silent step to the next port if this one is taken."""
+    """Open the socket to serve from; unlike viser, do not silently take the next port if this one is busy."""
     if not 0 <= port <= 65535:
         raise GateError(f"Port {port} is not a number from 0 to 65535.")
     try:
@@ -262,7 +260,7 @@ def listen(host: str, port: int) -> socket.socket:
 
 
 def _next_free(host: str, port: int) -> int:
-    # Port 0, any free port, is the last that is tried.
+    # The last resort is port 0, any free port.
     for candidate in (*range(port + 1, 65536), 0):
         with contextlib.suppress(OSError):
             family, address = _resolve(host, candidate)
@@ -272,42 +270,42 @@ def _next_free(host: str, port: int) -> int:
 
 
 def _resolve(host: str, port: int) -> tuple[socket.AddressFamily, Any]:
-    """The address to bind for a host, of IPv4 if there is a choice."""
+    """The address to bind for a host, IPv4 if there is a choice."""
     found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
     family, _, _, _, address = min(found, key=lambda info: info[0] != socket.AF_INET)
     return family, address
 
 
-_TOWARDS = ("192.0.2.1", "10.255.255.254", "172.31.255.254", "192.168.255.254")
-"""Addresses in the networks that this machine may be part of; nothing is sent there."""
+_PROBES = ("192.0.2.1", "10.255.255.254", "172.31.255.254", "192.168.255.254")
+"""Addresses in networks that this machine may be part of; nothing is sent to them."""
 
 
 _VIRTUAL = re.compile(
     r"(docker|podman|cni|br-|virbr|veth|lxc|lxd|vbox|vmnet|vEthernet|tun|tap|utun|wg|ppp|tailscale|zt)"
 )
-"""Beginnings of the names that networks of virtual machines, containers and tunnels have."""
+"""Prefixes of the names of interfaces to virtual machines, containers and tunnels."""
 
 
 def is_virtual(name: str) -> bool:
-    """Whether a network interface, by its name, is one that no other machine is at."""
+    """Whether a network interface, by its name, reaches no other machine."""
     return _VIRTUAL.match(name) is not None
 
 
 _ASK_ADDRESS = {"linux": 0x8915, "darwin": 0xC0206921}
-"""SIOCGIFADDR, which asks the system for the IPv4 address of a network interface."""
+"""SIOCGIFADDR, the request for the IPv4 address of a network interface."""
 
 
 def interfaces() -> dict[str, str]:
-    """The names of this machine's network interfaces by their IPv4 addresses, where the system tells them."""
+    """The names of this machine's network interfaces by their IPv4 addresses, if the system tells them."""
     found: dict[str, str] = {}
     request = _ASK_ADDRESS.get(sys.platform)
     if request is None:
         return found
-    import fcntl  # there is none on Windows
+    import fcntl  # not on Windows
 
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asking:
         for _, name in socket.if_nameindex():
-            # One that is down, or has no address of IPv4, is an error.
+            # An interface that is down, or has no IPv4 address, raises.
             with contextlib.suppress(OSError):
                 answer = fcntl.ioctl(asking, request, struct.pack("256s", name.encode()[:15]))
                 found[socket.inet_ntoa(answer[20:24])] = name
@@ -315,15 +313,14 @@ def interfaces() -> dict[str, str]:
 
 
 def local_addresses() -> list[str]:
-    """The IPv4 addresses of this machine that others can type.
+    """The IPv4 addresses by which others may reach this machine.
 
-    The one towards the internet comes first, and networks that only this machine is in come last. The hotspot
-    of a laptop is on the way to nowhere: its address is known from its interface alone.
-    """
+    The one towards the internet comes first; networks that only this machine is in come last. The hotspot of
+    a laptop is no route to anywhere: its address is known from its interface alone."""
     names = interfaces()
     found: list[str] = []
-    for towards in _TOWARDS:
-        # The system says from which address it would send, without sending.
+    for towards in _PROBES:
+        # The system reports from which address it would send, without sending.
         with contextlib.suppress(OSError), socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
             probe.connect((towards, 9))
             found.append(probe.getsockname()[0])
@@ -333,25 +330,25 @@ def local_addresses() -> list[str]:
     return sorted(others, key=lambda address: is_virtual(names.get(address, "")))
 
 
-def address_for_others(page: str, host: str, port: int, public: Public | None) -> str:
+def address_for_others(page: str, host: str, port: int, public: PublicAddress | None) -> str:
     """The address by which others reach a page that was itself reached by the address `page`.
 
     Args:
         page: with a slash at its end.
         host, port: where the server listens.
-        public: the address that it was told, if any.
+        public: the address of a proxy, if any.
     """
     if public is not None:
         return public.url
-    # On "::" the socket is of IPv6 alone, and those addresses are of IPv4.
+    # On "::" the socket is IPv6 only, and local addresses are IPv4.
     if not is_loopback(page.split("/")[2].lower()) or host != "0.0.0.0":
         return page
     return next((f"http://{address}:{port}/" for address in local_addresses()), page)
 
 
 def page_addresses(host: str, port: int) -> list[str]:
-    """What can be typed in a browser to open the page, on this machine first."""
-    # On "::" the socket is of IPv6 alone.
+    """Addresses of the page, that on this machine first."""
+    # On "::" the socket is IPv6 only.
     names = ["127.0.0.1", *local_addresses()] if host == "0.0.0.0" else ["::1" if host == "::" else host]
     return [f"http://[{name}]:{port}" if ":" in name else f"http://{name}:{port}" for name in names]
 

@@ -1,12 +1,12 @@
 """The security gate in front of viser.
 
-viser itself accepts a connection from any web page, lets a client set any attribute of the handles it
-knows, stores uploads of any size and opens a public tunnel on request. The gate stands between viser and
-the network: it checks every request's Host and Origin, serves nothing but the page, and lets through only
-messages that the page has reason to send. Messages that come too fast are read more slowly, not lost.
+viser itself accepts connections from any web page, lets a client set any attribute of the handles it knows,
+stores uploads of any size, and opens a public tunnel on request. The gate stands between viser and the
+network: it checks the Host and Origin of every request, serves nothing but the page, and passes only messages
+that the page has a reason to send. Messages that come too fast are delayed, not lost.
 
-What remains to the caller: give each client handles of its own (``client.gui``, ``client.scene``), which
-other clients cannot reach, and clamp every value, since the limits of a slider live in the browser only.
+It remains to the caller to give each client its own handles (``client.gui``, ``client.scene``), which other
+clients cannot reach, and to clamp every value, since the limits of a slider exist in the browser only.
 """
 
 import asyncio
@@ -27,10 +27,13 @@ from websockets.http11 import Request, Response
 from websockets.protocol import Event
 from websockets.server import ServerProtocol
 
-from app.gate.address import (
+# viser reads messages of the kinds that exist when the first one comes, so this is imported before.
+from .. import viser_inside as viser_inside
+from . import messages as gate_messages
+from .address import (
     GateError,
     PortBusy,
-    Public,
+    PublicAddress,
     authorities,
     exposure,
     host_name,
@@ -44,70 +47,65 @@ from app.gate.address import (
     public_address,
     visitor,
 )
-from app.gate.messages import (
-    BEAT,
-    MAX_FRAME_BYTES,
-    GuiUpdateMessage,
-    Reason,
-    Refused,
-    is_alike,
-)
-
-# viser reads messages of the kinds that there are when the first one comes: it is imported before.
-from .. import viser_inside as viser_inside
-from . import messages as gate_messages
+from .messages import BEAT, MAX_FRAME_BYTES, GuiUpdateMessage, Reason, Refused, is_alike
 from .replies import StaticFile, not_this_host, not_this_origin, respond, safety_headers
 
 __all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server", "page_addresses"]
 
 MAX_TABS = 64
-"""Pages at once: each has a simulation with its past, of up to some hundred MB, and a share of one thread.
+"""Pages at once. Each has a simulation with its past, of up to some hundred MB, and a share of one thread. A
+class of 60 seats fits, with its teacher and its wall."""
 
-A class of 60 seats has room in it, with its teacher and its wall."""
-
-# All pages of a full server may come back at once, and go on doing so for a while. Who tries the letters of a
-# class one after the other needs half a day for all of them.
 CONNECTIONS_PER_SECOND = 5.0
+"""Of all pages. Trying all letters of a class then takes half a day."""
 CONNECTION_BURST = 200.0
+"""All pages of a full server may come back at once, three times."""
 
-# A school may be one address, so one visitor can have a class's, but no more than half of what there is.
 VISITOR_CONNECTIONS_PER_SECOND = 2.5
+"""Of one visitor: half of what there is."""
 VISITOR_CONNECTION_BURST = 100.0
+"""As above; enough for a class behind a school's one address."""
 
-# Of one address that are open and have become no page: a class behind one address fetches the page's files
-# by six at a time each. A system has a thousand for a program, or more.
 MAX_KNOCKING = 500
+"""Open connections of one address that are no pages yet: each page of a class behind one address fetches six
+files at a time. The operating system allows a program a thousand or more."""
 
-# A page sends at most some 300 messages a second: the pointer once per frame of a fast screen (240 Hz), the
-# camera and each slider at 20 Hz.
 MESSAGES_PER_SECOND = 1000.0
+"""Of one page. It sends at most some 300: the pointer at 240 Hz, the camera and each slider at 20 Hz."""
 MESSAGE_BURST = 2000.0
-# Every started 64 KiB counts as a message, so that large ones are paced by their bytes.
+"""Two seconds of the above, saved up."""
 BYTES_PER_MESSAGE = 64 * 1024
+"""Every started piece of so many counts as a message, so that large ones are paced by size."""
 
-# Pings, pongs and continuation frames never reach recv(), where messages are paced. A browser sends one
-# pong every 20 s, and may cut a message into a handful of frames.
 EXTRA_FRAMES_PER_SECOND = 200.0
+"""Pings, pongs and continuation frames, which never reach recv(), where messages are paced. A browser sends
+one pong every 20 s, and may cut a message into a handful of frames."""
 EXTRA_FRAME_BURST = 2000.0
+"""Ten seconds of the above, saved up."""
 
-# Frames that wait for viser in memory.
 MAX_QUEUED_FRAMES = 4
+"""Frames that wait for viser in memory."""
 
 _HERE = ("127.0.0.1", "::1")
-"""This machine: its owner, or whomever a proxy speaks for without saying so."""
+"""This machine: its owner, or anybody for whom a proxy speaks without saying so."""
 
 MAX_ADVICE = 5
+"""Different refusals that are reported to whoever started the server."""
 
 PAGE_PATHS = ("/", "/index.html", "/s")
+"""Where the page is; /s in links to scenes."""
 
 CHECK = "/check"
-"""The page on which a device tries whether it can take part in a class."""
+"""The page on which a device checks whether it can take part in a class."""
 
 VIDEO = "/video"
-"""The page that reads places off a video."""
+"""The page that tracks positions in a video."""
 
 REACH = "/reach"
-"""A page that gets no connection asks here why: a browser does not tell it what a refusal says."""
+"""Where a page asks why it gets no connection, which browsers do not say."""
+
+PROXY_HEADERS = ("Forwarded", "X-Forwarded-For", "X-Forwarded-Host", "X-Forwarded-Proto", "X-Real-IP", "Via")
+"""What proxies add to the requests that they pass on."""
 
 
 class Budget:
@@ -121,7 +119,7 @@ class Budget:
 
     @property
     def left(self) -> float:
-        """What can be spent now."""
+        """Tokens that can be spent now."""
         now = time.monotonic()
         self._left = min(self._burst, self._left + (now - self._updated) * self._rate)
         self._updated = now
@@ -129,11 +127,11 @@ class Budget:
 
     @property
     def is_full(self) -> bool:
-        """Whether it is as it was at first."""
+        """Whether nothing of the burst is missing."""
         return self.left >= self._burst
 
     def spend(self, amount: float) -> float:
-        """Take `amount` and return the seconds until the budget is no longer overdrawn."""
+        """Spend `amount`; the seconds until the budget is no longer overdrawn."""
         self._left = self.left - amount
         return max(0.0, -self._left / self._rate)
 
@@ -156,7 +154,7 @@ class Connection(ServerConnection):
     async def recv(self, decode: bool | None = None) -> Any:
         """The next message for viser."""
         while True:
-            # Pausing before the read, not after it: a cancelled recv() must not lose a message.
+            # Pause before the read, not after it: a cancelled recv() must not lose a message.
             if self._pause:
                 await asyncio.sleep(self._pause)
             data = await super().recv(decode)
@@ -165,16 +163,16 @@ class Connection(ServerConnection):
             if admitted == BEAT:
                 await self._answer_beat()
             elif admitted is not None:
-                self._gate.tell_heard(self)
+                self._gate.report_activity(self)
                 return admitted
 
     async def _answer_beat(self) -> None:
-        # What is on its way is a sign of life, too; to wait behind it would hold up the page's messages.
+        # Data on their way are a sign of life, too; waiting behind them would delay the page's messages.
         if not self.transport.get_write_buffer_size():
             await self.send(viser_inside.batch())
 
     def process_event(self, event: Event) -> None:
-        """Cut the connection if it sends endless frames that are no messages."""
+        """Cut the connection if it keeps sending frames that are no messages."""
         super().process_event(event)
         if not isinstance(event, Frame) or event.opcode in (Opcode.TEXT, Opcode.BINARY):
             return
@@ -183,7 +181,7 @@ class Connection(ServerConnection):
             self.transport.abort()
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Cut a connection of somebody who has too many that ask for nothing."""
+        """Cut the connection if its address has too many that request nothing."""
         super().connection_made(transport)
         if not self._gate.knock(self):
             self.transport.abort()
@@ -194,20 +192,14 @@ class Connection(ServerConnection):
         self._gate.forget(self)
 
 
-PROXY_HEADERS = (
-    "Forwarded", "X-Forwarded-For", "X-Forwarded-Host", "X-Forwarded-Proto", "X-Real-IP", "Via",
-)  # fmt: skip
-"""What proxies add to the requests that they hand on."""
-
-
 class Gate:
     """Decides what reaches a viser server, and counts what does not.
 
     Attributes:
-        loopback: whether only this machine can connect, and nothing else is known to lead here.
-        heard: is called with the number of a page that has said something, before viser reads it.
-        advice: for whoever started the server, why pages were refused, and which option lets them in. Anybody
-            who reaches the server can cause some, so there are never more than a few.
+        loopback: whether only this machine can connect, and no proxy is known.
+        heard: called with the number of a page that has sent something, before viser reads it.
+        advice: for whoever started the server, why pages were refused, and which option admits them. Anybody
+            can cause some, so there are never more than `MAX_ADVICE`.
     """
 
     def __init__(
@@ -215,7 +207,7 @@ class Gate:
         hosts: frozenset[str],
         files: Mapping[str, StaticFile],
         embed: Sequence[str] = (),
-        public: Public | None = None,
+        public: PublicAddress | None = None,
         loopback: bool = False,
         more_tabs: int = 0,
     ) -> None:
@@ -231,11 +223,11 @@ class Gate:
         self._server: viser.ViserServer | None = None
         self._tabs: set[Connection] = set()
         self._connections = Budget(CONNECTIONS_PER_SECOND, CONNECTION_BURST)
-        self._visitors: dict[str, Budget] = {}  # who connected lately
-        self._knocking: set[Connection] = set()  # that are no pages, or not yet
+        self._visitors: dict[str, Budget] = {}  # that have connected lately
+        self._knocking: set[Connection] = set()  # connections that are no pages, or not yet
 
     def open(self, server: viser.ViserServer) -> None:
-        """Begin to admit; until now every request is refused."""
+        """Begin to admit requests; until now all are refused."""
         self._server = server
 
     def answer(
@@ -261,25 +253,29 @@ class Gate:
         else:
             response = viser_answer(connection, request)
         if response is None:
-            for former in self._former(request):
-                former.transport.abort()
-            others = self._others(request)
-            if len(others) >= self._most_tabs and (crowd := _crowd(others, connection.visitor)) is not None:
-                crowd.transport.abort()
-            connection.page = page_name(request.path.partition("?")[0])
-            self._tabs.add(connection)
-            self._knocking.discard(connection)
-            self._connections.spend(1)
-            self._budget(connection.visitor).spend(1)
+            self._admit_page(connection, request)
         else:
             response.headers.update(self._headers)
         return response
+
+    def _admit_page(self, connection: Connection, request: Request) -> None:
+        """Count a page, in place of its former connections, or of another's page if the server is full."""
+        for former in self._former(request):
+            former.transport.abort()
+        others = self._others(request)
+        if len(others) >= self._max_tabs and (crowd := _crowd(others, connection.visitor)) is not None:
+            crowd.transport.abort()
+        connection.page = page_name(request.path.partition("?")[0])
+        self._tabs.add(connection)
+        self._knocking.discard(connection)
+        self._connections.spend(1)
+        self._budget(connection.visitor).spend(1)
 
     def _refusal(self, connection: Connection, request: Request) -> tuple[Reason, HTTPStatus, str] | None:
         if self._server is None:
             return "starting", HTTPStatus.SERVICE_UNAVAILABLE, "The server is starting."
         hosts = [host.lower() for host in request.headers.get_all("Host")]
-        # A page of another site that points its own name at this machine sends that name.
+        # A page of another site whose name points to this machine sends that name.
         behind = self._public.hosts if self._public else frozenset()
         own = len(hosts) == 1 and self._is_own(hosts[0], connection)
         if not own and (len(hosts) != 1 or hosts[0] not in behind):
@@ -289,7 +285,7 @@ class Gate:
             if request.path == REACH:
                 return self._refusal_of_page(hosts[0], own, connection, request, "X-Softrod-Origin")
             path, _, query = request.path.partition("?")
-            # viser's page would connect to whatever server a query names and run its scripts.
+            # viser's page would connect to any server that a query names, and run its scripts.
             if query and (path not in (*PAGE_PATHS, CHECK) or page_query(query) is None):
                 return "path", HTTPStatus.TEMPORARY_REDIRECT, "This page takes no such parameters."
             if path not in PAGE_PATHS and path not in self._files:
@@ -302,15 +298,15 @@ class Gate:
     def _refusal_of_page(
         self, host: str, own: bool, connection: Connection, request: Request, header: str
     ) -> tuple[Reason, HTTPStatus, str] | None:
-        """Why a page may not connect that names its origin in a header; `own`: the host needs no proxy."""
+        """Why a page that names its origin in a header may not connect; `own`: the host needs no proxy."""
         origins = [origin.lower() for origin in request.headers.get_all(header)]
-        # By the public address only as it is: nobody's page at http:// is to pass for the one at https://.
+        # The public address counts only with its scheme: a page at http:// must not pass for one at https://.
         known = {f"http://{host}"} if own else set()
         if self._public is not None:
             known.add(self._public.origin)
         if len(origins) != 1 or origins[0] not in known:
             return "origin", HTTPStatus.FORBIDDEN, not_this_origin(*origins[:1])
-        most, who, others = self._most_tabs, connection.visitor, self._others(request)
+        most, who, others = self._max_tabs, connection.visitor, self._others(request)
         if len(others) >= most and _crowd(others, who) is None:
             sentence = f"This server is full: it has room for {most} pages. Close one that nobody needs."
             return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, sentence
@@ -319,16 +315,16 @@ class Gate:
         return None
 
     @property
-    def _most_tabs(self) -> int:
-        """Pages for which there is room."""
+    def _max_tabs(self) -> int:
+        """Pages at once, at most."""
         return MAX_TABS + self._more_tabs
 
     def _others(self, request: Request) -> set[Connection]:
-        """The pages that there are beside the one that connects."""
+        """The pages besides the one that connects."""
         return {tab for tab in self._tabs if not tab.transport.is_closing()} - self._former(request)
 
     def _budget(self, visitor: str) -> Budget:
-        """What a visitor can spend on connections; none but those of the last minute are remembered."""
+        """A visitor's budget of connections; budgets that are full again are forgotten."""
         if visitor not in self._visitors:
             left = ((who, budget) for who, budget in self._visitors.items() if not budget.is_full)
             self._visitors = dict(left)
@@ -346,7 +342,7 @@ class Gate:
         return getattr(viser_inside.connections(self._server).get(client_id), "visitor", "")
 
     def _former(self, request: Request) -> set[Connection]:
-        """Connections of the page that connects: their path has died, of which this end was not told."""
+        """Earlier connections of the page that connects, which are lost without this end having noticed."""
         name = page_name(request.path.partition("?")[0])
         return {tab for tab in self._tabs if name and tab.page == name}
 
@@ -361,10 +357,9 @@ class Gate:
         return request.headers["Host"] if request is not None else ""
 
     def is_local(self, client_id: int) -> bool:
-        """Whether a page is certainly of this machine: nobody else can connect, and no proxy says that it did
-        for somebody else.
+        """Whether a page is certainly of this machine: nobody else can connect, and no proxy passed it on.
 
-        Behind a proxy every connection comes from this machine, so that its address alone proves nothing.
+        Behind a proxy every connection comes from this machine, so its address alone proves nothing.
         """
         request = self._request_of(client_id)
         return self.loopback and request is not None and not any(map(request.headers.get_all, PROXY_HEADERS))
@@ -375,21 +370,21 @@ class Gate:
         return getattr(viser_inside.connections(self._server).get(client_id), "request", None)
 
     def _is_own(self, host: str, connection: Connection) -> bool:
-        # The address the request came in at is this machine's, whichever network it belongs to.
+        # The address at which the request arrived is this machine's, in whichever network.
         address, port, *_ = connection.local_address
         return host in self._hosts or is_loopback(host) or host in authorities(address, port)
 
     def _without_folder(self, request: Request) -> Request:
-        """The request without the folder of the public address, which a proxy takes away or leaves."""
+        """The request without the folder of the public address, which proxies may remove or leave."""
         folder = self._public.folder if self._public else "/"
         if folder == "/" or not request.path.startswith(folder):
             return request
         return dataclasses.replace(request, path=request.path[len(folder) - 1 :])
 
     def knock(self, connection: Connection) -> bool:
-        """Whether a connection may go on to say what it wants.
+        """Whether a new connection may send its request.
 
-        Whoever opens many and says nothing would use up what the system has for all.
+        Otherwise anybody could use up all connections of the system by opening them silently.
         """
         if not connection.remote_address:
             return False
@@ -401,12 +396,12 @@ class Gate:
         return True
 
     def forget(self, tab: Connection) -> None:
-        """Drop everything held for a tab that is gone."""
+        """Forget a tab that is gone."""
         self._tabs.discard(tab)
         self._knocking.discard(tab)
 
     def admit(self, tab: Connection, data: str | bytes) -> bytes | None:
-        """Return the message for viser to read, or None if it must not see it."""
+        """The message for viser, or None if it must not see it."""
         try:
             if isinstance(data, str):
                 raise Refused("text")
@@ -420,8 +415,8 @@ class Gate:
             return None
         return gate_messages.write(message)
 
-    def tell_heard(self, tab: Connection) -> None:
-        """Tell that a page has said something."""
+    def report_activity(self, tab: Connection) -> None:
+        """Report that a page has sent something."""
         if tab.number is None:
             assert self._server is not None
             live = viser_inside.connections(self._server)
@@ -430,25 +425,23 @@ class Gate:
             self.heard(tab.number)
 
     def _input_handle(self, tab: Connection, uuid: str) -> Any:
-        """The GUI element that a tab's message reaches: one of its own or one shared by all."""
+        """The GUI element of a tab's message: its own, or one shared by all."""
         assert self._server is not None
         if tab.client is None:
             live = viser_inside.connections(self._server)
             clients = self._server.get_clients().items()
             tab.client = next((client for key, client in clients if live.get(key) is tab), None)
-        shared = viser_inside.input_handle(self._server, uuid)
-        return (
-            shared
-            if shared is not None or tab.client is None
-            else viser_inside.input_handle(tab.client, uuid)
-        )
+        handle = viser_inside.input_handle(self._server, uuid)
+        if handle is None and tab.client is not None:
+            handle = viser_inside.input_handle(tab.client, uuid)
+        return handle
 
 
 def _crowd(tabs: set[Connection], visitor: str) -> Connection | None:
-    """The page that gives way to a visitor's in a full server: the newest of whoever has the most.
+    """The page that a visitor's replaces in a full server: the newest of the visitor with the most pages.
 
-    So nobody can keep others out by opening page after page. Whoever had to give way has no fewer pages than
-    the newcomer, and does not come back in its place.
+    So nobody can keep others out by opening page after page. The other visitor has at least as many pages
+    left as the newcomer, and cannot replace it in turn.
 
     Returns:
         None if the visitor would have as many as anybody.
@@ -479,16 +472,20 @@ def open_server(
     public_url: str | None = None,
     more_tabs: int = 0,
 ) -> GatedServer:
-    """Serve viser's page on `host` and `port` (0 for any free port) behind the gate.
+    """Serve viser's page behind the gate.
 
-    `extra_hosts` are further names the page is reached by, with their port if it is not `port`
-    (``"localhost:9000"`` for a forwarded one). `files` are served by their paths, before viser's own.
-    `embed` are the origins of the sites that may show the page in a frame (``"https://school.example"``).
-    `public_url` is the address by which others reach the page, through a proxy
-    (``"https://school.example/lab/"``). There is room for MAX_TABS pages, and `more_tabs`.
+    Args:
+        host, port: where to listen; port 0 for any free one.
+        label: of the page's title.
+        extra_hosts: further names of the server, with their port if it is not `port`, as in "localhost:9000".
+        files: served by their paths, before viser's own.
+        embed: origins of the sites that may show the page in a frame, as in "https://school.example".
+        public_url: the address by which others reach the page through a proxy, with its folder.
+        more_tabs: pages beyond MAX_TABS.
 
-    Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place or an origin, a
-    name or an address makes no sense.
+    Raises:
+        PortBusy: another program listens on the port.
+        GateError: the gate cannot be installed, or an origin, a name or an address makes no sense.
     """
     if viser.__version__ != viser_inside.VERSION:
         raise GateError(f"viser {viser_inside.VERSION} is needed, but {viser.__version__} is installed.")
@@ -503,7 +500,7 @@ def open_server(
 
     def options_of(viser_answer: Callable[..., Response | None]) -> dict[str, Any]:
         return {
-            # This one holds the port until then, and is closed whatever happens.
+            # The listener itself holds the port until then, and is closed in any case.
             "sock": listener.dup(),
             "process_request": functools.partial(gate.answer, viser_answer),
             "create_connection": functools.partial(Connection, gate),
@@ -521,12 +518,6 @@ def open_server(
     return server
 
 
-class _NoHandshakeErrors(logging.Filter):
-    """Silences the traceback that websockets logs for every request it cannot parse."""
-
-    def filter(self, record: logging.LogRecord) -> bool:
-        return record.getMessage() != "opening handshake failed"
-
-
 _logger = logging.getLogger(__name__)
-_logger.addFilter(_NoHandshakeErrors())
+# websockets logs a traceback for every request that it cannot parse.
+_logger.addFilter(lambda record: record.getMessage() != "opening handshake failed")

@@ -1,13 +1,13 @@
-"""The messages a page may send, each with the exact shape the page gives it.
+"""The messages that a page may send, with their exact shapes.
 
-One strict msgspec structure per message: an unknown type, an unknown or missing field, a wrong kind of
-value, a NaN or an infinite number all fail to decode. What passes is encoded afresh for viser, so viser
-reads exactly what was checked, however oddly the original bytes were put together.
+There is one strict msgspec structure for each. An unknown type, an unknown or missing field, a value of
+another kind, a NaN or an infinity is an error. What passes is encoded again for viser, so that viser reads
+exactly what was checked, however oddly the original bytes were composed.
 
-The names and fields are those of viser 1.1.1; a test compares them with viser's own. Left out on purpose:
-share requests (they open a public tunnel), form messages (viser stores and repeats them to every tab),
-clicks and drags of the scene, buttons that are held and uploads (the script has its own), render and local
-storage answers (never asked for), and everything only a server sends.
+Names and fields are those of viser 1.1.1; a test compares them. Left out on purpose are share requests (they
+open a public tunnel), form messages (viser stores and repeats them to every tab), clicks and drags of the
+scene, buttons that are held, uploads (the page's script has its own), render and local storage answers (never
+requested), and everything that only a server sends.
 """
 
 import sys
@@ -20,11 +20,11 @@ import msgspec
 from msgspec import Meta, Struct
 
 MAX_MESSAGE_BYTES = 64 * 1024
-"""Limit for any message. A pose or a slider needs under 400 bytes; the rest is room for a part of a long
-text, and for one that is pasted into a text field."""
+"""Bytes of a message, at most. A pose or a slider needs less than 400; the rest is for a part of a long text,
+or for one pasted into a text field."""
 
 MAX_FRAME_BYTES = 2 * MAX_MESSAGE_BYTES
-"""Limit for whatever arrives; beyond it the connection is cut."""
+"""Bytes of a WebSocket frame; beyond, the connection is cut."""
 
 Reason = Literal[
     # Why a request was answered by the gate instead of viser.
@@ -55,7 +55,7 @@ class Refused(Exception):
         self.reason: Reason = reason
 
 
-# Bounds are the cheapest way to refuse NaN and infinity: no comparison with NaN holds.
+# Bounds are the cheapest way to refuse NaN and infinity: every comparison with NaN is false.
 _Number = Annotated[float, Meta(ge=-sys.float_info.max, le=sys.float_info.max)]
 _Vector3 = tuple[_Number, _Number, _Number]
 _Quaternion = tuple[_Number, _Number, _Number, _Number]
@@ -63,7 +63,7 @@ _Count = Annotated[int, Meta(ge=0)]
 _Name = Annotated[str, Meta(max_length=255)]
 
 Value = bool | int | _Number | str
-"""What an element of the panel may be set to; none of softrod's is a vector or a colour."""
+"""Values of the panel's elements; none of softrod's is a vector or a colour."""
 
 
 class PageMessage(Struct, forbid_unknown_fields=True, tag_field="type", tag=True):
@@ -115,13 +115,13 @@ class TransformControlsDragEndMessage(PageMessage):
 
 
 class SoftrodMessage(PageMessage):
-    """What the page's own script says: JSON, which `app.wire` reads and checks."""
+    """A message of the page's own script: JSON, which `app.wire` decodes and checks."""
 
     text: str
 
 
 class BeatMessage(PageMessage):
-    """The page has heard nothing for a while, and wants a sign of life. The gate gives it, not viser."""
+    """The page has received nothing for a while, and asks for a sign of life; the gate answers, not viser."""
 
 
 PAGE_MESSAGES: tuple[type[PageMessage], ...] = tuple(PageMessage.__subclasses__())
@@ -138,7 +138,7 @@ _any_message: msgspec.msgpack.Decoder[PageMessage] = msgspec.msgpack.Decoder(red
 _head = msgspec.msgpack.Decoder(_Head)
 _encode = msgspec.msgpack.Encoder().encode
 
-# Everything msgspec raises for bytes it cannot make sense of.
+# Everything that msgspec raises for malformed bytes.
 _UNREADABLE = (msgspec.MsgspecError, UnicodeDecodeError, RecursionError)
 
 

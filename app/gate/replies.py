@@ -1,4 +1,4 @@
-"""What is answered to plain requests: files, and why something is refused."""
+"""Answers to plain requests: files, and reasons for a refusal."""
 
 import dataclasses
 import gzip
@@ -26,11 +26,11 @@ class StaticFile:
 
 
 def safety_headers(embed: Sequence[str]) -> dict[str, str]:
-    """What every answer has besides.
+    """The headers of every answer.
 
     Args:
-        embed: origins of sites that may show the page in a frame, as `origin` gives them. No other site may,
-            since it could steer clicks on the page.
+        embed: origins of sites that may show the page in a frame, see `origin`. Any other site could trick
+            users into clicks on the page.
     """
     headers = {
         "Content-Security-Policy": "frame-ancestors " + (" ".join(embed) or "'none'"),
@@ -39,7 +39,7 @@ def safety_headers(embed: Sequence[str]) -> dict[str, str]:
         "Referrer-Policy": "no-referrer",
         "Cross-Origin-Resource-Policy": "same-origin",
     }
-    # The older header knows no list of sites, and would turn all of them away.
+    # The older header allows no list of sites, and would block all of them.
     return headers if embed else {**headers, "X-Frame-Options": "DENY"}
 
 
@@ -47,7 +47,7 @@ _SHOWN = re.compile(r"(https?://)?[\w.\[\]:-]{1,250}", re.ASCII)
 
 
 def not_this_host(host: str = "") -> str:
-    """What to do about a Host that is not this server's."""
+    """A sentence on a Host that is not this server's, with the remedy."""
     if not _SHOWN.fullmatch(host):
         return "softrod does not answer to this address."
     return (
@@ -58,7 +58,7 @@ def not_this_host(host: str = "") -> str:
 
 
 def not_this_origin(origin: str = "") -> str:
-    """What to do about an Origin whose pages may not connect."""
+    """A sentence on an Origin whose pages may not connect, with the remedy."""
     said = "Only this server's own page may connect."
     if not _SHOWN.fullmatch(origin):
         return said
@@ -69,6 +69,7 @@ def not_this_origin(origin: str = "") -> str:
 
 
 def respond(file: StaticFile, request: Request) -> Response:
+    """Answer with a file, compressed if the browser accepts that."""
     compressed = "gzip" in request.headers.get("Accept-Encoding", "")
     body = file.content if compressed else gzip.decompress(file.content)
     headers = Headers(

@@ -1,4 +1,4 @@
-"""`softrod [SCENE]`: serves the page until it is told to stop."""
+"""`softrod [SCENE]`: serves the page until a signal stops it."""
 
 from __future__ import annotations
 
@@ -32,7 +32,14 @@ from ..features.classroom.roles import (
     seat_address,
     wall_address,
 )
-from ..gate.address import address_for_others, class_exposure, interfaces, is_virtual, public_address
+from ..gate.address import (
+    PublicAddress,
+    address_for_others,
+    class_exposure,
+    interfaces,
+    is_virtual,
+    public_address,
+)
 from ..gate.gate import GatedServer, exposure, open_server, page_addresses
 from ..linking import print_qr_code
 from ..pages.check.page import check_address
@@ -45,7 +52,52 @@ from ..wire.carrier import Mail
 from .ticker import Ticker
 
 PAGES_OF_CLASS = 40
-"""Pages for which there is room beside the others, for each class after the first."""
+"""Pages by which the limit rises for each class after the first."""
+
+
+class _Tabs:
+    """Makes the tab of each page that connects; arguments as of `serving`.
+
+    Attributes:
+        server: set before the first page connects.
+    """
+
+    server: GatedServer
+
+    def __init__(
+        self, scene: sim.Scene, host: str, public: PublicAddress | None, classes: Classes, compiler: Compiler
+    ) -> None:
+        self._scene, self._host, self._public = scene, host, public
+        self._classes, self._compiler = classes, compiler
+
+    def _for_others(self, page: str) -> str:
+        """The address by which others reach a page."""
+        return address_for_others(page, self._host, self.server.get_port(), self._public)
+
+    def _begin_class(self, scene: sim.Scene) -> str:
+        """Begin a class with a scene; the address of its desk."""
+        return desk_address("", self._classes.begin((scene,)))
+
+    def make(self, client: viser.ClientHandle) -> Tab:
+        """The tab of a page; which one is named by its address."""
+        gate, client_id = self.server.gate, client.client_id
+        query, owned = gate.query_of(client_id), gate.is_local(client_id)
+        classroom = class_of_query(query, self._classes)
+        if is_check(query):
+            check, rope = CheckRole(classroom), sim.load_scene("rope")
+            return Tab(client, rope, self._compiler, "", owned, self._for_others, lambda _: check)
+        # With several networks, pupils are in the one that the teacher's page was opened in.
+        base = self._for_others(f"http://{gate.host_of(client_id)}/")
+
+        def role(mail: Mail) -> Role | None:
+            download = partial(client.send_file_download, save_immediately=True)
+            visitor = gate.visitor_of(client_id)
+            return role_of_query(query, mail, self._classes, base, owned, visitor, download)
+
+        first = (classroom and first_scene(classroom)) or self._scene
+        begin = None if gate.loopback and self._public is None else self._begin_class
+        teach = self._classes.teach
+        return Tab(client, first, self._compiler, query, owned, self._for_others, role, begin, teach)
 
 
 @contextlib.contextmanager
@@ -58,7 +110,7 @@ def serving(
     public_url: str | None = None,
     classes: Classes | None = None,
 ) -> Iterator[tuple[GatedServer, Ticker, Compiler]]:
-    """The server behind its gate, ticking, for as long as the context lasts; the compiler is not started.
+    """Run the server behind its gate, with its ticker, within a context; the compiler is not started.
 
     Args:
         scene: what a page shows first.
@@ -66,48 +118,22 @@ def serving(
         embed: origins of the sites that may show the page in a frame, as in "https://school.example".
         allow_hosts: further names by which a browser may reach the server, as in "laptop.local".
         public_url: the address by which others reach the page, as in "https://school.example/lab/".
-        classes: those that others may come to; without these, every page is one of its own until the owner
-            begins a class in the gallery.
+        classes: those that pages may come to. Without them every page stands alone until the owner begins a
+            class in the gallery.
 
     Raises:
-        GateError: the gate could not be put in place, or an origin or address is none; nothing is served.
-        PortBusy: something else listens on the port.
+        GateError: the gate could not be installed, or an origin or address is none; nothing is served.
+        PortBusy: another program listens on the port.
     """
     compiler = Compiler()
-    held = Classes(alone=False) if classes is None else classes
-
     public = None if public_url is None else public_address(public_url)
-
-    def for_others(page: str) -> str:
-        return address_for_others(page, host, server.get_port(), public)
-
-    def make_tab(client: viser.ClientHandle) -> Tab:
-        gate, client_id = server.gate, client.client_id
-        query, owned = gate.query_of(client_id), gate.is_local(client_id)
-        classroom = class_of_query(query, held)
-        if is_check(query):
-            check = CheckRole(classroom)
-            return Tab(client, sim.load_scene("rope"), compiler, "", owned, for_others, lambda _: check)
-        # What the teacher's page is in is the pupils' network, where there are several.
-        base = for_others(f"http://{gate.host_of(client_id)}/")
-
-        def role(mail: Mail) -> Role | None:
-            download = partial(client.send_file_download, save_immediately=True)
-            return role_of_query(query, mail, held, base, owned, gate.visitor_of(client_id), download)
-
-        def begin_class(scene: sim.Scene) -> str:
-            return desk_address("", held.begin((scene,)))
-
-        first = (classroom and first_scene(classroom)) or scene
-        begin = None if gate.loopback and public is None else begin_class
-        return Tab(client, first, compiler, query, owned, for_others, role, begin, held.teach)
-
-    ticker = Ticker(make_tab)
-
-    # A page can go away in the middle of a frame; the rest of that frame has nobody to go to.
+    held = Classes(alone=False) if classes is None else classes
+    tabs = _Tabs(scene, host, public, held, compiler)
+    ticker = Ticker(tabs.make)
+    # A page may leave in the middle of a frame; the rest of the frame then has no receiver.
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
     with _viser_is_quiet():
-        server = open_server(
+        server = tabs.server = open_server(
             host,
             port,
             label="softrod",
@@ -132,7 +158,7 @@ def serving(
 
 @contextlib.contextmanager
 def _viser_is_quiet() -> Iterator[None]:
-    """Keep viser from printing an address panel of its own, in a terminal or in a notebook."""
+    """Keep viser from printing its own panel of addresses."""
     console = rich.get_console()
     before, console.quiet = console.quiet, True
     try:
@@ -157,32 +183,32 @@ def serve(
     Args:
         open_browser: whether to open the page in a browser.
         qr: whether to print the QR code of the address by which others reach the page.
-        scene, host, port, embed, allow_hosts, public_url, classes: as of `serving`.
+        scene, host, port, embed, allow_hosts, public_url, classes: see `serving`.
 
     Raises:
-        GateError, PortBusy: as `serving`.
+        GateError, PortBusy: see `serving`.
         InputError: the terminal cannot show a QR code.
     """
     console = Console()
     signals: list[int] = []
     for number in (signal.SIGINT, signal.SIGTERM):
-        # Only an append: a second signal can come in the middle of this handler, and must find no lock.
+        # Appends only: a second signal can arrive within this handler, and must find no lock.
         signal.signal(number, lambda number, _: signals.append(number))
     with serving(scene, host, port, embed, allow_hosts, public_url, classes) as (server, ticker, compiler):
         if classes is None:
-            address = tell_addresses(server, host, public_url, qr, console)
+            address = print_addresses(server, host, public_url, qr, console)
         else:
-            address = tell_classes(server, host, public_url, classes, console)
+            address = print_class_addresses(server, host, public_url, classes, console)
         if open_browser:
             webbrowser.open(address)
         start_compiling(scene, ticker, compiler)
         threading.Thread(target=_show_progress, args=(compiler, console), daemon=True).start()
-        told = 0
+        printed = 0
         while True:
-            for sentence in server.gate.advice[told:]:
-                told += 1
-                said = f"A page was refused. {' '.join(sentence.split())}"
-                console.print(said, style="yellow", highlight=False, markup=False, soft_wrap=True)
+            for sentence in server.gate.advice[printed:]:
+                printed += 1
+                text = f"A page was refused. {' '.join(sentence.split())}"
+                console.print(text, style="yellow", highlight=False, markup=False, soft_wrap=True)
             if signals:
                 break
             time.sleep(0.1)
@@ -190,18 +216,18 @@ def serve(
 
 
 def start_compiling(scene: sim.Scene, ticker: Ticker, compiler: Compiler) -> None:
-    """Have everything compiled, what a scene needs first; returns when that has begun."""
-    # The first page is drawn first, if it comes soon: both want the interpreter.
+    """Start to compile everything in the background, beginning with what a scene needs."""
+    # A page that comes soon is drawn first: both need the interpreter.
     ticker.drawn.wait(timeout=0.5)
     compiler.want(needed_by(scene.integrator.method))
     compiler.start()
-    threading.Thread(target=_keep_what_is_loaded, args=(compiler,), daemon=True).start()
+    threading.Thread(target=_freeze_loaded_objects, args=(compiler,), daemon=True).start()
 
 
-def _keep_what_is_loaded(compiler: Compiler) -> None:
-    """Spare the garbage collector what stays until the end: modules and kernels.
+def _freeze_loaded_objects(compiler: Compiler) -> None:
+    """Exempt modules and kernels from garbage collection once all are loaded.
 
-    A look over all of them takes a tenth of a second, in which every page stands still.
+    A collection over all of them takes a tenth of a second, during which every page stands still.
     """
     compiler.wait()
     gc.collect()
@@ -209,7 +235,7 @@ def _keep_what_is_loaded(compiler: Compiler) -> None:
 
 
 def _set_stage(server: viser.ViserServer) -> None:
-    """What every page has: flat light, a flat camera far away, no axes."""
+    """Set what all pages have: flat light, a distant camera, no axes."""
     scene = server.scene
     with server.atomic():
         scene.set_up_direction("+y")
@@ -217,48 +243,51 @@ def _set_stage(server: viser.ViserServer) -> None:
         scene.configure_default_lights(enabled=False, cast_shadow=False)
         scene.configure_environment_map(None)
         scene.add_light_ambient("/light", intensity=math.pi * LIGHT_GAIN)
-    # The page's script fits the distance to the window; there is no orthographic camera.
+    # There is no orthographic camera; the page's script fits the distance to the window.
     camera = server.initial_camera
     camera.fov, camera.near, camera.far, camera.up = 0.1, 1.0, 2000.0, (0.0, 1.0, 0.0)
     camera.position, camera.look_at = (0.0, 0.0, 62.0), (0.0, 0.0, 0.0)
     set_theme(server.gui, dark=False)
 
 
-def tell_addresses(server: GatedServer, host: str, public_url: str | None, qr: bool, console: Console) -> str:
-    """Say where the page is; returns the owner's address, which is for nobody else."""
+def print_addresses(
+    server: GatedServer, host: str, public_url: str | None, qr: bool, console: Console
+) -> str:
+    """Print where the page is; returns the owner's address, which is for nobody else."""
     port = server.get_port()
     address, *others = page_addresses(host, port)
     public = None if public_url is None else public_address(public_url)
     for_others = address_for_others(f"{address}/", host, port, public)
     if not server.gate.loopback:
         address = f"{address}/{owner.FRAGMENT}{owner.key()}"
-    console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
-    for other in others:
-        console.print(f"and, from other machines, at [bold]{other}[/bold]", highlight=False)
+    lines = [f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)"]
+    lines += [f"and, from other machines, at [bold]{other}[/bold]" for other in others]
     if public is not None:
-        console.print(f"and, for others, at [bold]{public.url}[/bold]", highlight=False)
+        lines.append(f"and, for others, at [bold]{public.url}[/bold]")
+    for line in lines:
+        console.print(line, highlight=False)
     if qr:
         print_qr_code(for_others)
-    warning = exposure(host, public)
-    if warning:
+    if warning := exposure(host, public):
         console.print(f"[yellow]{warning}[/yellow]", highlight=False)
     return address
 
 
-def tell_classes(
+def print_class_addresses(
     server: GatedServer, host: str, public_url: str | None, classes: Classes, console: Console
 ) -> str:
-    """Say how teachers and pupils come to each class; returns the first teacher's address."""
+    """Print how teachers and pupils come to each class; returns the first teacher's address."""
     port = server.get_port()
     public = None if public_url is None else public_address(public_url)
     own = f"{page_addresses(host, port)[0]}/"
     base = address_for_others(own, host, port, public)
+    teachers = own if public is None else base
     for classroom in classes:
         code = classroom.room.code
         console.print(f"Class [bold]{code}[/bold]", highlight=False)
         for label, address in (
-            ("the teacher, and nobody else", desk_address(own if public is None else base, classroom)),
-            ("the wall", wall_address(own if public is None else base, code)),
+            ("the teacher, and nobody else", desk_address(teachers, classroom)),
+            ("the wall", wall_address(teachers, code)),
             ("pupils", seat_address(base, code)),
             ("before the class, your phone", check_address(base, code)),
         ):
@@ -276,7 +305,7 @@ def tell_classes(
 
 
 def _other_networks(base: str, addresses: Sequence[str]) -> str:
-    """What can be typed besides `base` from other machines, with the names of the networks' interfaces."""
+    """The addresses besides `base` that other machines can reach, with the names of their interfaces."""
     names = interfaces()
     others = []
     for address in addresses[1:]:
@@ -287,7 +316,7 @@ def _other_networks(base: str, addresses: Sequence[str]) -> str:
 
 
 def _show_progress(compiler: Compiler, console: Console) -> None:
-    """A progress bar, where anything has to be compiled."""
+    """Show a progress bar if anything has to be compiled."""
     compiler.wait(timeout=2.0)
     ready, of = compiler.progress
     if ready == of or not compiler.compiles:

@@ -1,14 +1,13 @@
-"""What a page can ask of its session: small values that callbacks enqueue and the ticker applies.
+"""The commands of a session: small values that handlers post and the ticker applies.
 
-Positions are in the scene's unit (px), in the scene's own coordinates. Nothing here is trusted: every number
-is checked when the command is applied.
+Positions are in the scene's unit (px) and coordinates. Nothing here is trusted: every number is checked when
+the command is applied.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Literal
 
 from sim import Moment, Scene
@@ -25,20 +24,19 @@ from .ghost import Ghost
 from .hand import DRAG_EVENT, FRAME
 from .log import Log
 from .pacing import is_large
-from .session import Changed, Command, Session
-from .shadow import Foresight
+from .predictability import PredictabilityMeter
+from .session import Command, Refresh, Session
 from .versions import Versions
 
 _MAX_STEPS = 1000
-"""Single steps that are done at once, at most."""
+"""Single steps of one command, at most."""
 _NOT_OF_REST = ("tempo", "dt", "tolerance")
-"""Settings that have nothing to do with where a body rests."""
+"""Settings that do not change where a body rests."""
 
 
 # ------------------------------------------------------------------------- by hand
-@dataclass(frozen=True)
 class HoldKeys(Command):
-    """The arrow keys that are down now; it is repeated while any are."""
+    """Hold the arrow keys that are down now; repeated while any are."""
 
     keys: frozenset[str]
 
@@ -49,12 +47,11 @@ class HoldKeys(Command):
         return bool(self.keys)
 
 
-@dataclass(frozen=True)
 class Point(Command):
-    """Where a hand's pointer is; used while it has a mass, and that of hand 0 while something follows.
+    """Move a hand's pointer: of a hand that holds a mass, or of hand 0 while a mass follows it.
 
     Attributes:
-        late: whether the next report comes later than the next frame, as of viser's own drags.
+        late: whether the next report comes later than the next frame, as those of viser's own drags do.
     """
 
     x: float
@@ -63,17 +60,16 @@ class Point(Command):
     late: bool = False
 
     def apply(self, session: Session, at: float) -> None:
-        # What follows the pointer must not disturb a moment that was gone back to.
+        # A mass that follows the pointer must not disturb a past moment.
         if session.hands.is_full(self.hand) or not session.history.scrubbed:
             session.hands.point(self.hand, self.x, self.y, at + (DRAG_EVENT if self.late else FRAME))
 
 
-@dataclass(frozen=True)
 class Follow(Command):
-    """Whether the driven mass follows the pointer without a button."""
+    """Have the driven mass follow the pointer without a button, or not."""
 
     on: bool
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         session.follow = self.on and session.driven is not None
@@ -83,9 +79,8 @@ class Follow(Command):
         return self.on
 
 
-@dataclass(frozen=True)
 class DragStart(Command):
-    """A hand took hold of a mass, with its pointer at (x, y); see `hand.GIZMO` for that of a gizmo."""
+    """Take a mass in a hand, with its pointer at (x, y); see `hand.GIZMO` for the hand of a gizmo."""
 
     mass: int
     x: float
@@ -97,9 +92,8 @@ class DragStart(Command):
         session.hands.take(self.hand, self.mass, self.x, self.y)
 
 
-@dataclass(frozen=True)
 class DragEnd(Command):
-    """A hand let go of its mass."""
+    """Let go of a hand's mass."""
 
     hand: int = 0
 
@@ -108,9 +102,8 @@ class DragEnd(Command):
 
 
 # ------------------------------------------------------------------------- settings
-@dataclass(frozen=True)
 class SetValue(Command):
-    """A setting's slider or box has a new value."""
+    """Set a number, by its slider or box."""
 
     key: str
     value: float
@@ -124,103 +117,96 @@ class SetValue(Command):
         act = log.Set(key=self.key, value=value)
         session.change(lambda: session.recorder.do(act), setting.label, self.key)
         if self.key not in _NOT_OF_REST:
-            session.foreseen.look(session.simulation, session.now())
+            session.rest_pose_preview.update(session.simulation, session.now())
 
 
-@dataclass(frozen=True)
 class Visit(Command):
-    """A slider was pressed, or a number box entered: what is changed from here on is another step of undo."""
+    """A slider was pressed, or a number box entered: begin another step of undo."""
 
     def apply(self, session: Session, at: float) -> None:
         session.versions.end_step()
 
 
-@dataclass(frozen=True)
 class SetChoice(Command):
-    """Something of a list was chosen, by its key in `sim.settings.CHOICES`."""
+    """Make a choice, by its key in `sim.settings.CHOICES`."""
 
     key: str
     value: str
     acts = True
-    changes = Changed.CONTROLS
+    refresh = Refresh.CONTROLS
 
     def apply(self, session: Session, at: float) -> None:
         label = CHOICES[self.key].label if self.key in CHOICES else self.key
         act = log.Choose(key=self.key, value=self.value)
         session.change(lambda: session.recorder.do(act), label)
         if self.key == "method" and session.follows_energy:
-            # What is left over is the error of one method, not of two.
+            # The residual is then the error of one method, not of two.
             session.recorder.do(log.FollowEnergy(on=False))
             session.recorder.do(log.FollowEnergy(on=True))
 
 
-@dataclass(frozen=True)
-class OwnValues(Command):
-    """The settings are to be those that the scene was opened with, of the body or of the solver."""
+class RestoreSceneValues(Command):
+    """Restore the settings that the scene was opened with, of the body or of the solver."""
 
     of: Literal["body", "solver"]
     acts = True
-    changes = Changed.CONTROLS
+    refresh = Refresh.CONTROLS
 
     def apply(self, session: Session, at: float) -> None:
-        session.own_values(self.of)
+        session.restore_scene_values(self.of)
 
 
-@dataclass(frozen=True)
 class Compare(Command):
-    """A second body is wanted that does the same by another method, or a reference, or none ("").
+    """Compare with a second body of another method, with a reference, or with none ("").
 
-    Its time step, or its tolerance, is to be so many times smaller.
+    Its time step, or its tolerance, is smaller by the factor `finer`; see `Ghost`.
     """
 
     method: str
     law: str
     finer: int = 1
     acts = True
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         if not self.method:
             session.companions.remove(Ghost, session.history)
             return
         ghost = Ghost(session.simulation, self.method, self.law, self.finer, session.can_wait)
-        session.companions.put(ghost, session.history)
+        session.companions.add(ghost, session.history)
 
 
-@dataclass(frozen=True)
-class Foretell(Command):
-    """Whether it is to be told how fast errors grow."""
+class MeasurePredictability(Command):
+    """Measure how fast errors grow, or not."""
 
     on: bool
     acts = True
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         if self.on:
-            session.companions.put(Foresight(session.simulation, session.can_wait), session.history)
+            session.companions.add(PredictabilityMeter(session.simulation, session.can_wait), session.history)
         else:
-            session.companions.remove(Foresight, session.history)
+            session.companions.remove(PredictabilityMeter, session.history)
 
 
-@dataclass(frozen=True)
 class FollowEnergy(Command):
-    """Whether the energy is to be followed."""
+    """Follow the energy, or not."""
 
     on: bool
     acts = True
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         session.follows_energy = self.on
         session.recorder.do(log.FollowEnergy(on=self.on))
 
 
-@dataclass(frozen=True)
 class SelectJoint(Command):
-    """The joint whose angle is read out."""
+    """Read out the angle of a joint."""
 
     joint: int
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         if 0 <= self.joint < len(session.simulation.scene.angular_springs):
@@ -229,22 +215,19 @@ class SelectJoint(Command):
 
 # ------------------------------------------------------------------------- editing
 MakeEdit = Callable[[Moment, Selection], Edit]
-"""Makes an edit of a moment's scene and of what is selected; raises SceneError or SettingError where that
-cannot be done.
-"""
+"""Makes an edit of a moment's scene and of the selection; raises SceneError or SettingError if it cannot."""
 
 FindParts = Callable[[Moment, Selection], Selection]
-"""Finds what is to be selected, from a moment and what is selected now."""
+"""Finds the next selection, given a moment and the present one."""
 
 
-@dataclass(frozen=True)
 class Change(Command):
-    """The body is to be edited; edits with the same key that follow each other are one step of undo.
+    """Edit the body; edits with the same key in a row are one step of undo.
 
     Attributes:
         make: makes the edit.
-        key: of those that are one step.
-        within: seconds between two of them, at most; or until the next `Visit`.
+        key: of those that are one step; a `Visit` ends it.
+        within: seconds between two of them, at most.
         heavy: whether it may take longer than other pages can wait for.
     """
 
@@ -264,12 +247,11 @@ class Change(Command):
         if edit.scene is not before.scene:
             session.branch()
             session.versions.add_edit(edit, before, self.key, session.now(), self.within)
-            session.go_on_at(carried(edit, before), edit)
+            session.continue_at(carried(edit, before), edit)
 
 
-@dataclass(frozen=True)
 class Select(Command):
-    """Other parts of the body are to be selected."""
+    """Select other parts of the body."""
 
     find: FindParts
 
@@ -278,43 +260,40 @@ class Select(Command):
         session.selection = existing(self.find(moment, session.selection), moment.scene)
 
 
-@dataclass(frozen=True)
 class Undo(Command):
-    """The last change of the scene is to be taken back; the run goes on."""
+    """Take back the last change of the scene; the motion continues."""
 
     def apply(self, session: Session, at: float) -> None:
-        _go_on_at(session, session.versions.undo(session.simulation.capture()))
+        _continue_at(session, session.versions.undo(session.simulation.capture()))
 
     def takes_over(self, session: Session) -> bool:
         return session.versions.has_undo(session.simulation.capture().scene)
 
 
-@dataclass(frozen=True)
 class Redo(Command):
-    """What was taken back last is to be done again."""
+    """Do again what was taken back last."""
 
     def apply(self, session: Session, at: float) -> None:
-        _go_on_at(session, session.versions.redo(session.simulation.capture()))
+        _continue_at(session, session.versions.redo(session.simulation.capture()))
 
     def takes_over(self, session: Session) -> bool:
         return session.versions.has_redo(session.simulation.capture().scene)
 
 
-def _go_on_at(session: Session, version: tuple[Moment, Edit | None] | None) -> None:
-    """Go on at another version of the scene, if there is one."""
+def _continue_at(session: Session, version: tuple[Moment, Edit | None] | None) -> None:
+    """Continue at another version of the scene, if there is one."""
     if version is not None:
         session.branch()
-        session.go_on_at(*version)
+        session.continue_at(*version)
 
 
 # ------------------------------------------------------------------------- another body
-@dataclass(frozen=True)
 class Open(Command):
-    """Another scene is to be shown from its beginning.
+    """Show another scene from its beginning.
 
     Attributes:
-        begun: whether it is as a step of its lesson begins; otherwise the page is to begin one.
-        waits: whether it is to stand until a question of its lesson is answered.
+        begun: whether it is the beginning of a step of its lesson; otherwise the page begins one.
+        waits: whether its clock is stopped until a question of its lesson is answered.
     """
 
     scene: Scene
@@ -323,9 +302,9 @@ class Open(Command):
     brings_body = True
 
     def apply(self, session: Session, at: float) -> None:
-        # What stopped the clock was the other body's.
-        stopped = session.simulation.divergence is not None or session.waits
-        # The first step of a lesson is no other scene than the one that has just been opened.
+        # The clock was stopped because of the other body.
+        stopped = session.simulation.divergence is not None or session.awaits_answer
+        # The first step of a lesson replaces the scene that has just been opened.
         begins = self.begun and not session.lesson_begun
         before = session.simulation.capture()
         session.open(self.scene)
@@ -337,16 +316,15 @@ class Open(Command):
             session.versions.add_leap(f"opening {shown_name(self.scene)}", before, opened)
         if stopped or self.waits:
             session.play(not self.waits)
-        session.waits = self.waits
+        session.awaits_answer = self.waits
 
     @property
     def is_heavy(self) -> bool:
         return is_large(self.scene)
 
 
-@dataclass(frozen=True)
 class Replay(Command):
-    """A log is to be played, at the pace at which time passed in it."""
+    """Play a log, at the pace of its simulated time."""
 
     log: Log
     brings_body = True
@@ -355,9 +333,8 @@ class Replay(Command):
         session.begin_replay(self.log)
 
 
-@dataclass(frozen=True)
 class Resume(Command):
-    """A page is to go on where a keepsake was made, see `Session.resume`."""
+    """Continue from a keepsake; see `Session.resume`."""
 
     keepsake: bytes
     versions: Versions | None = None
@@ -368,9 +345,8 @@ class Resume(Command):
 
 
 # ------------------------------------------------------------------------- time
-@dataclass(frozen=True)
 class Play(Command):
-    """Run, from the moment that is shown; pause; or the other of the two (None)."""
+    """Run, from the moment that is shown; pause; or toggle (None)."""
 
     on: bool | None = None
 
@@ -381,7 +357,6 @@ class Play(Command):
         return not playing if self.on is None else self.on
 
 
-@dataclass(frozen=True)
 class DoSteps(Command):
     """Pause, and do some steps."""
 
@@ -395,30 +370,27 @@ class DoSteps(Command):
         return False
 
 
-@dataclass(frozen=True)
 class Reset(Command):
-    """Back to the scene's start."""
+    """Return to the scene's start."""
 
     acts = True
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         session.reset()
 
 
-@dataclass(frozen=True)
 class Speed(Command):
-    """Simulated seconds per second."""
+    """Set the simulated seconds per second."""
 
     factor: float
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         factor = self.factor if math.isfinite(self.factor) else 1.0
         session.pacer.speed = min(max(factor, SPEEDS[0]), SPEEDS[-1])
 
 
-@dataclass(frozen=True)
 class GoTo(Command):
     """Pause, and show the moment nearest to a simulated time, s."""
 
@@ -430,9 +402,8 @@ class GoTo(Command):
         session.show(session.history.nearest(self.time))
 
 
-@dataclass(frozen=True)
 class GoBack(Command):
-    """Pause, and show the moment so many simulated seconds before the one shown; 0 is one frame."""
+    """Pause, and show the moment some simulated seconds before the one shown; 0 is one frame."""
 
     seconds: float = 0.0
 
@@ -442,7 +413,6 @@ class GoBack(Command):
         session.show(session.history.back(self.seconds))
 
 
-@dataclass(frozen=True)
 class GoForward(Command):
     """Pause, and show the moment one frame after the one shown."""
 
@@ -450,17 +420,15 @@ class GoForward(Command):
         session.show(min(session.history.shown + 1, session.history.last))
 
 
-@dataclass(frozen=True)
 class ForgetFuture(Command):
-    """The old future is no longer wanted."""
+    """Remove the abandoned future."""
 
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
-        session.old_future = None
+        session.abandoned_future = None
 
 
-@dataclass(frozen=True)
 class BackBeforeDivergence(Command):
     """Pause, and show the body as it was before it ran away."""
 

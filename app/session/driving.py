@@ -1,4 +1,4 @@
-"""Drives a mode of a session's body by hand, as long as somebody says so again and again."""
+"""Drives a mode of a session's body by leading masses, as long as the page keeps asking for it."""
 
 from __future__ import annotations
 
@@ -17,32 +17,32 @@ from .modes import ModesWatch
 from .record import Recorder
 
 PIECES = 20
-"""Calls of `step` in which a mass that drives a mode is led through a period."""
+"""Straight pieces of a period of a led mass, each a call of `step`."""
 SWELLING = 6.0
-"""Periods in which a mode that nothing damps comes to a full bar when it is driven."""
+"""Periods in which an undamped mode is driven to a full bar."""
 RAMP = 2.0
-"""Periods in which it begins, and fades: what begins or ends at once shakes other modes, too."""
+"""Periods in which the drive is faded in and out: a sudden start or end would excite other modes, too."""
 SEEN = 0.03
-"""Part of a full bar from which on a mode has a phase to keep in step with."""
+"""Part of a full bar from which a mode's phase is followed."""
 FURTHEST = 0.01
-"""How far supports are moved at most to drive a mode, in sizes of the body."""
+"""Amplitude of supports, at most, in sizes of the body."""
 
 
 @dataclass(frozen=True)
 class Drive:
-    """Masses that are led to and fro by hand at the frequency of a mode.
+    """Masses that are led to and fro at the frequency of a mode.
 
     Attributes:
-        mode: which.
+        mode: its index.
         masses: that are led.
-        grabbed: whether it is a free one, in a hand meanwhile.
-        about: where they were, px.
-        swings: their amplitudes, px.
+        grabbed: whether it is a single free mass, in a hand meanwhile.
+        about: (k, 2) their rest positions, px.
+        swings: (k, 2) their amplitudes, px.
         frequency: angular, rad/s.
-        since: simulated time, s, from which on it is driven.
-        began: simulated time, s, at which they went through the middle.
-        part: of these amplitudes.
-        let_go: simulated time, s, from which on it fades.
+        since: simulated time, s, at which the drive began.
+        began: simulated time, s, of a passage through the middle, which sets the phase.
+        part: of the amplitudes, 0 to 1.
+        let_go: simulated time, s, at which it begins to fade.
     """
 
     mode: int
@@ -58,7 +58,7 @@ class Drive:
 
     @staticmethod
     def of(watch: ModesWatch, mode: int, simulation: sim.Simulation) -> Drive:
-        """How a mode is driven: by all supports together, or else by the mass that it moves most.
+        """Drive a mode by all supports together, or without supports by the mass that it moves most.
 
         Raises:
             InputError: there is no such mode, or it is too fast for the time step.
@@ -76,14 +76,16 @@ class Drive:
             about, swings = simulation.positions[[most]], full * modes.shapes[mode][[most]]
             return Drive(mode, (most,), True, about, swings, w, now, now, 1.0)
         masses, ways, felt = supports
-        # A force f B sin(wt) on a mode of mass M has it grow by f B / (2 M w) in a second.
+        # A force f B sin(wt) on a mode of mass M makes its amplitude grow by f B / (2 M w) per second.
         size = min(full * 2.0 * mass * w / (felt * SWELLING * period), FURTHEST * modes.size)
         led = tuple(int(each) for each in masses)
         return Drive(mode, led, False, simulation.positions[masses], size * ways, w, now, now, 0.0)
 
     def in_step(self, watch: ModesWatch, simulation: sim.Simulation) -> Drive:
-        """As it goes on: in step with the mode, whose period changes as it grows, more and more at first, and
-        less as it comes to a full bar."""
+        """The drive in phase with the mode now, faded in, and weaker as the mode nears a full bar.
+
+        The phase is measured again and again, since the period changes with the amplitude.
+        """
         now = watch.excitation(simulation)
         if now is None:
             return self
@@ -94,45 +96,45 @@ class Drive:
         part *= max(1.0 - max(time - self.let_go, 0.0) / ramp, 0.0)
         if level < SEEN:
             return replace(self, part=part)
-        # It does most work where it goes with the velocity.
+        # A force does the most work in phase with the velocity.
         ahead = math.atan2(q, rate) + 0.5 * math.pi
         return replace(self, part=part, began=time - ahead / self.frequency)
 
     def has_faded(self, time: float) -> bool:
-        """Whether it is over at a simulated time, s."""
+        """Whether it has ended at a simulated time, s."""
         return time - self.let_go >= RAMP * 2.0 * math.pi / self.frequency
 
     def steps(self, dt: float) -> int:
-        """Time steps in which they are led in straight lines."""
+        """Time steps of one straight piece."""
         return max(1, int(2.0 * math.pi / self.frequency / PIECES / dt))
 
     def lead(self, simulation: sim.Simulation, steps: int) -> list[log.Act]:
-        """What leads them through the next time steps."""
+        """Acts that lead the masses through the next time steps."""
         part = self.part * math.sin(self.frequency * (simulation.time + steps * simulation.dt - self.began))
         return self._to(self.about + part * self.swings)
 
     def end(self) -> list[log.Act]:
-        """What puts them back, or lets go."""
+        """Acts that put the masses back, or let go."""
         if self.grabbed:
             return [log.Release(mass=mass) for mass in self.masses]
         return self._to(self.about)
 
     def _to(self, places: NDArray[np.float64]) -> list[log.Act]:
-        # Their motion is slow and smooth, so that it needs no limit as that of a hand does.
+        # Unlike a hand's, this motion is slow and smooth, and needs no limit of speed.
         pairs = zip(self.masses, places.tolist(), strict=True)
         return [log.Lead(mass=mass, to=(x, y)) for mass, (x, y) in pairs]
 
 
 class Driving:
-    """What drives a mode of a page's body.
+    """Starts, continues and ends the drive of a mode.
 
     Args:
-        body: the body as it is now.
-        do: does something to it, and to those that are to do the same.
+        body: gives the present body.
+        do: acts on it, and on its companions.
 
     Attributes:
-        drive: how masses are led; None while no mode is driven.
-        said_at: wall time, s, at which a mode was last said to be driven.
+        drive: the present one; None while no mode is driven.
+        said_at: wall time, s, at which the page last asked for a drive.
     """
 
     def __init__(self, body: Callable[[], sim.Simulation], do: Callable[[log.Act], None]) -> None:
@@ -141,12 +143,12 @@ class Driving:
         self.said_at = -math.inf
 
     def goes_on(self, mode: int, at: float) -> bool:
-        """Whether a mode is driven already that is said at a wall time, s, to be driven."""
+        """Note that the page asks for a mode at a wall time, s; whether that mode is driven already."""
         self.said_at = at
         return self.drive is not None and self.drive.mode == mode and self.drive.let_go == math.inf
 
     def begin(self, watch: ModesWatch, mode: int) -> None:
-        """Drive a mode, and no other any more.
+        """Drive a mode in place of any other.
 
         Raises:
             InputError: it cannot be driven, see `Drive.of`.
@@ -158,7 +160,7 @@ class Driving:
         self.drive = drive
 
     def fade(self) -> None:
-        """Drive no mode any more: supports come to rest where they were, and a hand lets go."""
+        """Fade out: supports come to rest where they were, and a hand lets go."""
         drive = self.drive
         if drive is None or drive.grabbed:
             self.end()
@@ -166,23 +168,23 @@ class Driving:
             self.drive = replace(drive, let_go=self._body().time)
 
     def end(self) -> None:
-        """Drive no mode any more, from this moment on."""
+        """End the drive at once."""
         drive, self.drive = self.drive, None
         for act in drive.end() if drive is not None else ():
             self._do(act)
 
     def drop(self) -> None:
-        """Drive no mode any more; the body that was driven is no longer there."""
+        """Forget the drive; the body that was driven is gone."""
         self.drive = None
 
     def step(self, recorder: Recorder, watch: ModesWatch | None, steps: int, attempts: int) -> int:
-        """Do some steps, and lead what drives a mode meanwhile.
+        """Do some steps, and lead the masses that drive a mode meanwhile.
 
         Args:
             recorder: of the body.
-            watch: what is known of its modes; None while nobody looks at them.
+            watch: its modes; None while nobody looks at them.
             steps: time steps.
-            attempts: steps that a method which chooses its own may try for all of them together.
+            attempts: steps that an adaptive method may try for all of them together.
 
         Returns:
             The time steps that were done.

@@ -1,4 +1,4 @@
-"""A second body beside the first: the same inputs, another method, time step or force law."""
+"""The ghost: a second body with the same inputs, and another method, time step or force law."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ import sim
 from sim.methods.registry import METHODS
 from sim.settings import CHOICES, SETTINGS, set_choice
 
-from .companion import Companion
+from .companions import Companion
 
 REFERENCE = "reference"
-"""Instead of a method: `auto` at a tolerance at which it stands for the exact motion."""
+"""In place of a method: `auto` at a tolerance so tight that it stands for the exact motion."""
 
 REFERENCE_TOLERANCE = 1e-4
 """Of the reference, px."""
 
 FINER: tuple[int, ...] = (1, 2, 4, 10)
-"""How many times smaller a ghost's time step or tolerance may be: so both bodies have the same frames."""
+"""Factors by which its time step or tolerance may be smaller: integers, so that frames coincide."""
 
 
 class GhostMoment(NamedTuple):
-    """A ghost at a moment that is past.
+    """A ghost at a past moment.
 
     Attributes:
-        moment: where it was.
-        owed: simulated seconds that it was late by then.
+        moment: its state.
+        owed: simulated seconds that it was behind.
         worst: see `Ghost`.
     """
 
@@ -40,23 +40,23 @@ class GhostMoment(NamedTuple):
 
 
 class Ghost(Companion):
-    """The second body of a session.
+    """A session's second body, for comparison.
 
-    It has the time that the first body leaves of a frame. Where that does not suffice it is late, and catches
+    It is stepped in what time the first body leaves of a frame. If there is not enough it lags, and catches
     up later.
 
     Args:
         simulation: the first body, whose state it starts from.
         method: a name of `sim.methods.METHODS`, or REFERENCE.
         law: a force law, or "" for the scene's own.
-        finer: how many times smaller than the first body's its time step is, or its tolerance where it has
-            one; of no meaning to the reference.
+        finer: factor by which its time step, or its tolerance if it has one, is smaller than the first
+            body's; ignored by the reference.
         wait: whether its steps may wait for the compiler.
 
     Attributes:
         simulation: the body.
-        distance: largest distance between a mass and its counterpart, px, when it was last not late.
-        worst: the largest that it has been.
+        distance: largest distance between a mass and its counterpart, px, when it last did not lag.
+        worst: largest `distance` so far.
     """
 
     name = "ghost"
@@ -70,9 +70,9 @@ class Ghost(Companion):
         self._start(simulation)
 
     def variant(self, scene: sim.Scene) -> sim.Scene:
-        """The first body's scene with this one's method and law, as far as it has a use for them."""
+        """The first body's scene with this one's method and law, as far as they apply to it."""
         if not CHOICES["method"].applies(scene):
-            return scene  # every mass is held: there is nothing that a method could do differently
+            return scene  # every mass is held, so methods cannot differ
         if self.method == REFERENCE:
             scene = set_choice(scene, "method", "auto")
             tight = msgspec.structs.replace(scene.integrator, tolerance=REFERENCE_TOLERANCE)
@@ -81,7 +81,7 @@ class Ghost(Companion):
             scene = set_choice(scene, "method", self.method)
             key = "tolerance" if METHODS[scene.integrator.method].adaptive else "dt"
             whole = getattr(scene.integrator, key)
-            # A whole part of it, and not less than a scene may have.
+            # An integer fraction, within the range of the setting.
             part = whole / max(min(self.finer, int(whole / SETTINGS[key].low)), 1)
             integrator = msgspec.structs.replace(scene.integrator, **{key: part})
             scene = msgspec.structs.replace(scene, integrator=integrator)
@@ -90,11 +90,9 @@ class Ghost(Companion):
         return scene
 
     def adapt(self, simulation: sim.Simulation) -> None:
-        """See `Companion`."""
-        self.simulation.replace(self.variant(simulation.scene))  # with what keys have changed
+        self.simulation.replace(self.variant(simulation.scene))  # including the effect of the arrow keys
 
     def begin(self, simulation: sim.Simulation) -> None:
-        """Take the first body's settings, place, speed and time."""
         self.adapt(simulation)
         self._start(simulation)
 
@@ -103,11 +101,9 @@ class Ghost(Companion):
         self._owed = self.distance = self.worst = 0.0
 
     def capture(self) -> GhostMoment | None:
-        """Where it is now, to come back to; None while it `waits`."""
-        return None if self.waits else GhostMoment(self.simulation.capture(), self._owed, self.worst)
+        return None if self.is_compiling else GhostMoment(self.simulation.capture(), self._owed, self.worst)
 
     def go_back(self, past: Sequence[tuple[float, GhostMoment]], simulation: sim.Simulation) -> None:
-        """Be where it was at the moment that the first body has gone to; if none is kept, begin with that."""
         if not past:
             self.begin(simulation)
             return
@@ -117,7 +113,7 @@ class Ghost(Companion):
         self._compare(simulation)
 
     def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
-        """Go on by as much time as the first body has just done, and measure how far apart they are."""
+        """Catch up with the first body, and measure how far apart they are."""
         own = self.simulation
         self._owed += steps * simulation.dt
         began = time.perf_counter()
@@ -125,19 +121,19 @@ class Ghost(Companion):
         self._count(time.perf_counter() - began)
         self._owed -= done * own.dt
         if abs(self._owed) < 0.5 * own.dt:
-            self._owed = 0.0  # but for rounding
+            self._owed = 0.0  # what is left is rounding
         self._compare(simulation)
 
     def _compare(self, simulation: sim.Simulation) -> None:
         if self._owed:
-            return  # where it was some time ago says nothing
+            return  # the two are at different times
         apart = np.hypot(*(simulation.positions - self.simulation.positions).T)
         self.distance = float(apart.max(initial=0.0))
         self.worst = max(self.worst, self.distance)
 
     @property
     def label(self) -> str:
-        """What it is, for people."""
+        """Its name in the page."""
         if self.method == REFERENCE:
             parts = ["Reference"]
         else:

@@ -1,4 +1,4 @@
-"""What the pointers of a page do to its body: taking hold of masses, leading them, letting them go."""
+"""The pointers of a page, and the masses that they hold and lead."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ FRAME = 1.0 / 60.0
 """Seconds of a frame."""
 
 DRAG_EVENT = 0.05
-"""Seconds between two of viser's own reports of a drag; a mass is led smoothly from one to the next."""
+"""Seconds between two of viser's own reports of a drag; masses glide from one to the next."""
 
 MAX_HANDS = 10
-"""Hands that the pointers of a page have at most, numbered from 0: as many as fingers on a board."""
+"""Hands of a page, numbered from 0: one for each finger on a board."""
 
 GIZMO = MAX_HANDS
 """Number of the hand that leads a mass by its gizmo, which may keep to an axis."""
@@ -27,7 +27,7 @@ GIZMO = MAX_HANDS
 
 @dataclass
 class _Pointer:
-    """Where a pointer is, px, and the wall time, s, at which what it leads is to be there."""
+    """A pointer's position, px, and the wall time, s, at which the mass that it leads arrives there."""
 
     x: float
     y: float
@@ -36,7 +36,7 @@ class _Pointer:
 
 @dataclass
 class _Hand:
-    """A mass in hand, and where it is held off the pointer, px."""
+    """A mass in a hand, and its offset from the pointer, px."""
 
     mass: int
     dx: float
@@ -45,11 +45,11 @@ class _Hand:
 
 
 class PointerHands:
-    """The pointers of a page, each with a mass in its hand, and the one that a mass follows without a button.
+    """The hands of a page's pointers, and the pointer that a mass follows without a button.
 
     Args:
-        body: the body as it is now.
-        do: does something to it, and to those that are to do the same.
+        body: gives the present body.
+        do: acts on it, and on its companions.
         clock: wall time, s.
     """
 
@@ -66,17 +66,17 @@ class PointerHands:
 
     @property
     def masses(self) -> tuple[int, ...]:
-        """The masses in hand, in the order in which they were taken."""
+        """The masses in hands, in the order in which they were taken."""
         return tuple(hand.mass for hand in self._hands.values())
 
     def is_full(self, number: int) -> bool:
-        """Whether a hand has a mass."""
+        """Whether a hand holds a mass."""
         return number in self._hands
 
     def point(self, number: int, x: float, y: float, arrival: float) -> None:
-        """The pointer of a hand is at (x, y) px, where its mass is to be at a wall time, s.
+        """Note that a hand's pointer is at (x, y) px, where its mass is to arrive at a wall time, s.
 
-        That of an empty hand 0 is the one that is followed; no other empty hand matters.
+        The pointer of hand 0, when empty, is the one that is followed; other empty hands are ignored.
         """
         pointer = _Pointer(*finite(x, y), arrival)
         if number in self._hands:
@@ -85,11 +85,11 @@ class PointerHands:
             self._followed = pointer
 
     def forget_pointer(self) -> None:
-        """Nothing is to follow until the pointer moves again."""
+        """Follow nothing until the pointer moves again."""
         self._followed = None
 
     def take(self, number: int, mass: int, x: float, y: float) -> None:
-        """Have a hand take hold of a mass, with its pointer at (x, y) px; one that had the mass loses it."""
+        """Take a mass in a hand, with its pointer at (x, y) px; another hand loses it."""
         x, y = finite(x, y)
         self.let_go(number, None)
         self._do(log.Grab(mass=mass))
@@ -98,10 +98,10 @@ class PointerHands:
         self._hands[number] = _Hand(mass, px - x, py - y, _Pointer(x, y, self._clock()))
 
     def let_go(self, number: int, following: int | None) -> None:
-        """Have a hand let go of its mass; `following`: the mass that then follows the pointer, if any."""
+        """Let go of a hand's mass; `following` is the mass that then follows the pointer, if any."""
         if number in self._hands:
             hand = self._hands[number]
-            # Where the pointer left it: the last frame may not have led it all the way.
+            # Lead it to where the pointer is: the last frame may not have got so far.
             self._lead(hand, None)
             del self._hands[number]
             self._do(log.Release(mass=hand.mass))
@@ -110,19 +110,19 @@ class PointerHands:
             self._followed = None
 
     def let_all_go(self, following: int | None) -> None:
-        """Have all hands let go; see `let_go`."""
+        """Let go of all masses; see `let_go`."""
         for number in list(self._hands):
             self.let_go(number, following)
         if following is None:
             self._followed = None
 
     def drop(self) -> None:
-        """Have nothing in hand any more; the bodies have let go by themselves."""
+        """Forget all hands; the body has let go by itself."""
         self._hands.clear()
         self._followed = None
 
     def steer(self, following: int | None, glide: bool) -> None:
-        """Lead the masses in hand, or else one that follows, to the pointers: over some steps, or at once."""
+        """Lead the masses in hands, or else the one that follows, to the pointers: gradually, or at once."""
         led = list(self._hands.values())
         if not led and following is not None and self._followed is not None:
             led = [_Hand(following, 0.0, 0.0, self._followed)]
@@ -132,7 +132,7 @@ class PointerHands:
             for hand in led:
                 self._lead(hand, None)
             return
-        # This frame's share of the way to where a mass is to be when the next report comes.
+        # This frame's share of the way to where the mass is to be when the next report comes.
         now = self._clock()
         frame = min(max(now - self._last_steer, 1e-3), 2.0 * FRAME)
         self._last_steer = now
@@ -140,11 +140,11 @@ class PointerHands:
             self._lead(hand, min(1.0, frame / max(frame, hand.pointer.arrival - now + frame)))
 
     def _lead(self, hand: _Hand, share: float | None) -> None:
-        """Lead the mass in a hand to its pointer: a share of the way over some steps, or at once (None)."""
+        """Lead a hand's mass a share of the way to its pointer, over some steps, or at once (None)."""
         mass, pointer = hand.mass, hand.pointer
         x, y = _clamp(pointer.x + hand.dx), _clamp(pointer.y + hand.dy)
         if self._body().rate_limited:
-            # As fast as it can follow while time passes, also after it was let go.
+            # As fast as the body can follow, also after it is let go.
             self._do(log.Follow(mass=mass, to=(x, y)))
         elif share is None:
             self._do(log.Move(mass=mass, to=(x, y)))
@@ -158,7 +158,7 @@ class PointerHands:
 
 
 def finite(x: float, y: float) -> tuple[float, float]:
-    """A place of the pointer, px.
+    """A position of the pointer, px, if it is finite.
 
     Raises:
         InputError: it is not a finite number.

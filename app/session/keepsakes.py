@@ -1,4 +1,4 @@
-"""What a browser keeps of a page, to go on there after the server was started anew."""
+"""What a browser stores of a page's session, to continue after a reload or a restart of the server."""
 
 from __future__ import annotations
 
@@ -23,20 +23,19 @@ from .ghost import FINER, REFERENCE
 FORMAT, VERSION = "softrod-keepsake", 1
 
 MAX_BYTES = 1_000_000
-"""A keepsake that would be larger leaves out the scene as it was opened, and then the motion, too: the scene
-begins anew."""
+"""A larger one leaves out the scene as it was opened, and then also the motion: the scene starts again."""
 
 
 class Second(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """The second body, see `Ghost`."""
+    """The settings of the second body; see `Ghost`."""
 
     method: Annotated[str, Meta(max_length=60)]
     law: Annotated[str, Meta(max_length=60)] = ""
     finer: int = 1
 
 
-class Wishes(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What the user of a page had chosen beside the scene.
+class Choices(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What the user had chosen apart from the scene; browsers store its fields by these names.
 
     Attributes:
         playing: whether the clock ran.
@@ -44,7 +43,7 @@ class Wishes(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
         follow: whether the driven mass followed the pointer.
         joint: the angular spring that was read out.
         ghost: the second body, if there was one.
-        foretell: whether it was told how fast errors grow.
+        foretell: whether the growth of errors was measured.
         touched: whether anything had been done to the body by hand.
     """
 
@@ -60,35 +59,35 @@ class Wishes(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 _NOTHING = msgspec.Raw()
 
 
-class _Keepsake(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, omit_defaults=True):
+class _File(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, omit_defaults=True):
     format: Literal["softrod-keepsake"]
     version: Annotated[int, Meta(ge=1)]
     scene: msgspec.Raw
     moment: log.Restore | None
-    wishes: Wishes
+    wishes: Choices
     opened: msgspec.Raw = _NOTHING
 
 
 @dataclass(frozen=True)
-class Kept:
-    """What is in a keepsake.
+class Keepsake:
+    """The contents of a keepsake.
 
     Attributes:
-        moment: where the body was.
-        wishes: what its user had chosen.
-        opened: the scene as it was opened, or as it was last where that was left out.
+        moment: state of the body.
+        choices: of its user.
+        opened: the scene as it was opened; if that was left out, as it was last.
     """
 
     moment: sim.Moment
-    wishes: Wishes
+    choices: Choices
     opened: sim.Scene
 
 
-def encode(moment: sim.Moment, wishes: Wishes, opened: sim.Scene) -> bytes:
-    """A keepsake; see `Kept`."""
+def encode(moment: sim.Moment, choices: Choices, opened: sim.Scene) -> bytes:
+    """Write a keepsake; see `Keepsake`."""
     scene = log.raw_scene(moment.scene)
     there = log.restore_entry(moment, with_scene=False)
-    keepsake = _Keepsake(format=FORMAT, version=VERSION, scene=scene, moment=there, wishes=wishes)
+    keepsake = _File(format=FORMAT, version=VERSION, scene=scene, moment=there, wishes=choices)
     if opened is not moment.scene:
         keepsake = msgspec.structs.replace(keepsake, opened=log.raw_scene(opened))
     data = msgspec.json.encode(keepsake)
@@ -99,8 +98,8 @@ def encode(moment: sim.Moment, wishes: Wishes, opened: sim.Scene) -> bytes:
     return data
 
 
-def decode(data: bytes) -> Kept:
-    """What is in a keepsake; nothing in it is trusted.
+def decode(data: bytes) -> Keepsake:
+    """Read a keepsake; nothing in it is trusted.
 
     Raises:
         SceneError: one sentence that says what is wrong.
@@ -108,18 +107,18 @@ def decode(data: bytes) -> Kept:
     if len(data) > MAX_BYTES + MAX_FILE_BYTES:
         raise SceneError(f"{len(data)} bytes are more than a keepsake may have")
     try:
-        keepsake = msgspec.json.decode(data, type=_Keepsake)
+        keepsake = msgspec.json.decode(data, type=_File)
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
-        raise SceneError(sentence_of_json(error, data, _Keepsake)) from None
+        raise SceneError(sentence_of_json(error, data, _File)) from None
     if keepsake.version > VERSION:
         raise SceneError(f"version {keepsake.version} is newer than {VERSION}; a newer softrod can read it")
     scene = decode_scene(bytes(keepsake.scene), "scene", places=False)
-    wishes, ghost = keepsake.wishes, keepsake.wishes.ghost
+    choices, ghost = keepsake.wishes, keepsake.wishes.ghost
     if ghost is not None:
         laws = {"", *CHOICES["force_law"].options}
         if ghost.method not in {REFERENCE, *METHODS} or ghost.law not in laws or ghost.finer not in FINER:
             raise SceneError(f"ghost: there is no {ghost.method!r} with law {ghost.law!r} / {ghost.finer}")
     opened = decode_scene(bytes(keepsake.opened), "scene", places=False) if bytes(keepsake.opened) else scene
     if keepsake.moment is None:
-        return Kept(sim.Simulation(scene, wait=False).capture(), wishes, opened)
-    return Kept(log.moment_of(keepsake.moment, scene), wishes, opened)
+        return Keepsake(sim.Simulation(scene, wait=False).capture(), choices, opened)
+    return Keepsake(log.moment_of(keepsake.moment, scene), choices, opened)

@@ -1,8 +1,8 @@
-"""The file of what is done in a run, in order: one JSON object a line. A page records one; people write some.
+"""The log of a run: what was done, in order, one JSON object a line. Pages record logs, people write them.
 
-A log is about what was done to a `Simulation`, in its own steps. It knows no wall clock and no pointer, so a
-replay does not depend on how fast the machine is. A recorded one begins with a header that has its scene; one
-that is written by hand may leave that out where the scene is named elsewhere.
+A log lists what was done to a `Simulation`, counted in its own steps. It has no wall clock and no pointer, so
+a replay does not depend on the speed of the machine. A recorded log begins with a header that has its scene;
+one written by hand may leave that out if the scene is named elsewhere.
 """
 
 from __future__ import annotations
@@ -33,17 +33,17 @@ from sim.store.places import as_utf8, repeated_key, sentence_of_json
 FORMAT, VERSION = "softrod-log", 1
 
 MAX_LOG_BYTES = 4_000_000
-"""What a log may take beside its scene and the moment that it begins with; beyond that it starts anew. A page
-can open what it has saved, as long as these take less than a megabyte."""
+"""Bytes of a log besides its scene and first moment, at which it is restarted. A page can open the logs that
+it saves, as long as scene and first moment take less than a megabyte."""
 
 _MAX_BYTES = MAX_LOG_BYTES + 4 * MAX_FILE_BYTES
-"""Largest log that is read: its scene, and the scene and pose that it begins with, may each be as large as a
-scene file, and so may what comes last."""
+"""Bytes of a log that is read, at most: its scene, the scene and pose that it begins with, and its last entry
+may each be as large as a scene file."""
 
 _EXAMPLE = '{"do": "move", "mass": 0, "to": [320, 180]} and then {"do": "step", "n": 1, "times": 100}'
 
 NOTED = 32
-"""Masses, at most, whose positions are noted in a check."""
+"""Masses whose positions a check notes, at most."""
 
 _Mass = Annotated[int, Meta(ge=0, lt=100_000)]
 _Seconds = Annotated[float, Meta(ge=0.0, le=1e9)]
@@ -55,14 +55,14 @@ class Entry(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     """One line after the first.
 
     Attributes:
-        times: how often it was done, one after another.
+        times: how often it was done in a row.
     """
 
     times: _Times = 1
 
 
 class Act(Entry, frozen=True):
-    """Something that is done to a body by hand, or to its numbers."""
+    """Something done to a body by hand, or to its numbers."""
 
     def do(self, simulation: sim.Simulation) -> None:
         """Do it.
@@ -74,68 +74,63 @@ class Act(Entry, frozen=True):
 
 
 class Step(Entry, frozen=True, tag_field="do", tag="step"):
-    """A call of `Simulation.step`: so many steps, for which a method may try so many of its own (or any)."""
+    """A call of `Simulation.step`: n time steps, with a limited number of attempts, or any number."""
 
     n: Annotated[int, Meta(ge=0, le=500_000)]
     attempts: Annotated[int, Meta(ge=1, le=10**7)] | None = None
 
 
-class Move(Act, frozen=True, tag_field="do", tag="move"):
-    """A held mass was put somewhere, px."""
-
+class _OfMass(Act, frozen=True):
     mass: _Mass
+
+
+class _ToPlace(_OfMass, frozen=True):
     to: Vector
+
+
+class Move(_ToPlace, frozen=True, tag_field="do", tag="move"):
+    """A held mass was moved to a place, px, at once."""
 
     def do(self, simulation: sim.Simulation) -> None:
         simulation.move(self.mass, self.to)
 
 
-class Lead(Act, frozen=True, tag_field="do", tag="lead"):
-    """A held mass was led somewhere, px, over the next call of `step`."""
-
-    mass: _Mass
-    to: Vector
+class Lead(_ToPlace, frozen=True, tag_field="do", tag="lead"):
+    """A held mass was led to a place, px, over the next call of `step`."""
 
     def do(self, simulation: sim.Simulation) -> None:
         simulation.lead(self.mass, self.to)
 
 
-class Follow(Act, frozen=True, tag_field="do", tag="follow"):
-    """A held mass was led somewhere, px, as fast as the body can follow."""
-
-    mass: _Mass
-    to: Vector
+class Follow(_ToPlace, frozen=True, tag_field="do", tag="follow"):
+    """A held mass was led to a place, px, as fast as the body can follow."""
 
     def do(self, simulation: sim.Simulation) -> None:
         simulation.follow(self.mass, self.to)
 
 
-class Grab(Act, frozen=True, tag_field="do", tag="grab"):
-    """A mass was taken in a hand."""
-
-    mass: _Mass
+class Grab(_OfMass, frozen=True, tag_field="do", tag="grab"):
+    """A hand took a mass."""
 
     def do(self, simulation: sim.Simulation) -> None:
         simulation.grab(self.mass)
 
 
-class Release(Act, frozen=True, tag_field="do", tag="release"):
-    """A mass was let go."""
-
-    mass: _Mass
+class Release(_OfMass, frozen=True, tag_field="do", tag="release"):
+    """A hand let go of a mass."""
 
     def do(self, simulation: sim.Simulation) -> None:
         simulation.release(self.mass)
 
 
 class Keys(Act, frozen=True, tag_field="do", tag="keys"):
-    """The arrow keys that are held from here on."""
+    """The arrow keys held from here on."""
 
     held: tuple[Key, ...]
 
     @classmethod
     def of(cls, keys: frozenset[str]) -> Keys:
-        """In their order."""
+        """The entry for a set of keys, in a fixed order."""
         return cls(held=tuple(key for key in get_args(Key) if key in keys))
 
     def do(self, simulation: sim.Simulation) -> None:
@@ -143,7 +138,7 @@ class Keys(Act, frozen=True, tag_field="do", tag="keys"):
 
 
 class Set(Act, frozen=True, tag_field="do", tag="set"):
-    """A number of the scene was set, see `sim.set_value`."""
+    """A number of the scene was set; see `sim.set_value`."""
 
     key: Annotated[str, Meta(max_length=60)]
     value: float
@@ -153,7 +148,7 @@ class Set(Act, frozen=True, tag_field="do", tag="set"):
 
 
 class Choose(Act, frozen=True, tag_field="do", tag="choose"):
-    """Something of a list was chosen, see `sim.set_choice`."""
+    """A choice was made; see `sim.set_choice`."""
 
     key: Annotated[str, Meta(max_length=60)]
     value: Annotated[str, Meta(max_length=60)]
@@ -172,13 +167,13 @@ class FollowEnergy(Act, frozen=True, tag_field="do", tag="energy"):
 
 
 class Restore(Entry, frozen=True, tag_field="do", tag="restore"):
-    """The body was taken to a moment; hands let go.
+    """The body was put into the state of a moment, and hands let go.
 
     Attributes:
-        pose: where every mass is, px, and how it moves, px/s.
+        pose: positions, px, and velocities, px/s.
         time, step: simulated time, s, and time steps since the start.
         scale, shift: the factor of all rest lengths, and degrees added to all rest angles.
-        scene: the body and its settings, or None if they are as before.
+        scene: the body and its settings; None if unchanged.
     """
 
     pose: sim.Pose
@@ -190,11 +185,11 @@ class Restore(Entry, frozen=True, tag_field="do", tag="restore"):
 
 
 class Check(Entry, frozen=True, tag_field="do", tag="check"):
-    """How the body is here.
+    """The state of the body at this point.
 
     Attributes:
         time, step: simulated time, s, and time steps since the start.
-        digest: of the bytes of all positions and velocities, see `digest_of`.
+        digest: of all positions and velocities; see `digest_of`.
         at: positions of some masses, evenly chosen, px.
     """
 
@@ -208,10 +203,10 @@ _Kinds = Step | Move | Lead | Follow | Grab | Release | Keys | Set | Choose | Fo
 
 
 class Machine(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What the last digits may depend on.
+    """The machine, which last digits may depend on.
 
     Attributes:
-        kind: of the machine, as in x86_64.
+        kind: its architecture, as in x86_64.
         cpu: the processor that numba compiles for.
         numba: its version.
     """
@@ -231,8 +226,8 @@ class Header(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
         format, version: of the file.
         softrod: version of the program that wrote it.
         machine: where it was written.
-        scene: what it begins with, from its start.
-        note: why it begins where it does, if that is not the scene's start.
+        scene: the body, at its start.
+        note: why the log begins elsewhere, if it does.
     """
 
     format: Literal["softrod-log"]
@@ -248,12 +243,12 @@ class Log:
     """A log that was read.
 
     Attributes:
-        source: what it is called in an error.
-        scene: what it begins with.
-        machine: where it was recorded; empty if it says nothing of that.
+        source: its name in errors.
+        scene: the body that it begins with.
+        machine: where it was recorded; empty if unknown.
         entries: what was done.
-        lines: the number of each entry's line.
-        moments: what the entries `Restore` go back to, by the entry's index.
+        lines: line number of each entry.
+        moments: that entries `Restore` lead to, by the entry's index.
     """
 
     source: str
@@ -265,24 +260,24 @@ class Log:
 
     @property
     def checks(self) -> int:
-        """How many checks it has."""
+        """Number of checks."""
         return sum(isinstance(entry, Check) for entry in self.entries)
 
 
 def this_machine() -> Machine:
-    """The machine that this runs on."""
+    """This machine."""
     cpu = os.environ.get("NUMBA_CPU_NAME") or llvmlite.binding.get_host_cpu_name()
     return Machine(platform.machine(), cpu, numba.__version__)
 
 
 def digest_of(simulation: sim.Simulation) -> str:
-    """A digest of the bytes of all positions and velocities: equal only where every bit is."""
+    """A digest of the bytes of all positions and velocities: equal only if every bit is."""
     data = simulation.positions.tobytes() + simulation.velocities.tobytes()
     return hashlib.blake2b(data, digest_size=16).hexdigest()
 
 
 def check_of(simulation: sim.Simulation) -> Check:
-    """How a body is now."""
+    """A check of a body as it is now."""
     some = noted(simulation)
     at = tuple((x, y) for x, y in some.tolist())
     return Check(time=simulation.time, step=simulation.step_count, digest=digest_of(simulation), at=at)
@@ -315,7 +310,7 @@ def _version() -> str:
     try:
         return metadata.version("softrod")
     except metadata.PackageNotFoundError:
-        return ""  # run from a folder, without having been installed
+        return ""  # run from a checkout that is not installed
 
 
 def raw_scene(scene: sim.Scene) -> msgspec.Raw:
@@ -324,7 +319,7 @@ def raw_scene(scene: sim.Scene) -> msgspec.Raw:
 
 
 def restore_entry(moment: sim.Moment, with_scene: bool) -> Restore:
-    """The entry that leads to a moment."""
+    """The entry for a moment."""
     x, y, vx, vy = moment.rows.tolist()
     return Restore(
         pose=sim.Pose(
@@ -342,10 +337,10 @@ def restore_entry(moment: sim.Moment, with_scene: bool) -> Restore:
 
 
 def moment_of(entry: Restore, scene: sim.Scene) -> sim.Moment:
-    """The moment that an entry leads to, of a scene.
+    """The moment of an entry, for a scene.
 
     Raises:
-        SceneError: the entry's pose is not one of the scene's body.
+        SceneError: the pose is not one of the scene's body.
     """
     pose = consistent_pose(entry.pose, scene)
     rows = np.ascontiguousarray([*np.array(pose.positions).T, *np.array(pose.velocities).T])
@@ -362,7 +357,7 @@ def is_recorded(data: bytes) -> bool:
 
 
 def read_log(path: Path, scene: sim.Scene | None = None) -> Log:
-    """The log in a file; arguments and errors as of `decode_log`, or the file cannot be read."""
+    """Read the log in a file; arguments and errors as of `decode_log`, and the file may be unreadable."""
     try:
         data = path.read_bytes()
     except OSError as error:
@@ -371,12 +366,12 @@ def read_log(path: Path, scene: sim.Scene | None = None) -> Log:
 
 
 def decode_log(data: bytes, source: str, scene: sim.Scene | None = None) -> Log:
-    """The log in a file's bytes; nothing in it is trusted.
+    """Read the log in a file's bytes; nothing in it is trusted.
 
     Args:
         data: the whole file.
-        source: what to call it in an error, usually the file's name.
-        scene: what a log without a header begins with; None where it must have one.
+        source: its name in errors, usually that of the file.
+        scene: the body of a log without a header; None if it must have one.
 
     Raises:
         InputError: one sentence that names the line.
@@ -412,7 +407,7 @@ def decode_log(data: bytes, source: str, scene: sim.Scene | None = None) -> Log:
                     present = decode_scene(msgspec.json.encode(entry.scene), "scene", places=False)
                     log.moments[len(log.entries)] = moment_of(entry, present)
                 else:
-                    moment_of(entry, present)  # or one with other numbers, which only a replay knows
+                    moment_of(entry, present)  # numbers may have been set since; a replay knows them
             if isinstance(entry, Set) and entry.key == "masses" and entry.value != len(scene.masses):
                 raise InputError("set: the number of masses cannot change within a log")
             log.entries.append(entry)

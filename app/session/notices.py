@@ -1,4 +1,4 @@
-"""What a page tells its user once."""
+"""Notices that a page shows its user once."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ About = Literal["runaway", "shape"]
 
 @dataclass(frozen=True)
 class Notice:
-    """Something to tell the user once.
+    """A notice, shown once.
 
     Attributes:
         kind: how bad it is.
         title, text: what it says.
-        about: what it is about, if that may end: a body that ran away, or a shape that cannot be kept. There
-            is one such notice at most, and none once it is over.
+        about: a condition that may end: a body that ran away, or a shape that cannot be kept. The page shows
+            one such notice at most, and removes it when the condition ends.
     """
 
     kind: Literal["error", "warning", "info"]
@@ -28,8 +28,8 @@ class Notice:
     about: About | None = None
 
 
-def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
-    """What to tell when the simulation of a scene has stopped."""
+def runaway_notice(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
+    """The notice that the simulation of a scene has stopped."""
     limit, cause = divergence.stability.limit, divergence.stability.cause
     if cause is not None and divergence.dt > limit:
         setting = SETTINGS.get(cause.replace(" ", "_"))
@@ -41,16 +41,15 @@ def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
         )
     else:
         text = (
-            f"{str(divergence)[:1].upper()}{str(divergence)[1:]}. The last good state is shown. Go back to "
+            f"{_capitalized(str(divergence))}. The last good state is shown. Go back to "
             f"just before it, {_remedy(divergence)}, and go on; or press Reset."
         )
     return Notice("error", "The body exploded", text, "runaway")
 
 
-def no_shape(error: sim.DesignError) -> Notice:
-    """What to tell where a body cannot keep its shape."""
-    sentence = error.sentence
-    text = f"{sentence[:1].upper()}{sentence[1:]}."
+def shape_notice(error: sim.DesignError) -> Notice:
+    """The notice that a body cannot keep its shape."""
+    text = f"{_capitalized(error.sentence)}."
     if error.motion is not None:
         text += " The line shows where it goes."
     if error.stiffening is not None:
@@ -59,10 +58,14 @@ def no_shape(error: sim.DesignError) -> Notice:
     return Notice("error", "This shape cannot be kept", text, "shape")
 
 
+def _capitalized(sentence: str) -> str:
+    return sentence[:1].upper() + sentence[1:]
+
+
 def _remedy(divergence: sim.Divergence) -> str:
-    """What helps where the time step was below the stability limit."""
+    """What helps a body that ran away though the time step was below the stability limit."""
     if divergence.driven:
-        # No step is small enough for a law that makes energy.
+        # No step is small enough for a law that creates energy.
         return "move it more gently, raise the damping or choose another force law"
     if divergence.adaptive:
         return "move it more gently or raise the damping"

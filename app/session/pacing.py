@@ -1,7 +1,7 @@
-"""How much simulated time a frame gets, and what the page says of it.
+"""How much simulated time a frame gets, and how well the clock keeps up.
 
-Time is owed as it passes on the wall. Where the machine cannot pay it all, the rest is dropped and counted
-as lag: the clock falls behind, and the next frame is not asked for more than its own share.
+Simulated time is owed as wall time passes. What the machine cannot compute in time is dropped and counted as
+lag: the clock falls behind, and the next frame owes no more than its own share.
 """
 
 from __future__ import annotations
@@ -15,25 +15,25 @@ import sim
 from sim.motion.solver import SolverStats
 
 LONGEST_FRAME = 0.1
-"""Seconds of wall time that one frame can owe; after a longer silence (a stalled machine, a suspended
-laptop) the body goes on from where it was instead of leaping."""
+"""Seconds of wall time that one frame can owe. After a longer silence, of a stalled machine or a suspended
+laptop, the body continues from where it was instead of leaping."""
 
 HEAVY_UNIT = 0.004
-"""Seconds of one step, or one attempt at a step, from which on a body is heavy."""
+"""Seconds of one step, or one attempt at a step, beyond which a body is heavy."""
 
 LARGE = 2000
-"""Masses and springs from which on a scene counts as heavy before anything is known of its steps."""
+"""Masses and springs beyond which a scene counts as heavy before the cost of its steps is known."""
 
 _FIRST_ATTEMPTS = 1000
-"""Steps that it may try before anything is known of what they cost."""
+"""Attempts of an adaptive method before their cost is known."""
 
 _MAX_ATTEMPTS = 1_000_000
-"""Steps that it may try at most: what a log may say."""
+"""Attempts at most: a log cannot have more."""
 
 _PIECE = 0.7
-"""What is left of a frame's budget that is planned at once: what steps cost may change at any moment."""
+"""Part of a frame's remaining budget that is planned at once, since the cost of steps may change any time."""
 _REST = 0.1
-"""What may be left of a frame's budget."""
+"""Part of a frame's budget that may be left unused."""
 
 _WINDOW = 1.0
 """Seconds over which the rates are averaged."""
@@ -46,10 +46,10 @@ class Rates:
     Attributes:
         real_time_factor: simulated seconds per second.
         steps_per_second: steps of the method done per second.
-        rejected_per_second: steps tried in vain per second.
+        rejected_per_second: rejected attempts per second.
         solver_ms: time in the solver per frame, ms.
         behind: simulated seconds that the clock has lost since it was started.
-        losing: simulated seconds that it lost in the last second.
+        losing: simulated seconds that it has lost in the last second.
     """
 
     real_time_factor: float = 0.0
@@ -61,7 +61,7 @@ class Rates:
 
 
 class Costs:
-    """What the steps of a body cost, and so how many of them a budget of computing time is enough for."""
+    """The measured cost of a body's steps, from which follows how many of them fit a budget."""
 
     def __init__(self) -> None:
         self._step = self._attempt = 0.0
@@ -70,17 +70,17 @@ class Costs:
 
     @property
     def unit(self) -> float:
-        """Seconds of what cannot be divided: one step, or one attempt at one; 0 is not known."""
+        """Seconds of what cannot be divided: one step, or one attempt at one; 0 if unknown."""
         return self._attempt or self._step
 
     def attempts(self, budget: float) -> int:
-        """How many steps a method that chooses them itself may try in a budget of seconds."""
+        """Attempts of an adaptive method that fit a budget of seconds."""
         if not self._attempt:
             return _FIRST_ATTEMPTS
         return int(min(max(budget / self._attempt, 1.0), _MAX_ATTEMPTS))
 
     def affordable(self, budget: float) -> int:
-        """Steps of the clock that a budget of seconds is enough for, by their cost so far; 20000 at first."""
+        """Time steps that fit a budget of seconds, by their cost so far; 20000 at first."""
         return int(budget / self._step) if self._step else 20_000
 
     def move(
@@ -90,13 +90,13 @@ class Costs:
         budget: float,
         step: Callable[[int, int], int] | None = None,
     ) -> int:
-        """Move a body by some time steps, as far as a budget of seconds allows; see `spend`.
+        """Step a body, as far as a budget of seconds allows; see `spend`.
 
         Args:
             simulation: the body.
             steps: time steps.
             budget: seconds of computing.
-            step: what moves it; None for `Simulation.step`.
+            step: does the steps; None for `Simulation.step`.
 
         Returns:
             The time steps that were done.
@@ -108,11 +108,11 @@ class Costs:
             done = moved(n, attempts)
             return done, 0 if simulation.divergence is not None else simulation.work - before
 
-        self.look_at(simulation.scene)
+        self.reset_for(simulation.scene)
         return self.spend(budget, steps, go)
 
-    def look_at(self, scene: sim.Scene) -> None:
-        """Forget what steps cost, if those of this scene may cost something else."""
+    def reset_for(self, scene: sim.Scene) -> None:
+        """Forget the costs if the steps of this scene may cost something else."""
         counts = map(len, (scene.masses, scene.linear_springs, scene.angular_springs, scene.fillings))
         kind = scene.integrator.method, scene.contact is not None, *counts
         if kind != self._kind:
@@ -128,15 +128,15 @@ class Costs:
     ) -> int:
         """Do the steps of a frame as far as its budget allows.
 
-        They are done in pieces, by what steps cost until then. There is always one, so that a body too heavy
-        for the budget still moves. Each piece may go to the end of the frame, where hands lead masses to, but
-        for the number of steps that it may try.
+        They are done in pieces, planned by the costs so far. There is always one, so that a body too heavy
+        for the budget still moves. A piece is limited by attempts, not by time steps: hands lead masses to
+        the end of the frame.
 
         Args:
             budget: seconds of computing.
             steps: time steps.
-            go: does some time steps, as far as it gets by so many steps of the method. Returns how many it
-                did, and what it tried, see `SolverStats.work`; nothing of either at the end of the motion.
+            go: does some time steps with at most so many attempts. Returns the steps done and the attempts
+                (see `SolverStats.work`); both are 0 at the end of the motion.
             clock: seconds.
 
         Returns:
@@ -155,20 +155,20 @@ class Costs:
         return done
 
     def learn(self, steps: int, seconds: float, work: int) -> None:
-        """Note what a piece of a frame cost.
+        """Take the cost of a piece of a frame into account.
 
         Args:
             steps: time steps done.
             seconds: what they took.
-            work: what the method tried for them, see `SolverStats`.
+            work: attempts of the method; see `SolverStats`.
         """
-        # The first piece makes tables, too: what it cost counts only until there is a second one.
-        believed = _believed if self._learnt > 1 else lambda _, now: now
+        # The first piece also makes tables: its cost counts only until there is a second one.
+        average = _cautious if self._learnt > 1 else lambda _, now: now
         self._learnt += 1
         if steps:
-            self._step = believed(self._step, seconds / steps)
+            self._step = average(self._step, seconds / steps)
         if work:
-            self._attempt = believed(self._attempt, seconds / work)
+            self._attempt = average(self._attempt, seconds / work)
 
 
 class Pacer:
@@ -190,14 +190,14 @@ class Pacer:
         self._frames: deque[tuple[float, float, int, int, float, float]] = deque()
 
     def restart(self) -> None:
-        """Owe nothing and forget the rates, as after a pause."""
+        """Owe nothing, and forget the rates, as after a pause."""
         self._last = None
         self._owed = 0.0
         self.behind = 0.0
         self._frames.clear()
 
     def grant(self, now: float, dt: float, longest: float = LONGEST_FRAME) -> int:
-        """Steps that this frame should do.
+        """Time steps that this frame should do.
 
         Args:
             now: wall time, s.
@@ -216,15 +216,15 @@ class Pacer:
     def record(
         self, now: float, dt: float, steps: int, seconds: float, stats: SolverStats, missed: int
     ) -> None:
-        """Note what a frame did.
+        """Take a frame into account.
 
         Args:
             now: wall time, s.
             dt: time step, s.
             steps: time steps done.
-            seconds: what they took.
-            stats: what the method did for them.
-            missed: time steps that were granted and not reached.
+            seconds: of computing.
+            stats: of the method.
+            missed: time steps that were granted and not done.
         """
         self.behind += missed * dt
         lost = self._lost + missed * dt
@@ -252,10 +252,10 @@ def is_large(scene: sim.Scene) -> bool:
 
 
 def smoothed(before: float, now: float) -> float:
-    """A running average of costs, of which the first counts as it is."""
+    """A running average of costs, which starts with the first one."""
     return now if not before else 0.8 * before + 0.2 * now
 
 
-def _believed(before: float, now: float) -> float:
-    """A running average of costs that believes at once what is dearer."""
+def _cautious(before: float, now: float) -> float:
+    """A running average of costs that rises at once."""
     return max(now, smoothed(before, now))

@@ -1,7 +1,7 @@
-"""What a page plots: which quantities, and their values in the last minute.
+"""Plots of a page: their quantities, and the values of the last minute.
 
-A plot follows the history of its session. What is ahead of the moment that is shown stays, until something
-else takes its place.
+A plot follows the history of its session. Values after the moment that is shown stay until others replace
+them.
 """
 
 from __future__ import annotations
@@ -26,53 +26,56 @@ from .session import Session
 
 Floats = NDArray[np.float64]
 
-MAX_PLOTS, MAX_SERIES = 4, 5
-"""Plots of a page, and quantities of a plot, at most."""
+MAX_PLOTS = 4
+"""Plots of a page, at most: their curves are sent ten times a second."""
+
+MAX_SERIES = 5
+"""Quantities of a plot, at most: as many colours can be told apart."""
 
 MAX_UNITS = 2
-"""Units of the quantities of a plot, at most: it has an axis on either side."""
+"""Units of the quantities of a plot, at most: there is an axis on either side."""
 
 AHEAD = 0.5
-"""Part of a plot's time, at most, that is ahead of the moment that is shown."""
+"""Part of a plot's time, at most, that is after the moment shown."""
 
 FINE = 4
-"""How many times more pieces a plot over another quantity has: its curve goes to and fro."""
+"""Factor by which a plot over another quantity has more pieces, since its curve goes to and fro."""
 
 STEPS = 2.0**14
-"""Heights on a plot that can be told apart: many times the pixels that there are, and good for four digits.
-Numbers that are rounded to so many take fewer bytes on their way."""
+"""Different heights on a plot: many times its pixels, and good for four digits. Numbers rounded to these are
+compressed to fewer bytes."""
 
 MIN_PART = 1e-6
-"""Range of an axis, at least, as a part of the largest value on it: what a body at rest still does is less. A
-plot of that alone would have more marks than a page can draw, and no digits to tell them apart."""
+"""Range of an axis, at least, as a part of the largest value on it: the rounding noise of a body at rest is
+less. A plot of noise alone would have more marks than a page can draw, all with the same digits."""
 
 MIN_LENGTH = 1.0 / 60_000.0
-"""The same for lengths, as a part of the scene's frame: a hundredth of a pixel where that is 600 px high."""
+"""The same for lengths, as a part of the scene's frame: a hundredth of a pixel if that is 600 px high."""
 
 Name = Annotated[str, Meta(max_length=60)]
 
 
-class Wish(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A plot that is wanted.
+class PlotSpec(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The quantities of a plot; its fields are stored by browsers.
 
     Attributes:
         names: of its quantities, see `find`.
-        over: the quantity that they are plotted over; empty for the time.
+        over: name of the quantity on the horizontal axis; empty for the time.
     """
 
     names: Annotated[tuple[Name, ...], Meta(min_length=1, max_length=MAX_SERIES)]
     over: Name = ""
 
 
-def wish_of(text: str) -> Wish:
-    """The plot that a text names: "joint0.angle", "mass1.x, mass3.x", "joint0.rate over joint0.angle"."""
+def parse_plot(text: str) -> PlotSpec:
+    """Read the name of a plot: "joint0.angle", "mass1.x, mass3.x", "joint0.rate over joint0.angle"."""
     names, _, over = text.partition(" over ")
-    return Wish(tuple(name.strip() for name in names.split(",")), over.strip())
+    return PlotSpec(tuple(name.strip() for name in names.split(",")), over.strip())
 
 
-def text_of(wish: Wish) -> str:
-    """What names a plot, as `wish_of` reads it."""
-    return ", ".join(wish.names) + (f" over {wish.over}" if wish.over else "")
+def plot_text(spec: PlotSpec) -> str:
+    """The name of a plot, as `parse_plot` reads it."""
+    return ", ".join(spec.names) + (f" over {spec.over}" if spec.over else "")
 
 
 _GHOST = Kind(
@@ -88,7 +91,7 @@ OFFERED: dict[str, tuple[str, ...]] = {**PARTS, "ghost": ("distance",)}
 
 
 def find(name: str, scene: sim.Scene) -> sim.Quantity:
-    """A quantity by its name: one of `sim.quantity`, or "ghost.distance".
+    """The quantity of a name: one of `sim.quantity`, or "ghost.distance".
 
     Raises:
         InputError: there is no such quantity, or the scene has no such part.
@@ -99,34 +102,34 @@ def find(name: str, scene: sim.Scene) -> sim.Quantity:
 
 
 class Plot:
-    """A plot: its quantities, and a ring of their values, one row for each frame in which time passed.
+    """A plot: its quantities, and a ring of their values, a row for each frame in which time passed.
 
     Args:
-        wish: what it is of.
-        scene: whose quantities they are.
+        spec: names its quantities.
+        scene: has them.
 
     Attributes:
-        wish: as above.
-        quantities: those of the wish, and then the one that they are plotted over, if any.
+        spec: as above.
+        quantities: those of the spec, then the one on the horizontal axis, if that is not the time.
         shown: the time that the page shows, s.
-        version: counts changes of what is to be drawn.
+        version: counts changes of what is drawn.
 
     Raises:
-        InputError: there is no such quantity or part, or the quantities or their units are too many.
+        InputError: there is no such quantity or part, or there are too many quantities or units.
     """
 
-    def __init__(self, wish: Wish, scene: sim.Scene) -> None:
-        names = tuple(dict.fromkeys(wish.names))
+    def __init__(self, spec: PlotSpec, scene: sim.Scene) -> None:
+        names = tuple(dict.fromkeys(spec.names))
         if len(names) > MAX_SERIES:
             raise InputError(f"a plot has room for {MAX_SERIES} quantities")
-        self.quantities = tuple(find(name, scene) for name in (*names, *((wish.over,) if wish.over else ())))
-        self.wish = Wish(tuple(q.name for q in self.quantities[: len(names)]), wish.over)
+        self.quantities = tuple(find(name, scene) for name in (*names, *((spec.over,) if spec.over else ())))
+        self.spec = PlotSpec(tuple(q.name for q in self.quantities[: len(names)]), spec.over)
         if len(self.units) > MAX_UNITS:
             raise InputError(f"a plot has room for two units, but not for {', '.join(self.units)}")
         self._y_down = scene.view.y_down
         left, top, right, bottom = scene.view.frame
         self._least_length = scene.view.unit, MIN_LENGTH * max(right - left, bottom - top)
-        # Twice the room, so that rows seldom have to be moved.
+        # Twice the size, so that rows seldom have to be moved.
         self._room = np.empty((2 * SPAN, 1 + len(self.quantities)))
         self._first = self._end = 0
         self._run = 0
@@ -135,23 +138,23 @@ class Plot:
 
     @property
     def units(self) -> tuple[str, ...]:
-        """The units of what is plotted upwards, each once."""
-        return tuple(dict.fromkeys(q.unit for q in self.quantities[: len(self.wish.names)]))
+        """The units on the vertical axes, each once."""
+        return tuple(dict.fromkeys(q.unit for q in self.quantities[: len(self.spec.names)]))
 
     @property
     def turned(self) -> tuple[bool, ...]:
-        """Of the axis of each of `units`, whether its values grow downwards.
+        """For each of `units`, whether the values on its axis grow downwards.
 
-        They do where y coordinates or components are on it and the scene's y grows downwards, so that a curve
-        goes down as its mass does.
+        They do for y coordinates and components in a scene whose y grows downwards, so that a curve goes down
+        as its mass does.
         """
-        quantities = self.quantities[: len(self.wish.names)]
+        quantities = self.quantities[: len(self.spec.names)]
         vertical = {q.unit for q in quantities if q.kind.vertical} if self._y_down else set[str]()
         return tuple(unit in vertical for unit in self.units)
 
     @property
     def rows(self) -> Floats:
-        """(k, 1 + quantities) times, s, and values; NaN where there was none. A view."""
+        """(k, 1 + quantities) times, s, and values; NaN for those that did not exist. A view."""
         return self._room[self._first : self._end]
 
     @property
@@ -160,7 +163,7 @@ class Plot:
         return any(q.kind.of == "energy" for q in self.quantities)
 
     def sample(self, session: Session) -> None:
-        """Note the present values, if they are of a later time than all before; drop what will not come."""
+        """Add the present values, if they are of a later time than all before; drop an abandoned future."""
         history, time = session.history, session.simulation.time
         end = self._end
         if history.runs != self._run:
@@ -172,13 +175,13 @@ class Plot:
             each = zip(self.quantities, last.tolist(), strict=True)
             self.append((time, *(_value(session, q, before) for q, before in each)))
         elif time == self._room[self._end - 1, 0]:
-            self._look_again(session)
+            self._update_stability(session)
         if end != self._end or time != self.shown:
             self.version += 1
         self.shown = time
 
-    def _look_again(self, session: Session) -> None:
-        """Note what may be found while the clock stands: the stability limit."""
+    def _update_stability(self, session: Session) -> None:
+        """Update the stability limit, which may be found while the clock is stopped."""
         last = self._room[self._end - 1, 1:]
         for i, quantity in enumerate(self.quantities):
             if quantity.kind.of == "stability" and (value := _value(session, quantity)) != last[i]:
@@ -186,7 +189,7 @@ class Plot:
                 self.version += 1
 
     def take_over(self, other: Plot) -> None:
-        """Take the values that another plot has of the same quantities."""
+        """Copy another plot's values of the same quantities."""
         rows = np.full((len(other.rows), self._room.shape[1]), np.nan)
         rows[:, 0] = other.rows[:, 0]
         for i, quantity in enumerate(self.quantities, start=1):
@@ -196,7 +199,7 @@ class Plot:
         self._first, self._end, self._run = 0, len(rows), other._run
 
     def append(self, row: Sequence[float]) -> None:
-        """Note a row, of a later time than all before."""
+        """Add a row, of a later time than all before."""
         if self._end - self._first == SPAN:
             self._first += 1
         if self._end == len(self._room):
@@ -207,15 +210,15 @@ class Plot:
         self._end += 1
 
     def window(self, seconds: float) -> Floats:
-        """(k, 1 + quantities) the rows of the last seconds before the moment that is shown."""
+        """(k, 1 + quantities) rows of the last seconds up to the moment shown."""
         rows = self.rows
         first, end = np.searchsorted(rows[:, 0], (self.shown - seconds, self.shown), side="right")
         return rows[first:end]
 
     def view(self, seconds: float) -> tuple[Floats, int]:
-        """The rows of so many seconds, (k, 1 + quantities), and how many are not ahead of the moment shown.
+        """(k, 1 + quantities) rows of some seconds, and how many of them are not after the moment shown.
 
-        They end with the newest row, or `AHEAD` of the seconds after the moment that is shown.
+        They end with the newest row, but at most `AHEAD` of the seconds after the moment shown.
         """
         times = self.rows[:, 0]
         newest = float(times[-1]) if times.size else self.shown
@@ -224,14 +227,14 @@ class Plot:
         return self.rows[first:last], now - first
 
     def level(self, values: Floats) -> Floats:
-        """What is drawn of values, (1 + quantities, k) with the times, s, first.
+        """(1 + quantities, k) values to draw, times first: those on one axis that hardly differ become equal.
 
-        Those of one axis that hardly differ are one value: see `MIN_PART` and `MIN_LENGTH`.
+        See `MIN_PART` and `MIN_LENGTH`.
         """
-        values, count = values.copy(), len(self.wish.names)
+        values, count = values.copy(), len(self.spec.names)
         units = [q.unit for q in self.quantities[:count]]
         axes = [[i for i, unit in enumerate(units, start=1) if unit == one] for one in dict.fromkeys(units)]
-        for rows in (*axes, *([[1 + count]] if self.wish.over else [])):
+        for rows in (*axes, *([[1 + count]] if self.spec.over else [])):
             shown = values[rows]
             finite = np.isfinite(shown)
             some = shown[finite]
@@ -249,37 +252,37 @@ class Plot:
         return table_text(self.quantities, self.rows, decimal_comma)
 
 
-class Drawn(NamedTuple):
-    """What a page is sent of a plot.
+class PlotWindow(NamedTuple):
+    """The curves that a page is sent.
 
     Attributes:
         values: (1 + quantities, k) times, s, and values.
-        past: how many of the k are not ahead of the moment that is shown.
+        past: number of the k that are not after the moment shown.
     """
 
     values: Floats
     past: int
 
 
-def curve(plot: Plot, seconds: float, width: int) -> Drawn:
-    """What a page is sent of a plot, rounded to what can be seen.
+def curve(plot: Plot, seconds: float, width: int) -> PlotWindow:
+    """The curves of a plot, thinned and rounded to what can be seen.
 
     Args:
         plot: the plot.
         seconds: of the window.
-        width: pieces of the window. Of each there are the highest and the lowest value of each quantity; over
-            another quantity than the time there is the first moment of each of `FINE` times as many.
+        width: pieces of the window. Of each piece, the moments of each quantity's highest and lowest values
+            remain; over another quantity than the time, the first moment of each of `FINE` times as many.
     """
     rows, past = plot.view(seconds)
-    pieces = FINE * width if plot.wish.over else width
-    if len(rows) > (pieces if plot.wish.over else 2 * pieces):
-        # The pieces lie at fixed times, or the curve would flicker as it moves on.
+    pieces = FINE * width if plot.spec.over else width
+    if len(rows) > (pieces if plot.spec.over else 2 * pieces):
+        # The pieces have fixed times; otherwise the curve would flicker as it moves on.
         piece = np.floor(rows[:, 0] * (pieces / seconds)).astype(np.int64)
         starts = np.flatnonzero(np.diff(piece, prepend=piece[0] - 1))
         keep = {0, max(past - 1, 0), len(rows) - 1}
-        if plot.wish.over:
+        if plot.spec.over:
             keep.update(starts.tolist())
-        for column in () if plot.wish.over else rows.T[1:]:
+        for column in () if plot.spec.over else rows.T[1:]:
             for sign in (1.0, -1.0):
                 height = np.where(np.isnan(column), -np.inf, sign * column)
                 most = np.maximum.reduceat(height, starts)
@@ -288,11 +291,11 @@ def curve(plot: Plot, seconds: float, width: int) -> Drawn:
         kept = sorted(keep)
         rows, past = rows[kept], bisect_left(kept, past)
     values = np.array([_rounded(column) for column in rows.T]).reshape(rows.shape[::-1])
-    return Drawn(plot.level(values), past)
+    return PlotWindow(plot.level(values), past)
 
 
 def _rounded(values: Floats) -> Floats:
-    """Values rounded to a power of two that is some thousandth part of their range."""
+    """Values rounded to a multiple of a power of two, `STEPS` of which cover their range."""
     finite = values[np.isfinite(values)]
     reach = float(np.ptp(finite)) if finite.size else 0.0
     if not reach > 0.0:
@@ -302,15 +305,15 @@ def _rounded(values: Floats) -> Floats:
 
 
 def _value(session: Session, quantity: sim.Quantity, before: float = math.nan) -> float:
-    """The present value of a quantity; NaN where there is none. An angle goes on from the one before."""
+    """The present value of a quantity; NaN if there is none. An angle continues from the one before."""
     simulation, of = session.simulation, quantity.kind.of
     if of == "ghost":
         ghost = session.ghost
-        value = math.nan if ghost is None or ghost.waits else ghost.distance
+        value = math.nan if ghost is None or ghost.is_compiling else ghost.distance
     elif of == "stability":
-        value = simulation.dt / session.stability.limit  # the meter is looked at now and then
+        value = simulation.dt / session.stability.limit  # as last estimated
     elif of == "energy" and not simulation.track_energy(True):
-        value = math.nan  # its kernels are still being compiled
+        value = math.nan  # its kernels are being compiled
     else:
         value = quantity.read(simulation, before)
     return value if math.isfinite(value) else math.nan

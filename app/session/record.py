@@ -1,4 +1,4 @@
-"""Acts on a simulation, and keeps a log of it that can be replayed bit for bit."""
+"""Acts on a simulation, and records a log of it that can be replayed bit for bit."""
 
 from __future__ import annotations
 
@@ -16,21 +16,23 @@ CHECK_EVERY = 1.0
 """Simulated seconds between two checks."""
 
 TOO_LONG = "the log before this had grown too long; it starts anew here"
+"""Note in the header of a log that was restarted."""
 
 
 class Recorder:
-    """All that a session does to its body goes through this.
+    """The only way in which a session acts on its body.
 
-    What a replay could not do in the same way is not noted step by step: while kernels are still being
-    compiled, how a body goes on depends on when that is done. Then the log goes on from where that led.
+    Steps that a replay could not repeat are left out: while kernels are being compiled, a motion depends on
+    when that is done. The log then continues from where they led.
 
     Args:
         simulation: the body, at its scene's start.
+        note: why it is not at its scene's start, if it is not.
 
     Attributes:
         simulation: the body.
-        acts: how often something was done to it.
-        been: digests of the moments that the log goes back to, or on from, see `log.digest_of`.
+        acts: number of acts.
+        visited: digests of the moments that the log restores; see `log.digest_of`.
     """
 
     def __init__(self, simulation: sim.Simulation, note: str = "") -> None:
@@ -39,38 +41,38 @@ class Recorder:
         self._follows_energy = False
         self._begin(note)
         if note:
-            self._go_on_from_here()
+            self._continue_here()
 
     def _restart(self) -> None:
-        """Start the log anew at the scene's start, where the simulation is."""
+        """Restart the log; the simulation is at the scene's start."""
         self._begin("")
-        self._note_holding()
+        self._note_held()
 
     def _begin(self, note: str) -> None:
-        self._scene = self.simulation.capture().scene  # what the header has
+        self._scene = self.simulation.capture().scene  # in the header
         self._text = note
         self._lines: list[bytes] = []
         self._size = 0
-        self._last: Entry | None = None  # not in the lines yet: it may come again
+        self._last: Entry | None = None  # not written yet, since it may be repeated
         self._times = 0
-        self._moment: tuple[sim.Moment, bool, str] | None = None  # gone back to, and not noted yet
-        self.been: set[str] = set()
+        self._moment: tuple[sim.Moment, bool, str] | None = None  # restored, and not written yet
+        self.visited: set[str] = set()
         self._checked = self.simulation.time
         self._complete = self.simulation.complete
 
     # --------------------------------------------------------------------- what can be done to a body
     def do(self, act: log.Act) -> None:
-        """Do something; with another number of masses it is another body, and the log starts anew.
+        """Do something; another number of masses makes another body, and restarts the log.
 
         Raises:
             InputError, SettingError: it cannot be done.
         """
         self.acts += 1
-        if not isinstance(act, log.Lead):  # which is over at the next step, and would be lost
+        if not isinstance(act, log.Lead):  # a restart would lose the leads before the next step
             self._make_room()
         if isinstance(act, log.FollowEnergy):
             self._follows_energy = act.on
-        if not isinstance(act, log.Set | log.Choose):  # of which there is one a frame while a hand leads
+        if not isinstance(act, log.Set | log.Choose):  # the rest, which hands do in every frame, is simple
             act.do(self.simulation)
             self._note(act)
             return
@@ -84,11 +86,11 @@ class Recorder:
             self._complete = self._complete and self.simulation.complete
 
     def set_scene(self, scene: sim.Scene, keys_too: bool) -> None:
-        """Go on with another scene's settings; another number of masses is another body, at its start.
+        """Continue with another scene's settings; another number of masses makes another body, at its start.
 
         Args:
             scene: has the same masses, springs and joints, or comes from the same recipe.
-            keys_too: whether rest lengths and angles are the scene's, too, without what keys have changed.
+            keys_too: whether to undo what keys have changed.
         """
         moment = self.simulation.capture()
         if not same_topology(moment.scene, scene):
@@ -100,14 +102,14 @@ class Recorder:
         self.restore(replace(moment, scene=scene))
 
     def restore(self, moment: sim.Moment) -> None:
-        """See `Simulation.restore`. Of many in a row, the last is noted."""
+        """See `Simulation.restore`. Of many in a row, the last one is recorded."""
         present = self.simulation.capture().scene
         self.simulation.restore(moment)
         self._complete = self._complete and self.simulation.complete
-        self._put_off(moment, moment.scene is not present)
+        self._defer(moment, moment.scene is not present)
 
     def reset(self) -> None:
-        """See `Simulation.reset`; the log starts anew."""
+        """See `Simulation.reset`; restarts the log."""
         self.simulation.reset()
         self._restart()
 
@@ -116,10 +118,10 @@ class Recorder:
         done = self.simulation.step(n, attempts)
         if not self._complete:
             if self.simulation.complete:
-                self._go_on_from_here()
+                self._continue_here()
             return done
         if n > 0:
-            # A method with fixed steps that came to the end could have tried more.
+            # For fixed steps that were all done, attempts do not matter.
             free = done == n and not METHODS[self.simulation.method].adaptive
             self._note(log.Step(n=n, attempts=None if free else attempts))
             if abs(self.simulation.time - self._checked) >= CHECK_EVERY:
@@ -129,14 +131,14 @@ class Recorder:
 
     # --------------------------------------------------------------------- the log
     def file(self) -> bytes:
-        """The log until now, as a file; a check ends it.
+        """The log up to now, as a file that ends with a check.
 
         Raises:
             SceneError: the scene cannot be written.
         """
         if not self._complete:
-            self._go_on_from_here()
-        self._settle()
+            self._continue_here()
+        self._flush()
         end = encode_fields(log.check_of(self.simulation))
         return b"\n".join([log.encode_header(self._scene, self._text), *self._lines, end, b""])
 
@@ -144,25 +146,25 @@ class Recorder:
         if not self._complete:
             return
         if self._moment is not None:
-            self._settle()
+            self._flush()
         if entry == self._last:
             self._times += 1
             return
         self._write_last()
         self._last, self._times = entry, 1
 
-    def _put_off(self, moment: sim.Moment, with_scene: bool) -> None:
-        """The body is at a moment now; it is noted when it is known that it stays there."""
+    def _defer(self, moment: sim.Moment, with_scene: bool) -> None:
+        """Note that the body is at a moment, to be written once it does something from there."""
         with_scene = with_scene or (self._moment is not None and self._moment[1])
         self._moment = moment, with_scene, log.digest_of(self.simulation)
 
-    def _settle(self) -> None:
-        """Write all that waits to be."""
+    def _flush(self) -> None:
+        """Write all that is deferred."""
         self._write_last()
         if self._moment is not None:
             moment, with_scene, digest = self._moment
             self._moment = None
-            self.been.add(digest)
+            self.visited.add(digest)
             self._write(log.restore_entry(moment, with_scene))
 
     def _write_last(self) -> None:
@@ -180,30 +182,29 @@ class Recorder:
         self._lines.append(line)
 
     def _check(self) -> None:
-        self._settle()
+        self._flush()
         self._checked = self.simulation.time
         self._write(log.check_of(self.simulation))
 
     def _make_room(self) -> None:
-        """Start the log anew if it has grown too long: before something is done, or after steps, so that
-        nothing is lost that was to be done in the next steps."""
+        """Restart the log if it is too long; called when no act is to take effect in the next steps."""
         if self._size <= log.MAX_LOG_BYTES:
             return
         self._begin(TOO_LONG)
-        self._go_on_from_here()
+        self._continue_here()
 
-    def _go_on_from_here(self) -> None:
-        """Let the body go on as a replay will that begins at this moment, and note so."""
+    def _continue_here(self) -> None:
+        """Continue the log at this moment, and put the body into the state in which a replay will start."""
         moment, grabbed = self.simulation.capture(), self.simulation.grabbed
         self._complete = True
         self.simulation.restore(moment)
-        self._put_off(moment, with_scene=True)
+        self._defer(moment, with_scene=True)
         for mass in grabbed:
             self.do(log.Grab(mass=mass))
         self.simulation.track_energy(self._follows_energy)
-        self._note_holding()
+        self._note_held()
         self._complete = self.simulation.complete
 
-    def _note_holding(self) -> None:
+    def _note_held(self) -> None:
         self._note(log.Keys.of(self.simulation.keys))
         self._note(log.FollowEnergy(on=self._follows_energy))

@@ -1,4 +1,4 @@
-"""Does again what a log says, and compares."""
+"""Plays a log, and compares the outcome with what was recorded."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ from . import log
 from .log import Entry, Log
 
 _MAX_OWED = 0.5
-"""Simulated seconds, at most, that a replay catches up on."""
+"""Simulated seconds that a replay catches up on, at most."""
 
 _TOO_HEAVY = "this frame is too heavy to be played in a page; `softrod run --inputs` can do it"
 
 
 class Player:
-    """A log on its way through a simulation.
+    """Plays a log in a simulation.
 
     Args:
-        record: what was done.
+        record: the log.
         simulation: the body of `record.scene`, at its start.
-        energy: whether the energy is to be followed throughout, whatever the log says.
+        energy: whether to follow the energy throughout, regardless of the log.
 
     Attributes:
         record, simulation: as above.
-        steps: steps done until now.
-        difference: where it first differed from what was recorded, a sentence, or None.
+        steps: steps done so far.
+        difference: a sentence on the first difference from the record, or None.
     """
 
     def __init__(self, record: Log, simulation: sim.Simulation, energy: bool = False) -> None:
@@ -45,27 +45,27 @@ class Player:
 
     @property
     def ended(self) -> bool:
-        """Whether there is nothing more to do."""
+        """Whether the log is at its end."""
         return self._index >= len(self.record.entries)
 
     @property
     def at(self) -> int:
-        """Index of the entry that comes next."""
+        """Index of the next entry."""
         return self._index
 
     @property
     def upcoming(self) -> Entry:
-        """What comes next."""
+        """The next entry."""
         return self.record.entries[self._index]
 
     def do(self, attempts: int = UNLIMITED) -> int:
-        """Do what comes next, once, and return the steps that were done.
+        """Do the next entry once; the steps that were done.
 
         Args:
             attempts: as for `advance`.
 
         Raises:
-            InputError: it cannot be done; the sentence names the line.
+            InputError: it cannot be done; names the line.
         """
         entry = self.upcoming
         try:
@@ -79,16 +79,16 @@ class Player:
         return done
 
     def advance(self, seconds: float, budget: float, most: int, attempts: int) -> int:
-        """Do what comes next, as far as so many more simulated seconds lead, and return the steps done.
+        """Advance by some simulated seconds; the steps that were done.
 
         Args:
-            seconds: simulated time, s; what a call of `step` goes beyond it is made up for later.
-            budget: seconds of computing after which nothing more is begun.
-            most: steps that one call may have.
-            attempts: steps that a method may really try in one call, whatever it might when it was recorded.
+            seconds: simulated time, s; what a call of `step` exceeds it by is subtracted later.
+            budget: seconds of computing after which no further entry is begun.
+            most: steps of one call, at most.
+            attempts: attempts in one call, at most, regardless of the record.
 
         Raises:
-            InputError: as `do`, or a call takes more than that.
+            InputError: as `do`, or a call exceeds these limits.
         """
         self._owed = min(self._owed + seconds, _MAX_OWED)
         done, end = 0, time.perf_counter() + budget
@@ -107,7 +107,7 @@ class Player:
 
     @property
     def agrees(self) -> bool:
-        """Whether nothing has differed until now."""
+        """Whether nothing has differed so far."""
         return self.difference is None
 
     @property
@@ -154,9 +154,9 @@ class Player:
         else:
             largest = "largest distance unknown"
         here = log.this_machine()
-        told = f"; it was recorded on {self.record.machine}, this is {here}"
+        elsewhere = f"; it was recorded on {self.record.machine}, this is {here}"
         self.difference = (
             f"differs first at t = {check.time:.6g} s (check {self._checks} of {self.record.checks}), "
             + largest
-            + (told if here != self.record.machine else "")
+            + (elsewhere if here != self.record.machine else "")
         )

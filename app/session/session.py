@@ -1,6 +1,6 @@
 """One page's simulation, without the page: commands go in, a state to draw comes out.
 
-Callbacks only call `post`, from any thread. Everything else is called by the ticker alone.
+Handlers only call `post` and the methods under "any thread". Everything else belongs to the ticker's thread.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import ClassVar, Generic, Literal, TypeVar
+from typing import ClassVar, Generic, Literal, TypeVar, dataclass_transform
 
 import msgspec
 
@@ -27,75 +27,81 @@ from sim.motion.stability import StabilityEstimate
 from . import keepsakes, log
 from .companions import Companions
 from .driving import Driving
-from .foreseen import Foreseen
 from .ghost import Ghost
 from .hand import FRAME, PointerHands
-from .history import History, OldFuture
+from .history import AbandonedFuture, History
 from .log import Log
 from .modes import ModesWatch
-from .notices import About, Notice, no_shape, runaway
+from .notices import About, Notice, runaway_notice, shape_notice
 from .pacing import HEAVY_UNIT, LONGEST_FRAME, Costs, Pacer, is_large
+from .predictability import PredictabilityMeter
 from .record import Recorder
 from .replay import Player
-from .shadow import Foresight
+from .rest_pose import RestPosePreview
 from .stability import StabilityWatch
 from .versions import Versions
 
 __all__ = ["FRAME", "KEYS_FORGOTTEN_AFTER", "Notice", "Session"]
 
 CHEAP = 0.3
-"""Milliseconds in the solver per frame up to which a body that rests costs next to nothing."""
+"""Milliseconds in the solver per frame up to which a body at rest costs next to nothing."""
 
 KEYS_FORGOTTEN_AFTER = 0.5
-"""Seconds of silence after which held keys, and what drives a mode, count as released: the connection may be
-gone."""
+"""Seconds of silence after which held keys, and the drive of a mode, count as released: the connection may be
+lost."""
 
 MAX_QUEUE = 4000
-"""Commands that wait at most; beyond that the page is not a person, and the oldest are dropped."""
+"""Commands that may wait. No person sends more; the oldest are dropped."""
 
 MAX_SECONDS = 0.5
-"""Seconds of computing that single steps, or one call of a replay, may take, by what steps have cost."""
+"""Seconds of computing, estimated, for single steps or for one call of a replay."""
 
 _AFTER_REPLAY = "it begins where a replay was left"
 
 T = TypeVar("T")
 
 
-class Changed(enum.Enum):
-    """What something changes that the page looks at only when it is told to."""
+class Refresh(enum.Enum):
+    """What the page has to show again; it looks only when it is asked to."""
 
     NOTHING = enum.auto()
     SETTINGS = enum.auto()
     """Numbers and switches; the body is drawn exactly."""
     CONTROLS = enum.auto()
-    """The nodes and controls are to be those of another body or method, too."""
+    """Also the nodes and controls, since they are those of another body or method."""
     BODY = enum.auto()
-    """Another body takes the place of the one before: it is fitted to the window, too."""
+    """Also the view, since another body takes the place of the one before."""
 
 
+@dataclass_transform(frozen_default=True)
 class Command:
-    """Something that a page can ask of its session; the ticker applies it between two frames.
+    """Something that a page asks of its session; the ticker applies it between two frames.
+
+    Every subclass is a frozen dataclass.
 
     Attributes:
-        changes: what it changes beside the motion.
-        acts: whether it does something to the body, by which a replay ends.
-        brings_body: whether it brings another body: then it takes the place of any other such that still
-            waits, since they may be of many megabytes.
+        refresh: what the page has to show again.
+        acts: whether it does something to the body, which ends a replay.
+        brings_body: whether it brings another body. It then replaces any other such command that still waits,
+            since each may have many megabytes.
     """
 
-    changes: ClassVar[Changed] = Changed.NOTHING
+    refresh: ClassVar[Refresh] = Refresh.NOTHING
     acts: ClassVar[bool] = False
     brings_body: ClassVar[bool] = False
 
+    def __init_subclass__(cls) -> None:
+        dataclass(frozen=True)(cls)
+
     def apply(self, session: Session, at: float) -> None:
-        """Do it.
+        """Apply it.
 
         Args:
             session: of the page.
-            at: wall time at which it was asked for, s.
+            at: wall time at which it was posted, s.
 
         Raises:
-            InputError, SettingError, SceneError: it cannot be done; the user is told.
+            InputError, SettingError, SceneError: it cannot be done; the user is notified.
         """
         raise NotImplementedError
 
@@ -109,13 +115,12 @@ class Command:
         return self.brings_body
 
     def playing_after(self, playing: bool) -> bool:
-        """Whether the clock runs once it is applied, if it runs or stands before."""
+        """Whether the clock runs after it, given whether it runs before."""
         return playing
 
 
-@dataclass(frozen=True)
 class _Question(Command, Generic[T]):
-    """Something is wanted that only the ticker may look at; it is answered between two frames."""
+    """A question that only the ticker can answer, between two frames."""
 
     find: Callable[[], T]
     result: Future[T]
@@ -133,39 +138,39 @@ class Session:
     Args:
         scene: what it shows first.
         clock: wall time, s.
-        wait: whether a step may wait for the compiler. A page cannot: it moves by NumPy until then.
+        wait: whether a step may wait for the compiler. In a page it may not: bodies move by NumPy until then.
 
     Attributes:
-        simulation: the body in motion; the ticker's alone.
+        simulation: the body in motion; for the ticker alone.
         playing: whether the clock runs.
         follow: whether the driven mass follows the pointer.
         joint: the angular spring that is read out.
-        generation: a new number means that nodes and controls are to be those of another body.
-        openings: counts bodies that took the place of another; a new one is fitted to the window.
+        generation: counts bodies and methods; with a new number, the page makes other nodes and controls.
+        openings: counts bodies that replaced another; the view is fitted to a new one.
         revision: counts changes of settings, other than by the arrow keys.
-        notices: what the page has still to be told.
+        notices: what the user has still to be notified of.
         pacer: the clock.
-        companions: what goes along with the body.
+        companions: bodies that are stepped with this one.
         stability_watch: keeps `stability` up to date.
-        versions: what undo and redo lead to.
+        versions: the steps of undo and redo.
         selection: the parts of the body that are selected.
         follows_energy: whether the energy is followed.
         fallbacks: fallback steps since the scene was opened or reset.
-        recorder: what acts on the body, and keeps its log; not while a log is played.
-        history: the moments that are past, and which of them is shown.
-        old_future: what would have come, where the user has gone back and on; or None.
+        recorder: acts on the body and records a log; not while a log is played.
+        history: past moments, and which of them is shown.
+        abandoned_future: what came next before the user went back and on from there; or None.
         refusal: why the body could not keep its shape, until something else is done to it; or None.
         refused_shape: (n, 2) that shape, px.
         offer_back: whether the body ran away and can be taken back to just before that.
         replay: the log that is played, if one is.
         opened: the scene as it was opened.
-        lesson_begun: whether a step of the scene's lesson has begun; if not, the page says which.
-        waits: whether the clock stands only until a question of the scene's lesson is answered.
-        hands: what the pointers do.
-        preparing: what is being compiled, for the page to say; empty when nothing is.
-        foreseen: where the body will rest, while a slider moves.
-        modes: the body's slow vibrations, while somebody looks at them; else None.
-        driving: what drives one of them.
+        lesson_begun: whether a step of the scene's lesson has begun; if not, the page begins one.
+        awaits_answer: whether the clock is stopped only until a question of the lesson is answered.
+        hands: the pointers, and what they hold.
+        preparing: what is being compiled, for the page to show; empty when nothing is.
+        rest_pose_preview: where the body will rest, while a slider moves.
+        modes: the body's slow modes, while somebody looks at them; else None.
+        driving: drives one of them.
     """
 
     def __init__(
@@ -175,43 +180,44 @@ class Session:
         self._lock = threading.Lock()
         self._queue: deque[tuple[float, Command]] = deque(maxlen=MAX_QUEUE)
         self._keys_at = -math.inf
-        self.simulation = sim.Simulation(scene, wait=wait)
-        self.opened = self.simulation.capture().scene
-        self.recorder = Recorder(self.simulation)
-        self.companions = Companions()
-        self.history = History()
-        self._begin_history()
-        self.replay: Player | None = None
-        self._viewer: sim.Simulation | None = None  # shows what is past in a replay
-        self.pacer, self.costs = Pacer(), Costs()
         self.playing = True
-        self.follow = False
-        self.joint = 0
-        self.lesson_begun = False
-        self.waits = False
+        self.lesson_begun = self.awaits_answer = self.follows_energy = False
         self.generation = self.openings = self.revision = 0
-        self.versions = Versions()
-        self.selection = Selection()
+        self.history, self.versions = History(), Versions()
         self.notices: list[Notice] = []
+        self.preparing = ""
+        self.pacer = Pacer()
+        self._load(scene)
         self.stability_watch = StabilityWatch()
         self.refusal: sim.DesignError | None = None
         self.refused_shape = self.simulation.positions
-        self.hands = PointerHands(lambda: self.simulation, self.do, clock)
-        self.follows_energy = False
-        self.fallbacks = 0
-        self.preparing = ""
-        self.foreseen = Foreseen()
+        self.rest_pose_preview = RestPosePreview()
         self.modes: ModesWatch | None = None
+        self.hands = PointerHands(lambda: self.simulation, self.do, clock)
         self.driving = Driving(lambda: self.simulation, self.do)
+
+    def _load(self, scene: sim.Scene) -> None:
+        """Replace the body, and forget all that belongs to the one before."""
+        self.simulation = sim.Simulation(scene, wait=self.can_wait)
+        self.opened = self.simulation.capture().scene
+        self.recorder = Recorder(self.simulation)
+        self.companions = Companions()
+        self.replay: Player | None = None
+        self._viewer: sim.Simulation | None = None  # shows the past of a replay
+        self.follow = False
+        self.joint = self.fallbacks = 0
+        self.selection = Selection()
+        self.pacer, self.costs = Pacer(self.pacer.speed), Costs()
+        self._begin_history()
 
     # --------------------------------------------------------------------- what the page looks at
     def now(self) -> float:
-        """Wall time, s, by the clock that everything here goes by."""
+        """Wall time, s, by the session's clock."""
         return self.clock()
 
     @property
     def scene(self) -> sim.Scene:
-        """The scene as it is now, with what the arrow keys did."""
+        """The scene as it is now, including the effect of the arrow keys."""
         return self.simulation.scene
 
     @property
@@ -226,22 +232,22 @@ class Session:
 
     @property
     def ghost(self) -> Ghost | None:
-        """The second body, if one is wanted."""
+        """The body of another method that is compared, if there is one."""
         return self.companions.get(Ghost)
 
     @property
-    def foresight(self) -> Foresight | None:
-        """What tells how fast errors grow, if that is wanted."""
-        return self.companions.get(Foresight)
+    def predictability(self) -> PredictabilityMeter | None:
+        """The meter of how fast errors grow, if it is on."""
+        return self.companions.get(PredictabilityMeter)
 
     @property
     def stability(self) -> StabilityEstimate:
-        """The last look at the stability limit."""
+        """The last estimate of the stability limit."""
         return self.stability_watch.estimate
 
     @property
-    def heavy(self) -> bool:
-        """Whether the next frame may take longer than others can wait for."""
+    def is_heavy(self) -> bool:
+        """Whether the next frame may take longer than other pages can wait for."""
         costs = [self.costs.unit, *(one.costs.unit for one in self.companions)]
         return (
             max(costs) > HEAVY_UNIT
@@ -250,11 +256,8 @@ class Session:
         )
 
     @property
-    def is_left_alone(self) -> bool:
-        """Whether nothing but the clock goes on, and costs next to nothing.
-
-        No hand, key or log moves the body then, there is no other one, and nothing was asked for.
-        """
+    def is_idle(self) -> bool:
+        """Whether only the clock runs, at next to no cost: no hand, key or log, no other body, no command."""
         acts = self.simulation.keys or self.hands.masses or self.driving.drive is not None or self.follow
         others = self.replay is not None or self.modes is not None or len(self.companions) > 0
         busy = self.notices or self.stability_watch.is_looking or self.has_commands
@@ -274,13 +277,13 @@ class Session:
             playing = command.playing_after(playing)
         return playing
 
-    def holds(self, about: About) -> bool:
-        """Whether what a notice is about is still so."""
+    def notice_still_applies(self, about: About) -> bool:
+        """Whether the condition that a notice reports still holds."""
         return self.simulation.divergence is not None if about == "runaway" else self.refusal is not None
 
     @property
     def waiting(self) -> list[Command]:
-        """The commands that wait; handlers may be adding to them."""
+        """The commands that wait; handlers may be adding more."""
         with self._lock:
             return [command for _, command in self._queue]
 
@@ -294,7 +297,7 @@ class Session:
             self._queue.append((self.clock(), command))
 
     def snapshot(self, name: str, with_pose: bool) -> sim.Scene:
-        """The scene as it is now, to be saved; with the present pose, or with the one it started from.
+        """The scene as it is now, to be saved: with the present pose, or the one that it started from.
 
         Raises:
             InputError: the ticker did not answer.
@@ -307,7 +310,7 @@ class Session:
         return self._ask(find)
 
     def log_file(self) -> bytes:
-        """The log until now, as a file, see `app.session.log`.
+        """The log up to now, as a file; see `app.session.log`.
 
         Raises:
             InputError: a log is being played, or the ticker did not answer.
@@ -322,17 +325,16 @@ class Session:
         return self._ask(find)
 
     def recent(self, seconds: float) -> list[tuple[sim.Moment, sim.Moment | None]]:
-        """What the page has shown in the last simulated seconds before the moment that is shown: the body's
-        moments, each with the second body's, or None.
+        """The moments of the last simulated seconds before the one that is shown, with the ghost's, or None.
 
         Raises:
             InputError: the ticker did not answer.
         """
         past = self._ask(lambda: self.history.recent(seconds))
-        return [(moment, getattr(beside.get("ghost"), "moment", None)) for moment, beside in past]
+        return [(moment, getattr(companions.get(Ghost.name), "moment", None)) for moment, companions in past]
 
     def _ask(self, find: Callable[[], T]) -> T:
-        """What the ticker finds between two frames; any thread may ask.
+        """The ticker's answer, between two frames, to any thread.
 
         Raises:
             InputError: it did not answer, or there is no answer.
@@ -344,36 +346,39 @@ class Session:
         except TimeoutError:
             raise InputError("the scene is busy; try again") from None
 
-    # --------------------------------------------------------------------- the ticker's
+    # --------------------------------------------------------------------- the ticker's thread
     def drain(self) -> None:
-        """Apply the commands that wait; also while the clock stands."""
+        """Apply the commands that wait, whether or not the clock runs."""
         for _ in range(len(self._queue)):
             with self._lock:
                 if not self._queue:
                     break
                 at, command = self._queue.popleft()
             try:
-                if self.replay is not None and command.takes_over(self):
-                    self._end_replay("You have taken over from the replay.")
-                if command.takes_over(self) or command.brings_body:
-                    self.refusal = None
-                command.apply(self, at)
-                self.note(command.changes)
+                self._apply(command, at)
             except (InputError, SettingError, SceneError) as error:
                 if isinstance(error, sim.DesignError):
                     self.refusal, self.refused_shape = error, self.simulation.positions
-                    self.notices.append(no_shape(error))
+                    self.notices.append(shape_notice(error))
                 else:
                     self.notices.append(Notice("error", "That cannot be done", str(error)))
         if self.replay is None and (not self.playing or self.simulation.divergence is not None):
             self.hands.steer(self.following, glide=False)
 
+    def _apply(self, command: Command, at: float) -> None:
+        if self.replay is not None and command.takes_over(self):
+            self._end_replay("You have taken over from the replay.")
+        if command.takes_over(self) or command.brings_body:
+            self.refusal = None
+        command.apply(self, at)
+        self.refresh(command.refresh)
+
     def tick(self, budget: float, longest: float = LONGEST_FRAME) -> None:
-        """Go on by one frame, as far as the clock and the budget allow; `drain` comes before.
+        """Advance by one frame, as far as the clock and the budget allow; call `drain` before.
 
         Args:
-            budget: seconds of computing that the frame may take.
-            longest: seconds of wall time that it may make up for.
+            budget: seconds of computing.
+            longest: seconds of wall time that the frame may make up for.
         """
         now = self.clock()
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
@@ -385,47 +390,44 @@ class Session:
             self._play_log(self.replay, now, budget)
         elif running:
             self._step(now, budget, longest)
-        running = running and self.playing  # it may have ended just now
+        running = running and self.playing  # the body may just have run away
         self.stability_watch.tick(self.simulation, self.revision, running, now, budget)
         if self.modes is not None:
             self.modes.tick(self.simulation, self.driving.drive is not None or bool(self.hands.masses))
 
     def keepsake(self) -> bytes:
-        """What is needed to go on later where this page is now, see `resume`."""
+        """What `resume` needs to continue from here later."""
         ghost = self.ghost
-        return keepsakes.encode(
-            self.simulation.capture(),
-            keepsakes.Wishes(
-                playing=self.playing,
-                speed=self.pacer.speed,
-                follow=self.follow,
-                joint=self.joint,
-                ghost=keepsakes.Second(ghost.method, ghost.law, ghost.finer) if ghost else None,
-                foretell=self.foresight is not None,
-                touched=self.recorder.acts > 0,
-            ),
-            self.opened,
+        choices = keepsakes.Choices(
+            playing=self.playing,
+            speed=self.pacer.speed,
+            follow=self.follow,
+            joint=self.joint,
+            ghost=keepsakes.Second(ghost.method, ghost.law, ghost.finer) if ghost else None,
+            foretell=self.predictability is not None,
+            touched=self.recorder.acts > 0,
         )
+        return keepsakes.encode(self.simulation.capture(), choices, self.opened)
 
     # --------------------------------------------------------------------- what commands do
-    def note(self, changed: Changed) -> None:
-        """Have the page look at what has changed."""
-        self.revision += changed is not Changed.NOTHING
-        self.generation += changed in (Changed.CONTROLS, Changed.BODY)
-        self.openings += changed is Changed.BODY
+    def refresh(self, what: Refresh) -> None:
+        """Have the page show again what has changed."""
+        self.revision += what is not Refresh.NOTHING
+        self.generation += what in (Refresh.CONTROLS, Refresh.BODY)
+        self.openings += what is Refresh.BODY
 
     def play(self, on: bool) -> None:
-        """Let the clock run, from the moment that is shown, or stand."""
+        """Run the clock, from the moment that is shown, or stop it."""
         if on:
             self.branch()
-            self.offer_back = self.waits = False
+            self.offer_back = self.awaits_answer = False
         if on != self.playing:
             self.playing = on
             self.pacer.restart()
-            self.note(Changed.SETTINGS)
+            self.refresh(Refresh.SETTINGS)
 
     def do_steps(self, steps: int) -> None:
-        """Stand, and do some steps."""
+        """Stop the clock, and do some steps."""
         self.play(False)
         self.branch()
         self.hands.steer(self.following, glide=True)
@@ -436,7 +438,7 @@ class Session:
         self._after_steps()
 
     def do(self, act: log.Act) -> None:
-        """Do something by hand to the body, and to those that go along with it.
+        """Act by hand on the body, and on those of its companions that hands reach.
 
         Raises:
             InputError: it cannot be done.
@@ -444,12 +446,12 @@ class Session:
         self.recorder.do(act)
         self.companions.touch()
         for body in self.companions.bodies:
-            # Those that are as fast as any hand are led to where the body came to.
+            # Bodies that follow at any speed are led to where this one has come to.
             if body.rate_limited or not isinstance(act, log.Follow):
                 act.do(body)
 
     def hold_keys(self, keys: frozenset[str], at: float) -> None:
-        """These arrow keys are held, as was said at a wall time, s."""
+        """Hold these arrow keys, as reported at a wall time, s."""
         self._keys_at = at
         if keys != self.simulation.keys and self.replay is None:
             self.do(log.Keys.of(keys))
@@ -459,13 +461,18 @@ class Session:
         self.driving.end()
         self.hands.let_all_go(self.following)
 
-    def put(self, make: Callable[[sim.Moment], sim.Moment], label: str, key: str) -> None:
-        """Go on with other places and speeds of the same body.
+    def _drop_hands(self) -> None:
+        """Forget what hands held: another body replaces it, or it has let go by itself."""
+        self.hands.drop()
+        self.driving.drop()
+
+    def jump_to(self, make: Callable[[sim.Moment], sim.Moment], label: str, key: str) -> None:
+        """Continue with other positions and velocities of the same body.
 
         Args:
-            make: makes the moment to go on at of the present one.
-            label: what that is called.
-            key: what is done with the same one in a row is one step of undo.
+            make: makes the moment to continue from, given the present one.
+            label: of the step of undo.
+            key: jumps with the same key in a row are one step of undo.
         """
         self.let_go()
         before = self.simulation.capture()
@@ -473,17 +480,15 @@ class Session:
         self.branch()
         self.recorder.restore(moment)
         self.versions.add_leap(label, before, moment, key)
-        self.companions.begin(self.simulation, self.history)
-        self.history.amend(self.simulation.capture(), self.companions.capture())
-        self.note(Changed.SETTINGS)
+        self._replace_moment(Refresh.SETTINGS)
 
     def change(self, change: Callable[[], None], label: str, key: str = "") -> None:
-        """Go on with changed settings.
+        """Continue with changed settings.
 
         Args:
             change: changes them.
-            label: what they are called.
-            key: of a number, whose changes are one for undo until another control is used.
+            label: of the step of undo.
+            key: of a number, whose changes are one step of undo until another control is used.
         """
         before = self.simulation.capture()
         change()
@@ -491,9 +496,8 @@ class Session:
         rebuilt = not same_topology(before.scene, self.simulation.scene)
         if rebuilt:
             self.versions.add_leap(label, before, after, key)
-            # Another body, whose time begins anew: what is past belongs to the other one.
-            self.hands.drop()
-            self.driving.drop()
+            # Another body, whose time begins at zero: the past belongs to the one before.
+            self._drop_hands()
             self._begin_history()
             self._choose_joint()
             self.selection = Selection()
@@ -502,11 +506,11 @@ class Session:
             if after.scene is not before.scene:
                 self.versions.add_change(label, before, after, key)
             self.companions.adapt(self.simulation)
-        self.note(Changed.BODY if rebuilt else Changed.SETTINGS)
-        self.stability_watch.hurry()
+        self.refresh(Refresh.BODY if rebuilt else Refresh.SETTINGS)
+        self.stability_watch.look_soon()
 
-    def own_values(self, of: Literal["body", "solver"]) -> None:
-        """Go on with the settings that the scene was opened with."""
+    def restore_scene_values(self, of: Literal["body", "solver"]) -> None:
+        """Continue with the settings of body or solver that the scene was opened with."""
         present = self.simulation.capture().scene
         with_body, with_solver = (self.opened, present) if of == "body" else (present, self.opened)
         scene = msgspec.structs.replace(
@@ -515,51 +519,36 @@ class Session:
         self.let_go()
         self.change(lambda: self.recorder.set_scene(scene, keys_too=of == "body"), f"own values of the {of}")
 
-    def go_on_at(self, moment: sim.Moment, edit: Edit | None) -> None:
-        """Go on at a moment of an edited scene, at the same time.
+    def continue_at(self, moment: sim.Moment, edit: Edit | None) -> None:
+        """Continue at a moment of an edited scene, at the same time.
 
         Args:
             moment: of the scene as it is now.
-            edit: what made it of the one before; None where it is another body's.
+            edit: what made it of the one before; None if it is another body's.
         """
-        self.hands.drop()
-        self.driving.drop()
-        self.lesson_begun = True  # it goes on where it was
+        self._drop_hands()
+        self.lesson_begun = True  # it continues where it was
         self.recorder.restore(moment)
         self.selection = Selection() if edit is None else still_selected(edit, self.selection)
         if edit is None or edit.moves_parts:
-            self.old_future = None
+            self.abandoned_future = None
             self._choose_joint()
             self.follow = self.follow and self.driven is not None
-        self.companions.begin(self.simulation, self.history)
-        self.history.amend(self.simulation.capture(), self.companions.capture())
-        self.note(Changed.BODY if edit is None else Changed.CONTROLS)
-        self.stability_watch.hurry()
+        self._replace_moment(Refresh.BODY if edit is None else Refresh.CONTROLS)
+        self.stability_watch.look_soon()
 
     def open(self, scene: sim.Scene) -> None:
-        """Have another body, at the beginning of its scene, with nothing beside it."""
-        simulation = sim.Simulation(scene, wait=self.can_wait)
-        self.opened = simulation.capture().scene
+        """Show another body from the beginning of its scene, without companions."""
+        self._drop_hands()
+        self._load(scene)
         self.lesson_begun = True
-        self.hands.drop()
-        self.driving.drop()
-        self.simulation, self.recorder = simulation, Recorder(simulation)
         if self.follows_energy:
             self.recorder.do(log.FollowEnergy(on=True))
-        self._begin_history()
-        self.replay = self._viewer = None
-        self.companions = Companions()
-        self.fallbacks = 0
-        self.follow = False
-        self.joint = 0
-        self.selection = Selection()
-        # What the last body cost says nothing.
-        self.pacer, self.costs = Pacer(self.pacer.speed), Costs()
         self.stability_watch.forget()
-        self.note(Changed.BODY)
+        self.refresh(Refresh.BODY)
 
     def reset(self) -> None:
-        """Back to the scene's start."""
+        """Return to the scene's start."""
         self.let_go()
         self.recorder.reset()
         self.fallbacks = 0
@@ -568,62 +557,62 @@ class Session:
         self.pacer.restart()
 
     def resume(self, keepsake: bytes, versions: Versions | None) -> None:
-        """Go on where a keepsake was made.
+        """Continue from a keepsake.
 
         Args:
             keepsake: see `keepsake`.
-            versions: what there was to undo, if that is known; the session's own from then on.
+            versions: the steps of undo at that time, if known; the session's own from then on.
 
         Raises:
             SceneError: it makes no sense.
         """
         try:
-            kept = keepsakes.decode(keepsake)
+            saved = keepsakes.decode(keepsake)
         except SceneError as error:
             raise SceneError(f"could not be resumed: {error}") from None
-        moment, wishes = kept.moment, kept.wishes
+        moment, choices = saved.moment, saved.choices
         known = versions.return_to(moment.scene) if versions is not None else None
         if known is not None:
-            moment = replace(moment, scene=known)  # by which the versions know it
+            moment = replace(moment, scene=known)  # versions compare scenes by identity
         self.open(moment.scene)
         self.versions = versions if versions is not None and known is not None else Versions()
-        self.opened = kept.opened
-        self.recorder.acts = int(wishes.touched)
+        self.opened = saved.opened
+        self.recorder.acts = int(choices.touched)
         self.recorder.restore(moment)
         self._begin_history()
-        self.follow = wishes.follow and self.driven is not None
-        self.joint = wishes.joint
+        self.follow = choices.follow and self.driven is not None
+        self.joint = choices.joint
         self._choose_joint()
-        self.pacer.speed = wishes.speed
-        if (second := wishes.ghost) is not None:
+        self.pacer.speed = choices.speed
+        if (second := choices.ghost) is not None:
             ghost = Ghost(self.simulation, second.method, second.law, second.finer, self.can_wait)
-            self.companions.put(ghost, self.history)
-        if wishes.foretell:
-            self.companions.put(Foresight(self.simulation, self.can_wait), self.history)
-        self.play(wishes.playing)
+            self.companions.add(ghost, self.history)
+        if choices.foretell:
+            self.companions.add(PredictabilityMeter(self.simulation, self.can_wait), self.history)
+        self.play(choices.playing)
 
     # --------------------------------------------------------------------- time
     def branch(self) -> None:
-        """What comes from here on takes the place of what came after the moment that is shown."""
+        """Abandon the moments after the one that is shown; those to come take their place."""
         if self.replay is not None:
             if self.history.scrubbed:
                 self.show(self.history.last)
         elif newer := self.history.cut():
-            self.old_future = OldFuture.of(newer)
-            self.note(Changed.SETTINGS)
+            self.abandoned_future = AbandonedFuture.of(newer)
+            self.refresh(Refresh.SETTINGS)
 
     def show(self, index: int) -> None:
-        """Stand, and show a moment that is past."""
+        """Stop the clock, and show a past moment."""
         self.play(False)
         history, before = self.history, self.simulation.capture().scene
         if self.replay is None:
             self.let_go()
             if not history.scrubbed:
-                # What was changed since the last frame is not to be lost.
+                # Keep what was changed since the last frame.
                 history.amend(self.simulation.capture(), self.companions.capture())
             self.recorder.restore(history[index])
         elif index == history.last:
-            self.simulation = self.replay.simulation  # it has to go on as if nobody had looked back
+            self.simulation = self.replay.simulation  # it must continue as if nobody had looked back
         else:
             self._viewer = self._viewer or sim.Simulation(history[index].scene, wait=self.can_wait)
             self._viewer.restore(history[index])
@@ -631,13 +620,13 @@ class Session:
         self.hands.forget_pointer()
         history.shown = index
         self.offer_back = False
-        self._changed_from(before)
+        self._refresh_since(before)
         self.companions.go_back(history, index, self.simulation)
-        self.note(Changed.SETTINGS)
-        self.stability_watch.hurry()
+        self.refresh(Refresh.SETTINGS)
+        self.stability_watch.look_soon()
 
     def begin_replay(self, record: Log) -> None:
-        """Show a log's body, and play what was done to it."""
+        """Show the body of a log, and play the log."""
         self.open(record.scene)
         self.replay = Player(record, self.simulation)
         self.play(True)
@@ -650,16 +639,22 @@ class Session:
     def _begin_history(self) -> None:
         self.history.clear()
         self.history.add(self.simulation.capture())
-        self.old_future: OldFuture | None = None
+        self.abandoned_future: AbandonedFuture | None = None
         self.offer_back = False
 
-    def _remember(self) -> None:
-        """Keep this frame's moment, if time has passed."""
+    def _add_moment(self) -> None:
+        """Add this frame's moment to the history, if time has passed."""
         if self.simulation.time != self.history.end:
             self.history.add(self.simulation.capture(), self.companions.capture())
 
+    def _replace_moment(self, refresh: Refresh) -> None:
+        """Replace the newest moment after the body has jumped; its companions start from there."""
+        self.companions.begin(self.simulation, self.history)
+        self.history.amend(self.simulation.capture(), self.companions.capture())
+        self.refresh(refresh)
+
     def _step(self, now: float, budget: float, longest: float) -> None:
-        """Go on by a frame."""
+        """Advance by a frame."""
         steps = self.pacer.grant(now, self.simulation.dt, longest)
         self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
@@ -673,23 +668,23 @@ class Session:
         self._after_steps()
 
     def _count(self, now: float, done: int, missed: int, began: float) -> float:
-        """Enter steps that were done since `began` into the pacer; returns the seconds they took."""
+        """Enter the steps done since `began` into the pacer; the seconds that they took."""
         seconds, stats = time.perf_counter() - began, self.simulation.stats()
         self.fallbacks += stats.fallbacks
         self.pacer.record(now, self.simulation.dt, done, seconds, stats, missed=missed)
         return seconds
 
     def _after_steps(self) -> None:
-        self._remember()
+        self._add_moment()
         if (divergence := self.simulation.divergence) is not None:
             self.play(False)
             self.offer_back = True
-            # The limit that is told is that of the body when it ran away, not of what is left of it.
+            # The limit shown is that of the body as it ran away, not as it was restored.
             self.stability_watch.set(divergence.stability, self.revision)
-            self.notices.append(runaway(divergence, self.simulation.scene))
+            self.notices.append(runaway_notice(divergence, self.simulation.scene))
 
-    def _changed_from(self, before: sim.Scene) -> None:
-        """Have the page look at the settings again, if they are no longer those of a scene."""
+    def _refresh_since(self, before: sim.Scene) -> None:
+        """Have the page show the settings again if they are no longer those of a scene."""
         scene = self.simulation.capture().scene
         if scene is before:
             return
@@ -698,16 +693,16 @@ class Session:
         if other:
             self._choose_joint()
             self.selection = Selection()  # other parts may have its numbers
-            self.old_future = None
+            self.abandoned_future = None
         controls = (scene.force_law, scene.integrator.method)
-        differ = other or controls != (before.force_law, before.integrator.method)
-        self.note(Changed.CONTROLS if differ else Changed.SETTINGS)
+        other = other or controls != (before.force_law, before.integrator.method)
+        self.refresh(Refresh.CONTROLS if other else Refresh.SETTINGS)
 
     def _play_log(self, player: Player, now: float, budget: float) -> None:
-        """Go on by a frame of a replay."""
+        """Advance a replay by a frame."""
         simulation = player.simulation
         if not simulation.complete:
-            simulation.take_compiled()  # by other methods, it would not be the same
+            simulation.take_compiled()  # until then, steps would differ in their last bits
             return
         steps = self.pacer.grant(now, simulation.dt)
         scene, began = simulation.capture().scene, time.perf_counter()
@@ -719,8 +714,8 @@ class Session:
             return
         self.costs.learn(done, time.perf_counter() - began, simulation.work)
         self._count(now, done, 0, began)
-        self._remember()
-        self._changed_from(scene)
+        self._add_moment()
+        self._refresh_since(scene)
         if player.ended:
             self.play(False)
             begins = "It agrees with the log: " if player.agrees else "It does not agree with the log: it "
@@ -730,5 +725,5 @@ class Session:
         self.replay = self._viewer = None
         self.recorder = Recorder(self.simulation, _AFTER_REPLAY)
         self.hold_keys(frozenset(), self._keys_at)
-        self.note(Changed.SETTINGS)
+        self.refresh(Refresh.SETTINGS)
         self.notices.append(Notice(kind, "The replay has ended", text))

@@ -1,4 +1,4 @@
-"""Looks at the stability limit of a session's body now and then, in a small share of its time."""
+"""Estimates the stability limit of a session's body now and then, in a small share of each frame."""
 
 from __future__ import annotations
 
@@ -10,53 +10,55 @@ from sim.motion.stability import Look, StabilityEstimate
 
 from .hand import FRAME
 
-_EVERY, _SHARE = 0.25, 0.02
-"""Seconds between two looks, at least; and the share of a frame's budget that they may take."""
+_EVERY = 0.25
+"""Seconds between two estimates, at least."""
+_SHARE = 0.02
+"""Share of all frames' budget that estimates may take: after an expensive one the next comes later."""
 
 _LOOK_SHARE = 0.1
-"""Share of a frame's budget that a look may take: that at a large body goes on over many frames."""
+"""Share of one frame's budget that an estimate may take: that of a large body takes many frames."""
 
 
 class StabilityWatch:
-    """Keeps an estimate of the stability limit.
+    """Keeps an estimate of the stability limit up to date.
 
     Attributes:
-        estimate: the last look's.
+        estimate: the last one.
     """
 
     def __init__(self) -> None:
         self.forget()
-        self._of = -1  # revision at the last look
+        self._of = -1  # revision of the last estimate
 
     def forget(self) -> None:
-        """Another body: nothing is known of it."""
+        """Forget the estimate: it is of another body."""
         self.estimate = StabilityEstimate(math.inf, None)
         self._look: Look | None = None
-        self._spent = 0.0  # seconds of computing that the present look has taken
+        self._spent = 0.0  # seconds of computing for the estimate under way
         self._due = 0.0
 
-    def hurry(self) -> None:
-        """Look as soon as may be: something has changed."""
+    def look_soon(self) -> None:
+        """Estimate again in the next frame: something has changed."""
         self._due = 0.0
 
     def set(self, estimate: StabilityEstimate, revision: int) -> None:
-        """The estimate is this one, whatever a look would find, until the revision changes."""
+        """Set the estimate, until the revision changes."""
         self.estimate, self._look, self._of = estimate, None, revision
 
     @property
     def is_looking(self) -> bool:
-        """Whether `estimate` is still to be that of the present body."""
+        """Whether an estimate of the present body is under way."""
         return self._look is not None
 
     def tick(
         self, simulation: sim.Simulation, revision: int, running: bool, now: float, budget: float
     ) -> None:
-        """Begin or go on with a look, if it is time, for a share of the frame, but by one part at least.
+        """Begin or continue an estimate if one is due, by at least one part.
 
         Args:
             simulation: the body.
             revision: of its settings.
-            running: whether the clock runs; while it stands, only what its user changes can move the limit.
+            running: whether the clock runs; if not, only changes by the user can move the limit.
             now: wall time, s.
             budget: seconds of computing of a frame.
         """

@@ -1,4 +1,4 @@
-"""The versions of a scene that a session has had: what undo and redo lead to."""
+"""The versions of a session's scene, between which undo and redo go."""
 
 from __future__ import annotations
 
@@ -14,13 +14,14 @@ from sim import Moment, Scene
 from sim.edit.edit import Edit, carried, inverse
 
 MAX_STEPS = 1000
+"""Steps that are stored; beyond, the oldest is forgotten."""
 MAX_BYTES = 64_000_000
-"""What is kept; beyond either the oldest is forgotten."""
+"""Bytes that they may take, estimated."""
 
 _PER_PART = 16
-"""Bytes of a part of a list that changed, about: the parts themselves are shared."""
+"""Estimated bytes of an element of a list that changed; the parts themselves are shared."""
 _OVERHEAD = 2000
-"""Bytes of a step beside that, about."""
+"""Estimated bytes of a step besides that."""
 
 
 @dataclass(frozen=True)
@@ -29,13 +30,13 @@ class Step:
 
     Attributes:
         label: what was done.
-        forward, backward: there and back, if the motion goes on over it.
-        before, after: the moments to be at instead, where it is another body's, or the same one has other
-            places and speeds.
-        scale, shift: by what the change multiplied the rest length scale, and what it added to all rest
-            angles, beside the scene: settings take in what keys have done.
-        key: changes with the same one that follow each other are one step; empty for a step that has ended.
-        until: after this time, s, they are not.
+        forward, backward: edits there and back, if the motion continues.
+        before, after: moments to go to instead, if the step is to another body or to other positions and
+            velocities.
+        scale, shift: factor of the rest length scale, and addition to all rest angles, which are not in the
+            scene: a setting includes what keys have changed.
+        key: changes with the same key in a row are one step; empty for a step that has ended.
+        until: time, s, after which they are not.
     """
 
     label: str
@@ -50,12 +51,12 @@ class Step:
 
     @property
     def is_state(self) -> bool:
-        """Whether the scene is the same before and after, and only places and speeds differ."""
+        """Whether only positions and velocities differ, and the scene is the same."""
         return self.before is not None and self.forward.scene is self.backward.scene
 
     @property
     def bytes(self) -> int:
-        """What it takes, about, beside what it shares with other steps."""
+        """Estimated memory, without what it shares with other steps."""
         one, two = self.backward.scene, self.forward.scene
         fields: Sequence[str] = Scene.__struct_fields__
         parts = sum(
@@ -72,9 +73,8 @@ class Step:
 class Versions:
     """The changes in order, and which version is the present one.
 
-    Scenes are told apart by being the same object: a moment that is gone back to has the very scene of then.
-    Only the phase of a beat may be another one: at another tempo waves of muscles go on from where they are,
-    also when that is undone.
+    Scenes are compared by identity, since a past moment has the very scene of its time. Only the phase of a
+    beat may differ: at another tempo, waves of muscles continue in phase, also when that is undone.
     """
 
     def __init__(self) -> None:
@@ -84,27 +84,27 @@ class Versions:
         """Forget everything."""
         self._steps: list[Step] = []
         self._bytes = 0
-        self._at = 0  # so many steps lead to the present version
+        self._at = 0  # number of steps up to the present version
 
     def copy(self) -> Versions:
-        """The same, to go on from here in another way."""
+        """A copy, to continue independently."""
         other = Versions()
         other._steps, other._bytes, other._at = list(self._steps), self._bytes, self._at
         return other
 
     @property
     def undoable(self) -> str:
-        """What the next undo takes back; empty if there is nothing."""
+        """Label of what the next undo takes back; empty if there is nothing."""
         return self._steps[self._at - 1].label if self._at else ""
 
     @property
     def redoable(self) -> str:
-        """What the next redo does again; empty if there is nothing."""
+        """Label of what the next redo does again; empty if there is nothing."""
         return self._steps[self._at].label if self._at < len(self._steps) else ""
 
     @property
     def bytes(self) -> int:
-        """What all of it takes, about."""
+        """Estimated memory of all steps."""
         return self._bytes
 
     def __len__(self) -> int:
@@ -113,13 +113,13 @@ class Versions:
     def add_edit(
         self, edit: Edit, before: Moment, key: str = "", now: float = 0.0, within: float = math.inf
     ) -> None:
-        """An edit was made.
+        """Add an edit.
 
         Args:
-            edit: which.
+            edit: the edit.
             before: the moment at which it was made.
-            key: edits with the same one that follow each other are one step.
-            now: s.
+            key: edits with the same key in a row are one step.
+            now: wall time, s.
             within: seconds between two of them, at most.
         """
         step = Step(edit.label, edit, inverse(edit, before.scene, before), key=key, until=now + within)
@@ -132,12 +132,12 @@ class Versions:
         self._add(step)
 
     def add_change(self, label: str, before: Moment, after: Moment, key: str = "") -> None:
-        """A number or a choice was changed, and the motion goes on.
+        """Add a change of a number or choice, over which the motion continues.
 
         Args:
             label: what was changed.
-            before, after: just before and after.
-            key: which number it was; changes of one number that follow each other are one step.
+            before, after: moments just before and after.
+            key: of the number; changes of one number in a row are one step.
         """
         scale = after.rest_length_scale / before.rest_length_scale
         shift = after.rest_angle_shift - before.rest_angle_shift
@@ -150,11 +150,11 @@ class Versions:
         self._add(step)
 
     def add_leap(self, label: str, before: Moment, after: Moment, key: str = "") -> None:
-        """Another body took the place of the one before, or the same one has other places and speeds.
+        """Add a step to another body, or to other positions and velocities of the same one.
 
         Args:
             label: what was done.
-            before, after: just before and after.
+            before, after: moments just before and after.
             key: as for a change.
         """
         last = self._last_of(key)
@@ -164,88 +164,84 @@ class Versions:
         self._add(Step(label, Edit(label, after.scene), Edit(label, before.scene), before, after, key=key))
 
     def amend_leap(self, after: Moment) -> None:
-        """The body that has just taken the place of another is this one after all."""
+        """Replace the body of the last such step."""
         if self._at and (before := self._steps[-1].before) is not None:
             label = self._steps[-1].label
             self._drop_last()
             self.add_leap(label, before, after)
 
     def end_step(self) -> None:
-        """What is changed from here on is another step."""
+        """End the last step: the next change is another one."""
         if self._at:
             self._steps[self._at - 1] = replace(self._steps[self._at - 1], key="")
 
     def has_undo(self, scene: Scene) -> bool:
-        """Whether there is a change of a scene, the present one, to take back."""
+        """Whether there is a change that led to the present scene."""
         return self._at > 0 and _same(self._steps[self._at - 1].forward.scene, scene)
 
     def has_redo(self, scene: Scene) -> bool:
-        """Whether there is a change of a scene, the present one, to do again."""
+        """Whether there is a change of the present scene to do again."""
         return self._at < len(self._steps) and _same(self._steps[self._at].backward.scene, scene)
 
     def undo(self, moment: Moment) -> tuple[Moment, Edit | None] | None:
-        """How the present motion goes on without the last change; None if there is none to take back.
+        """Take back the last change of the present motion; None if there is none.
 
         Returns:
-            the moment to go on at, and the edit that leads there, or None where it is another body's.
+            the moment to continue at, and the edit that leads there, or None if it is another body's.
         """
         if not self.has_undo(moment.scene):
             return None
         self._at -= 1
         step = self._steps[self._at]
         if step.before is not None:
-            # A redo comes back to where this was left.
-            self._steps[self._at] = replace(step, after=moment)
-            return _at_time_of(step, step.before, moment), step.backward if step.is_state else None
-        back = carried(step.backward, moment)
-        back = replace(
-            back,
-            scene=_in_time(back.scene, moment),
+            self._steps[self._at] = replace(step, after=moment)  # redo returns to here
+        return _continued(
+            step,
+            step.before,
+            step.backward,
+            moment,
             rest_length_scale=moment.rest_length_scale / step.scale,
             rest_angle_shift=moment.rest_angle_shift - step.shift,
         )
-        return back, step.backward
 
     def redo(self, moment: Moment) -> tuple[Moment, Edit | None] | None:
-        """How the present motion goes on with what was taken back last; see `undo`."""
+        """Do again what was taken back last; see `undo`."""
         if not self.has_redo(moment.scene):
             return None
         step = self._steps[self._at]
-        self._at += 1
         if step.after is not None:
-            self._steps[self._at - 1] = replace(step, before=moment)
-            return _at_time_of(step, step.after, moment), step.forward if step.is_state else None
-        # What is removed again comes back from where it is now.
-        self._steps[self._at - 1] = replace(step, backward=inverse(step.forward, moment.scene, moment))
-        there = carried(step.forward, moment)
-        there = replace(
-            there,
-            scene=_in_time(there.scene, moment),
+            self._steps[self._at] = replace(step, before=moment)  # undo returns to here
+        else:
+            # What is removed again will come back from where it is now.
+            self._steps[self._at] = replace(step, backward=inverse(step.forward, moment.scene, moment))
+        self._at += 1
+        return _continued(
+            step,
+            step.after,
+            step.forward,
+            moment,
             rest_length_scale=moment.rest_length_scale * step.scale,
             rest_angle_shift=moment.rest_angle_shift + step.shift,
         )
-        return there, step.forward
 
     def find(self, scene: Scene) -> None:
-        """A moment that is past is shown, with its scene: undo and redo go on from that version."""
-        for at in sorted(range(len(self._steps) + 1), key=lambda at: abs(at - self._at)):
-            if (known := self._scene(at)) is not None and _same(known, scene):
+        """Go to the version of a past moment's scene: undo and redo continue from there."""
+        for at, known in self._nearest():
+            if _same(known, scene):
                 self._at = at
                 return
 
     def return_to(self, scene: Scene) -> Scene | None:
-        """Be at the version that equals a scene, and return what that version knows it by; None if no version
-        does."""
-        for at in sorted(range(len(self._steps) + 1), key=lambda at: abs(at - self._at)):
-            known = self._scene(at)
-            if known is not None and (known == scene or _same(known, scene)):
+        """Go to the version that equals a scene; the scene that it is known by, or None if there is none."""
+        for at, known in self._nearest():
+            if known == scene or _same(known, scene):
                 self._at = at
                 return known if known == scene else scene
         return None
 
     # --------------------------------------------------------------------- inside
     def _last_of(self, key: str, now: float = 0.0) -> Step | None:
-        """The last step, if one with that key goes on with it."""
+        """The last step, if a change with that key continues it."""
         last = self._steps[self._at - 1] if self._at else None
         goes_on = key and last is not None and last.key == key and now <= last.until
         return last if goes_on and not self.redoable else None
@@ -254,14 +250,15 @@ class Versions:
         self._bytes -= self._steps.pop().bytes
         self._at -= 1
 
-    def _scene(self, at: int) -> Scene | None:
-        if at < len(self._steps):
-            return self._steps[at].backward.scene
-        return self._steps[-1].forward.scene if self._steps else None
+    def _nearest(self) -> list[tuple[int, Scene]]:
+        """All versions and their scenes, those with the fewest steps from the present one first."""
+        scenes = [step.backward.scene for step in self._steps]
+        scenes += [step.forward.scene for step in self._steps[-1:]]
+        return sorted(enumerate(scenes), key=lambda version: abs(version[0] - self._at))
 
     def _add(self, step: Step) -> None:
         if self._at and not _same(self._steps[self._at - 1].forward.scene, step.backward.scene):
-            self.clear()  # something changed that was not told
+            self.clear()  # there was a change that was not added
         for gone in self._steps[self._at :]:
             self._bytes -= gone.bytes
         del self._steps[self._at :]
@@ -272,15 +269,30 @@ class Versions:
         self._at = len(self._steps)
 
 
-def _at_time_of(step: Step, moment: Moment, now: Moment) -> Moment:
-    """The moment to be at: of the same body, time goes on."""
+def _continued(
+    step: Step, there: Moment | None, edit: Edit, now: Moment, **keys: float
+) -> tuple[Moment, Edit | None]:
+    """The moment to continue at after a step, and the edit that leads there; see `Versions.undo`.
+
+    Args:
+        step: the step.
+        there: the moment that it leads to, if the motion does not continue.
+        edit: that leads there otherwise.
+        now: the present moment.
+        keys: what the step makes of the effect of the arrow keys.
+    """
+    if there is None:
+        there = carried(edit, now)
+        return replace(there, scene=_in_time(there.scene, now), **keys), edit
     if not step.is_state:
-        return moment
-    return replace(moment, scene=_in_time(moment.scene, now), time=now.time, step_count=now.step_count)
+        return there, None
+    # The same body, for which time continues.
+    scene = _in_time(there.scene, now)
+    return replace(there, scene=scene, time=now.time, step_count=now.step_count), edit
 
 
 def _same(known: Scene, scene: Scene) -> bool:
-    """Whether a scene is a version that is known, but for the phase of its beat."""
+    """Whether a scene is a known version, except for the phase of its beat."""
     one, other = known.beat, scene.beat
     if known is scene or not one or not other or one.frequency != other.frequency:
         return known is scene
@@ -288,7 +300,7 @@ def _same(known: Scene, scene: Scene) -> bool:
 
 
 def _in_time(scene: Scene, now: Moment) -> Scene:
-    """A scene whose beat goes on from where that of a moment is."""
+    """A scene whose beat continues in the phase of a moment's."""
     beat = scene.beat and now.scene.beat and now.scene.beat.at_tempo(scene.beat.frequency, now.time)
     return msgspec.structs.replace(scene, beat=beat) if beat and beat != scene.beat else scene
 

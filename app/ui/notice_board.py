@@ -49,7 +49,7 @@ class NoticeBoard:
         self._waiting.extend(session.notices)
         session.notices.clear()
         for about in tuple(self._transient):
-            if not session.holds(about):
+            if not session.notice_still_applies(about):
                 self._transient.pop(about).remove()
         while self._waiting:
             notice = self._waiting.popleft()

@@ -14,8 +14,8 @@ from sim.scene.lesson import Lesson
 from sim.scene.types import Scene
 
 from ..session.notices import Notice
-from ..session.plots import Wish
-from ..session.session import Changed, Session
+from ..session.plots import PlotSpec
+from ..session.session import Refresh, Session
 from ..stage import sketch
 from ..wire.carrier import Mail
 from .commands import Row
@@ -35,7 +35,7 @@ class Plots(Protocol):
     looked_at: bool
 
     @property
-    def wishes(self) -> tuple[Wish, ...]:
+    def specs(self) -> tuple[PlotSpec, ...]:
         """What is plotted."""
         ...
 
@@ -142,7 +142,7 @@ class Page:
         """Turn one of the looks on or off; the ticker's. The page shows it with the next frame."""
         self.looks = msgspec.structs.replace(self.looks, **{look: on})
         self.commas.show(self.looks.commas)
-        self.session.note(Changed.SETTINGS)
+        self.session.refresh(Refresh.SETTINGS)
 
     # --------------------------------------------------------------------- controls
     def button(

@@ -174,24 +174,24 @@ def rates_table(session: Session) -> str:
 
 def predictability_table(session: Session) -> str:
     """How fast small errors grow, and what that means."""
-    foresight = session.foresight
-    if foresight is None:
+    meter = session.predictability
+    if meter is None:
         return ""
-    if foresight.waits:
+    if meter.is_compiling:
         return table({"predictability": "comes when it is compiled"})
-    if foresight.shadow.held:
+    if meter.shadow.held:
         return table({"predictability": "no mass is free"})
-    growth = foresight.growth
+    growth = meter.growth
     if growth is None:
         return table({"errors grow": "being measured, for a second"})
     rows = {
         "errors grow, last second": f"× {factor_of(growth):.2g}",
         "rate": f"{growth:+.2g} / s",
         "e-folding time": f"{1.0 / growth:.2g} s" if growth > 0.0 else "none",
-        "its solver, per frame": f"{1e3 * foresight.cost:.3f} ms",
+        "its solver, per frame": f"{1e3 * meter.cost:.3f} ms",
     }
-    kind = "softrod-lag" if foresight.many else "softrod-about"
-    words = html.escape(foresight.verdict)
+    kind = "softrod-lag" if meter.is_chaotic else "softrod-about"
+    words = html.escape(meter.verdict)
     return f'{table(rows)}<div class="softrod-text {kind}">{words[:1].upper()}{words[1:]}.</div>'
 
 
@@ -283,7 +283,7 @@ def ghost_table(session: Session) -> str:
     ghost = session.ghost
     if ghost is None:
         return ""
-    if ghost.waits:
+    if ghost.is_compiling:
         return table({"ghost": f"{html.escape(ghost.label)}: comes when it is compiled"})
     unit = html.escape(session.scene.view.unit)
     rows = {
@@ -292,8 +292,8 @@ def ghost_table(session: Session) -> str:
         "largest distance": f"{ghost.worst:.3g} {unit}",
         "ghost's solver, per frame": f"{1e3 * ghost.cost:.3f} ms",
     }
-    if session.foresight is not None and session.foresight.growth is not None:
-        rows["any error grows"] = f"× {factor_of(session.foresight.growth):.2g} in a second"
+    if session.predictability is not None and session.predictability.growth is not None:
+        rows["any error grows"] = f"× {factor_of(session.predictability.growth):.2g} in a second"
     if ghost.simulation.divergence is not None:
         rows["ghost stopped"] = "it exploded"
     return table(rows)

@@ -334,11 +334,11 @@ _SWAY = 0.12
 def picture_of(session: Session) -> Picture:
     """The body and, pale, the ghost; without one, where the body will rest while a slider moves, what would
     have come had the user not gone back, or how the body leaves a shape that nothing keeps."""
-    simulation, ghost, future = session.simulation, session.ghost, session.old_future
+    simulation, ghost, future = session.simulation, session.ghost, session.abandoned_future
     other = damage = None
-    rest = session.foreseen.positions(len(simulation.scene.masses), session.now())
+    rest = session.rest_pose_preview.positions(len(simulation.scene.masses), session.now())
     if ghost is not None:
-        if not ghost.waits:
+        if not ghost.is_compiling:
             other, damage = ghost.simulation.positions, ghost.simulation.damage
     elif rest is not None:
         other, damage = rest, simulation.damage

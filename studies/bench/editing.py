@@ -110,7 +110,7 @@ def _tab(scene: Scene) -> Iterator[Tab]:
 def _frame(tab: Tab) -> None:
     """Do a whole frame; heavy work is done at once."""
     tab.frame(BUDGET * FRAME, _at_once)
-    if tab.session is not None and tab.session.heavy:
+    if tab.session is not None and tab.session.is_heavy:
         tab.frame(BUDGET * FRAME, _at_once)
     tab.client.flush()
 

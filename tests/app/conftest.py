@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import pytest
 from app.classroom import kept
 from sim.store import files
 from tests.app.command import Softrod, softrod_here
+from tests.app.hostile import Sandbox
 
 
 @pytest.fixture
@@ -32,3 +34,11 @@ def class_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The folder of classes, in which there are none yet."""
     monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path / "classes")
     return tmp_path / "classes"
+
+
+@pytest.fixture
+def sandbox() -> Iterator[Sandbox]:
+    """A server behind its gate, and its users."""
+    sandbox = Sandbox()
+    yield sandbox
+    sandbox.close()

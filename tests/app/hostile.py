@@ -5,8 +5,9 @@ import socket
 import struct
 import threading
 import time
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, TypeVar
 
 import msgpack
 import viser
@@ -18,7 +19,9 @@ from websockets.typing import Origin, Subprotocol
 from app.gate.gate import GatedServer, open_server
 from tests.app.inside import uuid_of
 
-PATIENCE = 20.0
+T = TypeVar("T")
+
+PATIENCE = 30.0
 """Seconds to wait for what must happen; only a server that hangs makes a test wait this long."""
 
 HANDSHAKE = [
@@ -50,14 +53,28 @@ def pack(value: Any) -> bytes:
     return packed
 
 
-def eventually(condition: Callable[[], object]) -> bool:
-    """Whether `condition` comes true."""
+def eventually(condition: Callable[[], T | None]) -> T:
+    """Wait until the condition gives something, and return that."""
     deadline = time.monotonic() + PATIENCE
-    while not condition():
-        if time.monotonic() > deadline:
-            return False
+    while not (result := condition()):
+        assert time.monotonic() < deadline, "it never happened"
         time.sleep(0.005)
-    return True
+    return result
+
+
+@contextmanager
+def served(host: str = "127.0.0.1", **options: Any) -> Iterator[GatedServer]:
+    """A server behind its gate, at any free port."""
+    server = open_server(host, 0, **options)
+    try:
+        yield server
+    finally:
+        server.stop()
+
+
+def own(port: int, host: str = "127.0.0.1") -> list[tuple[str, str]]:
+    """The headers with which a page of the server connects."""
+    return [("Host", f"{host}:{port}"), ("Origin", f"http://{host}:{port}"), *HANDSHAKE]
 
 
 def status(port: int, headers: list[tuple[str, str]], path: str = "/", **options: str) -> int:
@@ -174,8 +191,7 @@ class User:
 
     def owner(self) -> str:
         """The name of this client's part of the scene, as its page echoes it."""
-        assert eventually(lambda: self.page.named("/gizmo"))
-        return self.page.named("/gizmo")[0]["owner"]
+        return eventually(lambda: self.page.named("/gizmo"))[0]["owner"]
 
     def update(self, element: Any, value: Any) -> dict[str, Any]:
         """The message with which a page sets a GUI element."""
@@ -224,13 +240,14 @@ class Sandbox:
     def refuses(self, reason: Any, count: int = 1) -> bool:
         """Whether the gate comes to count refusals for this reason, and no others."""
         refused = self.server.gate.refused
-        return eventually(lambda: refused[reason] >= count) and dict(refused) == {reason: count}
+        eventually(lambda: refused[reason] >= count)
+        return dict(refused) == {reason: count}
 
     def clear(self) -> None:
         """Part with all users, and forget what was refused."""
         for page in self.pages:
             page.close()
-        assert eventually(lambda: not self.server.get_clients())
+        eventually(lambda: not self.server.get_clients())
         self.pages.clear()
         self.server.gate.refused.clear()
 

@@ -66,6 +66,12 @@ class SessionPage:
             self.session.drain()
             self.session.tick(BUDGET)
 
+    def hold(self, count: int, *keys: str) -> None:
+        """Hold arrow keys for some frames, and release them for one."""
+        for _ in range(count):
+            self.frames(1, commands.HoldKeys(frozenset(keys)))
+        self.frames(1, commands.HoldKeys(frozenset()))
+
     def drag(self, mass: int, dx: float = 0.0, dy: float = 0.0, frames: int = 1) -> tuple[float, float]:
         """Take hold of a mass, lead it aside by some px, and let frames pass; where it was."""
         x, y = map(float, self.simulation.positions[mass])

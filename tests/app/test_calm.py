@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
 import math
 import time
-from typing import Any
+from unittest.mock import MagicMock
 
 import pytest
 
@@ -19,72 +20,24 @@ from tests.app.hostile import eventually
 from tests.app.whole import WholePage
 
 
-class Client:
-    """A page, as the ticker sees it."""
-
-    client_id = 7
-
-    def flush(self) -> None:
-        """Nothing waits."""
-
-
-class Page:
-    """A tab that counts its frames."""
-
-    def __init__(self, client: Any) -> None:
-        self.client, self.count, self.is_calm, self.stirred = client, 0, True, 0
-
-    def frame(self, _budget: float, _beside: object) -> bool:
-        """Count it."""
-        self.count += 1
-        return False
-
-    def stir(self) -> None:
-        """It has said something."""
-        self.stirred += 1
-        self.is_calm = False
-
-    def leave(self) -> None:
-        """It goes."""
-
-
 def test_a_calm_page_has_a_frame_a_second_until_it_says_something() -> None:
-    made: list[Page] = []
-
-    def make(client: Any) -> Any:
-        made.append(Page(client))
-        return made[0]
-
-    ticker, server = Ticker(make), Server()
-    ticker.attach(server)  # type: ignore[arg-type]
+    tab, server = MagicMock(is_calm=True), MagicMock()
+    tab.frame.return_value = False
+    tab.stir.side_effect = lambda: setattr(tab, "is_calm", False)
+    ticker = Ticker(lambda _: tab)
+    ticker.attach(server)
+    (connected,) = server.on_client_connect.call_args.args
     try:
-        server.connect(Client())
-        assert eventually(lambda: made and made[0].count == 1)
+        asyncio.run(connected(MagicMock(client_id=7)))
+        eventually(lambda: tab.frame.call_count == 1)
         time.sleep(0.4)
-        assert made[0].count == 1
+        assert tab.frame.call_count == 1
         ticker.hear(7)
         ticker.hear(8)  # which is gone
-        began = made[0].count
-        assert eventually(lambda: made[0].count > began + 5)
-        assert made[0].stirred == 1
+        eventually(lambda: tab.frame.call_count > 6)
+        assert tab.stir.call_count == 1
     finally:
         ticker.stop()
-
-
-class Server:
-    """What the ticker asks of a server."""
-
-    def on_client_connect(self, hear: Any) -> None:
-        """Remember who wants to know."""
-        self._hear = hear
-
-    def on_client_disconnect(self, hear: Any) -> None:
-        """Nobody leaves."""
-
-    def connect(self, client: Any) -> None:
-        """A page comes."""
-        with pytest.raises(StopIteration):
-            self._hear(client).send(None)
 
 
 @pytest.fixture

@@ -109,7 +109,7 @@ def test_the_terminal_names_the_networks_that_pupils_may_be_in(
     shown: list[str] = []
     monkeypatch.setattr(serve_module, "print_qr_code", shown.append)
     (classroom,), port, text = classes, server.get_port(), io.StringIO()
-    serve_module.tell_classes(server, "0.0.0.0", None, classes, Console(file=text, width=500))
+    serve_module.print_class_addresses(server, "0.0.0.0", None, classes, Console(file=text, width=500))
     said = text.getvalue()
     base = f"http://192.168.1.7:{port}/"
     assert shown == [f"{base}?room={classroom.room.code}"]

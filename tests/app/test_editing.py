@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 import sim
-from app.session import commands, log, versions
-from app.session.replay import Player
+from app.session import commands, versions
 from sim.edit.build import extend, positions_of, remove
 from sim.edit.edit import Edit, Selection
 from sim.edit.shape import move
 from sim.edit.values import number, set_number
-from tests.app.pages import SessionPage, answered
+from tests.app.pages import SessionPage
+from tests.app.recording import agrees
 
 NOTHING = Selection()
 
@@ -77,10 +77,8 @@ def test_a_mass_that_was_removed_comes_back_where_it_was(page: SessionPage) -> N
 def test_everything_that_changes_the_scene_is_a_step(page: SessionPage) -> None:
     session = page.session
     first = session.simulation.capture().scene
-    page.frames(1, commands.SetValue("gravity", 500.0))
-    page.frames(1, commands.SetChoice("method", "rk4"))
-    page.frames(1, commands.OwnValues("body"))
-    page.frames(1, commands.Open(sim.load_scene("ring")))
+    page.frames(1, commands.SetValue("gravity", 500.0), commands.SetChoice("method", "rk4"))
+    page.frames(1, commands.RestoreSceneValues("body"), commands.Open(sim.load_scene("ring")))
     assert session.versions.undoable == "opening Ring"
     openings = session.openings
     page.frames(1, commands.Undo())
@@ -94,8 +92,7 @@ def test_everything_that_changes_the_scene_is_a_step(page: SessionPage) -> None:
     assert session.simulation.method == "symplectic_euler"
     page.frames(1, commands.Undo())
     assert session.simulation.capture().scene is first
-    for _ in range(4):
-        page.frames(1, commands.Redo())
+    page.frames(1, *[commands.Redo()] * 4)
     assert session.scene.name == "ring"
 
 
@@ -128,9 +125,7 @@ def test_one_press_of_a_slider_is_one_step_though_each_value_is_another_body(pag
 
 
 def test_what_keys_did_before_a_slider_was_moved_stays(page: SessionPage) -> None:
-    for _ in range(30):
-        page.frames(1, commands.HoldKeys(frozenset({"up"})))
-    page.frames(1, commands.HoldKeys(frozenset()))
+    page.hold(30, "up")
     scale = page.simulation.rest_length_scale
     assert scale > 1.1
     page.frames(1, commands.SetValue("gravity", 500.0), commands.Undo())
@@ -187,12 +182,7 @@ def test_an_edited_run_is_replayed_bit_for_bit(page: SessionPage) -> None:
     page.frames(20, commands.Change(stiffer))
     page.frames(20, commands.Change(shorter))
     page.frames(20, commands.Undo())
-    record = log.decode_log(answered(page.session, page.session.log_file), "log")
-    player = Player(record, sim.Simulation(record.scene))
-    while not player.ended:
-        player.do()
-    assert player.agrees, player.verdict
-    np.testing.assert_array_equal(player.simulation.positions, page.simulation.positions)
+    agrees(page)
 
 
 def test_what_cannot_be_done_is_one_sentence_and_nothing_changes(page: SessionPage) -> None:

@@ -19,17 +19,10 @@ from app.gate import address, gate
 from app.gate.address import authorities, own_authorities, public_address
 from app.gate.gate import Gate, GatedServer, GateError, PortBusy, exposure, open_server, page_addresses
 from app.pages.sandbox.assets import page_files
-from tests.app.hostile import HANDSHAKE, Sandbox, answer, eventually, status
+from tests.app.hostile import HANDSHAKE, Sandbox, answer, eventually, own, served, status
 from tests.app.inside import only_page, viser_infra
 
 LOGGER = logging.getLogger(gate.__name__)
-
-
-@pytest.fixture
-def sandbox() -> Iterator[Sandbox]:
-    sandbox = Sandbox()
-    yield sandbox
-    sandbox.close()
 
 
 def is_listening(port: int) -> bool:
@@ -50,10 +43,6 @@ def body(port: int, headers: dict[str, str], path: str = "/") -> tuple[int, str]
     return response.status, text
 
 
-def own(port: int, host: str = "127.0.0.1") -> list[tuple[str, str]]:
-    return [("Host", f"{host}:{port}"), ("Origin", f"http://{host}:{port}"), *HANDSHAKE]
-
-
 def test_the_page_is_served_and_cannot_be_framed(sandbox: Sandbox) -> None:
     code, headers = answer(sandbox.port, [("Host", f"localhost:{sandbox.port}")])
     assert code == 200
@@ -64,10 +53,9 @@ def test_the_page_is_served_and_cannot_be_framed(sandbox: Sandbox) -> None:
 
 def test_what_is_kept_of_a_class_s_pages_on_the_way_has_nothing_of_the_class() -> None:
     """Browsers and proxies may keep them: all that is told of a class goes by the connection."""
-    server = open_server("127.0.0.1", 0, files=page_files())
-    port = server.get_port()
-    host = {"Host": f"localhost:{port}"}
-    try:
+    with served(files=page_files()) as server:
+        port = server.get_port()
+        host = {"Host": f"localhost:{port}"}
         asked = ("ABCD", "ABCD&as=desk", "ABCD&as=wall", "EFGH&as=seat")
         pages = {body(port, host, f"/?room={room}") for room in asked}
         checks = {body(port, host, f"/check?room={code}") for code in ("ABCD", "EFGH")}
@@ -75,8 +63,6 @@ def test_what_is_kept_of_a_class_s_pages_on_the_way_has_nothing_of_the_class() -
             _, headers = answer(port, list(host.items()), path)
             assert headers["Cache-Control"] == "no-cache"
             assert headers["Referrer-Policy"] == "no-referrer"
-    finally:
-        server.stop()
     # Whatever was asked for, the same came.
     for (code, _), *others in (pages, checks):
         assert code == 200
@@ -164,7 +150,7 @@ def test_requests_that_make_no_sense_leave_no_trace(
     sandbox: Sandbox, caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # viser adds a filter of its own, but only with the first page it serves.
-    own_filters = [each for each in LOGGER.filters if type(each).__module__ == gate.__name__]
+    own_filters = [each for each in LOGGER.filters if getattr(each, "__module__", "") == gate.__name__]
     monkeypatch.setattr(LOGGER, "filters", own_filters)
     for nonsense in (b"\0\1\2\r\n\r\n", b"GET / HTTP/9\r\n\r\n", b"\x16\x03\x01\x02\x00\x01\r\n\r\n"):
         with socket.create_connection(("127.0.0.1", sandbox.port), timeout=20) as connection:
@@ -184,11 +170,7 @@ def test_tabs_are_limited(sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch) -> 
     assert b"room for 3 pages" in refused.value.response.body
     assert all(user.works() for user in (first, *others))
     first.page.close()
-
-    def has_room() -> bool:
-        return status(sandbox.port, own(sandbox.port)) == 101
-
-    assert eventually(has_room)
+    eventually(lambda: status(sandbox.port, own(sandbox.port)) == 101)
 
 
 def test_a_handshake_that_fails_takes_no_place(sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -196,7 +178,7 @@ def test_a_handshake_that_fails_takes_no_place(sandbox: Sandbox, monkeypatch: py
     without_key = [header for header in own(sandbox.port) if header[0] != "Sec-WebSocket-Key"]
     for _ in range(3):
         assert status(sandbox.port, without_key) == 400
-    assert eventually(lambda: status(sandbox.port, own(sandbox.port)) == 101)
+    eventually(lambda: status(sandbox.port, own(sandbox.port)) == 101)
 
 
 def test_a_busy_port_is_reported_with_the_next_free_one(sandbox: Sandbox) -> None:
@@ -219,16 +201,13 @@ def test_an_impossible_address_is_one_sentence(host: str, port: int) -> None:
 
 
 def test_every_address_of_the_machine_is_served_by_its_own_names_only() -> None:
-    server = open_server("0.0.0.0", 0, extra_hosts=["Rope.example", "localhost:9000"])
-    port = server.get_port()
-    try:
+    with served("0.0.0.0", extra_hosts=["Rope.example", "localhost:9000"]) as server:
+        port = server.get_port()
         for host in (f"127.0.0.1:{port}", f"rope.example:{port}", f"{socket.gethostname()}:{port}"):
             assert status(port, [("Host", host), ("Origin", f"http://{host}"), *HANDSHAKE]) == 101
         assert status(port, [("Host", "localhost:9000")]) == 200
         for host in (f"evil.example:{port}", f"192.0.2.1:{port}", "rope.example:9000", f"0.0.0.0:{port}"):
             assert status(port, [("Host", host)]) == 421
-    finally:
-        server.stop()
 
 
 @pytest.mark.parametrize("host", ["localhost:9000", "127.0.0.1:9000", "[::1]:9000", "localhost"])
@@ -247,9 +226,8 @@ SCHOOL = "https://school.example/lab/"
 @pytest.fixture
 def behind() -> Iterator[GatedServer]:
     """A server that is reached through a proxy."""
-    server = open_server("127.0.0.1", 0, public_url="HTTPS://School.example/lab", files=page_files())
-    yield server
-    server.stop()
+    with served(public_url="HTTPS://School.example/lab", files=page_files()) as server:
+        yield server
 
 
 def test_a_proxy_may_pass_on_its_own_name_or_the_server_s(behind: GatedServer) -> None:
@@ -295,23 +273,21 @@ def test_a_refusal_names_the_remedy(sandbox: Sandbox) -> None:
         assert (code, name in text) == (403, False)
 
 
-@pytest.mark.parametrize(
-    "url",
-    [
-        "school.example", "ftp://school.example", "https://", "https://.../", "https://a/?b",
-        "https://a/#b", "https://a/../b/", "https://a//b", "https://a:0/", "https://a:99999/",
-        "https://user:word@a/",
-    ],
+NO_URLS = (
+    "school.example", "ftp://school.example", "https://", "https://.../", "https://a/?b", "https://a/#b",
+    "https://a/../b/", "https://a//b", "https://a:0/", "https://a:99999/", "https://user:word@a/",
 )  # fmt: skip
-def test_what_is_no_public_address_is_one_sentence(url: str) -> None:
-    with pytest.raises(GateError, match=r"^--public-url: [^\n]+\.$"):
-        open_server("127.0.0.1", 0, public_url=url)
+NO_NAMES = ("http://laptop.local", "a/b", "", "a:0", "a:99999", "*", "a b", "...")
 
 
-@pytest.mark.parametrize("name", ["http://laptop.local", "a/b", "", "a:0", "a:99999", "*", "a b", "..."])
-def test_what_is_no_name_is_one_sentence(name: str) -> None:
-    with pytest.raises(GateError, match=r"^--allow-host: [^\n]+\.$"):
-        open_server("127.0.0.1", 0, extra_hosts=[name])
+@pytest.mark.parametrize(
+    ("option", "given"),
+    [*(("public-url", {"public_url": url}) for url in NO_URLS)]
+    + [("allow-host", {"extra_hosts": [name]}) for name in NO_NAMES],
+)
+def test_what_is_no_address_or_name_is_one_sentence(option: str, given: dict[str, Any]) -> None:
+    with pytest.raises(GateError, match=rf"^--{option}: [^\n]+\.$"), served(**given):
+        pass
 
 
 def test_a_proxy_is_an_exposure() -> None:
@@ -332,14 +308,11 @@ def test_public_addresses_are_as_browsers_write_them() -> None:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux has 127.0.0.2 from the start")
 def test_the_address_that_a_request_came_in_at_is_its_own() -> None:
-    server = open_server("0.0.0.0", 0)
-    # 127.0.0.2 stands in for the address of a network card.
-    host = [("Host", f"127.0.0.2:{server.get_port()}")]
-    try:
+    with served("0.0.0.0") as server:
+        # 127.0.0.2 stands in for the address of a network card.
+        host = [("Host", f"127.0.0.2:{server.get_port()}")]
         assert status(server.get_port(), host, address="127.0.0.2") == 200
         assert status(server.get_port(), host, address="127.0.0.1") == 421
-    finally:
-        server.stop()
 
 
 def test_every_address_that_can_be_typed_is_printed_and_let_in(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -396,14 +369,11 @@ def test_the_system_names_its_interfaces() -> None:
     assert address.interfaces()["127.0.0.1"] == "lo"
 
 
-@pytest.mark.parametrize("host", ["127.0.0.1", "localhost", "::1", "127.8.8.8"])
-def test_this_machine_alone_is_no_exposure(host: str) -> None:
-    assert exposure(host) is None
-
-
-@pytest.mark.parametrize("host", ["0.0.0.0", "::", "192.0.2.1", "host.invalid", ""])
-def test_a_network_address_is_an_exposure(host: str) -> None:
-    assert "no password" in (exposure(host) or "")
+def test_a_network_address_is_an_exposure_and_this_machine_alone_is_none() -> None:
+    for host in ("127.0.0.1", "localhost", "::1", "127.8.8.8"):
+        assert exposure(host) is None
+    for host in ("0.0.0.0", "::", "192.0.2.1", "host.invalid", ""):
+        assert "no password" in (exposure(host) or ""), host
 
 
 @pytest.mark.parametrize(
@@ -423,9 +393,8 @@ def test_what_a_class_exposes(host: str, public: str | None, said: str, unsaid: 
 
 def test_nothing_is_served_before_the_gate_is_open(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(gate.Gate, "open", lambda self, server: None)
-    server = open_server("127.0.0.1", 0)
-    assert status(server.get_port(), own(server.get_port())) == 503
-    server.stop()
+    with served() as server:
+        assert status(server.get_port(), own(server.get_port())) == 503
 
 
 def test_another_version_of_viser_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -478,11 +447,8 @@ def test_a_stopped_server_leaves_its_port(sandbox: Sandbox) -> None:
 
 def test_a_page_is_of_this_machine_only_if_no_other_can_connect_and_no_proxy_is_between() -> None:
     for extra, loopback in (([], True), (["school.example"], False)):
-        server = open_server("127.0.0.1", 0, extra_hosts=extra)
-        try:
+        with served(extra_hosts=extra) as server:
             assert server.gate.loopback == loopback
-        finally:
-            server.stop()
 
     def is_local(loopback: bool, *headers: tuple[str, str]) -> bool:
         gate = Gate(frozenset(), {}, loopback=loopback)

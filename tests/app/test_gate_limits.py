@@ -1,9 +1,9 @@
 """How much a page may send, and how fast."""
 
+import itertools
 import os
 import socket
 import time
-from collections.abc import Iterator
 from types import SimpleNamespace
 
 import pytest
@@ -13,14 +13,7 @@ from websockets.protocol import State
 from app.classroom.names import LETTERS
 from app.gate import gate
 from app.gate.address import visitor
-from tests.app.hostile import HANDSHAKE, HostilePage, Sandbox, User, eventually, pack, status
-
-
-@pytest.fixture
-def sandbox() -> Iterator[Sandbox]:
-    sandbox = Sandbox()
-    yield sandbox
-    sandbox.close()
+from tests.app.hostile import HostilePage, Sandbox, User, eventually, own, pack, served, status
 
 
 def flood(user: User, count: int) -> list[tuple[str, str]]:
@@ -83,8 +76,9 @@ def test_a_flood_of_refused_messages_disturbs_nobody(sandbox: Sandbox) -> None:
     assert hostile.is_quiet()
 
 
-def test_a_flood_of_pings_cuts_only_its_own_connection(
-    sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("flood_of", ["pings", "pieces of a message"])
+def test_a_flood_of_other_frames_cuts_only_its_own_connection(
+    sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch, flood_of: str
 ) -> None:
     monkeypatch.setattr(gate, "EXTRA_FRAME_BURST", 50.0)
     hostile, honest = sandbox.user(), sandbox.user()
@@ -92,24 +86,9 @@ def test_a_flood_of_pings_cuts_only_its_own_connection(
         assert hostile.page.socket.ping().wait(20)
     assert hostile.works()
     with pytest.raises(Exception, match="close"):
-        while True:
+        while flood_of == "pings":
             hostile.page.socket.ping()
-    assert sandbox.refuses("frames")
-    assert honest.works()
-
-
-def test_an_endless_message_cuts_only_its_own_connection(
-    sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(gate, "EXTRA_FRAME_BURST", 50.0)
-    hostile, honest = sandbox.user(), sandbox.user()
-
-    def nothing() -> Iterator[bytes]:
-        while True:
-            yield b""
-
-    with pytest.raises(Exception, match="close"):
-        hostile.page.socket.send(nothing())
+        hostile.page.socket.send(itertools.repeat(b""))
     assert sandbox.refuses("frames")
     assert honest.works()
 
@@ -127,20 +106,17 @@ def test_who_tries_the_letters_of_a_class_one_after_the_other_is_slowed_down(
 ) -> None:
     monkeypatch.setattr(gate, "CONNECTION_BURST", 4.0)
     monkeypatch.setattr(gate, "CONNECTIONS_PER_SECOND", 1e-3)
-    sandbox = Sandbox()
-    try:
-        own = f"127.0.0.1:{sandbox.port}"
-        page = [("Host", own), ("Origin", f"http://{own}"), *HANDSHAKE]
-        found = [status(sandbox.port, page, f"/?room=AAA{letter}") for letter in "ABCDEF"]
+    with served() as server:
+        port = server.get_port()
+        found = [status(port, own(port), f"/?room=AAA{letter}") for letter in "ABCDEF"]
         assert found == [101, 101, 101, 101, 429, 429]
-        assert sandbox.refuses("rate", 2)
+        assert server.gate.refused == {"rate": 2}
         # A page that is turned away is told so; asking why costs nothing.
-        asked = [("Host", own), ("X-Softrod-Origin", f"http://{own}")]
-        assert [status(sandbox.port, asked, "/reach") for _ in range(3)] == [429, 429, 429]
+        here = ("Host", f"127.0.0.1:{port}")
+        asked = [here, ("X-Softrod-Origin", f"http://127.0.0.1:{port}")]
+        assert [status(port, asked, "/reach") for _ in range(3)] == [429, 429, 429]
         # Files are no connections.
-        assert status(sandbox.port, [("Host", own)]) == 200
-    finally:
-        sandbox.close()
+        assert status(port, [here]) == 200
 
 
 def test_a_full_server_s_pages_may_all_come_back_at_once_and_all_letters_take_hours() -> None:
@@ -219,7 +195,7 @@ def test_who_opens_connections_and_says_nothing_keeps_nobody_out(
         assert sandbox.refuses("knocking")
         assert HostilePage(sandbox.port, source="127.0.0.2").socket.state is State.OPEN
         silent.pop(0).close()
-        assert eventually(lambda: status(sandbox.port, [("Host", f"127.0.0.1:{sandbox.port}")]) == 200)
+        eventually(lambda: status(sandbox.port, [("Host", f"127.0.0.1:{sandbox.port}")]) == 200)
     finally:
         for one in silent:
             one.close()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from unittest import mock
+
 import numpy as np
 import pytest
 
@@ -132,18 +134,11 @@ def test_a_ghost_has_the_time_that_the_body_leaves() -> None:
     page.frames(5, commands.Compare("rk4", "", 10))
     ghost = page.ghost
     ghost.costs.learn(1, 10.0 * BUDGET / 20.0, 10)
-    tried: list[int] = []
-    step = ghost.simulation.step
-
-    def noted(n: int, attempts: int) -> int:
-        tried.append(attempts)
-        return step(n, attempts)
-
-    ghost.simulation.step = noted  # type: ignore[method-assign, assignment]
-    page.frames(1)
-    assert 8 <= tried[0] <= 20
+    with mock.patch.object(ghost.simulation, "step", wraps=ghost.simulation.step) as step:
+        page.frames(1)
+    assert 8 <= step.call_args_list[0].args[1] <= 20
     ghost.costs.learn(1, 10.0 * HEAVY_UNIT, 1)
-    assert page.session.heavy
+    assert page.session.is_heavy
 
 
 def test_a_reset_forgets_how_far_off_the_ghost_has_been() -> None:

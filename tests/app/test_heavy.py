@@ -15,7 +15,8 @@ from app.session.session import FRAME, Session
 from app.wire.from_page import Perform
 from app.wire.to_page import PageState
 from studies.bench.tabs import cloth
-from tests.app.test_serving import Stage, eventually, say, session_of, stage  # noqa: F401
+from tests.app.hostile import eventually
+from tests.app.test_serving import Stage, say, session_of, stage  # noqa: F401
 
 
 def told(tab: Tab) -> PageState:
@@ -28,46 +29,42 @@ def test_others_go_on_and_pause_is_answered_while_a_step_takes_its_time(
     stage: Stage,  # noqa: F811
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    with stage.page() as one:
-        heavy = stage.new_tab(set())
-        known = set(stage.ticker.tabs)
-        with stage.page() as other:
-            light = stage.new_tab(known)
-            session = session_of(heavy)
-            say(one, Perform("plot"), Perform("gizmos"))
-            eventually(lambda: told(heavy).gizmos)
-            begun, go_on = threading.Event(), threading.Event()
-            tick = Session.tick
+    with stage.opened() as (one, heavy), stage.opened() as (other, light):
+        session = session_of(heavy)
+        say(one, Perform("plot"), Perform("gizmos"))
+        eventually(lambda: told(heavy).gizmos)
+        begun, go_on = threading.Event(), threading.Event()
+        tick = Session.tick
 
-            def slow(self: Session, *given: float) -> None:
-                if self is session:
-                    begun.set()
-                    assert go_on.wait(30.0)
-                tick(self, *given)
+        def slow(self: Session, *given: float) -> None:
+            if self is session:
+                begun.set()
+                assert go_on.wait(30.0)
+            tick(self, *given)
 
-            monkeypatch.setattr(Session, "heavy", property(lambda self: self is session))
-            monkeypatch.setattr(Session, "tick", slow)
-            try:
-                assert begun.wait(10.0)
-                steps = session_of(light).simulation.step_count
-                eventually(lambda: session_of(light).simulation.step_count > steps + 30)
-                assert told(heavy).playing
-                say(one, Perform("pause"))
-                eventually(lambda: not told(heavy).playing)
-                assert session.playing  # it is not applied before the step is done
-                # Nor does the page forget a switch.
-                assert told(heavy).gizmos
-                other.read_for(0.05)
-            finally:
-                go_on.set()
-            eventually(lambda: not session.playing)
+        monkeypatch.setattr(Session, "is_heavy", property(lambda self: self is session))
+        monkeypatch.setattr(Session, "tick", slow)
+        try:
+            assert begun.wait(10.0)
+            steps = session_of(light).simulation.step_count
+            eventually(lambda: session_of(light).simulation.step_count > steps + 30)
+            assert told(heavy).playing
+            say(one, Perform("pause"))
+            eventually(lambda: not told(heavy).playing)
+            assert session.playing  # it is not applied before the step is done
+            # Nor does the page forget a switch.
+            assert told(heavy).gizmos
+            other.read_for(0.05)
+        finally:
+            go_on.set()
+        eventually(lambda: not session.playing)
 
 
 def test_a_scene_is_heavy_by_its_size_or_by_what_its_steps_cost() -> None:
     session = Session(sim.rope(12))
-    assert not session.heavy
+    assert not session.is_heavy
     session.post(commands.Open(cloth(40)))
-    assert session.heavy  # also while it is only about to be opened
+    assert session.is_heavy  # also while it is only about to be opened
     assert is_large(cloth(40))
     assert not is_large(cloth(20))
 
@@ -76,7 +73,7 @@ def test_a_scene_is_heavy_by_its_size_or_by_what_its_steps_cost() -> None:
     assert costs.unit < HEAVY_UNIT
     session.costs = costs
     session.drain()
-    assert session.heavy
+    assert session.is_heavy
 
 
 def test_frames_grow_longer_with_the_work_but_never_beyond_their_limit() -> None:

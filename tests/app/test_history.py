@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 import sim
 from app.session import commands, history
-from app.session.ghost import Ghost, GhostMoment
-from app.session.history import History, OldFuture
+from app.session.ghost import GhostMoment
+from app.session.history import AbandonedFuture, History
 from tests.amount import examples, part_of
 from tests.app.pages import FRAME, SessionPage
 from tests.sim.builders import tutorial_preset
@@ -174,8 +174,7 @@ def test_no_time_at_all_is_refused(page: SessionPage, time: float) -> None:
 
 def test_settings_and_keys_come_back(page: SessionPage) -> None:
     session = page.session
-    page.frames(20, commands.HoldKeys(frozenset({"up"})))
-    page.frames(1, commands.HoldKeys(frozenset()))
+    page.hold(20, "up")
     time, scene = session.simulation.time, session.scene
     revision, generation = session.revision, session.generation
     page.frames(10, commands.SetValue("gravity", 10.0))
@@ -239,14 +238,9 @@ def test_what_follows_the_pointer_does_not_disturb_the_past(page: SessionPage) -
     assert page.simulation.positions[0] == pytest.approx((400.0, 300.0))
 
 
-def ghost_of(page: SessionPage) -> Ghost:
-    assert page.session.ghost is not None
-    return page.session.ghost
-
-
 def test_the_ghost_goes_back_to_where_it_was(page: SessionPage) -> None:
     page.frames(30, commands.Compare("rk4", "angle", 1), commands.SetValue("rest_angle", 30.0))
-    ghost = ghost_of(page)
+    ghost = page.ghost
     time, positions, worst = page.simulation.time, ghost.simulation.positions, ghost.worst
     assert worst > 0.0
     page.frames(30)
@@ -271,9 +265,9 @@ def test_the_ghost_starts_from_a_moment_before_it_was_there_and_before_it_was_an
     page.frames(30, commands.Compare("adams", "", 1))
     for moment in (keyed + 0.3, keyed, time):
         page.frames(1, commands.GoTo(moment))
-        ghost, body = ghost_of(page).simulation, page.simulation
+        ghost, body = page.ghost.simulation, page.simulation
         assert np.array_equal(ghost.positions, body.positions)
-        assert (ghost.time, ghost_of(page).worst) == (body.time, 0.0)
+        assert (ghost.time, page.ghost.worst) == (body.time, 0.0)
         # What keys have changed until then is in both.
         assert ghost.rest_length_scale == body.rest_length_scale
         assert ghost.rest_angles == pytest.approx(body.rest_angles)
@@ -285,8 +279,8 @@ def test_a_body_and_a_ghost_that_do_the_same_are_never_apart(page: SessionPage) 
     page.frames(10, commands.HoldKeys(frozenset()))
     page.frames(1, commands.GoBack(0.2))
     page.frames(30, commands.Play(True))
-    assert ghost_of(page).simulation.time == page.simulation.time
-    assert ghost_of(page).worst == 0.0
+    assert page.ghost.simulation.time == page.simulation.time
+    assert page.ghost.worst == 0.0
 
 
 def test_the_past_begins_anew_with_another_body(page: SessionPage) -> None:
@@ -294,7 +288,7 @@ def test_the_past_begins_anew_with_another_body(page: SessionPage) -> None:
         page.frames(30, commands.Play(True))
         page.frames(1, commands.GoBack(0.2), commands.Play(False), command)
         session = page.session
-        assert (len(session.history), session.history.end, session.old_future) == (1, 0.0, None)
+        assert (len(session.history), session.history.end, session.abandoned_future) == (1, 0.0, None)
         page.frames(1, commands.GoBack())
         assert len(session.simulation.positions) == len(session.scene.masses)
 
@@ -304,11 +298,11 @@ def test_the_old_future_stays_for_comparison(page: SessionPage) -> None:
     session = page.session
     newer = [session.history[i] for i in range(len(session.history))]
     page.frames(2, commands.GoTo(0.5))
-    assert session.old_future is None
+    assert session.abandoned_future is None
     start, end = session.simulation.time, session.history.end
     page.frames(1, commands.SetValue("gravity", 100.0))
     page.frames(12, commands.Play(True))
-    old = session.old_future
+    old = session.abandoned_future
     assert old is not None
     assert (old.start, old.end) == (start, end)
     assert session.history.end == session.simulation.time < end
@@ -322,22 +316,22 @@ def test_the_old_future_stays_for_comparison(page: SessionPage) -> None:
     assert at is not None
     assert np.abs(at - session.simulation.positions).max() > 0.1
     page.frames(5, commands.Play(False), commands.Play(True))
-    assert session.old_future is old
+    assert session.abandoned_future is old
     page.frames(2, commands.GoBack(0.1), commands.Play(True))
-    assert session.old_future is not None
-    assert session.old_future is not old
+    assert session.abandoned_future is not None
+    assert session.abandoned_future is not old
     page.frames(1, commands.ForgetFuture())
-    assert session.old_future is None
+    assert session.abandoned_future is None
 
 
 def test_single_steps_from_the_past_branch_too(page: SessionPage) -> None:
     page.frames(1, commands.GoTo(0.5), commands.DoSteps(3))
-    assert page.session.old_future is not None
+    assert page.session.abandoned_future is not None
     assert page.session.history.end == page.simulation.time == pytest.approx(0.5075, abs=0.01)
 
 
-def test_an_old_future_is_a_copy() -> None:
-    future = OldFuture([moment(0.0), moment(1.0)])
+def test_positions_of_an_abandoned_future_are_copies() -> None:
+    future = AbandonedFuture([moment(0.0), moment(1.0)])
     found = future.positions_at(0.5)
     assert found is not None
     found[:] = 7.0
@@ -399,8 +393,7 @@ def test_there_is_a_way_back_to_before_a_divergence(preset: str, method: str, ov
         pytest.skip("it does not run away")
     assert session.offer_back
     diverged = session.simulation.time
-    (notice,) = session.notices
-    assert "Go back to just before it, lower" in notice.text
+    assert "Go back to just before it, lower" in page.told
     page.frames(2, commands.BackBeforeDivergence())
     assert not session.playing
     assert not session.offer_back

@@ -195,7 +195,7 @@ def test_a_run_goes_on_after_its_page_was_reloaded() -> None:
     after.resume(kept, None)
     after.do_steps(60)
     record = decode_log(after.recorder.file(), "log")
-    assert judge(record, scene, GOAL, after.recorder.been).refused == ""
+    assert judge(record, scene, GOAL, after.recorder.visited).refused == ""
     # What the server has not seen there was never there.
     first.do_steps(1)
     for been in ((), (digest_of(first.simulation),)):
@@ -212,5 +212,5 @@ def test_a_run_goes_on_when_its_kernels_are_ready(monkeypatch: pytest.MonkeyPatc
     recorder.step(60)
     recorder.step(60)
     record = decode_log(recorder.file(), "log")
-    assert judge(record, a_scene(), GOAL, recorder.been).refused == ""
+    assert judge(record, a_scene(), GOAL, recorder.visited).refused == ""
     assert "never was" in judge(record, a_scene(), GOAL).refused

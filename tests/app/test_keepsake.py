@@ -17,13 +17,8 @@ from tests.app.recording import agrees, busy_page
 
 def a_page() -> SessionPage:
     page = busy_page(sim.load_scene("tutorial-3.3"))
-    page.frames(
-        5,
-        commands.SelectJoint(4),
-        commands.Speed(2.0),
-        commands.Follow(True),
-        commands.Compare("rk4", "angle", 4),
-    )
+    choices = commands.SelectJoint(4), commands.Speed(2.0), commands.Follow(True)
+    page.frames(5, *choices, commands.Compare("rk4", "angle", 4))
     return page
 
 
@@ -64,7 +59,7 @@ def test_a_page_goes_on_where_it_was(page: SessionPage, playing: bool) -> None:
 
 def test_the_scene_s_own_values_are_kept_too(kept: bytes) -> None:
     other = resumed(kept)
-    other.frames(1, commands.OwnValues("body"), commands.OwnValues("solver"))
+    other.frames(1, commands.RestoreSceneValues("body"), commands.RestoreSceneValues("solver"))
     assert other.session.scene == sim.load_scene(other.session.scene.name)
 
 
@@ -88,7 +83,7 @@ def test_own_values_of_another_body_begin_its_time_anew(kept: bytes) -> None:
     another = json.loads(log.encode_header(sim.rope(masses=12, joints=False)))["scene"]
     other = resumed(changed(kept, "opened", value=another))
     other.frames(10, commands.Play(True))
-    other.frames(1, commands.Play(False), commands.OwnValues("body"))
+    other.frames(1, commands.Play(False), commands.RestoreSceneValues("body"))
     assert (len(other.session.history), other.simulation.time) == (1, 0.0)
     other.frames(10, commands.Play(True))
     agrees(other)
@@ -99,7 +94,7 @@ def test_a_keepsake_is_small() -> None:
     assert len(small) < 6000
     scene = sim.rope(masses=20_000)
     rows = np.random.default_rng(1).normal(0.0, 300.0, (4, 20_000))
-    data = keepsakes.encode(sim.Moment(scene, 1.0, 0.0, rows, 5.0, 2000), keepsakes.Wishes(), scene)
+    data = keepsakes.encode(sim.Moment(scene, 1.0, 0.0, rows, 5.0, 2000), keepsakes.Choices(), scene)
     assert len(data) < keepsakes.MAX_BYTES
     assert json.loads(data)["moment"] is None
     moment = keepsakes.decode(data).moment
@@ -142,18 +137,16 @@ PATHS: list[tuple[tuple[str, ...], Any]] = [
 @pytest.mark.parametrize(("path", "value"), PATHS)
 def test_a_bad_keepsake_changes_nothing(kept: bytes, path: tuple[str, ...], value: Any) -> None:
     other = resumed(changed(kept, *path, value=value))
-    (notice,) = other.session.notices
-    assert notice.text.startswith("could not be resumed: ")
-    assert "\n" not in notice.text
+    assert other.told.startswith("could not be resumed: ")
+    assert "\n" not in other.told
     assert other.session.scene.name == "ring"
     other.frames(5)
     assert other.simulation.time > 0.1
 
 
-@pytest.mark.parametrize("data", [b"", b"nonsense", b"[]", b"\xff", b"[" * 100_000, b" " * 10_000_000])
-def test_what_is_no_keepsake_is_refused(data: bytes) -> None:
-    (notice,) = resumed(data).session.notices
-    assert notice.text.startswith("could not be resumed: ")
+def test_what_is_no_keepsake_is_refused() -> None:
+    for data in (b"", b"nonsense", b"[]", b"\xff", b"[" * 100_000, b" " * 10_000_000):
+        assert resumed(data).told.startswith("could not be resumed: ")
 
 
 def test_a_joint_that_does_not_exist_is_the_last_one(kept: bytes) -> None:

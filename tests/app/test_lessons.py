@@ -16,7 +16,7 @@ from app.features.lesson.panel import LessonPanel
 from app.session import commands
 from app.session.log import decode_log
 from app.session.notices import Notice
-from app.session.plots import Wish
+from app.session.plots import PlotSpec
 from app.wire.from_page import Perform
 from app.wire.messages import read
 from sim.edit.build import add_mass
@@ -139,13 +139,13 @@ def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own() -> No
     panel.build()
     assert not page.session.playing
     assert panel.controls == ("gravity",)
-    assert panel.plots.wishes == (Wish(("joint0.rate",), "joint0.angle"),)
+    assert panel.plots.specs == (PlotSpec(("joint0.rate",), "joint0.angle"),)
     assert page.session.ghost is not None
     assert page.session.ghost.method == "rk4"
     panel.begin(BeginStep(1))
     page.frames(1)
     panel.build()
-    assert (panel.controls, panel.plots.wishes, page.session.ghost) == (("angular_stiffness",), (), None)
+    assert (panel.controls, panel.plots.specs, page.session.ghost) == (("angular_stiffness",), (), None)
     # What has been answered need not wait.
     panel.begin(BeginStep(0, "run"))
     page.frames(1)

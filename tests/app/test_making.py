@@ -16,7 +16,7 @@ from app.features.making.messages import LessonForm, LessonOffers, LessonTaken
 from app.lessons import check_lesson
 from app.session import commands
 from app.session.notices import Notice
-from app.session.plots import text_of, wish_of
+from app.session.plots import parse_plot, plot_text
 from app.wire.messages import read
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
 from sim.settings import scene_of_step
@@ -268,7 +268,7 @@ def test_the_form_offers_what_there_is_now() -> None:
     assert (offers.quantities["mass"]["vy"], offers.quantities["stability"]["dt_over_limit"]) == ("px/s", "")
     assert (offers.plots, offers.arrows, offers.settings) == (MEASURED.plots, ("forces",), "")
     assert {"gravity", "method", "force_law"} <= {control.key for control in offers.controls}
-    assert all(text_of(wish_of(text)) == text for text in MEASURED.plots)
+    assert all(plot_text(parse_plot(text)) == text for text in MEASURED.plots)
     form.page.frames(30, commands.SetValue("gravity", 20.0), commands.SetChoice("method", "rk4"))
     form.maker.tell()
     assert form.letters.last(LessonOffers).settings == "Integrator: Runge-Kutta 4, Gravity 20 px/s²"

@@ -25,7 +25,7 @@ from app.features.measure.plot_list import ADD
 from app.session import commands
 from app.session.history import SPAN
 from app.session.notices import Notice
-from app.session.plots import MAX_PLOTS, Plot, Wish, curve
+from app.session.plots import MAX_PLOTS, Plot, PlotSpec, curve
 from app.stage.colors import palette
 from sim.errors import InputError
 from tests.app.inside import press
@@ -41,7 +41,7 @@ class PlotPage(SessionPage):
 
     def __init__(self, *names: str, over: str = "", scene: sim.Scene | None = None) -> None:
         super().__init__(scene or sim.load_scene("tutorial-3.3"))
-        self.plot = Plot(Wish(names or ("mass11.y",), over), self.session.scene)
+        self.plot = Plot(PlotSpec(names or ("mass11.y",), over), self.session.scene)
 
     def frames(self, count: int, *posts: commands.Command) -> None:
         for command in posts:
@@ -275,11 +275,11 @@ def test_the_table_has_all_rows_and_units() -> None:
 
 def test_a_plot_has_room_for_two_units() -> None:
     scene = sim.load_scene("tutorial-3.3")
-    assert Plot(Wish(("joint0.angle", "mass0.x", "joint1.angle")), scene).units == ("°", "px")
+    assert Plot(PlotSpec(("joint0.angle", "mass0.x", "joint1.angle")), scene).units == ("°", "px")
     with pytest.raises(InputError, match="room for two units"):
-        Plot(Wish(("joint0.angle", "mass0.x", "mass0.vx")), scene)
+        Plot(PlotSpec(("joint0.angle", "mass0.x", "mass0.vx")), scene)
     with pytest.raises(InputError, match="mass 99 does not exist"):
-        Plot(Wish(("mass0.x",), "mass99.x"), scene)
+        Plot(PlotSpec(("mass0.x",), "mass99.x"), scene)
 
 
 def test_a_body_that_ran_away_leaves_finite_values() -> None:
@@ -306,13 +306,13 @@ def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots(mea
     for _ in range(5):
         press(panel.new)
     measure.tick()
-    assert len(panel.plots.wishes) == MAX_PLOTS
+    assert len(panel.plots.specs) == MAX_PLOTS
     assert "room for 4 plots" in told[-1].text
     # Another scene keeps what it has, too; one without joints keeps nothing.
     for scene, count in ((sim.load_scene("tutorial-3.3"), MAX_PLOTS), (sim.rope(3, joints=False), 0)):
         page.frames(1, commands.Open(scene))
         panel.build()
-        assert len(panel.plots.wishes) == count
+        assert len(panel.plots.specs) == count
     panel.plot_angle()
     panel.tick()
     assert told[-1].text == "This scene has no joints."
@@ -346,11 +346,11 @@ def test_what_a_body_at_rest_still_does_is_a_straight_line(
 ) -> None:
     times = np.linspace(0.0, 50.0, 2000)
     wiggle = value + noise * np.sin(times)
-    plot = Plot(Wish((name,)), sim.load_scene("tutorial-3.3"))
+    plot = Plot(PlotSpec((name,)), sim.load_scene("tutorial-3.3"))
     ring_of(plot, times, wiggle)
     assert (drawn_range(plot, [1]) > noise) == stays
     assert stays or drawn_range(plot, [1]) == 0.0
-    over = Plot(Wish((name,), over=name), sim.load_scene("tutorial-3.3"))
+    over = Plot(PlotSpec((name,), over=name), sim.load_scene("tutorial-3.3"))
     ring_of(over, times, wiggle, wiggle)
     x, y = curve(over, 60.0, 150).values[1:]
     svg = phase_svg(x, y[None], len(x), ["red"], ("x", "y"), "a plot")
@@ -362,11 +362,11 @@ def test_what_a_body_at_rest_still_does_is_a_straight_line(
 
 def test_lines_of_one_axis_are_levelled_together() -> None:
     times = np.linspace(0.0, 50.0, 2000)
-    plot = Plot(Wish(("mass10.y", "mass11.y", "mass3.vx")), sim.load_scene("tutorial-3.3"))
+    plot = Plot(PlotSpec(("mass10.y", "mass11.y", "mass3.vx")), sim.load_scene("tutorial-3.3"))
     ring_of(plot, times, 300.0 + 1e-12 * np.sin(times), np.full(2000, 300.0 + 1e-12), np.cos(times))
     assert drawn_range(plot, [1, 2]) == 0.0
     assert drawn_range(plot, [3]) > 1.9
-    apart = Plot(Wish(("mass10.y", "mass11.y")), sim.load_scene("tutorial-3.3"))
+    apart = Plot(PlotSpec(("mass10.y", "mass11.y")), sim.load_scene("tutorial-3.3"))
     ring_of(apart, times, np.full(2000, 300.0), np.where(times > 20.0, np.nan, 301.0))
     values = curve(apart, 60.0, 150).values
     assert drawn_range(apart, [1]) == 0.0
@@ -394,7 +394,7 @@ def growing(names: tuple[str, ...], over: str = "", y_down: bool = True) -> Plot
     """A plot whose first quantity grows from 100 to 300."""
     scene = sim.load_scene("tutorial-3.3")
     view = msgspec.structs.replace(scene.view, y_down=y_down)
-    plot = Plot(Wish(names, over), msgspec.structs.replace(scene, view=view))
+    plot = Plot(PlotSpec(names, over), msgspec.structs.replace(scene, view=view))
     times = np.linspace(0.0, 9.0, 500)
     others = [np.linspace(0.0, 1.0, 500)] * (len(plot.quantities) - 1)
     ring_of(plot, times, np.linspace(100.0, 300.0, 500), *others)

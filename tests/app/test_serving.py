@@ -8,8 +8,10 @@ import io
 import time
 import zlib
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 import msgspec
 import numpy as np
@@ -19,14 +21,13 @@ from rich.console import Console
 
 import sim
 from app.features.gallery.messages import OpenScene
-from app.gate.gate import open_server
 from app.pages.sandbox.tab import Tab
 from app.server import serve as serve_module
-from app.server.serve import serving, start_compiling, tell_addresses
+from app.server.serve import print_addresses, serving, start_compiling
 from app.server.ticker import Ticker
 from app.session import commands
 from app.session.commands import DragStart, Open
-from app.session.plots import Wish
+from app.session.plots import PlotSpec
 from app.session.session import Session
 from app.ui import owner
 from app.ui.kept import keeper, keeping
@@ -35,17 +36,7 @@ from app.wire.messages import FromPage
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 from sim.store.link import pack_scene
 from studies.bench.client import FRAME_PLACES, Page, is_frame
-
-PATIENCE = 30.0
-
-
-def eventually(condition: Callable[[], Any]) -> Any:
-    """Wait until the condition holds, and return what it gave."""
-    deadline = time.monotonic() + PATIENCE
-    while not (result := condition()):
-        assert time.monotonic() < deadline, "it never happened"
-        time.sleep(0.01)
-    return result
+from tests.app.hostile import eventually, served
 
 
 class Stage:
@@ -54,18 +45,18 @@ class Stage:
     def __init__(self, server: viser.ViserServer, ticker: Ticker) -> None:
         self.server, self.ticker = server, ticker
 
-    def page(self) -> Page:
-        return Page(self.server.get_port())
-
-    def new_tab(self, known: set[int]) -> Tab:
-        """The tab of the page that connected last, once its session has begun."""
+    @contextmanager
+    def opened(self) -> Iterator[tuple[Page, Tab]]:
+        """A page, and its tab once its session has begun."""
+        known = set(self.ticker.tabs)
 
         def found() -> Tab | None:
             fresh = [tab for number, tab in list(self.ticker.tabs.items()) if number not in known]
             began = fresh and fresh[0].session is not None and fresh[0].probe().generation >= 0
             return fresh[0] if began else None
 
-        return eventually(found)
+        with Page(self.server.get_port()) as page:
+            yield page, eventually(found)
 
 
 @pytest.fixture(scope="module")
@@ -110,10 +101,14 @@ def say(page: Page, *messages: FromPage | str) -> None:
         page.send({"type": "SoftrodMessage", "text": text})
 
 
+def pause(page: Page, tab: Tab) -> None:
+    say(page, Perform("pause"))
+    eventually(lambda: not session_of(tab).playing)
+
+
 def test_one_node_per_kind(stage: Stage) -> None:
     """However many masses: paper, springs, wedges, ring and masses; a gizmo per held mass, if asked for."""
-    with stage.page() as page:
-        tab = stage.new_tab(set())
+    with stage.opened() as (page, tab):
         body = {"/body/springs", "/body/wedges", "/body/ring", "/body/masses"}
         eventually(lambda: set(tab.probe().nodes) == body)
         tab.hear(Perform("gizmos"))
@@ -122,8 +117,7 @@ def test_one_node_per_kind(stage: Stage) -> None:
 
 
 def test_a_scene_pays_only_for_what_it_has(stage: Stage) -> None:
-    with stage.page() as page:
-        tab = stage.new_tab(set())
+    with stage.opened() as (page, tab):
         bare = sim.rope(masses=5, joints=False, driven=None, held=())
         session_of(tab).post(Open(bare))
         session_of(tab).post(commands.Play(False))
@@ -135,10 +129,8 @@ def test_a_scene_pays_only_for_what_it_has(stage: Stage) -> None:
 
 
 def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
-    with stage.page() as page:
-        tab = stage.new_tab(set())
-        say(page, Perform("pause"))
-        eventually(lambda: not session_of(tab).playing)
+    with stage.opened() as (page, tab):
+        pause(page, tab)
         frames: list[np.ndarray] = []
         deadline = time.monotonic() + 0.5
         while time.monotonic() < deadline:
@@ -149,7 +141,7 @@ def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
         )
 
 
-def kept_letters(session: Session, plots: tuple[Wish, ...] = ()) -> str:
+def kept_letters(session: Session, plots: tuple[PlotSpec, ...] = ()) -> str:
     """What a page's script gives back of what it kept of a session."""
     kept = keeping.encode(session.keepsake(), keeping.Looks(dark=True), plots)
     return base64.b64encode(zlib.compress(kept)).decode()
@@ -157,8 +149,7 @@ def kept_letters(session: Session, plots: tuple[Wish, ...] = ()) -> str:
 
 def test_a_link_goes_before_what_the_page_kept(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     letters, link = kept_letters(Session(sim.load_scene("rod"))), pack_scene(sim.load_scene("box"))
-    with stage.page() as page:
-        tab = stage.new_tab(set())
+    with stage.opened() as (page, tab):
         with monkeypatch.context() as patch:
             patch.setattr(Tab, "frame", lambda *_: False)  # the ticker is late
             say(page, Part("resume", 1, 1, letters), Part("link", 1, 1, link))
@@ -172,21 +163,19 @@ def test_a_link_goes_before_what_the_page_kept(stage: Stage, monkeypatch: pytest
 def test_what_the_page_kept_brings_its_plots_whenever_it_comes(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    letters = kept_letters(Session(sim.load_scene("rod")), (Wish(("joint0.angle",)),))
-    with stage.page() as page:
-        tab = stage.new_tab(set())
+    letters = kept_letters(Session(sim.load_scene("rod")), (PlotSpec(("joint0.angle",)),))
+    with stage.opened() as (page, tab):
         in_the_middle_of_a_frame(tab, lambda: tab.hear(Part("resume", 1, 1, letters)), monkeypatch)
         eventually(lambda: tab.probe().looks.dark and session_of(tab).scene.name == "rod")
         page.read_for(0.1)
-        assert tab.probe().plots == (Wish(("joint0.angle",)),)
+        assert tab.probe().plots == (PlotSpec(("joint0.angle",)),)
 
 
 def test_what_the_page_gives_back_is_not_lost_with_a_panel(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     letters = kept_letters(Session(sim.load_scene("rod")))
-    with stage.page() as page:
-        tab = stage.new_tab(set())
+    with stage.opened() as (page, tab):
 
         def resume() -> None:
             # The frame goes on with another panel, and forgets what was asked by the controls of this one.
@@ -226,8 +215,7 @@ class Sluggish:
 def test_however_long_a_keepsake_took_another_one_comes_in_time(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with stage.page() as page:
-        stage.new_tab(set())
+    with stage.opened() as (page, _):
         monkeypatch.setattr(keeper, "MAX_INTERVAL", 0.1)
         processor = Sluggish(monkeypatch)
         eventually(lambda: processor.used >= 3.0)
@@ -237,8 +225,7 @@ def test_however_long_a_keepsake_took_another_one_comes_in_time(
 def test_another_scene_is_kept_at_once_however_long_the_last_keepsake_took(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with stage.page() as page:
-        tab = stage.new_tab(set())
+    with stage.opened() as (page, tab):
         monkeypatch.setattr(keeper, "MAX_INTERVAL", 1e9)
         processor = Sluggish(monkeypatch)
         eventually(lambda: processor.used)
@@ -254,11 +241,9 @@ def is_kept(tab: Tab) -> bool:
 
 
 def test_nothing_is_sent_while_paused(stage: Stage) -> None:
-    with stage.page() as page:
-        tab = stage.new_tab(set())
+    with stage.opened() as (page, tab):
         page.read_for(1.0)
-        say(page, Perform("pause"))
-        eventually(lambda: not session_of(tab).playing)
+        pause(page, tab)
         eventually(lambda: is_kept(tab) and page.read_for(0.1) is None)
         page.read_for(0.5)
         before = page.messages
@@ -271,8 +256,7 @@ def test_nothing_is_sent_while_paused(stage: Stage) -> None:
 
 def test_nothing_is_sent_at_rest(stage: Stage) -> None:
     """The hanging rope swings out; then the clock runs on, and the wire is silent."""
-    with stage.page() as page:
-        tab = stage.new_tab(set())
+    with stage.opened() as (page, tab):
         session = session_of(tab)
         still = sim.set_value(sim.rope(gravity=(0.0, 0.0)), "linear_damping", 200.0)
         session.post(Open(still))
@@ -286,26 +270,19 @@ def test_nothing_is_sent_at_rest(stage: Stage) -> None:
 
 
 def test_pages_have_simulations_of_their_own(stage: Stage) -> None:
-    with stage.page() as one:
-        first = stage.new_tab(set())
-        known = set(stage.ticker.tabs)
-        with stage.page() as other:
-            second = stage.new_tab(known)
-            assert first is not second
-            say(one, Perform("pause"))
-            eventually(lambda: not session_of(first).playing)
-            assert session_of(second).playing
-            say(other, Perform("play"))
-            other.read_for(0.5)
-            assert not session_of(first).playing
+    with stage.opened() as (one, first), stage.opened() as (other, second):
+        assert first is not second
+        pause(one, first)
+        assert session_of(second).playing
+        say(other, Perform("play"))
+        other.read_for(0.5)
+        assert not session_of(first).playing
 
 
 def test_a_page_that_goes_in_the_middle_of_a_drag_is_forgotten(stage: Stage) -> None:
-    with stage.page() as stays:
-        first = stage.new_tab(set())
+    with stage.opened() as (stays, first):
         known = set(stage.ticker.tabs)
-        with stage.page():
-            second = stage.new_tab(known)
+        with stage.opened() as (_, second):
             session_of(second).post(DragStart(3, 300.0, 250.0))
             eventually(lambda: session_of(second).hands.masses == (3,))
         eventually(lambda: set(stage.ticker.tabs) == known)
@@ -315,8 +292,8 @@ def test_a_page_that_goes_in_the_middle_of_a_drag_is_forgotten(stage: Stage) -> 
 
 
 def test_nothing_is_computed_for_nobody(stage: Stage) -> None:
-    with stage.page() as page:
-        session = session_of(stage.new_tab(set()))
+    with stage.opened() as (page, tab):
+        session = session_of(tab)
         page.read_for(0.2)
     eventually(lambda: not stage.ticker.tabs)
     steps = session.simulation.step_count
@@ -327,63 +304,51 @@ def test_nothing_is_computed_for_nobody(stage: Stage) -> None:
     assert time.thread_time_ns() >= used
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        '{"do":"at","hands":[[0,NaN,0]]}',
-        '{"do":"at","hands":[[0,1e400,2]]}',
-        '{"do":"keys","held":["ZZ"]}',
-        '{"do":"perform","command":"shutdown"}',
-        "[" * 5000,
-        "x" * 5000,
-        '{"do":"at","hands":[[0,' + "9" * 40 + ",0]]}",
-    ],
+FORGED = (
+    '{"do":"at","hands":[[0,NaN,0]]}',
+    '{"do":"at","hands":[[0,1e400,2]]}',
+    '{"do":"keys","held":["ZZ"]}',
+    '{"do":"perform","command":"shutdown"}',
+    "[" * 5000,
+    "x" * 5000,
+    '{"do":"at","hands":[[0,' + "9" * 40 + ",0]]}",
 )
-def test_forged_messages_change_nothing(stage: Stage, text: str) -> None:
-    with stage.page() as page:
-        tab = stage.new_tab(set())
-        say(page, Perform("pause"))
-        eventually(lambda: not session_of(tab).playing)
+
+
+def test_forged_messages_change_nothing(stage: Stage) -> None:
+    with stage.opened() as (page, tab):
+        pause(page, tab)
         before = session_of(tab).simulation.positions
-        say(page, text)
+        say(page, *FORGED)
         page.read_for(0.3)
         assert np.array_equal(session_of(tab).simulation.positions, before)
         say(page, Perform("play"))
         eventually(lambda: session_of(tab).playing)
 
 
-@pytest.mark.parametrize("value", [1e9, -1e9, 1e308])
-def test_a_forged_slider_is_clamped(stage: Stage, value: float) -> None:
-    with stage.page() as page:
-        tab = stage.new_tab(set())
-        say(page, Perform("pause"))
-        eventually(lambda: not session_of(tab).playing)
+def test_a_forged_slider_is_clamped(stage: Stage) -> None:
+    with stage.opened() as (page, tab):
+        pause(page, tab)
         there = sliders(page)
         assert len(there) > 5
-        for uuid in there:
-            page.send({"type": "GuiUpdateMessage", "uuid": uuid, "updates": {"value": value}})
-        page.read_for(1.0)
-        scene = session_of(tab).scene
-        assert sim.validate(scene) is scene
+        for value in (1e9, -1e9, 1e308):
+            for uuid in there:
+                page.send({"type": "GuiUpdateMessage", "uuid": uuid, "updates": {"value": value}})
+            page.read_for(1.0)
+            scene = session_of(tab).scene
+            assert sim.validate(scene) is scene
         say(page, Perform("play"))
         eventually(lambda: stage.ticker.tabs)
 
 
 def test_a_defect_in_one_tab_leaves_the_others_alone(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
-    with stage.page() as one:
-        first = stage.new_tab(set())
-        with stage.page() as other:
-            second = stage.new_tab({first.client.client_id})
-
-            def fail(*_: object) -> None:
-                raise RuntimeError("a defect")
-
-            monkeypatch.setattr(first, "frame", fail)
-            eventually(lambda: first not in stage.ticker.tabs.values())
-            one.wait_for(lambda m: m.get("props", {}).get("title") == "This page has stopped")
-            steps = session_of(second).simulation.step_count
-            eventually(lambda: session_of(second).simulation.step_count > steps)
-            other.read_for(0.05)
+    with stage.opened() as (one, first), stage.opened() as (other, second):
+        monkeypatch.setattr(first, "frame", mock.Mock(side_effect=RuntimeError("a defect")))
+        eventually(lambda: first not in stage.ticker.tabs.values())
+        one.wait_for(lambda m: m.get("props", {}).get("title") == "This page has stopped")
+        steps = session_of(second).simulation.step_count
+        eventually(lambda: session_of(second).simulation.step_count > steps)
+        other.read_for(0.05)
 
 
 def _pretend_nothing_is_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -391,13 +356,20 @@ def _pretend_nothing_is_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(EntryPoint, "ready", property(lambda _: False))
 
 
+@contextmanager
+def uncompiled(name: str) -> Iterator[tuple[Page, Ticker]]:
+    """A page of a server that does not compile."""
+    with (
+        serving(sim.load_scene(name), "127.0.0.1", 0) as (server, ticker, _),
+        Page(server.get_port()) as page,
+    ):
+        yield page, ticker
+
+
 def test_before_anything_is_compiled_every_preset_moves(monkeypatch: pytest.MonkeyPatch) -> None:
     _pretend_nothing_is_compiled(monkeypatch)
     for name in ("tutorial-3.3", "ring", "study-w5"):
-        with (
-            serving(sim.load_scene(name), "127.0.0.1", 0) as (server, ticker, _),
-            Page(server.get_port()) as page,
-        ):
+        with uncompiled(name) as (page, ticker):
             page.wait_for(lambda m: m.get("name") == "/body/masses" and "props" in m)
             page.wait_for(lambda m: "moves by NumPy" in str(m))
             (tab,) = ticker.tabs.values()
@@ -409,10 +381,7 @@ def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytes
     for point in ENTRY_POINTS.values():
         point.load()
     _pretend_nothing_is_compiled(monkeypatch)
-    with (
-        serving(sim.load_scene("ring"), "127.0.0.1", 0) as (server, ticker, _),
-        Page(server.get_port()) as page,
-    ):
+    with uncompiled("ring") as (page, ticker):
         page.wait_for(lambda m: m.get("type") == "GuiTabGroupMessage")
         (tab,) = ticker.tabs.values()
         eventually(lambda: tab.session is not None)
@@ -432,7 +401,7 @@ def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytes
         page.wait_for(lambda m: "residual" in str(m))
         page.wait_for(lambda m: "largest distance" in str(m))
         assert session.ghost is not None
-        assert not session.ghost.waits
+        assert not session.ghost.is_compiling
         assert max(s.stiffness for s in session.scene.linear_springs) == 12345.0
 
 
@@ -443,13 +412,9 @@ def test_the_address_for_others_never_has_the_owner_s_key(
     shown: list[str] = []
     monkeypatch.setattr(serve_module, "print_qr_code", shown.append)
     for names, public in ((("laptop.local",), None), ((), "https://school.example/lab/")):
-        server = open_server("127.0.0.1", 0, extra_hosts=names, public_url=public)
-        try:
-            text = io.StringIO()
-            console = Console(file=text, width=200)
-            address = tell_addresses(server, "127.0.0.1", public, True, console)
-        finally:
-            server.stop()
+        text = io.StringIO()
+        with served(extra_hosts=names, public_url=public) as server:
+            address = print_addresses(server, "127.0.0.1", public, True, Console(file=text, width=200))
         own = f"http://127.0.0.1:{server.get_port()}/"
         assert address == f"{own}#owner={owner.key()}"
         assert f"softrod is at {address}" in text.getvalue()

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import threading
-import time
-from collections.abc import Callable, Iterator
-from typing import TypeVar
+from collections.abc import Iterator
 
 import msgspec
 import numpy as np
@@ -17,27 +15,16 @@ import zstandard
 from viser.infra._async_message_buffer import AsyncMessageBuffer
 
 from app import viser_inside as viser_inside
-from app.gate.gate import GatedServer, open_server
+from app.gate.gate import GatedServer
 from app.viser_inside import SoftrodMessage
 from studies.bench.client import Page
-
-T = TypeVar("T")
-
-
-def eventually(condition: Callable[[], T | None]) -> T:
-    """What the condition gives once it gives something."""
-    deadline = time.monotonic() + 30.0
-    while not (result := condition()):
-        assert time.monotonic() < deadline, "it never happened"
-        time.sleep(0.01)
-    return result
+from tests.app.hostile import eventually, served
 
 
 @pytest.fixture(scope="module")
 def server() -> Iterator[GatedServer]:
-    server = open_server("127.0.0.1", 0)
-    yield server
-    server.stop()
+    with served() as server:
+        yield server
 
 
 def test_the_version_is_the_one_that_it_was_written_for() -> None:

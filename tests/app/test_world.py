@@ -17,7 +17,7 @@ from app.export import around
 from app.export.window import Window
 from app.session import commands
 from app.session.history import History
-from app.session.notices import runaway
+from app.session.notices import runaway_notice
 from app.stage.colors import sent
 from app.stage.looks import YIELDED
 from app.stage.plan import Picture, encode_plan, yielded_of
@@ -221,8 +221,7 @@ def test_going_back_brings_springs_back_in_body_ghost_and_old_future() -> None:
     page.frames(1, commands.Compare("rk4", ""))
     page.frames(60)
     assert broken(page) == 1
-    ghost = session.ghost
-    assert ghost is not None
+    ghost = page.ghost
     assert ghost.simulation.damage is not None
     page.frames(1, commands.GoTo(0.05))
     assert broken(page) == 0
@@ -231,13 +230,11 @@ def test_going_back_brings_springs_back_in_body_ghost_and_old_future() -> None:
     assert "broken" not in readouts.hud(session, sketch_of(session.scene).palette, False)
     page.frames(40, commands.Play(True))
     assert broken(page) == 0
-    future = session.old_future
+    future = session.abandoned_future
     assert future is not None
     late = future.damage_at(0.6)
-    assert late is not None
-    assert late.broken == (1,)
-    assert future.damage_at(0.06) is None
-    assert future.damage_at(99.0) is None
+    assert late and late.broken == (1,)
+    assert future.damage_at(0.06) is future.damage_at(99.0) is None
 
 
 def test_the_head_up_display_counts_broken_springs() -> None:
@@ -290,7 +287,7 @@ def test_energies_of_surroundings_and_losses_have_names() -> None:
 @pytest.mark.parametrize("cause", ["walls", "fillings"])
 def test_a_runaway_by_surroundings_is_explained(cause: str) -> None:
     divergence = sim.Divergence(0, 1, "position", 1e6, 0.01, lambda: StabilityEstimate(0.004, cause))  # type: ignore[arg-type]
-    text = runaway(divergence, balloon()).text
+    text = runaway_notice(divergence, balloon()).text
     assert f"the stiffness of the {cause}" in text
     assert "choose the integrator Auto" in text
     assert str(divergence).endswith(f"which the {cause} set")

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 
 from app.session import commands
-from app.session.plots import Wish
+from app.session.plots import PlotSpec
 from tests.amount import part_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
-ANGLE = Wish(("joint0.angle",))
+ANGLE = PlotSpec(("joint0.angle",))
 
 
 CHARTS = """() => JSON.stringify(window.__softrod.charts().map((chart) => ({

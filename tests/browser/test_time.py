@@ -62,7 +62,7 @@ def test_the_bar_goes_back_and_on_from_there(open_page: OpenPage) -> None:
     desk.until(lambda: desk.simulation.time > end + 0.5, "until it is over")
     desk.until(lambda: len(desk.instances("/body/ghost")) == 0, "then the line goes")
     desk.button("Take the line away").click()
-    desk.until(lambda: desk.session.old_future is None, "it is forgotten")
+    desk.until(lambda: desk.session.abandoned_future is None, "it is forgotten")
     desk.until(lambda: desk.button("Take the line away").count() == 0, "and so is its button")
 
 

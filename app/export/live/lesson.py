@@ -13,7 +13,7 @@ from sim.scene.lesson import Step
 from sim.settings import CHOICES, SETTINGS, scene_of_step
 
 from ...lessons import goal_text, lesson_code
-from ...session.plots import Wish, wish_of
+from ...session.plots import PlotSpec, parse_plot
 from .sliders import KEYS, TUTORIAL
 
 MEASURED = frozenset(
@@ -69,7 +69,7 @@ def _step(
         "watch": step.watch,
         "question": question,
         "controls": step.controls,
-        "plots": [_plot(wish, scene) for wish in map(wish_of, step.plots or ()) if _is_drawn(wish, scene)],
+        "plots": [_plot(spec, scene) for spec in map(parse_plot, step.plots or ()) if _is_drawn(spec, scene)],
         "predict": step.predict or 0,
         "goal": msgspec.to_builtins(goal) if goal is not None else None,
         "goalText": goal_text(goal, scene) if goal is not None else "",
@@ -85,18 +85,18 @@ def is_measured(name: str, scene: sim.Scene) -> bool:
     return (of.rstrip("0123456789"), what) in MEASURED
 
 
-def _is_drawn(wish: Wish, scene: sim.Scene) -> bool:
-    return all(is_measured(name, scene) for name in (*wish.names, *filter(None, [wish.over])))
+def _is_drawn(spec: PlotSpec, scene: sim.Scene) -> bool:
+    return all(is_measured(name, scene) for name in (*spec.names, *filter(None, [spec.over])))
 
 
-def _plot(wish: Wish, scene: sim.Scene) -> dict[str, Any]:
+def _plot(spec: PlotSpec, scene: sim.Scene) -> dict[str, Any]:
     """The `Plot` of `static/chart.js`."""
-    quantities = [quantity(name, scene) for name in wish.names]
+    quantities = [quantity(name, scene) for name in spec.names]
     return {
-        "names": wish.names,
+        "names": spec.names,
         "units": [one.unit for one in quantities],
-        "over": wish.over,
-        "overUnit": quantity(wish.over, scene).unit if wish.over else "",
+        "over": spec.over,
+        "overUnit": quantity(spec.over, scene).unit if spec.over else "",
         "turned": scene.view.y_down and all(one.kind.vertical for one in quantities),
     }
 
@@ -118,7 +118,7 @@ def lesson_notes(scene: sim.Scene) -> list[str]:
     named = {**SETTINGS, **CHOICES}
     controls = {key for step in steps for key in step.controls if key not in KEYS}
     missing = {named[key].label if key in named else key for key in controls}
-    plots = {text for step, at in begins for text in step.plots or () if not _is_drawn(wish_of(text), at)}
+    plots = {text for step, at in begins for text in step.plots or () if not _is_drawn(parse_plot(text), at)}
     notes = []
     if missing:
         notes.append(f"the lesson has no control of {listed(sorted(missing))}")

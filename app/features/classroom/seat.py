@@ -252,7 +252,7 @@ class SeatRole(ClassRole):
         answer = Answer(said.id, said.turn, seat.number, said.twin, said.stop, said.round, content)
         if isinstance(content, Work) and self._session is not None and (step := self.room.step) is not None:
             scene, recorder = self.classroom.scene(self.room.at), self._session.recorder
-            self.classroom.hand_in(answer, recorder.file(), step, scene, frozenset(recorder.been))
+            self.classroom.hand_in(answer, recorder.file(), step, scene, frozenset(recorder.visited))
         else:
             self.room.take(seat.number, answer)
         # Even an answer that the room has already may not be on the disk yet.

@@ -10,7 +10,7 @@ from sim.settings import CHOICES
 
 from ...session import commands
 from ...session.notices import Notice
-from ...session.plots import Wish
+from ...session.plots import PlotSpec
 from ...ui.board import Board, dials_of
 from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 class ToolsBeforeLesson:
     """What a user had switched on before a lesson, and gets back after it."""
 
-    plots: tuple[Wish, ...]
+    plots: tuple[PlotSpec, ...]
     arrows: frozenset[str]
     ghost: commands.Compare
 
@@ -112,7 +112,7 @@ class LessonFeature(Feature):
         if ghost is not None and not self.session.lesson_begun:
             compare = commands.Compare(ghost.method, ghost.law, ghost.finer)
         return ToolsBeforeLesson(
-            measure.wishes if measure is not None else (),
+            measure.specs if measure is not None else (),
             instruments.arrows if instruments is not None else frozenset(),
             compare,
         )

@@ -14,7 +14,7 @@ from sim.settings import scene_of_step
 
 from ...session import commands
 from ...session.notices import Notice
-from ...session.plots import wish_of
+from ...session.plots import parse_plot
 from ...ui.page import Page
 from ..measure.plot_list import PlotList
 from .messages import BeginStep, LessonStep
@@ -65,9 +65,9 @@ class LessonPanel:
         if lesson is not None:
             steps = (LessonStep(step.title, step.do, step.watch, step.question) for step in lesson.steps)
             self._page.mail.tell(LessonState(steps=tuple(steps)))
-        wishes = tuple(map(wish_of, (self.step.plots or ()) if self.step else ()))
-        if wishes != self.plots.wishes:
-            self.plots.remember(wishes)
+        specs = tuple(map(parse_plot, (self.step.plots or ()) if self.step else ()))
+        if specs != self.plots.specs:
+            self.plots.remember(specs)
         self.plots.build()
 
     def begin(self, begin: BeginStep) -> None:

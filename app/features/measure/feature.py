@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
-from ...session.plots import Wish, text_of
+from ...session.plots import PlotSpec, plot_text
 from ...session.session import Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
@@ -41,13 +41,13 @@ class MeasureFeature(Feature):
     def __init__(self, page: Page) -> None:
         super().__init__(page)
         self.panel: MeasurePanel | None = None
-        self._remembered: tuple[Wish, ...] = ()
+        self._remembered: tuple[PlotSpec, ...] = ()
         self._is_visible = True
 
     @property
-    def wishes(self) -> tuple[Wish, ...]:
+    def specs(self) -> tuple[PlotSpec, ...]:
         """What is plotted."""
-        return self.panel.plots.wishes if self.panel is not None else ()
+        return self.panel.plots.specs if self.panel is not None else ()
 
     @property
     def is_seen(self) -> bool:
@@ -56,19 +56,19 @@ class MeasureFeature(Feature):
 
     @property
     def texts_of_plots(self) -> tuple[str, ...]:
-        """The names of the plots, see `text_of`."""
-        return tuple(map(text_of, self.wishes))
+        """The names of the plots, see `plot_text`."""
+        return tuple(map(plot_text, self.specs))
 
     @property
     def parts(self) -> tuple[str, ...]:
         """The parts of the body in the list."""
         return self.panel.parts if self.panel is not None else ()
 
-    def remember(self, wishes: tuple[Wish, ...]) -> None:
+    def remember(self, specs: tuple[PlotSpec, ...]) -> None:
         """Replace the plots by these when the next scene is built."""
-        self._remembered = wishes
+        self._remembered = specs
         if self.panel is not None:
-            self.panel.plots.remember(wishes)
+            self.panel.plots.remember(specs)
 
     # --------------------------------------------------------------------- see `Feature`
     def hear(self, said: FromPage) -> None:
@@ -87,7 +87,7 @@ class MeasureFeature(Feature):
 
     def detach(self) -> None:
         if self.panel is not None:
-            self._remembered = self.panel.plots.wishes
+            self._remembered = self.panel.plots.specs
 
     def build(self) -> None:
         if self.panel is not None:

@@ -10,7 +10,7 @@ from sim.scene.columns import ends
 from sim.scene.types import Scene
 
 from ...session.notices import Notice
-from ...session.plots import OFFERED, Wish
+from ...session.plots import OFFERED, PlotSpec
 from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change, on_press
@@ -125,7 +125,7 @@ class MeasurePanel:
     def _add_chosen(self) -> None:
         over = self._over.value
         self._page.mail.tell(ShowMeasures())
-        self.plots.add(Wish((self._chosen,), "" if over in TIME else over))
+        self.plots.add(PlotSpec((self._chosen,), "" if over in TIME else over))
 
     def plot_angle(self) -> None:
         """Plot the angle of the joint whose readout is shown, and show the tab."""
@@ -134,9 +134,9 @@ class MeasurePanel:
             self._page.notify(Notice("warning", "Nothing to plot", "This scene has no joints."))
             return
         self._page.mail.tell(ShowMeasures())
-        wish = Wish((f"joint{session.joint}.angle",))
-        if wish not in self.plots.wishes:
-            self.plots.add(wish)
+        spec = PlotSpec((f"joint{session.joint}.angle",))
+        if spec not in self.plots.specs:
+            self.plots.add(spec)
 
     def _changed(self) -> None:
         self._span.visible = self._comma_switch.visible = len(self.plots) > 0

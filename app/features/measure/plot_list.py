@@ -13,7 +13,7 @@ from sim.scene.types import shown_name
 
 from ...server.background import file_worker
 from ...session.notices import Notice
-from ...session.plots import MAX_PLOTS, Plot, Wish, curve
+from ...session.plots import MAX_PLOTS, Plot, PlotSpec, curve
 from ...stage.colors import palette
 from ...ui.page import Page
 from . import plots
@@ -58,7 +58,7 @@ class _OpenPlot:
         self.plot, self.sent = plot, -1
         self._page, self._tab, self._is_own = page, tab, is_own
         gui = page.client.gui
-        self.chart = (plots.PhaseChart if plot.wish.over else plots.TimeChart)(gui, order + 1)
+        self.chart = (plots.PhaseChart if plot.spec.over else plots.TimeChart)(gui, order + 1)
         with tab:
             self._title = gui.add_html("", order=order)
             self._reading = gui.add_html("", order=order + 2)
@@ -114,7 +114,7 @@ class _OpenPlot:
         self._page.mail.tell(Melody(name=quantity.name, unit=quantity.unit, values=values))
 
     def _send(self, suffix: str, data: bytes) -> None:
-        name = f"{self._page.session.scene.name}-{self.plot.wish.names[0]}{suffix}"
+        name = f"{self._page.session.scene.name}-{self.plot.spec.names[0]}{suffix}"
         self._page.client.send_file_download(name, data, save_immediately=True)
 
 
@@ -144,7 +144,7 @@ class PlotList:
         self._extend_by, self._changed = extend, changed
         page.plots.append(self)
         self._plots: list[_OpenPlot] = []
-        self._pending: tuple[Wish, ...] | None = None  # replace the plots with the next scene
+        self._pending: tuple[PlotSpec, ...] | None = None  # replace the plots with the next scene
         self._due = self._read_due = 0.0
         self._count = 0
         self.looked_at = True
@@ -156,35 +156,35 @@ class PlotList:
     @property
     def names(self) -> tuple[str, ...]:
         """The quantities that are plotted."""
-        return tuple(name for shown in self._plots for name in shown.plot.wish.names)
+        return tuple(name for shown in self._plots for name in shown.plot.spec.names)
 
     @property
-    def wishes(self) -> tuple[Wish, ...]:
+    def specs(self) -> tuple[PlotSpec, ...]:
         """What is plotted, or will be with the next scene."""
-        return tuple(shown.plot.wish for shown in self._plots) if self._pending is None else self._pending
+        return tuple(shown.plot.spec for shown in self._plots) if self._pending is None else self._pending
 
     @property
     def wants_energy(self) -> bool:
         """Whether any quantity is an entry of the energy balance."""
         return any(shown.plot.wants_energy for shown in self._plots)
 
-    def remember(self, wishes: tuple[Wish, ...]) -> None:
+    def remember(self, specs: tuple[PlotSpec, ...]) -> None:
         """Replace the plots by these when the next scene is built."""
-        self._pending = wishes[:MAX_PLOTS]
+        self._pending = specs[:MAX_PLOTS]
 
     def build(self) -> None:
         """Adapt to another scene or other looks: plots of missing parts are removed; the others continue,
         unless their units or axes change."""
-        wishes, self._pending = self._pending, None
-        if wishes is not None:
+        specs, self._pending = self._pending, None
+        if specs is not None:
             for shown in list(self._plots):
                 self._remove(shown)
-            for wish in wishes:
-                self.add(wish)
+            for spec in specs:
+                self.add(spec)
         for shown in list(self._plots):
             before = shown.plot
             try:
-                plot = Plot(before.wish, self._session.scene)
+                plot = Plot(before.spec, self._session.scene)
             except InputError:
                 self._remove(shown)
                 continue
@@ -215,12 +215,12 @@ class PlotList:
                 if reads:
                     shown.sent = shown.plot.version
 
-    def add(self, wish: Wish) -> None:
+    def add(self, spec: PlotSpec) -> None:
         """Open a plot, or notify the user why that is impossible."""
         try:
             if len(self._plots) == MAX_PLOTS:
                 raise InputError(f"a page has room for {MAX_PLOTS} plots; remove one first")
-            plot = Plot(wish, self._session.scene)
+            plot = Plot(spec, self._session.scene)
         except InputError as error:
             self._page.notify(Notice("error", "That cannot be plotted", f"{error}."))
             return
@@ -261,11 +261,11 @@ class PlotList:
     def _extend(self, shown: _OpenPlot) -> None:
         """Add the chosen quantity to a plot."""
         assert self._extend_by is not None
-        wish, name = shown.plot.wish, self._extend_by()
-        if shown not in self._plots or name in wish.names:
+        spec, name = shown.plot.spec, self._extend_by()
+        if shown not in self._plots or name in spec.names:
             return
         try:
-            plot = Plot(Wish((*wish.names, name), wish.over), self._session.scene)
+            plot = Plot(PlotSpec((*spec.names, name), spec.over), self._session.scene)
         except InputError as error:
             self._page.notify(Notice("error", "That cannot be added", f"{error}."))
             return

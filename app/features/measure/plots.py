@@ -14,7 +14,7 @@ from viser import uplot
 import sim
 from sim.analysis.swings import swings
 
-from ...session.plots import Drawn, Plot
+from ...session.plots import Plot, PlotWindow
 from ...stage.colors import Palette
 from ...ui import readouts
 from .phase import phase_svg
@@ -57,7 +57,7 @@ class TimeChart:
             self._chart.remove()
         self._chart = None
 
-    def draw(self, plot: Plot, drawn: Drawn, colors: Palette) -> None:
+    def draw(self, plot: Plot, drawn: PlotWindow, colors: Palette) -> None:
         """Send the values, and lines and axes if they have changed."""
         series = colors_of(plot, colors)
         # uPlot takes the first value of a line as a number when it determines ranges, so that must exist.
@@ -76,7 +76,7 @@ class TimeChart:
             until[1:, past:] = np.nan
         data = *until, *whole
         before = self._looks
-        self._looks = plot.wish, *series, colors.css("text"), *some.tolist(), plot.units, plot.turned
+        self._looks = plot.spec, *series, colors.css("text"), *some.tolist(), plot.units, plot.turned
         lines, axes = _lines(plot, series, some), _axes(plot, colors)
         if self._chart is None:
             self._chart = self._create(plot, data, lines, axes)
@@ -115,7 +115,7 @@ class PhaseChart:
             self._chart.remove()
         self._chart = None
 
-    def draw(self, plot: Plot, drawn: Drawn, colors: Palette) -> None:
+    def draw(self, plot: Plot, drawn: PlotWindow, colors: Palette) -> None:
         """Send the drawing."""
         content = draw_over_another(plot, drawn, colors_of(plot, colors))
         if self._chart is None:
@@ -124,12 +124,12 @@ class PhaseChart:
             self._chart.content = content
 
 
-def draw_over_another(plot: Plot, drawn: Drawn, series: Sequence[str]) -> str:
+def draw_over_another(plot: Plot, drawn: PlotWindow, series: Sequence[str]) -> str:
     """Return a plot over another quantity than time, as HTML."""
-    count, values = len(plot.wish.names), drawn.values
+    count, values = len(plot.spec.names), drawn.values
     turned = any(plot.turned)
     labels = _labelled(plot.quantities[-1:]), downwards(_labelled(plot.quantities[:count]), turned)
-    name = f"{', '.join(plot.wish.names)} over {plot.wish.over}"
+    name = f"{', '.join(plot.spec.names)} over {plot.spec.over}"
     return phase_svg(values[1 + count], values[1 : 1 + count], drawn.past, series, labels, name, turned)
 
 
@@ -164,7 +164,7 @@ def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
         {**common, "scale": "x", "label": "time, s", "labelSize": 18.0, "size": 26.0, "space": 36.0}
     ]
     for i, (unit, turned) in enumerate(zip(plot.units, plot.turned, strict=True)):
-        label = _label([q for q in plot.quantities[: len(plot.wish.names)] if q.unit == unit], unit)
+        label = _label([q for q in plot.quantities[: len(plot.spec.names)] if q.unit == unit], unit)
         axis: uplot.Axis = {
             **common,
             "scale": f"y{i}",
@@ -183,7 +183,7 @@ def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
 def colors_of(plot: Plot, colors: Palette) -> list[str]:
     """Return the CSS colour of each quantity on a vertical axis."""
     taken: list[str] = []
-    for quantity in plot.quantities[: len(plot.wish.names)]:
+    for quantity in plot.quantities[: len(plot.spec.names)]:
         first = _COLOR_OF.get(quantity.kind.of, _COLORS[0])
         taken.append(next(name for name in (first, *_COLORS) if name not in taken))
     return [colors.css(name) for name in taken]
@@ -216,9 +216,9 @@ def title(plot: Plot, series: Sequence[str]) -> str:
     """Return the names of the quantities in their colours, as HTML."""
     keys = (
         f'<span translate="no"><i style="background:{color}"></i>{html.escape(name)}</span>'
-        for name, color in zip(plot.wish.names, series, strict=True)
+        for name, color in zip(plot.spec.names, series, strict=True)
     )
-    over = f" over {html.escape(plot.wish.over)}" if plot.wish.over else ""
+    over = f" over {html.escape(plot.spec.over)}" if plot.spec.over else ""
     return f'<div class="softrod-plot-title">{" ".join(keys)}{over}</div>'
 
 
@@ -234,7 +234,7 @@ def reading(plot: Plot, seconds: float, none: str = "no regular swing") -> str:
     """
     rows = plot.window(seconds)
     lines = []
-    for i, quantity in enumerate(plot.quantities[: len(plot.wish.names)], start=1):
+    for i, quantity in enumerate(plot.quantities[: len(plot.spec.names)], start=1):
         for begin in (0, len(rows) // 2, 3 * len(rows) // 4):
             time, values = rows[begin:, 0], rows[begin:, i]
             found = None if np.isnan(values).any() else swings(time, values)

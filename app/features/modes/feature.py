@@ -4,7 +4,6 @@ put into one."""
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 from sim.analysis.modes import Modes
 
 from ...session.modes import ModesWatch
-from ...session.session import Changed, Command, Session
+from ...session.session import Command, Refresh, Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
@@ -31,12 +30,11 @@ MIN_CHANGE = 2e-4
 """Change of a level, as a part of a full bar, below which nothing is sent."""
 
 
-@dataclass(frozen=True)
 class ShowModes(Command):
     """Open or close the strip of modes; toggle it by default."""
 
     on: bool | None = None
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         on = session.modes is None if self.on is None else self.on
@@ -45,7 +43,6 @@ class ShowModes(Command):
         session.modes = (session.modes or ModesWatch()) if on else None
 
 
-@dataclass(frozen=True)
 class PutIntoMode(Command):
     """Put the body into a mode, with a part of the amplitude of a full bar."""
 
@@ -61,10 +58,9 @@ class PutIntoMode(Command):
             return
         mode, modes = self.mode, watch.found
         amplitude = min(max(self.part, 0.0), 1.0) * float(watch.full[mode])
-        session.put(lambda now: modes.put(now, mode, amplitude), f"mode {mode + 1}", f"mode {mode}")
+        session.jump_to(lambda now: modes.put(now, mode, amplitude), f"mode {mode + 1}", f"mode {mode}")
 
 
-@dataclass(frozen=True)
 class DriveMode(Command):
     """Drive a mode by hand from now on, or stop driving (-1)."""
 

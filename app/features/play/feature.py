@@ -38,7 +38,7 @@ class PlayFeature(Feature):
             "Follow the pointer, or stop", _follow, ("F",),
             "the ringed mass follows the pointer, or stops following",
         ),
-        "ownBody": Row("The body's own values", commands.OwnValues("body")),
+        "ownBody": Row("The body's own values", commands.RestoreSceneValues("body")),
     }  # fmt: skip
     controls: ClassVar = {
         "about": "what the scene shows, in words",
@@ -105,7 +105,7 @@ class PlayFeature(Feature):
             own_values = self.page.button(
                 "Scene's own values",
                 viser.Icon.RESTORE,
-                lambda: self.session.post(commands.OwnValues("body")),
+                lambda: self.session.post(commands.RestoreSceneValues("body")),
                 order=LAST,
             )
         self._board.keep(own_values, folder)

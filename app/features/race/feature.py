@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import urllib.parse
-from dataclasses import dataclass
 from typing import ClassVar
 
 import viser
@@ -17,7 +16,7 @@ from sim.store import files
 from sim.store.files import read_scene
 
 from ...session.pacing import is_large
-from ...session.session import Changed, Command, Session
+from ...session.session import Command, Refresh, Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature, LongText
 from ...ui.opening import asked_scene
@@ -31,18 +30,17 @@ READ_EVERY = 0.1
 _ADDRESS = re.compile(r"\S+\?(\S+)")
 
 
-@dataclass(frozen=True)
 class BeginRace(Command):
     """Race against the body of another scene: both are put at their starts, and wait."""
 
     scene: sim.Scene
     acts = True
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         rival = Rival(session.simulation, self.scene, session.can_wait)
         session.play(False)
-        session.companions.put(rival, session.history)
+        session.companions.add(rival, session.history)
         session.reset()
 
     @property
@@ -53,11 +51,10 @@ class BeginRace(Command):
         return False
 
 
-@dataclass(frozen=True)
 class LeaveRace(Command):
     """End the race; the body goes on."""
 
-    changes = Changed.SETTINGS
+    refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
         session.companions.remove(Rival, session.history)

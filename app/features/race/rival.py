@@ -11,7 +11,7 @@ import sim
 from sim.edit.terrain import center, on_terrain
 from sim.errors import SceneError
 
-from ...session.companion import Companion
+from ...session.companions import Companion
 
 _ROUNDING = 1e-6
 """Part of a time step by which a step may be incomplete and still counts as whole."""

@@ -24,7 +24,7 @@ def _energy(session: Session, _: Feature) -> None:
 
 
 def _foretell(session: Session, _: Feature) -> None:
-    session.post(commands.Foretell(session.foresight is None))
+    session.post(commands.MeasurePredictability(session.predictability is None))
 
 
 class SolverFeature(Feature):
@@ -33,7 +33,7 @@ class SolverFeature(Feature):
     commands: ClassVar = {
         "energy": Row("Energy: follow it, or stop", _energy, needs="solver"),
         "foretell": Row("Predictability: measure it, or stop", _foretell, needs="solver"),
-        "ownSolver": Row("The solver's own values", commands.OwnValues("solver")),
+        "ownSolver": Row("The solver's own values", commands.RestoreSceneValues("solver")),
     }
     controls: ClassVar = {"solver": "the Solver tab"}
 

@@ -42,7 +42,7 @@ class SolverPanel:
         self._own_values = page.button(
             "Scene's own values",
             viser.Icon.RESTORE,
-            lambda: session.post(commands.OwnValues("solver")),
+            lambda: session.post(commands.RestoreSceneValues("solver")),
             order=LAST - 1,
         )
         self._energy = gui.add_checkbox(
@@ -73,7 +73,7 @@ class SolverPanel:
         for handle in (self._other, self._other_law, self._finer):
             on_change(handle, self._compare)
         on_change(self._energy, lambda: session.post(commands.FollowEnergy(self._energy.value)))
-        on_change(self._foretell, lambda: session.post(commands.Foretell(self._foretell.value)))
+        on_change(self._foretell, lambda: session.post(commands.MeasurePredictability(self._foretell.value)))
 
     def build(self) -> None:
         """Show the controls that the session's scene needs."""
@@ -107,7 +107,7 @@ class SolverPanel:
         self._other_law.value = laws[ghost.law] if ghost is not None and ghost.law else SAME_LAW
         self._finer.value = FINER_LABELS[ghost.finer if ghost is not None else 1]
         self._energy.value = self._session.follows_energy
-        self._foretell.value = self._session.foresight is not None
+        self._foretell.value = self._session.predictability is not None
         self._about.content = f'<div class="softrod-text softrod-about">{method.summary}</div>'
 
     @property

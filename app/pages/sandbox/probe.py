@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...session.plots import Wish
+from ...session.plots import PlotSpec
 from ...stage.sketch import Floats, Mapping
 from ...ui.kept.keeper import KeptState
 from ...ui.kept.keeping import Looks
@@ -35,7 +35,7 @@ class Probe:
     hud: str
     looks: Looks
     controls: tuple[str, ...] | None
-    plots: tuple[Wish, ...]
+    plots: tuple[PlotSpec, ...]
     plots_seen: bool
     kept: KeptState | None
     owned: bool

@@ -30,8 +30,8 @@ from ...features.gallery.feature import GalleryFeature
 from ...features.measure.feature import MeasureFeature
 from ...session import commands
 from ...session.pacing import LONGEST_FRAME, is_large
-from ...session.plots import Wish
-from ...session.session import Changed, Notice, Session
+from ...session.plots import PlotSpec
+from ...session.session import Notice, Refresh, Session
 from ...stage.colors import palette
 from ...stage.plan import Picture, broken_of, own_rest_angles
 from ...stage.sketch import Mapping, world_size
@@ -184,7 +184,7 @@ class Tab:
             hud=hud.html if hud is not None else "",
             looks=page.looks,
             controls=page.controls.names,
-            plots=self._wishes,
+            plots=self._plot_specs,
             plots_seen=(measure := page.find(MeasureFeature)) is not None and measure.is_seen,
             kept=self._keeper.kept,
             owned=self._shelf.owned,
@@ -277,9 +277,9 @@ class Tab:
             not self._all_ready or self._notices.has_transient or self._unsettled or self._role is not None
         )
         lists = [*self._page.plots] if session.playing else []
-        plots = any(each.wishes and each.looked_at for each in lists)
+        plots = any(each.specs and each.looked_at for each in lists)
         untouched = time.monotonic() - self._stirred > UNTOUCHED
-        return untouched and self._was_at_rest and not (waits or plots) and session.is_left_alone
+        return untouched and self._was_at_rest and not (waits or plots) and session.is_idle
 
     def frame(self, budget: float, beside: Submit) -> bool:
         """One frame, of `budget` seconds of computing at most; returns whether the page is told anything.
@@ -313,7 +313,7 @@ class Tab:
                 if self._shared_view is not None:
                     return told
             self._prepare(session)
-            if session.heavy:
+            if session.is_heavy:
                 self._under_way = beside(self._advance, session, budget)
                 return True
             self._advance(session, budget, CALM_FRAME + LONGEST_FRAME if calm else LONGEST_FRAME)
@@ -322,7 +322,7 @@ class Tab:
         with self.client.atomic():
             session = session or self._begin(made)
             self._send(session)
-        self._keeper.keep(self._wishes, self._was_at_rest)
+        self._keeper.keep(self._plot_specs, self._was_at_rest)
         self._calm = self._is_settled(session)
         return True
 
@@ -451,7 +451,7 @@ class Tab:
         text = compile_status(ready, of, self._compiler.busy_with, label)
         if text != session.preparing:
             session.preparing = text
-            session.note(Changed.SETTINGS)
+            session.refresh(Refresh.SETTINGS)
 
     def _rebuild(self, session: Session) -> None:
         """Another body: other nodes and other controls."""
@@ -482,10 +482,10 @@ class Tab:
         self._view.build_second(second.capture().scene if second is not None else None, dark)
 
     @property
-    def _wishes(self) -> tuple[Wish, ...]:
+    def _plot_specs(self) -> tuple[PlotSpec, ...]:
         """What is plotted."""
         measure = self._page.find(MeasureFeature)
-        return measure.wishes if measure is not None else ()
+        return measure.specs if measure is not None else ()
 
     @property
     def _unsettled(self) -> bool:
@@ -540,7 +540,7 @@ class Tab:
             end=history.end if scrubbed else 0.0,
             speed=session.pacer.speed,
             offer=session.offer_back,
-            future=session.old_future is not None,
+            future=session.abandoned_future is not None,
             follow=session.follow,
             broken=self._broken,
             controls=tuple(name for name in CONTROLS if name in self._page.controls),

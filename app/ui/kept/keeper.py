@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from ...session import commands
 from ...session.notices import Notice
-from ...session.plots import Wish
+from ...session.plots import PlotSpec
 from ...wire.to_page import Keepsake, Resumed
 from ..page import Page
 from . import keeping, pasts
@@ -26,7 +26,7 @@ class KeptState(NamedTuple):
 
     revision: int
     looks: keeping.Looks
-    plots: tuple[Wish, ...]
+    plots: tuple[PlotSpec, ...]
     time: float
 
 
@@ -48,7 +48,7 @@ class Keeper:
         self._scene: tuple[int, str] = (-1, "")
         self.kept: KeptState | None = None
 
-    def keep(self, plots: tuple[Wish, ...], at_rest: bool) -> None:
+    def keep(self, plots: tuple[PlotSpec, ...], at_rest: bool) -> None:
         """Save the state if it has changed and is due.
 
         Args:

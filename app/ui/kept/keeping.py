@@ -9,7 +9,7 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta
 
-from ...session.plots import Wish
+from ...session.plots import PlotSpec
 
 MAX_BYTES = 8_000_000
 """Of what a page gives back, unpacked: a scene of the largest size, and what belongs to it."""
@@ -44,11 +44,11 @@ class Kept(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
     session: msgspec.Raw
     looks: Looks = PLAIN
-    plots: tuple[Wish, ...] = ()
+    plots: tuple[PlotSpec, ...] = ()
     undo: Annotated[str, Meta(pattern="^([0-9a-f]{32})?$")] = ""
 
 
-def encode(session: bytes, looks: Looks, plots: tuple[Wish, ...] = (), undo: str = "") -> bytes:
+def encode(session: bytes, looks: Looks, plots: tuple[PlotSpec, ...] = (), undo: str = "") -> bytes:
     """What the browser is to keep, JSON."""
     return msgspec.json.encode(Kept(session=msgspec.Raw(session), looks=looks, plots=plots, undo=undo))
 

@@ -8,7 +8,7 @@ import numpy as np
 
 import sim
 from app.session import commands
-from app.session.foreseen import SHOWN_FOR
+from app.session.rest_pose import SHOWN_FOR
 from app.session.session import Session
 from app.ui.view import picture_of
 from sim.compiling.compiler import FOR_FALLBACK, fetch
@@ -31,4 +31,4 @@ def test_while_a_number_changes_its_pose_at_rest_is_the_pale_body() -> None:
     now[0] = 2.0 * SHOWN_FOR
     assert picture_of(session).ghost is None
     commands.SetValue("dt", 1e-3).apply(session, now[0])
-    assert session.foreseen.positions(len(session.scene.masses), now[0]) is None
+    assert session.rest_pose_preview.positions(len(session.scene.masses), now[0]) is None

@@ -1,4 +1,4 @@
-"""How far a body can be foretold: two others that come apart, in the time that a frame leaves."""
+"""How predictable a body is: how fast two copies of it diverge, stepped in what time a frame has left."""
 
 from __future__ import annotations
 
@@ -13,69 +13,65 @@ from numpy.typing import NDArray
 import sim
 from sim.analysis.predictability import MANY, Shadow, factor_of, growth_within, verdict
 
-from .companion import Companion
+from .companions import Companion
 from .pacing import smoothed
 
 SPAN = 1.0
-"""Simulated seconds whose growth is told."""
+"""Simulated seconds over which growth is reported."""
 
 WINDOW = 1.6 * SPAN
-"""Simulated seconds that are kept for that."""
+"""Simulated seconds of samples stored for that."""
 
 _LATE = 0.1
-"""Simulated seconds that it may be late; then it goes on from where the body is."""
+"""Simulated seconds that the copies may lag; beyond, they start from the body again."""
 
 
 class ShadowMoment(NamedTuple):
-    """What tells how errors grow, at a moment that is past.
+    """A meter at a past moment.
 
     Attributes:
-        hair: (4, n) the direction in which two bodies came apart, see `sim.analysis.predictability.Shadow`.
-        level: natural logarithm of how much they had by then.
+        hair: (4, n) direction in which the copies differed, see `sim.analysis.predictability.Shadow`.
+        level: natural logarithm of the growth of their difference up to then.
     """
 
     hair: NDArray[np.float64]
     level: float
 
 
-class Foresight(Companion):
-    """Tells how fast errors grow in the motion of a session's body.
+class PredictabilityMeter(Companion):
+    """Measures how fast errors grow in the motion of a session's body.
 
     Args:
         simulation: the body.
         wait: whether its steps may wait for the compiler.
 
     Attributes:
-        shadow: the two bodies.
+        shadow: the two copies.
     """
 
-    name, span = "foresight", WINDOW
+    name, span = "predictability", WINDOW
 
     def __init__(self, simulation: sim.Simulation, wait: bool = True) -> None:
         self.shadow = Shadow(simulation, wait)
         super().__init__(self.shadow.pair)
         self._step_cost = 0.0
         self._owed = 0
-        self._seen = 0.0  # simulated seconds that were followed, s
+        self._seen = 0.0  # simulated seconds that the copies have followed
         self._samples: deque[tuple[float, float]] = deque([(0.0, 0.0)])
         self._scene = simulation.scene
 
     def adapt(self, simulation: sim.Simulation) -> None:
-        """Go on from where the body is now."""
         self.shadow.place(simulation)
         self._owed = 0
 
     def begin(self, simulation: sim.Simulation) -> None:
-        """Forget what was, as for another motion."""
         self.adapt(simulation)
         self._samples = deque([(self._seen, self.shadow.level)])
 
     def capture(self) -> ShadowMoment:
-        """What there is to come back to."""
         return ShadowMoment(self.shadow.hair, self.shadow.level)
 
     def go_back(self, past: Sequence[tuple[float, ShadowMoment]], simulation: sim.Simulation) -> None:
-        """See `Companion`."""
         if not past:
             self.begin(simulation)
             return
@@ -85,7 +81,7 @@ class Foresight(Companion):
         self._samples = deque((at, moment.level) for at, moment in past)
 
     def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
-        """Go on by what the body has just done, as far as there is time."""
+        """Step the copies as far as the budget allows, and note how far apart they are."""
         self._owed += steps
         if not self._owed or simulation.divergence is not None:
             return
@@ -109,16 +105,16 @@ class Foresight(Companion):
 
     @property
     def growth(self) -> float | None:
-        """By how much the logarithm of an error has grown in the last second; None if it is not known."""
+        """Growth of the logarithm of an error over the last `SPAN`; None if unknown."""
         times, levels = zip(*self._samples, strict=True)
         return None if self.shadow.held else growth_within(times, levels, SPAN)
 
     @property
-    def many(self) -> bool:
+    def is_chaotic(self) -> bool:
         """Whether errors grow too fast for any tolerance."""
         return self.growth is not None and factor_of(self.growth / SPAN) >= MANY
 
     @property
     def verdict(self) -> str:
-        """What the growth means, in words; empty if it is not known."""
+        """What the growth means, in words; empty if unknown."""
         return "" if self.growth is None else verdict(self._scene, factor_of(self.growth / SPAN))
