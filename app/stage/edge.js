@@ -61,7 +61,7 @@ function uncovered({ x, y }) {
   return { x, y };
 }
 
-/** Puts up the arrow, hidden; what is returned places it. */
+/** Adds the arrow to the page, hidden; what is returned draws it. */
 export function addEdgeArrow() {
   const button = document.createElement("button");
   button.type = "button";
@@ -75,9 +75,9 @@ export function addEdgeArrow() {
     button.blur();
   });
   document.body.append(button);
-  /** @param {ArrayLike<number>} places @param {Box} view */
-  return (places, view) => {
-    const arrow = edgeArrow(places, view);
+  /** @param {import("./sight.js").Sight} seen */
+  return ({ places, box: { left, right, top }, floor: bottom }) => {
+    const arrow = edgeArrow(places, { left, right, top, bottom });
     button.hidden = arrow === null;
     if (!arrow) return;
     const { x, y } = uncovered(arrow);

@@ -2,7 +2,7 @@
 /** What to do on a canvas where there is nothing but one mass: a sentence, and the tool that draws a body. */
 import { make, makeButton } from "../ui/dialog.js";
 import { editing, isEditable, onEditing, setEditing, setTool } from "../features/edit/editing.js";
-import { onSight, redrawMarks } from "./overlay.js";
+import { onMarksRedraw, redrawMarks } from "./sight.js";
 
 /** How far down it stands, as a part of the canvas above the bar of time. */
 const LOW = 0.62;
@@ -26,7 +26,7 @@ export function addEmpty() {
   const touch = matchMedia("(pointer: coarse)");
   const building = () => editing.on && editing.tool === "build";
   onEditing(redrawMarks);
-  onSight(({ plan, box, floor }) => {
+  onMarksRedraw(({ plan, box, floor }) => {
     note.hidden = !isEditable() || plan.radius.length > 1 || plan.springs.length > 0 || (editing.on && !building());
     if (note.hidden) return;
     text.textContent = !building() ? BEFORE : touch.matches ? TAP : CLICK;

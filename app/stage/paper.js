@@ -5,7 +5,7 @@
  */
 import { told } from "../wire/channel.js";
 import { make } from "../ui/dialog.js";
-import { frameMarks } from "./overlay.js";
+import { frameMarks } from "./sight.js";
 import { timeNow } from "../ui/clock.js";
 import { CHARTS } from "../ui/viser/widgets.js";
 

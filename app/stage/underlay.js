@@ -6,7 +6,8 @@ import { moving, standing, streaks } from "./environment.js";
 import { LAYERS } from "./looks.js";
 import { onPicture, secondIn, shown } from "./canvas.js";
 import { onTold, told } from "../wire/channel.js";
-import { makeSvg, set, sight } from "./overlay.js";
+import { sight } from "./sight.js";
+import { makeSvg, set } from "./svg.js";
 import { onScreen } from "./screen.js";
 import { timeNow } from "../ui/clock.js";
 import { viser } from "../ui/viser/viser.js";
@@ -17,7 +18,7 @@ const DRIFT_EVERY = 40;
 const MARGIN = 150;
 const KINDS = /** @type {(keyof typeof LAYERS)[]} */ (Object.keys(LAYERS));
 
-/** What a picture of the same body, seen from the same place, has in common with others. @param {import("./overlay.js").Sight} seen */
+/** What a picture of the same body, seen from the same place, has in common with others. @param {import("./sight.js").Sight} seen */
 const viewOf = ({ plan, on, box }) => [plan.generation, on.x, on.y, on.step, box.width, box.height].join(" ");
 
 /** @typedef {typeof KINDS[number]} Kind */
@@ -30,7 +31,7 @@ const viewOf = ({ plan, on, box }) => [plan.generation, on.x, on.y, on.step, box
  */
 function windMark(path) {
   let [made, since] = ["", 0];
-  /** @param {import("./overlay.js").Sight} seen @param {number} time */
+  /** @param {import("./sight.js").Sight} seen @param {number} time */
   return (seen, time) => {
     const { plan, on, box } = seen;
     const view = viewOf(seen);
@@ -48,7 +49,7 @@ function windMark(path) {
   };
 }
 
-/** @type {((seen: import("./overlay.js").Sight, svg: SVGSVGElement) => void)[]} */
+/** @type {((seen: import("./sight.js").Sight, svg: SVGSVGElement) => void)[]} */
 const others = [];
 /** Has something else drawn whenever this is, at the same place. @param {(typeof others)[0]} draw */
 export const onUnderlay = (draw) => others.push(draw);

@@ -4,10 +4,11 @@
  * others follow as a chain of springs without weight would: each spring is brought back towards its length, again and
  * again (Jakobsen 2001, Advanced Character Physics).
  */
-import { onSight, putUp, redrawMarks, SVG } from "../../stage/overlay.js";
+import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
+import { SVG } from "../../stage/svg.js";
 import { screen, worldAt, wireNumber } from "../../stage/screen.js";
 
-/** @typedef {import("../../stage/overlay.js").Sight} Sight */
+/** @typedef {import("../../stage/sight.js").Sight} Sight */
 /** @typedef {[number, number]} Place in the page's world */
 
 /** How often every spring is brought towards its length for one movement of the pointer. */
@@ -90,7 +91,7 @@ export class OwnGhost {
     this.springs = [];
     /** @type {Set<number>} */
     this.held = new Set();
-    onSight((seen) => this.draw(seen));
+    onMarksRedraw((seen) => this.draw(seen));
   }
 
   /** Begins a prediction where the body is, or ends it. @param {boolean} on */
@@ -99,7 +100,7 @@ export class OwnGhost {
     this.on = on;
     this.places = [];
     this.moved = false;
-    if (on) putUp(this.svg);
+    if (on) insertMarksLayer(this.svg);
     else this.svg.remove();
     redrawMarks();
   }
@@ -188,13 +189,13 @@ export class Ghosts {
     this.svg = document.createElementNS(SVG, "svg");
     this.svg.classList.add("softrod-marks", "softrod-ghosts");
     this.svg.setAttribute("aria-hidden", "true");
-    onSight((seen) => this.draw(seen));
+    onMarksRedraw((seen) => this.draw(seen));
   }
 
   /** @param {Place[][]} bodies */
   show(bodies) {
     this.bodies = bodies;
-    if (bodies.length && !this.svg.parentNode) putUp(this.svg);
+    if (bodies.length && !this.svg.parentNode) insertMarksLayer(this.svg);
     if (!bodies.length) this.svg.remove();
     redrawMarks();
   }

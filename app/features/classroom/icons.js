@@ -1,6 +1,6 @@
 // @ts-check
 /** The icons of a class's pages: strokes in 24 by 24, since not every font has such letters. */
-import { SVG } from "../../stage/overlay.js";
+import { SVG } from "../../stage/svg.js";
 
 const ICONS = {
   hand: "M7 12V6M10.5 11V3.5M14 11V4.5M17.5 12V7.5V16a6 6 0 0 1-6 6c-3.5 0-5-2.5-8-7.5L5.5 13 7 15",

@@ -1,6 +1,6 @@
 // @ts-check
 /** The class's plot: what each seat found over what it set, a point a seat. */
-import { SVG } from "../../stage/overlay.js";
+import { SVG } from "../../stage/svg.js";
 
 /** @typedef {import("../../wire/wire.js").Found} Found */
 /** @typedef {import("../../wire/wire.js").Law} Law */

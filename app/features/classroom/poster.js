@@ -1,7 +1,7 @@
 // @ts-check
 /** Small still pictures of bodies, drawn from where their masses are. */
 import { onTold } from "../../wire/channel.js";
-import { SVG } from "../../stage/overlay.js";
+import { SVG } from "../../stage/svg.js";
 
 /** Where the seats' bodies are. @type {import("../../wire/wire.js").Posters} */
 let posters = { tell: "posters", places: {}, springs: [] };

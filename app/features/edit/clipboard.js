@@ -6,7 +6,7 @@
 import { onTold, send } from "../../wire/channel.js";
 import { editing } from "./editing.js";
 import { sendParts } from "../../ui/kept/links.js";
-import { sight } from "../../stage/overlay.js";
+import { sight } from "../../stage/sight.js";
 import { worldAt } from "../../stage/screen.js";
 
 const STORED = "softrod-clipboard";

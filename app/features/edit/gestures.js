@@ -12,7 +12,7 @@ import { change, countSelected, editing, giveUp } from "./editing.js";
 import { directionAt, restAt, restDirection } from "./joint_rest.js";
 import { swallow } from "../../ui/hands/keys.js";
 import { moveSelected } from "./move.js";
-import { sight } from "../../stage/overlay.js";
+import { sight } from "../../stage/sight.js";
 import * as pick from "./pick.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { nearest } from "../../stage/screen.js";

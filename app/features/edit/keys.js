@@ -12,7 +12,8 @@ import { change, countSelected, editing, giveUp, isEditable, isTool, setTool } f
 import { ARROWS, commandOf } from "../../ui/hands/key_table.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
 import { moveSelected } from "./move.js";
-import { chosenMass, sight } from "../../stage/overlay.js";
+import { chosenMass } from "../../stage/overlay.js";
+import { sight } from "../../stage/sight.js";
 import { massAt } from "../../ui/hands/pointer.js";
 
 /** By how much less an arrow moves with Shift. */

@@ -5,12 +5,14 @@ import { CORNER, partAt, snapped, turnable } from "./places.js";
 import { editing, onEditing } from "./editing.js";
 import { wrapped } from "../../stage/draw.js";
 import { restAt, restDirection } from "./joint_rest.js";
-import { degrees, makeSvg, onSight, putUp, set, sight } from "../../stage/overlay.js";
+import { degrees } from "../../stage/joint.js";
+import { insertMarksLayer, onMarksRedraw, sight } from "../../stage/sight.js";
+import { makeSvg, set } from "../../stage/svg.js";
 import { armsOf, cornersOf, crossed, turnTo } from "./pick.js";
 import { massAt } from "../../ui/hands/pointer.js";
 
 /**
- * @typedef {import("../../stage/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/sight.js").Sight} Sight
  * @typedef {import("./pick.js").Place} Place
  */
 
@@ -51,7 +53,7 @@ export function addEditMarks() {
   );
   const words = makeSvg("text", "", svg);
   let empty = true;
-  putUp(svg);
+  insertMarksLayer(svg);
 
   /** @param {Sight} seen */
   const draw = (seen) => {
@@ -63,7 +65,7 @@ export function addEditMarks() {
     if (said) set(words, { x: said.at.x.toFixed(1), y: said.at.y.toFixed(1) });
     empty = !editing.on;
   };
-  onSight(draw);
+  onMarksRedraw(draw);
   let asked = false;
   onEditing(() => {
     if (asked) return;

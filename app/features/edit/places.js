@@ -4,7 +4,7 @@ import { gridStep } from "../../stage/environment.js";
 import { shown } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
 import { editing } from "./editing.js";
-import { sight } from "../../stage/overlay.js";
+import { sight } from "../../stage/sight.js";
 import { jointAt, rounded, springAt } from "./pick.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { wireNumber, worldAt } from "../../stage/screen.js";

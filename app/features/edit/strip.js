@@ -9,7 +9,7 @@ import { change, countSelected, editing, isEditable, onEditing, setEditing, setT
 import { withKey } from "../../ui/hands/key_table.js";
 import { hasWords, larger } from "../../ui/looks.js";
 import { setTakesNew, takesNew } from "./move.js";
-import { floorOf, onSight } from "../../stage/overlay.js";
+import { floorOf, onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { viser } from "../../ui/viser/viser.js";
 
@@ -173,7 +173,7 @@ export function addEditStrip(tracing) {
     if (editing.on && !isEditable()) change({ on: false });
     show();
   });
-  onSight(place); // after the scale bar
+  onMarksRedraw(place); // after the scale bar
   window.addEventListener("resize", place);
   show();
 }

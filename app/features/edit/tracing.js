@@ -10,7 +10,7 @@ import { make, makeButton } from "../../ui/dialog.js";
 import { editing, onEditing } from "./editing.js";
 import { ARROWS } from "../../ui/hands/key_table.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
-import { makeSvg, set } from "../../stage/overlay.js";
+import { makeSvg, set } from "../../stage/svg.js";
 import { screen } from "../../stage/screen.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { onUnderlay } from "../../stage/underlay.js";

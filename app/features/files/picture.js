@@ -10,7 +10,7 @@
  */
 import { hold } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
-import { SVG } from "../../stage/overlay.js";
+import { SVG } from "../../stage/svg.js";
 import { timeNow } from "../../ui/clock.js";
 import { viser } from "../../ui/viser/viser.js";
 import { PANEL } from "../../ui/viser/widgets.js";

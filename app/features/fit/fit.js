@@ -4,7 +4,8 @@
  * bodies besides, which go with the table about as well.
  */
 import { onTold } from "../../wire/channel.js";
-import { onSight, redrawMarks, SVG } from "../../stage/overlay.js";
+import { onMarksRedraw, redrawMarks } from "../../stage/sight.js";
+import { SVG } from "../../stage/svg.js";
 
 /** Numbers of a place: time, x, y. */
 const EACH = 3;
@@ -58,7 +59,7 @@ function begin() {
   let numbers = new Float32Array();
   /** @type {Fan} */
   let fan = { numbers, draws: 0, masses: 0, rate: 0 };
-  /** @param {import("../../stage/overlay.js").Sight} seen */
+  /** @param {import("../../stage/sight.js").Sight} seen */
   const draw = ({ plan, frame, on }) => {
     if (!svg.parentNode) return;
     const scale = plan.scale * on.step;
@@ -97,7 +98,7 @@ function begin() {
     fan = told;
     show();
   });
-  onSight(draw);
+  onMarksRedraw(draw);
 }
 
 /** @type {import("../../ui/feature.js").Feature<"fit">} */

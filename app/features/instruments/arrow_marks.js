@@ -3,7 +3,8 @@
 import { arrow } from "../../stage/arrow_shapes.js";
 import * as arrows from "./arrows.js";
 import { onTold, told } from "../../wire/channel.js";
-import { onSight, putUp, redrawMarks, SVG } from "../../stage/overlay.js";
+import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
+import { SVG } from "../../stage/svg.js";
 
 /** Pixels of the longest arrow: a part of the canvas, within bounds. */
 const [PART, LEAST, MOST] = [0.17, 52, 110];
@@ -14,7 +15,7 @@ const AGAIN = 400;
 
 /**
  * @typedef {"forces" | "velocities" | "torques"} Kind
- * @typedef {import("../../stage/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/sight.js").Sight} Sight
  */
 /** @type {Kind[]} */
 const KINDS = ["forces", "velocities", "torques"];
@@ -67,7 +68,7 @@ export function addArrows() {
   const draw = ({ plan, frame, on, places, box }) => {
     const numbers = series.at(frame.time);
     const some = numbers !== null && numbers.generation === plan.generation;
-    if (some === (svg.parentNode === null)) some ? putUp(svg) : svg.remove();
+    if (some === (svg.parentNode === null)) some ? insertMarksLayer(svg) : svg.remove();
     if (!some) return;
     const full = Math.min(Math.max(PART * Math.min(box.width, box.height), LEAST), MOST);
     const masses = arrows.massesOf(numbers, plan.radius.length);
@@ -121,5 +122,5 @@ export function addArrows() {
     else series.kept = [];
     redrawMarks();
   });
-  onSight(draw);
+  onMarksRedraw(draw);
 }

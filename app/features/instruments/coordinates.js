@@ -2,7 +2,9 @@
 /** Where a mass is and how fast, in a small label beside it: of the one under the pointer, or chosen. */
 import { onPicture } from "../../stage/canvas.js";
 import { told } from "../../wire/channel.js";
-import { chosenMass, onSight, putUp, redrawMarks, SVG } from "../../stage/overlay.js";
+import { chosenMass } from "../../stage/overlay.js";
+import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
+import { SVG } from "../../stage/svg.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { onTools, tools } from "./tools.js";
 import { viser } from "../../ui/viser/viser.js";
@@ -56,10 +58,10 @@ export function addCoordinates() {
     },
     { capture: true, passive: true },
   );
-  onSight(({ plan, frame, on, places, box }) => {
+  onMarksRedraw(({ plan, frame, on, places, box }) => {
     const mass = [under, chosenMass(), tools().chosen].find((each) => each >= 0 && each < plan.radius.length);
     const has = tools().coordinates && mass !== undefined;
-    if (has === (svg.parentNode === null)) has ? putUp(svg) : svg.remove();
+    if (has === (svg.parentNode === null)) has ? insertMarksLayer(svg) : svg.remove();
     if (!has) return;
     const [x, y] = [places[2 * mass], places[2 * mass + 1]];
     const radius = plan.radius[mass] * on.step;

@@ -6,7 +6,7 @@
  * @typedef {import("./shapes.js").Place} Place
  * @typedef {import("./shapes.js").Kept} Kept
  * @typedef {import("./shapes.js").Kind} Kind
- * @typedef {import("../../stage/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/sight.js").Sight} Sight
  * @typedef {object} Face
  * @property {SVGGElement} group
  * @property {SVGElement} body
@@ -17,7 +17,7 @@
  */
 import { told } from "../../wire/channel.js";
 import { protractorReading, rulerReading, strokes, watchReading } from "./shapes.js";
-import { SVG } from "../../stage/overlay.js";
+import { SVG } from "../../stage/svg.js";
 import { timeNow } from "../../ui/clock.js";
 
 /** Pixels: between a point and its grip, of a grip, and around it where it can be taken. */

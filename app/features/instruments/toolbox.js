@@ -6,7 +6,7 @@
  * @typedef {import("./shapes.js").Kind} Kind
  * @typedef {import("./shapes.js").Kept} Kept
  * @typedef {import("./shapes.js").Place} Place
- * @typedef {import("../../stage/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/sight.js").Sight} Sight
  * @typedef {Kept & {face: import("./faces.js").Face}} Instrument
  */
 import { NAMES, newFace } from "./faces.js";
@@ -16,7 +16,8 @@ import { COMMANDS } from "../../wire/commands.js";
 import { printed } from "../../ui/hands/key_table.js";
 import { isFree } from "../../ui/hands/keys.js";
 import { hasWords, keepInView } from "../../ui/looks.js";
-import { onSight, redrawMarks, sight, SVG } from "../../stage/overlay.js";
+import { onMarksRedraw, redrawMarks, sight } from "../../stage/sight.js";
+import { SVG } from "../../stage/svg.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { timeNow } from "../../ui/clock.js";
 import { viser } from "../../ui/viser/viser.js";
@@ -237,7 +238,7 @@ export function addInstruments() {
     event.preventDefault();
     viser()?.canvas?.dispatchEvent(new WheelEvent("wheel", event));
   });
-  onSight((now) => {
+  onMarksRedraw((now) => {
     seen = now;
     box.place(now.box);
     for (const instrument of out.values()) drawOne(instrument);

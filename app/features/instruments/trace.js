@@ -2,7 +2,8 @@
 /** The paths of some masses during the last seconds, made of the positions that the page shows anyway. */
 import { onTold, told } from "../../wire/channel.js";
 import { onFrame, shown } from "../../stage/canvas.js";
-import { onSight, redrawMarks, SVG } from "../../stage/overlay.js";
+import { onMarksRedraw, redrawMarks } from "../../stage/sight.js";
+import { SVG } from "../../stage/svg.js";
 import { onTools, tools } from "./tools.js";
 import { timeNow } from "../../ui/clock.js";
 
@@ -119,7 +120,7 @@ export function addTraces() {
     take(shown().frame);
     redrawMarks();
   };
-  /** @param {import("../../stage/overlay.js").Sight} seen */
+  /** @param {import("../../stage/sight.js").Sight} seen */
   const draw = ({ plan, frame, on }) => {
     const { seconds } = tools();
     const scale = plan.scale * on.step;
@@ -141,6 +142,6 @@ export function addTraces() {
   });
   onTools(follow);
   onFrame(take);
-  onSight(draw);
+  onMarksRedraw(draw);
   setInterval(() => traces.size && told().rest && redrawMarks(), FADE_EVERY);
 }

@@ -1,7 +1,8 @@
 // @ts-check
 /** The shape of a mode over the body: it swings, its nodes stand still, and its antinodes show how far they go. */
 import { posed } from "./shapes.js";
-import { makeSvg, putUp, set, sight } from "../../stage/overlay.js";
+import { insertMarksLayer, sight } from "../../stage/sight.js";
+import { makeSvg, set } from "../../stage/svg.js";
 import { onScreen } from "../../stage/screen.js";
 
 /** @typedef {import("./shapes.js").Shapes} Shapes */
@@ -35,7 +36,7 @@ export function addGhost() {
     const { shapes, frames } = look();
     const seen = sight();
     const shown = mode >= 0 && shapes !== null && mode < shapes.modes.length && seen !== null && 2 * seen.plan.radius.length === shapes.rest.length;
-    if (shown === (svg.parentNode === null)) shown ? putUp(svg) : svg.remove();
+    if (shown === (svg.parentNode === null)) shown ? insertMarksLayer(svg) : svg.remove();
     if (!shown) {
       ask();
       return;

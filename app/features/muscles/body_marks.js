@@ -1,6 +1,7 @@
 // @ts-check
 /** Marks on the body the springs and joints of the muscles that are pointed at in the strip. */
-import { makeSvg, onSight, putUp, set, sight } from "../../stage/overlay.js";
+import { insertMarksLayer, onMarksRedraw, sight } from "../../stage/sight.js";
+import { makeSvg, set } from "../../stage/svg.js";
 
 /** @typedef {import("./marks.js").Mark} Mark */
 
@@ -12,7 +13,7 @@ export function addMuscleMarks() {
   const path = makeSvg("path", "", svg);
   /** @type {Mark[]} */
   let marked = [];
-  /** @param {import("../../stage/overlay.js").Sight} seen */
+  /** @param {import("../../stage/sight.js").Sight} seen */
   const draw = ({ plan, places, on }) => {
     if (!marked.length && !svg.parentNode) return;
     let d = "";
@@ -27,10 +28,10 @@ export function addMuscleMarks() {
       }
     }
     set(path, { d });
-    if (marked.length && !svg.parentNode) putUp(svg);
+    if (marked.length && !svg.parentNode) insertMarksLayer(svg);
     else if (!marked.length) svg.remove();
   };
-  onSight(draw);
+  onMarksRedraw(draw);
   return {
     /** @param {Mark[]} marks */
     show: (marks) => {

@@ -6,7 +6,7 @@ import { has, onTold, told } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
-import { onSight } from "../../stage/overlay.js";
+import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { isDark } from "../../ui/viser/widgets.js";
 
@@ -96,7 +96,7 @@ function addMenu() {
     if (!(relatedTarget instanceof Node && element.contains(relatedTarget))) open(false);
   });
   onTold("pageState", () => (element.hidden = !has("view") && !has("modes") && !has("help")));
-  onSight(({ box, floor }) => {
+  onMarksRedraw(({ box, floor }) => {
     element.classList.toggle("softrod-words", hasWords(box));
     element.style.right = `${window.innerWidth - box.right + 14}px`;
     element.style.bottom = `${window.innerHeight - floor + 10}px`;

@@ -8,6 +8,7 @@ import { addChase } from "../../stage/chase.js";
 import { drawBody, shown } from "../../stage/canvas.js";
 import { askedScene, watchConnection } from "../../ui/viser/connection.js";
 import { mindDialogs } from "../../ui/viser/dialogs.js";
+import { addEdgeArrow } from "../../stage/edge.js";
 import { addEmpty } from "../../stage/empty.js";
 import { showHud } from "../../ui/hud.js";
 import { hasKept, keepOnlyOf, resume } from "../../ui/kept/keep.js";
@@ -17,6 +18,7 @@ import { beginViser, canDraw, complain, endLoading, mindGraphics } from "../../u
 import { mindWidgets } from "../../ui/viser/widgets.js";
 import { mindNumbers } from "../../ui/viser/numbers.js";
 import { addOverlay } from "../../stage/overlay.js";
+import { onMarksRedraw } from "../../stage/sight.js";
 import { sayWhose } from "../../ui/owner.js";
 import { listenToCommands, provide } from "../../wire/perform.js";
 import { addPaper } from "../../stage/paper.js";
@@ -59,6 +61,7 @@ whenViser((viser) => {
   mindDialogs();
   listenToPresses();
   addOverlay(); // its hint goes with the first press, which others keep for themselves
+  const drawEdgeArrow = addEdgeArrow();
   addUnderlay();
   addLoads();
   for (const { commands, begin } of FEATURES) {
@@ -71,6 +74,7 @@ whenViser((viser) => {
   addPaper();
   addClassroom();
   addEmpty();
+  onMarksRedraw(drawEdgeArrow); // last: it stands where nothing else does
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted, send, ...seen } });
 });
