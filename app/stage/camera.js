@@ -1,7 +1,7 @@
 // @ts-check
 /** The camera: seen from the front, moved and zoomed but never turned. */
 import { shown } from "./canvas.js";
-import { onTold, told } from "../wire/channel.js";
+import { onMessage, pageState } from "../wire/channel.js";
 import { toWorld } from "./draw.js";
 import { MARGIN, NEAR, STRIP } from "./looks.js";
 import { editing } from "../features/edit/editing.js";
@@ -156,7 +156,7 @@ function bounds(width, height, withBody) {
 export function fit(withBody = false) {
   const { canvas, camera, cameraControl: controls, nodeRefFromName } = viser() ?? {};
   const root = nodeRefFromName?.[""];
-  const [width, height] = [told().width ?? 0, told().height ?? 0];
+  const [width, height] = [pageState().width ?? 0, pageState().height ?? 0];
   if (!canvas || !camera || !controls || !root || !(width > 0 && height > 0)) return false;
   const box = canvas.getBoundingClientRect();
   const sheet = covered(canvas, box);
@@ -233,12 +233,12 @@ export function keepFlat() {
     const cover = [sheet, above, below, ...strips].join(" ");
     // A view that its user has chosen stays when the panel's sheet, the tools or a strip grow or shrink.
     const grown = cover !== covers && untouched();
-    if ((told().scene !== scene || size !== now || grown) && fit()) {
-      scene = told().scene;
+    if ((pageState().scene !== scene || size !== now || grown) && fit()) {
+      scene = pageState().scene;
       size = now;
       covers = cover;
     }
   };
-  onTold("pageState", look);
+  onMessage("pageState", look);
   setInterval(look, LOOK_EVERY);
 }

@@ -11,7 +11,7 @@
  */
 import * as draw from "./draw.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "./plan.js";
-import { callAll, hear, onTold, sendBy } from "../wire/channel.js";
+import { callAll, onMessage, receive, sendBy } from "../wire/channel.js";
 import { viser as current } from "../ui/viser/viser.js";
 import { Glide } from "./glide.js";
 
@@ -140,23 +140,23 @@ function fill(node, instances) {
 
 /** Begins to take what is told of the body. */
 function listen() {
-  onTold("plan", ({ numbers }) => {
+  onMessage("plan", ({ numbers }) => {
     state.plan = readPlan(numbers);
     colors.clear();
     ask();
   });
-  onTold("secondPlan", ({ numbers }) => {
+  onMessage("secondPlan", ({ numbers }) => {
     state.secondPlan = readPlan(numbers);
     colors.clear();
     glide.last = null;
     ask();
   });
-  onTold("damage", ({ numbers }) => {
+  onMessage("damage", ({ numbers }) => {
     state.damage = readDamage(numbers);
     glide.last = null; // the picture that is shown is no longer right
     ask();
   });
-  onTold("frame", ({ numbers, wall }) => {
+  onMessage("frame", ({ numbers, wall }) => {
     const frame = readFrame(numbers);
     glide.take(frame, wall, seconds());
     callAll(takers, frame);
@@ -186,7 +186,7 @@ export function drawBody(viser) {
   const queue = viser.messageQueue;
   queue.push = (...messages) => {
     for (const message of messages) {
-      if (hear(message)) continue;
+      if (receive(message)) continue;
       note(message);
       pass(message);
     }

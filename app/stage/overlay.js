@@ -1,6 +1,6 @@
 // @ts-check
 /** Thin marks over the body: the joint that is read out, the mass that is chosen, and a scale bar. */
-import { told } from "../wire/channel.js";
+import { pageState } from "../wire/channel.js";
 import { degrees, jointAngles } from "./joint.js";
 import { freePlace } from "./label.js";
 import { lengthText, roundDown, roundUp } from "./lengths.js";
@@ -51,7 +51,7 @@ function jointMark(add) {
   let kept = AROUND[0];
   /** @param {Sight} seen */
   return ({ plan, frame, on, places }) => {
-    const joint = told().joint ?? -1;
+    const joint = pageState().joint ?? -1;
     const has = joint >= 0 && 4 * joint < plan.joints.length && !plan.many;
     arc.style.display = angle.style.display = has ? "" : "none";
     if (!has) return;
@@ -129,11 +129,11 @@ function scaleMark(add) {
     const begin = end - size / perPixel;
     const free = hud && hud.right > begin - 10 ? hud.bottom : box.top;
     const low = free + 8 + parseFloat(getComputedStyle(length).fontSize) * 1.4;
-    const state = [end, low, size, perPixel, told().unit].join(" ");
+    const state = [end, low, size, perPixel, pageState().unit].join(" ");
     if (state === last) return;
     last = state;
     set(bar, { d: `M${begin} ${low - 5}v10M${begin} ${low}H${end}M${end} ${low - 5}v10` });
     set(length, { x: (begin + end) / 2, y: low - 9 });
-    length.textContent = lengthText(size, told().unit ?? "");
+    length.textContent = lengthText(size, pageState().unit ?? "");
   };
 }

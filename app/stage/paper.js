@@ -3,7 +3,7 @@
  * On paper: the scene's title and the time over the body, and below it the step of the lesson and the plots that are open.
  * looks.css leaves out everything else.
  */
-import { told } from "../wire/channel.js";
+import { pageState } from "../wire/channel.js";
 import { make } from "../ui/dialog.js";
 import { frameMarks } from "./sight.js";
 import { timeNow } from "../ui/clock.js";
@@ -47,7 +47,7 @@ export function addPaper() {
     const plotted = [0, 0.3, 0.34][Math.min(curves.childElementCount, 2)];
     const part = Math.min((words.childElementCount ? 0.26 : 0) + plotted, 0.46);
     document.documentElement.style.setProperty("--softrod-below", `${100 * part}%`);
-    title.textContent = told().title ?? "";
+    title.textContent = pageState().title ?? "";
     time.textContent = `t = ${timeNow().toFixed(2)} s`;
     frameMarks(true);
   };

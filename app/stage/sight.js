@@ -2,7 +2,7 @@
 /** The picture that is shown and its place on the screen, and the marks that are drawn over it. */
 import { onFit } from "./camera.js";
 import { onPicture, shown } from "./canvas.js";
-import { callAll, onTold } from "../wire/channel.js";
+import { callAll, onMessage } from "../wire/channel.js";
 import { onScreen, screen } from "./screen.js";
 import { viser } from "../ui/viser/viser.js";
 
@@ -78,7 +78,7 @@ export function sight(frame = shown().frame) {
 /** Redraws the marks with every picture, every message on the page and every movement of the camera. */
 export function keepMarksDrawn() {
   onPicture(redrawMarks);
-  onTold("pageState", redrawMarks);
+  onMessage("pageState", redrawMarks);
   onFit(redrawMarks);
   let until = 0;
   let tracking = false;

@@ -5,7 +5,7 @@
 import { moving, standing, streaks } from "./environment.js";
 import { LAYERS } from "./looks.js";
 import { onPicture, secondIn, shown } from "./canvas.js";
-import { onTold, told } from "../wire/channel.js";
+import { onMessage, pageState } from "../wire/channel.js";
 import { sight } from "./sight.js";
 import { makeSvg, set } from "./svg.js";
 import { onScreen } from "./screen.js";
@@ -74,14 +74,14 @@ export function addUnderlay() {
     const { plan, frame } = shown();
     const canvas = viser()?.canvas;
     // The first picture of a new body, and what is told of it, may still be on their way.
-    if (!canvas || !told().width || plan?.generation !== frame?.generation) return;
+    if (!canvas || !pageState().width || plan?.generation !== frame?.generation) return;
     const seen = sight(before?.generation === plan?.generation ? before : frame);
     if (!seen) return;
     if (canvas.previousSibling !== svg) canvas.before(svg);
     const { left, top, width, height } = seen.box;
     set(svg, { viewBox: `${left} ${top} ${width} ${height}` });
-    const view = [viewOf(seen), told().width, told().height].join(" ");
-    if (view !== stood) show(standing(seen, Math.max(told().width ?? 0, told().height ?? 0) / seen.plan.scale));
+    const view = [viewOf(seen), pageState().width, pageState().height].join(" ");
+    if (view !== stood) show(standing(seen, Math.max(pageState().width ?? 0, pageState().height ?? 0) / seen.plan.scale));
     stood = view;
     for (const other of others) other(seen, svg);
     const { damage } = shown();
@@ -110,8 +110,8 @@ export function addUnderlay() {
     else draw();
   };
   onPicture(listen);
-  onTold("pageState", listen);
+  onMessage("pageState", listen);
   setInterval(() => {
-    if (told().rest && shown().plan?.wind.length && !still.matches) draw();
+    if (pageState().rest && shown().plan?.wind.length && !still.matches) draw();
   }, DRIFT_EVERY);
 }

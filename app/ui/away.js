@@ -3,7 +3,7 @@
  * While there is no connection: the page says so, its clock stands, what was under way ends, and nothing that is
  * pressed is done, neither now nor late.
  */
-import { hangUp } from "../wire/channel.js";
+import { stopSending } from "../wire/channel.js";
 import { lost } from "./kept/keep.js";
 
 const TEXT = "Not connected: your body waits. Reconnecting…";
@@ -70,7 +70,7 @@ export function mindAbsence() {
     }
     if (line === "closed") {
       lost();
-      hangUp();
+      stopSending();
     }
     if (!away) since = Infinity;
     document.documentElement.toggleAttribute("data-softrod-away", away);

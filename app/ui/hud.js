@@ -3,7 +3,7 @@
  * The head-up display: what the server writes, in an element that the panel cannot take away. It is behind the body, which
  * it never covers.
  */
-import { onTold } from "../wire/channel.js";
+import { onMessage } from "../wire/channel.js";
 import { viser } from "./viser/viser.js";
 
 /** @type {HTMLElement | null} */
@@ -18,7 +18,7 @@ function putBehind(element) {
 
 /** Begins to show it. */
 export const showHud = () =>
-  onTold("hud", ({ html }) => {
+  onMessage("hud", ({ html }) => {
     if (!hud?.isConnected) {
       hud = document.createElement("div");
       hud.className = "softrod-hud";

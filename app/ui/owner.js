@@ -3,7 +3,7 @@
  * Whose the page is. The terminal prints an address with the owner's key after a #, which no request has; the browser
  * remembers it. Other browsers make up a secret, by which their own scenes are found again.
  */
-import { onTold, send, told } from "../wire/channel.js";
+import { onMessage, pageState, send } from "../wire/channel.js";
 
 const BEGIN = "#owner=";
 const OWNER = "softrod-owner";
@@ -57,9 +57,9 @@ export function sayWhose() {
   const say = () => send({ do: "who", visitor: visitor(), owner: remembered(OWNER), teacher: remembered(TEACHER) });
   /** @type {string | undefined} */
   let page;
-  onTold("pageState", () => {
-    if (told().page === page) return;
-    page = told().page;
+  onMessage("pageState", () => {
+    if (pageState().page === page) return;
+    page = pageState().page;
     if (page) say();
   });
   window.addEventListener("hashchange", () => takeKey() && say());

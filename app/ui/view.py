@@ -135,7 +135,7 @@ class Canvas:
                 self._plan = plan
                 self._own_number += number is None
                 self._plan_number = self._own_number if number is None else number
-                self._mail.tell(Plan(numbers=encode_plan(self._plan_number, sketch, rest_angles)))
+                self._mail.send(Plan(numbers=encode_plan(self._plan_number, sketch, rest_angles)))
                 self._drawn = self._damaged = None
 
     def build_second(self, second: Scene | None, dark: bool) -> None:
@@ -167,7 +167,7 @@ class Canvas:
             plan = encode_plan(0, sketch, angles)
             if self._second_plan is None or not np.array_equal(plan, self._second_plan):
                 self._second_plan, self._drawn = plan, None
-                self._mail.tell(SecondPlan(numbers=plan))
+                self._mail.send(SecondPlan(numbers=plan))
 
     def show_gizmos(self, on: bool) -> None:
         """Put up a gizmo at each held mass, or take them away."""
@@ -194,8 +194,8 @@ class Canvas:
             self._show_ghost(picture.ghost is not None)
             if not self._same_damage(picture, exactly=force):
                 self._damaged = picture
-                self._mail.tell(Damage(numbers=encode_damage(self._plan_number, picture)))
-            self._mail.tell(Frame(numbers=encode_frame(self._plan_number, picture), wall=round(now, 4)))
+                self._mail.send(Damage(numbers=encode_damage(self._plan_number, picture)))
+            self._mail.send(Frame(numbers=encode_frame(self._plan_number, picture), wall=round(now, 4)))
             for mass, gizmo in self._gizmos:
                 # While a gizmo is dragged it belongs to the pointer.
                 if mass != self._gizmo_in_hand:

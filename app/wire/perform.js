@@ -1,6 +1,6 @@
 // @ts-check
 /** Does a command of the table, whether it is the server's or the page's own. */
-import { has, onTold, send } from "./channel.js";
+import { has, onMessage, send } from "./channel.js";
 import { COMMANDS } from "./commands.js";
 
 /** @typedef {import("./wire.js").CommandName} CommandName */
@@ -25,4 +25,4 @@ export function perform(command) {
 }
 
 /** Does those commands of the page that were given in the panel or in the palette. */
-export const listenToCommands = () => onTold("run", ({ command }) => perform(command));
+export const listenToCommands = () => onMessage("run", ({ command }) => perform(command));

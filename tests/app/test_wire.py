@@ -95,14 +95,14 @@ def test_every_number_that_a_page_says_has_bounds() -> None:
 def test_of_states_the_latest_counts_and_events_all_arrive() -> None:
     letters = Letters()
     for chosen in (1, 2, 2):
-        letters.tell(Tools(chosen=chosen))
-    letters.tell(ShelfChanged())
-    letters.tell(ShelfChanged())
-    letters.tell(OfferGallery(why=""))
+        letters.send(Tools(chosen=chosen))
+    letters.send(ShelfChanged())
+    letters.send(ShelfChanged())
+    letters.send(OfferGallery(why=""))
     assert letters.sent[:2] == [Tools(chosen=1), Tools(chosen=2)], "what has not changed is not told again"
     assert letters.keys[0] == letters.keys[1]
     assert len(set(letters.keys)) == len(letters.keys) - 1
-    assert letters.told(Tools) == Tools(chosen=2)
+    assert letters.last_sent(Tools) == Tools(chosen=2)
 
 
 def test_every_message_is_a_state_an_event_or_numbers() -> None:
@@ -113,7 +113,7 @@ def test_every_message_is_a_state_an_event_or_numbers() -> None:
 def test_numbers_are_told_each_time_and_the_latest_count() -> None:
     letters, numbers = Letters(), np.array([1.0, 2.0], np.float32)
     for wall in (12.25, 12.25):
-        letters.tell(to_page.Frame(numbers=numbers, wall=wall))
+        letters.send(to_page.Frame(numbers=numbers, wall=wall))
     assert [message.text for message in letters.sent] == ['{"tell":"frame","wall":12.25}'] * 2
     assert all(message.numbers is numbers for message in letters.sent)
     assert letters.keys[0] == letters.keys[1]

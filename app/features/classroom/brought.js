@@ -1,6 +1,6 @@
 // @ts-check
 /** The part of the teacher's page that takes answers which pupils gave in files: as files, or by their QR codes. */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 
 /** Letters of a file that the server takes, at most. */
@@ -18,7 +18,7 @@ const note = (told, refused) => (results = [{ told, refused }, ...results].slice
 
 /** Begins to listen. @param {() => void} changed */
 export function hearBrought(changed) {
-  onTold("brought", ({ told, refused }) => {
+  onMessage("brought", ({ told, refused }) => {
     note(told, refused);
     changed();
   });

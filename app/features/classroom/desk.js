@@ -3,7 +3,7 @@
  * The teacher's part of the page: what comes next, what the class does now, who is there, and what was given. What is
  * seldom wanted is folded.
  */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { betweenPresses } from "./anew.js";
 import { brought, broughtSoFar, hearBrought } from "./brought.js";
@@ -70,7 +70,7 @@ export function addDesk() {
   let place = "";
   /** @type {Desk | null} */
   let last = null;
-  onTold("predictions", ({ bodies }) => ghosts.show(bodies));
+  onMessage("predictions", ({ bodies }) => ghosts.show(bodies));
   keepPosters(desk);
   /** @param {Desk} told */
   const show = (told) => {
@@ -95,9 +95,9 @@ export function addDesk() {
     if (focused) /** @type {HTMLElement | null} */ (desk.querySelector(`[data-focus="${focused}"]`))?.focus();
   };
   const again = () => last && show(last);
-  onTold("desk", (told) => anew(() => show(told)));
+  onMessage("desk", (told) => anew(() => show(told)));
   hearBrought(() => anew(again));
-  onTold("classEnded", () => {
+  onMessage("classEnded", () => {
     ghosts.show([]);
     desk.replaceChildren(make("h2", "", "The class is over"), make("p", "", "Nothing that was given is kept on this computer."));
   });

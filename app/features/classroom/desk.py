@@ -133,7 +133,7 @@ class DeskRole(ClassRole):
         if (posters := tuple(doing.items())) != self._posters:
             self._posters = posters
             springs = self.klass.scene(self.room.at).linear_springs if self.room.phase in FREE else ()
-            self._mail.tell(
+            self._mail.send(
                 Posters(
                     places={str(number): one.places for number, one in posters},
                     springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MAX_PLACES),
@@ -141,8 +141,8 @@ class DeskRole(ClassRole):
             )
         words = (one.word for one in doing.values())
         if self._is_new(self.klass.written, self.klass.trouble, self._again, tuple(self.klass.tried), *words):
-            self._mail.tell(self._state())
-            self._mail.tell(predictions(self.klass))
+            self._mail.send(self._state())
+            self._mail.send(predictions(self.klass))
 
     def keep(self, keepsake: bytes) -> bool:
         return False
@@ -192,13 +192,13 @@ class DeskRole(ClassRole):
         try:
             taken = sheets.take(self.room, text)
         except Refused as error:
-            self._mail.tell(Brought(told=str(error), refused=True))
+            self._mail.send(Brought(told=str(error), refused=True))
             return
         count = f"{taken.new} {'answer' if taken.new == 1 else 'answers'}"
         known = f", {taken.known} had been brought before" if taken.known else ""
         steps = ", ".join(map(str, taken.reached))
         goals = f". As its own file says, it reached the goal of step {steps}" if steps else ""
-        self._mail.tell(Brought(told=f"{taken.name}: {count}{known}{goals}."))
+        self._mail.send(Brought(told=f"{taken.name}: {count}{known}{goals}."))
 
     def _hand_over(self, name: str, what: str, made: Future[bytes], session: Session) -> None:
         """Have the browser save what was made."""

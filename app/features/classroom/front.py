@@ -57,7 +57,7 @@ class FrontView:
                 self._canvas.build(front.scene, dark, front.rest_angles, front.number)
             self._canvas.draw(front.picture, now, force=True)
             self._sure, self._sure_due = front, now + SURE_EVERY
-            self._mail.tell(_state(front, self._page))
+            self._mail.send(_state(front, self._page))
         self._told = state
         if front.audience is not self._audience:
             self._audience.discard(self._client)

@@ -3,7 +3,7 @@
  * What a pupil gives in a class. It stays in the browser until the server has it, through outages, reloads and a server
  * that is started anew, and is said again until then. The server counts it once.
  */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 
 /**
  * @typedef {import("../../wire/wire.js").GiveVote | import("../../wire/wire.js").GivePlaces |
@@ -69,20 +69,20 @@ export function forgetAnswers() {
 
 /** Begins to say what waits, and to hear what was taken. */
 export function openOutbox() {
-  onTold("taken", ({ ids, refused }) => {
+  onMessage("taken", ({ ids, refused }) => {
     waiting = waiting.filter(({ id }) => !ids.includes(id));
     keep();
     for (const look of onlookers) look(refused);
   });
-  onTold("seat", (seat) => (turn = Math.max(turn, seat.turn)));
+  onMessage("seat", (seat) => (turn = Math.max(turn, seat.turn)));
   const say = () => {
-    if (told().page) for (const answer of waiting) send(answer);
+    if (pageState().page) for (const answer of waiting) send(answer);
   };
   setInterval(say, AGAIN_EVERY);
   let page = "";
-  onTold("pageState", () => {
-    if (told().page === page) return;
-    page = told().page ?? "";
+  onMessage("pageState", () => {
+    if (pageState().page === page) return;
+    page = pageState().page ?? "";
     // After the page has said whose it is.
     setTimeout(say, 200);
   });

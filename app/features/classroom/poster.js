@@ -1,6 +1,6 @@
 // @ts-check
 /** Small still pictures of bodies, drawn from where their masses are. */
-import { onTold } from "../../wire/channel.js";
+import { onMessage } from "../../wire/channel.js";
 import { SVG } from "../../stage/svg.js";
 
 /** Where the seats' bodies are. @type {import("../../wire/wire.js").Posters} */
@@ -59,7 +59,7 @@ export function still(places) {
 
 /** Keeps the pictures in an element up to date. @param {HTMLElement} box */
 export function keepPosters(box) {
-  onTold("posters", (told) => {
+  onMessage("posters", (told) => {
     posters = told;
     for (const svg of /** @type {NodeListOf<SVGSVGElement>} */ (box.querySelectorAll("svg[data-seat]"))) {
       draw(svg, posters.places[svg.dataset.seat ?? ""] ?? []);

@@ -97,7 +97,7 @@ class Entrance(Role):
         self._mail, self._problem = mail, problem
 
     def frame(self, session: Session) -> None:
-        self._mail.tell(Seat(problem=self._problem))
+        self._mail.send(Seat(problem=self._problem))
 
 
 class ClassRole(Role):
@@ -167,7 +167,7 @@ class ClassRole(Role):
         """Whether the class is over; the page is told once."""
         if self.klass.ended and not self._told_end:
             self._told_end = True
-            self._mail.tell(ClassEnded())
+            self._mail.send(ClassEnded())
         return self.klass.ended
 
 

@@ -3,7 +3,7 @@
  * A pupil's page in a class: one sentence what to do, and what it takes to do it. What was typed or chosen stays when
  * the class's state comes anew; only what differs is made anew.
  */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { perform } from "../../wire/perform.js";
 import { giveUpConnection } from "../../ui/viser/connection.js";
@@ -54,15 +54,15 @@ export function addSeat() {
   const anew = betweenPresses(card);
   ghost = new OwnGhost(show);
   openOutbox();
-  onTold("seat", (told) => {
+  onMessage("seat", (told) => {
     if (told.asking?.stop !== seat?.asking?.stop || told.asking?.phase !== seat?.asking?.phase) {
       [twin, typed, refusal] = [0, "", ""];
     }
     seat = told;
     anew(show);
   });
-  onTold("predictions", ({ bodies }) => ghosts.show(bodies));
-  onTold("classEnded", () => {
+  onMessage("predictions", ({ bodies }) => ghosts.show(bodies));
+  onMessage("classEnded", () => {
     forgetAnswers();
     ghost.show(false);
     spoken.textContent = "The class is over.";

@@ -123,7 +123,7 @@ class SeatRole(ClassRole):
                     self.room.follow(self._of_room().number, on)
         except Refused as error:
             ids = (said.id,) if isinstance(said, from_page.Give) else ()
-            self._mail.tell(Taken(ids=ids, refused=str(error)))
+            self._mail.send(Taken(ids=ids, refused=str(error)))
 
     def frame(self, session: Session) -> None:
         if self._tell_end():
@@ -133,7 +133,7 @@ class SeatRole(ClassRole):
         if ready:
             left = [one for one in self._unwritten if one[1] not in ready]
             self._unwritten = deque(left, maxlen=MAX_ANSWERS)
-            self._mail.tell(Taken(ids=ready))
+            self._mail.send(Taken(ids=ready))
         if self.seat is not None and self.front is None:
             if self._stop != self.room.at:
                 if (body := self.klass.body(self._number)) is not None:
@@ -148,8 +148,8 @@ class SeatRole(ClassRole):
                 self._paused = self.room.paused
                 session.post(commands.Play(not self._paused))
         if self._is_new(self.seat is None, self._problem, self._reached):
-            self._mail.tell(self._state())
-            self._mail.tell(predictions(self.klass))
+            self._mail.send(self._state())
+            self._mail.send(predictions(self.klass))
 
     def keep(self, keepsake: bytes) -> bool:
         if self.seat is not None and self._stop == self.room.at:
@@ -169,7 +169,7 @@ class SeatRole(ClassRole):
         try:
             scene = self.klass.scene(self.room.at)
         except SettingError as error:
-            self._mail.tell(Taken(ids=(), refused=f"This step cannot begin: {error}."))
+            self._mail.send(Taken(ids=(), refused=f"This step cannot begin: {error}."))
             return
         self.show(scene)
 

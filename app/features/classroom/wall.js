@@ -1,6 +1,6 @@
 // @ts-check
 /** The wall: what a class sees in front, large enough for the last row, and without a name. */
-import { onTold } from "../../wire/channel.js";
+import { onMessage } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { Ghosts } from "./ghost.js";
 import { plot, power } from "./plot.js";
@@ -37,12 +37,12 @@ export function addWall() {
     waited = true;
     if (last) show(last);
   }, ALONE_AFTER);
-  onTold("predictions", ({ bodies }) => ghosts.show(bodies));
-  onTold("wall", (wall) => {
+  onMessage("predictions", ({ bodies }) => ghosts.show(bodies));
+  onMessage("wall", (wall) => {
     last = wall;
     show(wall);
   });
-  onTold("classEnded", () => {
+  onMessage("classEnded", () => {
     ghosts.show([]);
     head.replaceChildren(make("h1", "", "The class is over."));
     side.replaceChildren();

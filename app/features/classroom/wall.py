@@ -50,7 +50,7 @@ class WallRole(ClassRole):
         shown = room.phase in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN)
         voted = shown and bool(room.given(room.at, 0, Vote))
         lines = [answer for answer in room.given(room.at, 0, Line) if answer.starred]
-        self._mail.tell(
+        self._mail.send(
             Wall(
                 code=room.code,
                 address=self._address,
@@ -72,7 +72,7 @@ class WallRole(ClassRole):
                 doing=doing,
             )
         )
-        self._mail.tell(predictions(self.klass))
+        self._mail.send(predictions(self.klass))
 
     def _doing(self) -> dict[str, int]:
         """How many bodies are stable, have exploded, or have not been begun with, of the seats that are here.

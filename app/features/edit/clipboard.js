@@ -3,7 +3,7 @@
  * Copying parts of a body and pasting them, also into another tab: by the clipboard where the browser lets a page have
  * it, and by the storage that the tabs of one server share.
  */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { editing } from "./editing.js";
 import { sendParts } from "../../ui/kept/links.js";
 import { sight } from "../../stage/sight.js";
@@ -43,7 +43,7 @@ export function pasteHere(text) {
 
 /** Begins to listen. */
 export function listenToClipboard() {
-  onTold("copied", ({ text }) => {
+  onMessage("copied", ({ text }) => {
     copied = text;
     try {
       localStorage.setItem(STORED, text);

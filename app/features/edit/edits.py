@@ -92,7 +92,7 @@ class Edits:
             self._session.post(
                 commands.Change(lambda moment, _: texts.set_texts(moment.scene, ask.name, ask.description))
             )
-        self._mail.tell(TextsTaken(refused=refused))
+        self._mail.send(TextsTaken(refused=refused))
 
     def paste(self, message: str) -> None:
         """Put in what was copied; in a thread, since it may be long.
@@ -122,12 +122,12 @@ class Edits:
         session = self._session
         if session.selection is not self._selected:
             self._selected = session.selection
-            self._mail.tell(
+            self._mail.send(
                 Selected(**{kind: tuple(sorted(of)) for kind, of in self._selected._asdict().items()})
             )
         versions = session.versions
         stiffen = (session.refusal.stiffening or 0.0) if session.refusal is not None else 0.0
-        self._mail.tell(
+        self._mail.send(
             Versions(
                 undo=versions.undoable, redo=versions.redoable, count=len(versions), stiffen=round(stiffen, 3)
             )
@@ -140,7 +140,7 @@ class Edits:
             moment = session.simulation.capture()
             try:
                 fragment = _copied(moment, masses_of(moment.scene, session.selection))
-                self._mail.tell(Copied(text=copying.encode(fragment)))
+                self._mail.send(Copied(text=copying.encode(fragment)))
             except SceneError as error:
                 self._notify(Notice("error", "That cannot be copied", str(error)))
 

@@ -4,7 +4,7 @@
  * so that nothing lags; the server makes the edit.
  */
 import { onPicture, shown } from "../../stage/canvas.js";
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import {
   CORNER, directionTo, distanceTo, isNothing, isSelected, partAt, REACH, snapped, turnable, within, world,
 } from "./places.js";
@@ -358,7 +358,7 @@ export function listenToEdits() {
     swallow(event);
     send({ do: "select", ...parts });
   }, true);
-  onTold("selected", ({ masses, springs, joints }) => {
+  onMessage("selected", ({ masses, springs, joints }) => {
     const { chaining, chain } = editing;
     change({
       selected: { masses, springs, joints },
@@ -366,7 +366,7 @@ export function listenToEdits() {
       chaining: false,
     });
   });
-  onTold("versions", ({ undo, redo, stiffen }) => {
+  onMessage("versions", ({ undo, redo, stiffen }) => {
     if (redo && redo !== editing.redo) giveUp(); // undone elsewhere: as in `stepBack`
     change({ undo, redo, stiffen });
   });
@@ -376,9 +376,9 @@ export function listenToEdits() {
     if (radius.length < masses || ends.length < springs) giveUp();
     [masses, springs] = [radius.length, ends.length];
   });
-  let { scene } = told();
-  onTold("pageState", () => {
-    if (told().scene !== scene) giveUp();
-    ({ scene } = told());
+  let { scene } = pageState();
+  onMessage("pageState", () => {
+    if (pageState().scene !== scene) giveUp();
+    ({ scene } = pageState());
   });
 }

@@ -1,6 +1,6 @@
 // @ts-check
 /** Moving what is selected: whether its springs rest as they are then is asked once, and the tab remembers. */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { wireNumber } from "../../stage/screen.js";
 import { make, makeButton, makeDialog } from "../../ui/dialog.js";
 import { change } from "./editing.js";
@@ -41,10 +41,10 @@ function offer() {
   if (!question) {
     const { dialog, body } = makeDialog("Moved masses", "softrod-moved");
     question = { dialog };
-    let { scene } = told();
-    onTold("pageState", () => {
-      if (told().scene !== scene) dialog.close(); // it is about another body
-      ({ scene } = told());
+    let { scene } = pageState();
+    onMessage("pageState", () => {
+      if (pageState().scene !== scene) dialog.close(); // it is about another body
+      ({ scene } = pageState());
     });
     const line = make("div", "softrod-dialog-line");
     /** @param {boolean} rest */

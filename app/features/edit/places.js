@@ -2,7 +2,7 @@
 /** Where things are for an edit: what is under the pointer, the nearest crossing of the grid, directions and distances. */
 import { gridStep } from "../../stage/environment.js";
 import { shown } from "../../stage/canvas.js";
-import { told } from "../../wire/channel.js";
+import { pageState } from "../../wire/channel.js";
 import { editing } from "./editing.js";
 import { sight } from "../../stage/sight.js";
 import { jointAt, rounded, springAt } from "./pick.js";
@@ -51,7 +51,7 @@ export function step() {
   const seen = sight();
   const { plan, on } = seen ?? {};
   if (!plan || !on) return 1;
-  return gridStep(Math.max(told().width ?? 0, told().height ?? 0) / plan.scale, plan.scale * on.step);
+  return gridStep(Math.max(pageState().width ?? 0, pageState().height ?? 0) / plan.scale, plan.scale * on.step);
 }
 
 /**

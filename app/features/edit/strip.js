@@ -1,6 +1,6 @@
 // @ts-check
 /** The tools at the left of the canvas, undo and redo, and what can be done to what is selected. */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { toClipboard, pasteHere } from "./clipboard.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { make, makeButton } from "../../ui/dialog.js";
@@ -169,7 +169,7 @@ export function addEditStrip(tracing) {
     [shown, selected] = [now, editing.selected];
     show();
   });
-  onTold("pageState", () => {
+  onMessage("pageState", () => {
     if (editing.on && !isEditable()) change({ on: false });
     show();
   });

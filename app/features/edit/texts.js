@@ -3,7 +3,7 @@
  * The form for the scene's name and description, in the place where the description stands. What a user wrote is text
  * here, never HTML. It stays until the server has taken it.
  */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 
 /** What a scene's file may have, see `Scene`. */
@@ -23,7 +23,7 @@ function labelled(label, field, longest) {
 }
 
 /** Which scene is open, as the server counts them. */
-const opening = () => `${told().page}.${told().scene}`;
+const opening = () => `${pageState().page}.${pageState().scene}`;
 
 /** Begins to listen to the button below the description. */
 export function addTexts() {
@@ -63,7 +63,7 @@ export function addTexts() {
   };
   const open = () => {
     of = opening();
-    name.value = told().title ?? "";
+    name.value = pageState().title ?? "";
     description.value = document.querySelector("#softrod-about > p")?.textContent ?? "";
     refused.textContent = "";
     look();
@@ -85,11 +85,11 @@ export function addTexts() {
     event.preventDefault();
     close();
   });
-  onTold("textsTaken", (letter) => {
+  onMessage("textsTaken", (letter) => {
     refused.textContent = letter.refused;
     if (letter.refused) name.focus();
     else close();
   });
-  onTold("pageState", () => of && of !== opening() && close());
+  onMessage("pageState", () => of && of !== opening() && close());
   setInterval(look, LOOK_EVERY);
 }

@@ -9,7 +9,7 @@
  * @typedef {import("../../ui/viser/viser.js").Renderer} Renderer
  */
 import { hold } from "../../stage/canvas.js";
-import { told } from "../../wire/channel.js";
+import { pageState } from "../../wire/channel.js";
 import { SVG } from "../../stage/svg.js";
 import { timeNow } from "../../ui/clock.js";
 import { viser } from "../../ui/viser/viser.js";
@@ -173,7 +173,7 @@ async function picture() {
   to.globalAlpha = 1;
   to.fillStyle = color("text");
   to.font = "600 18px system-ui, sans-serif";
-  to.fillText(told().title ?? "", 18, 32);
+  to.fillText(pageState().title ?? "", 18, 32);
   to.font = "14px system-ui, sans-serif";
   to.fillText(`t = ${time.toFixed(2)} s`, 18, 54);
   return result;
@@ -191,7 +191,7 @@ export async function takePicture() {
     if (!file) throw new Error("the picture could not be packed");
     const link = document.createElement("a");
     link.href = URL.createObjectURL(file);
-    link.download = `${(told().title ?? "").replace(/[^\p{L}\p{N} ._-]+/gu, "-").slice(0, 80) || "softrod"}.png`;
+    link.download = `${(pageState().title ?? "").replace(/[^\p{L}\p{N} ._-]+/gu, "-").slice(0, 80) || "softrod"}.png`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
   } finally {

@@ -45,9 +45,9 @@ class Sharing:
             scene = self._session.snapshot(self._session.scene.name, ask.pose)
             link = self._link(scene, ask)
         except (InputError, SceneError) as error:
-            self._mail.tell(Link(problem=str(error)))
+            self._mail.send(Link(problem=str(error)))
             return
-        self._mail.tell(Link(link=link, qr=qr_code(link) if len(link) <= MAX_IN_QR else ""))
+        self._mail.send(Link(link=link, qr=qr_code(link) if len(link) <= MAX_IN_QR else ""))
 
     def _link(self, scene: Scene, ask: Share) -> str:
         base, controls = self._for_others(ask.page), _controls(scene, ask.controls)

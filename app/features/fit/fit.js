@@ -3,7 +3,7 @@
  * The places that a table says masses were at: all of them pale, and those of the time that is shown. After a fit, pale
  * bodies besides, which go with the table about as well.
  */
-import { onTold } from "../../wire/channel.js";
+import { onMessage } from "../../wire/channel.js";
 import { onMarksRedraw, redrawMarks } from "../../stage/sight.js";
 import { SVG } from "../../stage/svg.js";
 
@@ -90,11 +90,11 @@ function begin() {
     if (!any) svg.remove();
     redrawMarks();
   };
-  onTold("measured", (told) => {
+  onMessage("measured", (told) => {
     numbers = told.numbers;
     show();
   });
-  onTold("fan", (told) => {
+  onMessage("fan", (told) => {
     fan = told;
     show();
   });

@@ -5,7 +5,7 @@
  *
  * @typedef {import("../../wire/wire.js").Entry} Entry
  */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { copied } from "../files/share.js";
 import { make, makeButton, makeDialog } from "../../ui/dialog.js";
 import { isDark } from "../../ui/viser/widgets.js";
@@ -260,23 +260,23 @@ function begin() {
     }
   });
   Object.assign(gallery, { open: show, say, close: () => dialog.open && close() });
-  onTold("offerGallery", ({ why }) => {
+  onMessage("offerGallery", ({ why }) => {
     show();
     if (why) say(why);
   });
-  onTold("shelfChanged", () => dialog.open && list());
-  onTold("scenes", (letter) => {
+  onMessage("shelfChanged", () => dialog.open && list());
+  onMessage("scenes", (letter) => {
     ({ scenes: entries, present, teaches } = letter);
     if (dialog.open) build();
   });
-  onTold("scenePictures", (letter) => {
+  onMessage("scenePictures", (letter) => {
     Object.assign(pictures, letter.pictures);
     for (const row of /** @type {NodeListOf<HTMLElement>} */ (cards.querySelectorAll(".softrod-card"))) {
       const [image, source] = [row.querySelector("img"), pictures[row.dataset.name ?? ""]];
       if (image && source && image.src !== source) image.src = source;
     }
   });
-  onTold("usedInClass", ({ address, command }) => {
+  onMessage("usedInClass", ({ address, command }) => {
     if (address) {
       location.assign(address);
       return;
@@ -290,7 +290,7 @@ function begin() {
     say("Only this computer reaches this server. A class that others can come to begins in a terminal:", field, copy);
     copy.focus();
   });
-  onTold("sceneChanged", ({ text, undo }) => {
+  onMessage("sceneChanged", ({ text, undo }) => {
     say(text, ...(undo ? [makeButton("Undo", () => send({ do: "changeScene", how: "restore", name: undo }))] : []));
     list();
   });

@@ -2,7 +2,7 @@
 /** Draws the arrows of forces, velocities and torques over the body, with what their lengths stand for. */
 import { arrow } from "../../stage/arrow_shapes.js";
 import * as arrows from "./arrows.js";
-import { onTold, told } from "../../wire/channel.js";
+import { onMessage, pageState } from "../../wire/channel.js";
 import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
 import { SVG } from "../../stage/svg.js";
 
@@ -109,7 +109,7 @@ export function addArrows() {
         set(words, { x: end - full - 8, y });
       }
       set(rim, { d: (body.getAttribute("d") ?? "") + (dashed.getAttribute("d") ?? "") });
-      const text = `${NAMES[kind]} ${roundText(unit)} ${unitOf(kind, told().unit ?? "")}`;
+      const text = `${NAMES[kind]} ${roundText(unit)} ${unitOf(kind, pageState().unit ?? "")}`;
       if (words.textContent !== text) words.textContent = text;
       y += LINE * height;
     });
@@ -117,7 +117,7 @@ export function addArrows() {
     if (settling) again = setTimeout(redrawMarks, AGAIN);
   };
 
-  onTold("arrows", ({ numbers }) => {
+  onMessage("arrows", ({ numbers }) => {
     if (numbers.length) series.take(arrows.readArrows(numbers));
     else series.kept = [];
     redrawMarks();

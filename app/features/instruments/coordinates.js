@@ -1,7 +1,7 @@
 // @ts-check
 /** Where a mass is and how fast, in a small label beside it: of the one under the pointer, or chosen. */
 import { onPicture } from "../../stage/canvas.js";
-import { told } from "../../wire/channel.js";
+import { pageState } from "../../wire/channel.js";
 import { chosenMass } from "../../stage/overlay.js";
 import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
 import { SVG } from "../../stage/svg.js";
@@ -66,7 +66,7 @@ export function addCoordinates() {
     const [x, y] = [places[2 * mass], places[2 * mass + 1]];
     const radius = plan.radius[mass] * on.step;
     const height = 1.3 * parseFloat(getComputedStyle(svg).fontSize);
-    const unit = told().unit ?? "";
+    const unit = pageState().unit ?? "";
     /** @param {number} value */
     const digits = (value) => value.toFixed(Math.abs(value) < 10 ? 2 : 1);
     const speed = speedOf(before, frame, mass);

@@ -15,7 +15,7 @@
  * @property {(kept: Kept, seen: Sight, places: Place[], size: number) => string} draw at the places of its points,
  *   with text of so many pixels; returns what it reads
  */
-import { told } from "../../wire/channel.js";
+import { pageState } from "../../wire/channel.js";
 import { protractorReading, rulerReading, strokes, watchReading } from "./shapes.js";
 import { SVG } from "../../stage/svg.js";
 import { timeNow } from "../../ui/clock.js";
@@ -119,7 +119,7 @@ function ruler(group) {
       put(grips[0], beyond(a, way, -AWAY));
       put(grips[1], beyond(b, way, AWAY));
       const { length, dx, dy } = rulerReading(a, b, scale, plan.flip);
-      const unit = told().unit ?? "";
+      const unit = pageState().unit ?? "";
       const lines = [`${digits(length)} ${unit}`, `Δx ${digits(dx)}  Δy ${digits(dy)}`];
       write(words, lines, beyond({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }, normal, STRIP + size), normal, size);
       grips.forEach((each, i) => set(each, { "aria-label": named(kept, i) }));

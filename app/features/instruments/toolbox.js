@@ -11,7 +11,7 @@
  */
 import { NAMES, newFace } from "./faces.js";
 import * as shapes from "./shapes.js";
-import { has, onTold } from "../../wire/channel.js";
+import { has, onMessage } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { printed } from "../../ui/hands/key_table.js";
 import { isFree } from "../../ui/hands/keys.js";
@@ -252,7 +252,7 @@ export function addInstruments() {
     box.offer(isOffered);
     svg.style.display = isOffered ? "" : "none";
   };
-  onTold("pageState", show);
+  onMessage("pageState", show);
   show();
   for (const { kind, points, watch } of shapes.restored(kept(STORED))) lay(kind, points, watch);
   seen = sight();

@@ -1,6 +1,6 @@
 // @ts-check
 /** What is measured on the canvas, as the switches of the Measure tab (panel.py) have it. */
-import { onTold } from "../../wire/channel.js";
+import { onMessage } from "../../wire/channel.js";
 
 /** @typedef {import("../../wire/wire.js").Tools} Tools */
 
@@ -17,7 +17,7 @@ export const onTools = (listener) => listeners.push(listener);
 
 /** Begins to hear of them. */
 export const hearTools = () =>
-  onTold("tools", (told) => {
+  onMessage("tools", (told) => {
     state = told;
     for (const call of listeners) call();
   });

@@ -1,6 +1,6 @@
 // @ts-check
 /** The paths of some masses during the last seconds, made of the positions that the page shows anyway. */
-import { onTold, told } from "../../wire/channel.js";
+import { onMessage, pageState } from "../../wire/channel.js";
 import { onFrame, shown } from "../../stage/canvas.js";
 import { onMarksRedraw, redrawMarks } from "../../stage/sight.js";
 import { SVG } from "../../stage/svg.js";
@@ -134,14 +134,14 @@ export function addTraces() {
       });
     }
   };
-  let body = told().scene;
-  onTold("pageState", () => {
-    const now = told().scene;
+  let body = pageState().scene;
+  onMessage("pageState", () => {
+    const now = pageState().scene;
     if (now !== body) for (const mass of [...traces.keys()]) end(mass);
     body = now;
   });
   onTools(follow);
   onFrame(take);
   onMarksRedraw(draw);
-  setInterval(() => traces.size && told().rest && redrawMarks(), FADE_EVERY);
+  setInterval(() => traces.size && pageState().rest && redrawMarks(), FADE_EVERY);
 }

@@ -4,7 +4,7 @@
  * answered. Then it is tried: what to do and what to watch. What is right is told last, when the user asks for it.
  * How far the lesson is outlives a reload.
  */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { perform } from "../../wire/perform.js";
 import { kept, store } from "../../ui/kept/storage.js";
@@ -80,7 +80,7 @@ function tell() {
  * the middle of.
  */
 function beginPresent() {
-  const { page, scene, lesson } = told();
+  const { page, scene, lesson } = pageState();
   const opening = `${page}.${scene}`;
   // Its tab is not there while it is being made.
   if (page && lesson === undefined) begunIn = "";
@@ -149,8 +149,8 @@ function startOver() {
 function begin() {
   card = make("section", "softrod-lesson");
   card.ariaLabel = "Lesson";
-  onTold("lesson", take);
-  onTold("pageState", beginPresent);
+  onMessage("lesson", take);
+  onMessage("pageState", beginPresent);
   setInterval(() => {
     const place = document.getElementById("softrod-lesson");
     if (card && place && card.parentElement !== place) place.replaceChildren(card);

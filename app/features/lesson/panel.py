@@ -64,7 +64,7 @@ class LessonPanel:
             self._text.content = PLACE if lesson else ""
         if lesson is not None:
             steps = (LessonStep(step.title, step.do, step.watch, step.question) for step in lesson.steps)
-            self._page.mail.tell(LessonState(steps=tuple(steps)))
+            self._page.mail.send(LessonState(steps=tuple(steps)))
         wishes = tuple(map(wish_of, (self.step.plots or ()) if self.step else ()))
         if wishes != self.plots.wishes:
             self.plots.remember(wishes)

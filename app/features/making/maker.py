@@ -111,10 +111,10 @@ class LessonMaker:
         steps = scene.lesson.steps if scene.lesson is not None and self._open else ()
         if steps is not self._steps:
             self._steps, self._begins = steps, tuple(in_words(scene, step.settings) for step in steps)
-        self._mail.tell(LessonForm(open=self._open, trying=self._trying, steps=steps, begins=self._begins))
+        self._mail.send(LessonForm(open=self._open, trying=self._trying, steps=steps, begins=self._begins))
         if self._page.makes_lesson and self._session.now() >= self._due:
             self._due = self._session.now() + OFFERED_EVERY
-            self._mail.tell(self._offers())
+            self._mail.send(self._offers())
 
     # --------------------------------------------------------------------- inside
     def _show(self, on: bool) -> None:
@@ -213,7 +213,7 @@ class LessonMaker:
             sentence = re.sub(r"^[a-z]+ ", lambda first: first[0].capitalize(), f"{match[2]}.")  # no name
             if not part:
                 self._page.notify(Notice("error", "That cannot be done", sentence))
-        self._mail.tell(LessonTaken(step=step, part=part, field=field, refused=sentence))
+        self._mail.send(LessonTaken(step=step, part=part, field=field, refused=sentence))
 
     def _offers(self) -> LessonOffers:
         session, measured = self._session, self._measured()

@@ -3,7 +3,7 @@
  * The form in which the scene's lesson is made, beside the body: its steps in order, and the fields of the one that is
  * chosen. The lesson is the server's, with undo; the form shows what the server has.
  */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { make, makeButton } from "../../ui/dialog.js";
@@ -199,7 +199,7 @@ function begin() {
     if (some && offers) fields.show(steps[at], at, begins[at] ?? "", offers);
   };
 
-  onTold("lessonForm", (now) => {
+  onMessage("lessonForm", (now) => {
     const was = form;
     form = now;
     store(NAME, now.open ? "1" : "");
@@ -217,21 +217,21 @@ function begin() {
     if (now.open && !was.open) at = 0;
     if (shows) show();
   });
-  onTold("lessonOffers", (now) => {
+  onMessage("lessonOffers", (now) => {
     offers = now;
     if (box.parentNode) show();
   });
-  onTold("lessonTaken", (taken) => {
+  onMessage("lessonTaken", (taken) => {
     if (taken.step === at || taken.step < 0) fields.hear(taken);
     else if (taken.refused) said.textContent = `Step ${taken.step + 1}: ${taken.refused} It stays as it was.`;
   });
-  onTold("versions", (versions) => {
+  onMessage("versions", (versions) => {
     undo.disabled = !versions.undo;
     redo.disabled = !versions.redo;
     undo.title = versions.undo ? `Undo: ${versions.undo}` : "Nothing to undo";
     redo.title = versions.redo ? `Redo: ${versions.redo}` : "Nothing to redo";
   });
-  onTold("link", ({ link }) => {
+  onMessage("link", ({ link }) => {
     if (!wantsPhone || !link) return;
     wantsPhone = false;
     // By this page's own address, and without what this window has kept.
@@ -240,7 +240,7 @@ function begin() {
   });
   // After a reload or an outage the server has another page, which knows of no form.
   let page = "";
-  onTold("pageState", (state) => {
+  onMessage("pageState", (state) => {
     if (state.page === page) return;
     page = state.page;
     if (kept(NAME) === "1") send({ do: "makeLesson", on: true });

@@ -3,7 +3,7 @@
  * Shows the Measure tab when the server asks for it, since viser has no way to turn to a tab, and tells the server
  * whether anybody sees the plots, which are not sent otherwise.
  */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { readPhases } from "./phase.js";
 import { tabOf } from "../../ui/viser/widgets.js";
 
@@ -17,9 +17,9 @@ const titles = () => [...document.querySelectorAll(".softrod-plot-title")];
 function begin() {
   readPhases();
   // Legends of plots then read what is ahead, too.
-  onTold("pageState", ({ scrubbed = false }) => document.documentElement.toggleAttribute("data-softrod-past", scrubbed));
-  onTold("showMeasures", () => {
-    const { measuring = "" } = told();
+  onMessage("pageState", ({ scrubbed = false }) => document.documentElement.toggleAttribute("data-softrod-past", scrubbed));
+  onMessage("showMeasures", () => {
+    const { measuring = "" } = pageState();
     const count = titles().length;
     const tab = measuring && tabOf(measuring);
     if (!(tab instanceof HTMLElement)) return;
@@ -48,8 +48,8 @@ function tellWhetherSeen() {
   /** @type {"measure" | "lesson" | "" | null} */
   let said = null;
   setInterval(() => {
-    if (told().page !== page) {
-      page = told().page;
+    if (pageState().page !== page) {
+      page = pageState().page;
       said = null;
     }
     // What is in a tab that is not shown, or in a folded panel, has no place on the screen.

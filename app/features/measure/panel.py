@@ -134,7 +134,7 @@ class MeasurePanel:
     # --------------------------------------------------------------------- plots
     def _add_chosen(self) -> None:
         over = self._over.value
-        self._page.mail.tell(ShowMeasures())
+        self._page.mail.send(ShowMeasures())
         self.plots.add(Wish((self._chosen,), "" if over == TIME else over))
 
     def plot_angle(self) -> None:
@@ -143,7 +143,7 @@ class MeasurePanel:
         if not session.scene.angular_springs:
             self._page.notify(Notice("warning", "Nothing to plot", "This scene has no joints."))
             return
-        self._page.mail.tell(ShowMeasures())
+        self._page.mail.send(ShowMeasures())
         wish = Wish((f"joint{session.joint}.angle",))
         if wish not in self.plots.wishes:
             self.plots.add(wish)

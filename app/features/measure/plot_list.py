@@ -268,7 +268,7 @@ class PlotList:
         # At the moments that there are: between two of them nobody knows.
         places = np.minimum(np.searchsorted(rows[:, 0], times), len(rows) - 1)
         values = tuple(float(v) if np.isfinite(v) else None for v in rows[places, 1])
-        self._page.mail.tell(Melody(name=quantity.name, unit=quantity.unit, values=values))
+        self._page.mail.send(Melody(name=quantity.name, unit=quantity.unit, values=values))
 
     # --------------------------------------------------------------------- drawing
     def _show(self, shown: _Shown, reads: bool) -> None:

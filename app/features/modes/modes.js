@@ -7,7 +7,7 @@ import { addGhost } from "./ghost.js";
 import { listenToMelodies } from "./melody.js";
 import { few, percent, readLevels, readShapes } from "./shapes.js";
 import { addSound, toggleSound } from "./sound.js";
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { makeStrip } from "../../ui/strip.js";
@@ -75,7 +75,7 @@ function begin() {
   /** Its amplitude; what cannot be seen is none. @param {number} i */
   const inUnits = (i) => {
     const full = modes.full?.[i] ?? 0;
-    return `${amplitude(i) < 1e-3 * full ? 0 : few(amplitude(i), 2)} ${told().unit ?? ""}`;
+    return `${amplitude(i) < 1e-3 * full ? 0 : few(amplitude(i), 2)} ${pageState().unit ?? ""}`;
   };
   /** @param {number} i */
   const inWords = (i) => {
@@ -287,7 +287,7 @@ function begin() {
     tellLooked();
   };
 
-  onTold("modes", (now) => {
+  onMessage("modes", (now) => {
     modes = now;
     const on = now.on ?? false;
     if (strip.hidden === on) {
@@ -301,11 +301,11 @@ function begin() {
     look();
     drawLevels();
   });
-  onTold("modeShapes", ({ numbers }) => {
+  onMessage("modeShapes", ({ numbers }) => {
     shapes = readShapes(numbers);
     look();
   });
-  onTold("modeLevels", ({ numbers }) => {
+  onMessage("modeLevels", ({ numbers }) => {
     levels = readLevels(numbers);
     sound.hear(levels);
     drawLevels();

@@ -5,7 +5,7 @@
  * muscles for the first time.
  */
 import { onPicture, shown } from "../../stage/canvas.js";
-import { has, onTold, send, told } from "../../wire/channel.js";
+import { has, onMessage, pageState, send } from "../../wire/channel.js";
 import { change, editing, onEditing } from "../edit/editing.js";
 import { beatsAt, countMuscles } from "../../stage/swing.js";
 import { make, makeButton } from "../../ui/dialog.js";
@@ -302,7 +302,7 @@ function makeStrip() {
     ({ selected, on } = editing);
     drawMarks();
   });
-  setInterval(() => told().rest && !strip.hidden && drawNow(), CLOCK_EVERY);
+  setInterval(() => pageState().rest && !strip.hidden && drawNow(), CLOCK_EVERY);
   const canvas = viser()?.canvas?.getBoundingClientRect();
   setOpen(!canvas || floorOf(canvas) - canvas.top + strip.offsetHeight >= LOW);
   return {
@@ -343,7 +343,7 @@ function begin() {
     strip?.drawNow();
   };
   onPicture(look);
-  onTold("pageState", look);
+  onMessage("pageState", look);
 }
 
 /** @type {import("../../ui/feature.js").Feature<"muscles">} */

@@ -3,7 +3,7 @@
 import { FRACTIONS, SPEEDS } from "../../stage/looks.js";
 import { onPicture } from "../../stage/canvas.js";
 import { nextStep, timeNow } from "../../ui/clock.js";
-import { has, onTold, send, told } from "../../wire/channel.js";
+import { has, onMessage, pageState, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { perform } from "../../wire/perform.js";
@@ -82,7 +82,7 @@ function speedBox() {
     if (!select.matches(":focus-visible")) select.blur();
   });
   const show = () => {
-    const { speed = 1 } = told();
+    const { speed = 1 } = pageState();
     if (document.activeElement !== select) select.value = String(speed);
   };
   return { element: select, show };
@@ -110,7 +110,7 @@ function timeSlider() {
   slider.addEventListener("change", () => (held = false));
   /** @param {number} now */
   const show = (now) => {
-    const { start = 0, end = 0, scrubbed } = told();
+    const { start = 0, end = 0, scrubbed } = pageState();
     const last = scrubbed ? end : Math.max(end, now);
     slider.min = String(start);
     slider.max = String(Math.max(last, start + 1e-3));
@@ -130,7 +130,7 @@ function offers() {
   const forget = offerButton("forget");
   line.append(before, past, forget);
   const show = () => {
-    const { offer, future } = told();
+    const { offer, future } = pageState();
     before.hidden = !offer;
     forget.hidden = !future;
     past.textContent = future ? "The thin line is what happened before you went back." : "";
@@ -163,17 +163,17 @@ function begin() {
 
   const show = () => {
     const now = timeNow();
-    const past = told().scrubbed;
+    const past = pageState().scrubbed;
     clock.textContent = `${now.toFixed(2)} s`;
     time.show(now);
-    dress(play, told().playing ? FACES.pause : past ? FACES.goOn : FACES.play);
+    dress(play, pageState().playing ? FACES.pause : past ? FACES.goOn : FACES.play);
     dress(forward, past ? FACES.forward : FACES.step);
     speed.show();
     line.show();
   };
   onPicture(show);
-  setInterval(() => told().rest && show(), CLOCK_EVERY);
-  onTold("pageState", () => {
+  setInterval(() => pageState().rest && show(), CLOCK_EVERY);
+  onMessage("pageState", () => {
     document.documentElement.toggleAttribute("data-softrod-no-time", !has("play"));
     show();
   });

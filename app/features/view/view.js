@@ -2,7 +2,7 @@
 /** The View menu over the bar of time: how the page looks, and the help. */
 import { fit } from "../../stage/camera.js";
 import { isChasing, toggleChase } from "../../stage/chase.js";
-import { has, onTold, told } from "../../wire/channel.js";
+import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
@@ -23,8 +23,8 @@ const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 
 const ENTRIES = [
   { name: "dark", part: "view", on: isDark },
   { name: "larger", part: "view", on: isProjector },
-  { name: "meter", part: "view", on: () => told().meter ?? false },
-  { name: "gizmos", part: "view", on: () => told().gizmos ?? false },
+  { name: "meter", part: "view", on: () => pageState().meter ?? false },
+  { name: "gizmos", part: "view", on: () => pageState().gizmos ?? false },
   { name: "modes", part: "modes", on: () => document.documentElement.hasAttribute("data-softrod-modes") },
   { name: "chase", part: "view", on: isChasing },
   { name: "fit", part: "view" },
@@ -95,7 +95,7 @@ function addMenu() {
   element.addEventListener("focusout", ({ relatedTarget }) => {
     if (!(relatedTarget instanceof Node && element.contains(relatedTarget))) open(false);
   });
-  onTold("pageState", () => (element.hidden = !has("view") && !has("modes") && !has("help")));
+  onMessage("pageState", () => (element.hidden = !has("view") && !has("modes") && !has("help")));
   onMarksRedraw(({ box, floor }) => {
     element.classList.toggle("softrod-words", hasWords(box));
     element.style.right = `${window.innerWidth - box.right + 14}px`;

@@ -81,7 +81,7 @@ class Answers:
             if kept := keeping.decode(letters):
                 self._resume(kept)
             else:
-                self._page.mail.tell(Resumed())  # as far as it can be
+                self._page.mail.send(Resumed())  # as far as it can be
 
     def _verb(self, kind: str) -> str:
         """What is done with long texts of a kind."""

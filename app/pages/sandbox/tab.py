@@ -177,10 +177,10 @@ class Tab:
 
     def probe(self) -> Probe:
         """What is so now, for a test; any thread may look, once there is a session."""
-        page, hud = self._page, self._mail.told(Hud)
+        page, hud = self._page, self._mail.last_sent(Hud)
         return Probe(
             generation=self._generation,
-            state=self._mail.told(PageState),
+            state=self._mail.last_sent(PageState),
             hud=hud.html if hud is not None else "",
             looks=page.looks,
             controls=page.controls.names,
@@ -233,7 +233,7 @@ class Tab:
         if does in ("edit", "own"):
             return
         if does == "page":
-            self._mail.tell(Run(command=command))
+            self._mail.send(Run(command=command))
         elif callable(does):
             owner = next(one for one in self._features if command in one.commands)
             self._requests.add(lambda now: does(now, owner))
@@ -514,7 +514,7 @@ class Tab:
                 for feature in self._features:
                     feature.refresh()
                 colors, looks = palette(session.scene.view.colors, self._page.looks.dark), self._page.looks
-                self._mail.tell(Hud(html=readouts.hud(session, colors, at_rest, looks.meter)))
+                self._mail.send(Hud(html=readouts.hud(session, colors, at_rest, looks.meter)))
         return Drawn(self._view.plan_number, now, exactly=changed or not running)
 
     def _set_state(self, playing: bool) -> None:
@@ -549,7 +549,7 @@ class Tab:
             measuring=element_id(measures) if measures is not None else "",
             lesson=session.lesson_begun if self._has_lesson else None,
         )
-        self._mail.tell(state)
+        self._mail.send(state)
 
     def _apply_looks(self) -> None:
         """Show how the page is to look."""

@@ -4,7 +4,7 @@
  * choose a mass, Space takes hold of it and lets go, and the arrows then move it. A live region says what happened.
  */
 import { onPicture, shown } from "../../stage/canvas.js";
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { choose, chosenMass } from "../../stage/overlay.js";
 import { freeHand, freshHand, handAt } from "./hands.js";
 import { ARROWS } from "./key_table.js";
@@ -100,9 +100,9 @@ export function addBodyKeys() {
     event.stopPropagation();
   });
 
-  let before = told();
-  onTold("pageState", () => {
-    const now = told();
+  let before = pageState();
+  onMessage("pageState", () => {
+    const now = pageState();
     stop.ariaLabel = `Body of ${shown().plan?.radius.length ?? 0} masses`;
     if (before.scene !== undefined && now.scene !== before.scene) {
       letGo();

@@ -4,7 +4,7 @@
  * told to the server at every animation frame while it matters.
  */
 import { shown } from "../../stage/canvas.js";
-import { send, told } from "../../wire/channel.js";
+import { pageState, send } from "../../wire/channel.js";
 import { editing } from "../../features/edit/editing.js";
 import { areFree, freeHand, freshHand, handAt } from "./hands.js";
 import { nearest, onScreen, wireNumber, screen, worldAt } from "../../stage/screen.js";
@@ -66,7 +66,7 @@ function report() {
     hold.told = true;
   }
   // That of a free hand is followed without a button.
-  const point = pointer && areFree() && told().follow ? pointAt(pointer) : null;
+  const point = pointer && areFree() && pageState().follow ? pointAt(pointer) : null;
   if (point) hands.push(handAt(0, point));
   if (hands.length) send({ do: "at", hands });
 }
@@ -126,7 +126,7 @@ function move(event) {
   if (event.buttons === 0 && event.pointerType !== "touch") {
     document.documentElement.toggleAttribute("data-softrod-near", massAt(at, event.pointerType) >= 0);
   }
-  if (told().follow) reportSoon();
+  if (pageState().follow) reportSoon();
 }
 
 /** @param {PointerEvent} event */

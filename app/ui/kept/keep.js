@@ -3,7 +3,7 @@
  * What survives a reload, a lost connection and a restart of the server: the tab's own storage keeps what the
  * server says of the session now and then, and every new connection gets it back.
  */
-import { onTold, told } from "../../wire/channel.js";
+import { onMessage, pageState } from "../../wire/channel.js";
 import { sendParts } from "./links.js";
 import { kept, store } from "./storage.js";
 
@@ -50,12 +50,12 @@ export async function packed(data) {
 export function resume(then) {
   /** @type {string | undefined} */
   let page;
-  onTold("resumed", () => (due = null));
+  onMessage("resumed", () => (due = null));
   // Unless the server knows nothing yet of what was kept before.
-  onTold("keepsake", ({ kept }) => due || store(NAME, kept));
-  onTold("pageState", async () => {
-    if (told().page === page) return;
-    const mine = (page = told().page);
+  onMessage("keepsake", ({ kept }) => due || store(NAME, kept));
+  onMessage("pageState", async () => {
+    if (pageState().page === page) return;
+    const mine = (page = pageState().page);
     if (!mine) return;
     if (due) {
       const letters = await packed(due);

@@ -70,7 +70,7 @@ class Keeper:
             pasts.keep(undo, session.versions)
         made = session.keepsake()
         if not self._store(made):
-            page.mail.tell(Keepsake(kept=keeping.encode(made, page.looks, plots, undo).decode()))
+            page.mail.send(Keepsake(kept=keeping.encode(made, page.looks, plots, undo).decode()))
         self.kept, self._scene = state, scene
         wait = (time.thread_time() - began) / MAX_SHARE
         self._due = now + min(max(MIN_INTERVAL, wait), MAX_INTERVAL)
@@ -83,7 +83,7 @@ class Keeper:
             text = "What was changed before the connection was lost can no longer be undone."
             page.notify(Notice("info", "Undo starts afresh", text))
         page.session.post(commands.Resume(bytes(kept.session), versions))
-        page.mail.tell(Resumed())
+        page.mail.send(Resumed())
         self.kept = None
         for look in kept.looks.__struct_fields__:
             page.set_look(look, getattr(kept.looks, look))

@@ -4,7 +4,7 @@
  * it is read in the page, and the address is given back without it: a reload then goes on with what is kept.
  */
 import { LINK_PATH } from "../../stage/looks.js";
-import { send, told } from "../../wire/channel.js";
+import { pageState, send } from "../../wire/channel.js";
 
 /** The end of such a link's path; the page itself may be in a folder. */
 const PATH = new RegExp(`${LINK_PATH}$`);
@@ -53,7 +53,7 @@ export function sendParts(kind, letters) {
 
 /** Has the server open the link that the page was opened with, if there is a connection. */
 export function openLink() {
-  if (!due || !told().page) return;
+  if (!due || !pageState().page) return;
   sendParts("link", due);
   due = "";
 }

@@ -4,7 +4,7 @@
  * that. It also says why the page cannot work, with nothing under it.
  */
 import { onPicture } from "../../stage/canvas.js";
-import { onTold, told } from "../../wire/channel.js";
+import { onMessage, pageState } from "../../wire/channel.js";
 
 /** Pictures of the screen that viser needs to put up the panel of which the page was told. */
 const SETTLING = 4;
@@ -60,11 +60,11 @@ export function endLoading() {
   let left = SETTLING;
   const settle = () => (left-- > 0 ? requestAnimationFrame(settle) : box()?.remove());
   const look = () => {
-    if (left === SETTLING && pictured && told().page) settle();
+    if (left === SETTLING && pictured && pageState().page) settle();
   };
   onPicture(() => {
     pictured = true;
     look();
   });
-  onTold("pageState", look);
+  onMessage("pageState", look);
 }
