@@ -20,11 +20,11 @@ from ..stage import sketch
 from ..wire.carrier import Mail
 from .commands import Row
 from .controls import ALL, Controls
-from .kept.keeping import PLAIN, Looks
+from .kept.keeping import DEFAULT_LOOKS, Looks
+from .queues import BoundedQueue
 from .shelf import Shelf
 from .viser.comma_switch import CommaSwitch
 from .viser.handlers import on_press
-from .waiting import Waiting
 
 _F = TypeVar("_F")
 
@@ -82,7 +82,7 @@ class Page:
     shelf: Shelf
     commands: Mapping[str, Row] = field(default_factory=dict)
     controls: Controls = ALL
-    looks: Looks = PLAIN
+    looks: Looks = DEFAULT_LOOKS
     plots: list[Plots] = field(default_factory=list)
     features: tuple[object, ...] = ()
     soon: Callable[[Callable[[], object]], object] = lambda act: act()
@@ -94,12 +94,12 @@ class Page:
     take_tables: Callable[[tuple[Measurement, ...]], None] | None = None
     mapping: sketch.Mapping = field(init=False)
     commas: CommaSwitch = field(init=False)
-    _asked: Waiting[Callable[[], object]] = field(init=False)
+    _asked: BoundedQueue[Callable[[], object]] = field(init=False)
 
     def __post_init__(self) -> None:
         self.mapping = sketch.Mapping.of(self.session.scene)
         self.commas = CommaSwitch(self._set_commas)
-        self._asked = Waiting(self.notify)
+        self._asked = BoundedQueue(self.notify)
 
     @property
     def has_lesson(self) -> bool:

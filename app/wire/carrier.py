@@ -1,4 +1,4 @@
-"""Carries messages between page and server, each inside one of viser's, see `app.viser_inside.SoftrodMessage`."""
+"""Carries messages between page and server, each inside a `app.viser_inside.SoftrodMessage`."""
 
 from __future__ import annotations
 

@@ -14,8 +14,8 @@ from typing import Any
 
 from msgspec import inspect as types_of
 
-from app.pages.sandbox.answers import VERBS
 from app.pages.sandbox.features import COMMANDS, FEATURES
+from app.pages.sandbox.requests import VERBS
 from app.ui.commands import key_lines
 from app.ui.feature import Feature
 from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages

@@ -15,11 +15,10 @@ from app.features.edit.feature import EditFeature
 from app.features.files.feature import FilesFeature
 from app.features.files.panel import open_file
 from app.features.gallery.messages import ListScenes
-from app.pages.sandbox import answers
-from app.pages.sandbox.answers import InOrder
+from app.pages.sandbox import requests
 from app.session.notices import Notice
-from app.ui import controls
-from app.ui.waiting import MOST, TOO_MUCH, Waiting
+from app.ui import controls, queues
+from app.ui.queues import MAX_WAITING, TOO_MUCH, BoundedQueue, SerialQueue
 from app.wire.from_page import Part, Unread, Unsent
 from app.wire.messages import Ask
 from app.wire.to_page import Resumed
@@ -39,14 +38,14 @@ def wait(event: threading.Event) -> None:
 
 
 def test_requests_of_a_page_are_done_one_after_the_other() -> None:
-    line, done, go, end = InOrder(print), list[int](), threading.Event(), threading.Event()
+    line, done, go, end = SerialQueue(print), list[int](), threading.Event(), threading.Event()
     line.submit(wait, go)
-    for number in range(MOST - 1):
+    for number in range(MAX_WAITING - 1):
         line.submit(done.append, number)
     line.submit(end.set)
     go.set()
     assert end.wait(LIMIT)
-    assert done == list(range(MOST - 1))
+    assert done == list(range(MAX_WAITING - 1))
 
 
 def fail() -> None:
@@ -55,7 +54,7 @@ def fail() -> None:
 
 
 def test_a_request_that_fails_does_not_stop_those_after_it(caplog: pytest.LogCaptureFixture) -> None:
-    line, end = InOrder(print), threading.Event()
+    line, end = SerialQueue(print), threading.Event()
     line.submit(fail)
     line.submit(end.set)
     assert end.wait(LIMIT)
@@ -67,8 +66,8 @@ def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_othe
 ) -> None:
     told: list[Notice] = []
     line, others, busy, go, end = (
-        InOrder(told.append),
-        InOrder(told.append),
+        SerialQueue(told.append),
+        SerialQueue(told.append),
         threading.Event(),
         threading.Event(),
         threading.Event(),
@@ -78,15 +77,15 @@ def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_othe
     line.submit(wait, go)
     assert busy.wait(LIMIT)
     with monkeypatch.context() as patch:
-        patch.setattr(answers.beside, "submit", lambda *_: pytest.fail("it takes more of the threads' room"))
-        for number in range(10 * MOST):
+        patch.setattr(queues.threads, "submit", lambda *_: pytest.fail("it takes more of the threads' room"))
+        for number in range(10 * MAX_WAITING):
             line.submit(done.append, number)
     others.submit(end.set)
     assert end.wait(LIMIT), "another page is answered meanwhile"
     go.set()
-    assert eventually(lambda: len(done) == MOST)
+    assert eventually(lambda: len(done) == MAX_WAITING)
     # What there was room for is done, and the rest is not left out without a word, nor with a hundred.
-    assert done == list(range(MOST))
+    assert done == list(range(MAX_WAITING))
     assert told == [TOO_MUCH]
     last = threading.Event()
     line.submit(last.set)
@@ -95,7 +94,7 @@ def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_othe
 
 def test_a_full_queue_says_so_once_until_it_is_empty() -> None:
     told: list[Notice] = []
-    queue: Waiting[int] = Waiting(told.append, 2)
+    queue: BoundedQueue[int] = BoundedQueue(told.append, 2)
     for _ in range(2):
         for number in range(5):
             queue.add(number)
@@ -107,13 +106,13 @@ def test_a_full_queue_says_so_once_until_it_is_empty() -> None:
 def test_texts_that_are_never_finished_are_bounded() -> None:
     page = Page()
     readers = (FilesFeature(page.page), EditFeature(page.page))
-    answering = answers.Answers(page.page, readers, print)
+    answering = requests.RequestHandler(page.page, readers, print)
     letters = "A" * 48_000
     for kind in ("resume", "link", "file", "paste"):
         for number in range(1, 99):
             answering.take(Part(kind, number, 99, letters))  # type: ignore[arg-type]
             held = sum(parts.size for parts in answering.unfinished)
-            assert held <= answers.MAX_UNFINISHED
+            assert held <= requests.MAX_UNFINISHED
     assert TOO_MUCH in page.notices
 
 
@@ -145,7 +144,7 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
         told.set()
 
     all_of_it = page_of(page.session, None, page.letters, notify)
-    answering = answers.Answers(all_of_it, (FilesFeature(all_of_it),), print)
+    answering = requests.RequestHandler(all_of_it, (FilesFeature(all_of_it),), print)
     answering.ask(message)
     assert told.wait(LIMIT)
     assert notices[0].title == title
@@ -154,7 +153,7 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
 
 def test_a_page_that_gives_back_nonsense_keeps_what_comes_after_it() -> None:
     page = Page()
-    answering = answers.Answers(page_of(page.session, None, page.letters), (), print)
+    answering = requests.RequestHandler(page_of(page.session, None, page.letters), (), print)
     answering.take(Part("resume", 1, 1, "bm9uc2Vuc2U="))
     assert page.letters.sent == [Resumed()]
 
@@ -173,7 +172,7 @@ def test_a_file_is_opened_where_there_is_a_share_tab_and_a_broken_one_is_told() 
         told.set()
 
     all_of_it = page_of(page.session, None, page.letters, notify)
-    answering = answers.Answers(all_of_it, (FilesFeature(all_of_it),), print)
+    answering = requests.RequestHandler(all_of_it, (FilesFeature(all_of_it),), print)
 
     def say(name: str, data: bytes) -> Part:
         return Part("file", 1, 1, packed(name, data))
