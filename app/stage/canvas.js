@@ -9,7 +9,7 @@
  * @typedef {import("./plan.js").Frame} Frame
  * @typedef {import("./draw.js").Instances} Instances
  */
-import * as draw from "./draw.js";
+import { NODES, toWorld } from "./draw.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "./plan.js";
 import { callAll, onMessage, receive, sendBy } from "../wire/channel.js";
 import { viser as current } from "../ui/viser/viser.js";
@@ -46,8 +46,6 @@ const listeners = [];
 let asked = false;
 /** Whether the picture that is shown stays. */
 let held = false;
-
-const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /** What is shown now. */
 export const shown = () => state;
@@ -111,24 +109,15 @@ function paint() {
  * @param {Plan} plan @param {Frame} frame @param {import("./plan.js").Damage} [damage]
  */
 function show(at, plan, frame, damage = UNHARMED) {
-  const world = draw.toWorld(plan, frame.positions);
-  const has = (/** @type {string} */ name) => owners.has(at + name);
-  /** @param {string} name @param {Instances} instances */
-  const put = (name, instances) => fill(at + name, instances);
-  if (has("halos")) put("halos", draw.muscles(plan, frame, world, true, damage, isStill()));
-  if (has("muscles")) put("muscles", draw.muscles(plan, frame, world, false, damage, isStill()));
-  put("springs", draw.springs(plan, frame, world, damage));
-  if (has("yielded")) put("yielded", draw.yielded(plan, world, damage));
-  put("wedges", draw.wedges(plan, frame, world, damage));
-  if (plan.pinned.length) put("pins", draw.pins(plan, world));
-  if (plan.driven >= 0) put("ring", draw.ring(plan, world));
-  put("masses", draw.masses(plan, world));
-  if (frame.ghost) put("ghost", draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage));
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const body = { plan, frame, world: toWorld(plan, frame.positions), damage, still };
+  for (const [name, { draw, has }] of Object.entries(NODES)) {
+    if (owners.has(at + name) && (has?.(body) ?? true)) fill(at + name, draw(body));
+  }
 }
 
 /** Fills a node with its instances; colours only when they changed. @param {string} node @param {Instances} instances */
 function fill(node, instances) {
-  if (!owners.has(node)) return;
   const { batched_colors: wanted, ...updates } = instances;
   const before = colors.get(node);
   if (wanted && !(before && before.length === wanted.length && wanted.every((value, i) => value === before[i]))) {

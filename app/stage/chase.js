@@ -8,7 +8,7 @@ import { onPicture, shown } from "./canvas.js";
 import { toWorld } from "./draw.js";
 import { kept, store } from "../ui/kept/storage.js";
 import { screen, worldAt } from "./screen.js";
-import { viser } from "../ui/viser/viser.js";
+import { canvasBox } from "../ui/viser/viser.js";
 
 const NAME = "softrod-chase";
 /** Seconds in which it makes up for most of a step, so that a trot does not shake it. */
@@ -40,7 +40,8 @@ function middleOf(plan, positions) {
 
 /** What is to be kept in view, in the page's world: in a race a place between both, but never far from the body. */
 function middle() {
-  const [{ frame, pictured: plan }, seen, box] = [shown(), screen(), viser()?.canvas?.getBoundingClientRect()];
+  const { frame, pictured: plan } = shown();
+  const [seen, box] = [screen(), canvasBox()];
   if (!frame || !plan || !seen || !box) return null;
   const own = middleOf(plan, frame.positions);
   const { x, y } = frame.second ? middleOf(plan, frame.second.positions) : own;
@@ -53,7 +54,7 @@ function middle() {
 function anchor() {
   gone = null;
   const { frame, pictured: plan } = shown();
-  const [seen, box] = [screen(), viser()?.canvas?.getBoundingClientRect()];
+  const [seen, box] = [screen(), canvasBox()];
   if (!on || !seen || !frame || !plan || !box) return;
   const at = middleOf(plan, frame.positions);
   const [x, y] = [seen.x + at.x * seen.step, seen.y - at.y * seen.step];

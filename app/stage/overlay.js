@@ -6,7 +6,7 @@ import { freePlace } from "./label.js";
 import { lengthText, roundDown, roundUp } from "./lengths.js";
 import { keepMarksDrawn, onMarksRedraw, redrawMarks } from "./sight.js";
 import { makeSvg, set } from "./svg.js";
-import { viser } from "../ui/viser/viser.js";
+import { viserCanvas } from "../ui/viser/viser.js";
 
 /** @typedef {import("./sight.js").Sight} Sight */
 
@@ -95,7 +95,7 @@ function hintMark(add) {
   const hint = add("text", "softrod-hint");
   hint.textContent = "drag me";
   /** @param {Event} event */
-  const pressed = (event) => event.target === viser()?.canvas && done();
+  const pressed = (event) => event.target === viserCanvas() && done();
   const done = () => {
     hint.remove();
     window.removeEventListener("pointerdown", pressed, true);

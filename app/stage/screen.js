@@ -1,25 +1,15 @@
 // @ts-check
 /** Between the scene, the page's world and the screen: the camera looks straight at the plane z = 0. */
-import { viser } from "../ui/viser/viser.js";
+import { project } from "../ui/viser/viser.js";
 
 /** @typedef {import("./environment.js").Screen} Screen */
 
 /** How the world lies on the screen now. @returns {Screen | null} */
 export function screen() {
-  const { canvas, camera, nodeRefFromName } = viser() ?? {};
-  const root = nodeRefFromName?.[""];
-  if (!canvas || !camera || !root) return null;
-  camera.updateMatrixWorld();
-  const box = canvas.getBoundingClientRect();
-  /** @param {number} x */
-  const project = (x) => {
-    const point = camera.position.clone().set(x, 0, 0).applyMatrix4(root.matrixWorld).project(camera);
-    return { x: box.left + ((point.x + 1) / 2) * box.width, y: box.top + ((1 - point.y) / 2) * box.height };
-  };
-  const [origin, one] = [project(0), project(1)];
-  const step = one.x - origin.x;
+  const [[x, y] = [NaN, NaN], [right] = [NaN]] = project([[0, 0, 0], [1, 0, 0]]);
+  const step = right - x;
   // At the very beginning the camera is not in its place.
-  return step > 0 && Number.isFinite(step + origin.x + origin.y) ? { ...origin, step } : null;
+  return step > 0 && Number.isFinite(step + x + y) ? { x, y, step } : null;
 }
 
 /**

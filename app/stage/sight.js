@@ -4,7 +4,7 @@ import { onFit } from "./camera.js";
 import { onPicture, shown } from "./canvas.js";
 import { callAll, onMessage } from "../wire/channel.js";
 import { onScreen, screen } from "./screen.js";
-import { viser } from "../ui/viser/viser.js";
+import { viserCanvas } from "../ui/viser/viser.js";
 
 /**
  * @typedef {import("./plan.js").Plan} Plan
@@ -69,7 +69,7 @@ export function floorOf(box) {
 export function sight(frame = shown().frame) {
   if (printing || matchMedia("print").matches) return null;
   const { pictured: plan } = shown();
-  const [on, canvas] = [screen(), viser()?.canvas];
+  const [on, canvas] = [screen(), viserCanvas()];
   if (!plan || frame?.generation !== plan.generation || !on || !canvas) return null;
   const box = canvas.getBoundingClientRect();
   return { plan, frame, on, places: onScreen(plan, frame.positions, on), box, floor: floorOf(box) };

@@ -10,7 +10,7 @@ import { sight } from "./sight.js";
 import { makeSvg, set } from "./svg.js";
 import { onScreen } from "./screen.js";
 import { timeNow } from "../ui/clock.js";
-import { viser } from "../ui/viser/viser.js";
+import { viser, viserCanvas } from "../ui/viser/viser.js";
 
 /** Milliseconds between two pictures of the wind around a body at rest, of which no frames come. */
 const DRIFT_EVERY = 40;
@@ -72,7 +72,7 @@ export function addUnderlay() {
   let before = null;
   const draw = () => {
     const { plan, frame } = shown();
-    const canvas = viser()?.canvas;
+    const canvas = viserCanvas();
     // The first picture of a new body, and what is told of it, may still be on their way.
     if (!canvas || !pageState().width || plan?.generation !== frame?.generation) return;
     const seen = sight(before?.generation === plan?.generation ? before : frame);

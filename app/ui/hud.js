@@ -4,14 +4,14 @@
  * it never covers.
  */
 import { onMessage } from "../wire/channel.js";
-import { viser } from "./viser/viser.js";
+import { viserCanvas } from "./viser/viser.js";
 
 /** @type {HTMLElement | null} */
 let hud = null;
 
 /** Puts the display behind viser's canvas, as soon as there is one. @param {HTMLElement} element */
 function putBehind(element) {
-  const canvas = viser()?.canvas;
+  const canvas = viserCanvas();
   if (canvas?.parentElement) canvas.parentElement.prepend(element);
   else requestAnimationFrame(() => putBehind(element));
 }

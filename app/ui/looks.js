@@ -1,8 +1,7 @@
 // @ts-check
 /** How the page looks: projector mode, and where buttons have room for words and for their lists. */
 import { kept, store } from "./kept/storage.js";
-import { viser } from "./viser/viser.js";
-import { frameOf, panelAt } from "./viser/widgets.js";
+import { markCanvas, panelAt } from "./viser/widgets.js";
 
 const NAME = "softrod-projector";
 /** Pixels of a window for which the panel has its usual size; in larger ones it grows with them. */
@@ -48,8 +47,7 @@ const enlarge = () => root().style.setProperty("--softrod-larger", larger().toFi
 /** viser leaves room for the panel beside the canvas by the width that this would have without being larger. */
 function keepRoom() {
   if (!root().classList.contains(NAME)) return;
-  const { canvas } = viser() ?? {};
-  if (canvas) frameOf(canvas)?.setAttribute("data-softrod", "canvas");
+  markCanvas();
   for (const side of ["left", "right"]) {
     const width = panelAt(side)?.getBoundingClientRect().width ?? 0;
     root().style.setProperty(`--softrod-room-${side}`, `${width}px`);

@@ -1,8 +1,7 @@
 // @ts-check
 /** A class's part of the page, by what the page's address says that it is. */
 import { onMessage } from "../../wire/channel.js";
-import { viser } from "../../ui/viser/viser.js";
-import { frameOf } from "../../ui/viser/widgets.js";
+import { markCanvas } from "../../ui/viser/widgets.js";
 import { addDesk } from "./desk.js";
 import { addSeat } from "./seat.js";
 import { addWall } from "./wall.js";
@@ -24,7 +23,6 @@ export function addClassroom() {
   onMessage("wall", ({ asking }) => (dataset.softrodClass = asking.phase === "lobby" ? "wall lobby" : "wall"));
   onMessage("desk", () => (dataset.softrodClass = "desk"));
   setInterval(() => {
-    const { canvas } = viser() ?? {};
-    if (dataset.softrodClass && canvas) frameOf(canvas)?.setAttribute("data-softrod", "canvas");
+    if (dataset.softrodClass) markCanvas();
   }, LOOK_EVERY);
 }

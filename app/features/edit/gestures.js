@@ -17,7 +17,7 @@ import * as pick from "./pick.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { nearest } from "../../stage/screen.js";
 import { perform } from "../../wire/perform.js";
-import { viser } from "../../ui/viser/viser.js";
+import { viserCanvas } from "../../ui/viser/viser.js";
 
 /**
  * @typedef {import("./pick.js").Place} Place
@@ -55,7 +55,7 @@ const placeOf = ({ clientX, clientY }) => ({ x: clientX, y: clientY });
 
 /** @param {PointerEvent} event */
 function down(event) {
-  const { canvas } = viser() ?? {};
+  const canvas = viserCanvas();
   if (passing || !editing.on || event.target !== canvas || !canvas) return;
   if (press.id >= 0 && event.pointerType === "pen") drop(); // a hand that rests gives way to it
   if (press.id >= 0) {
@@ -115,7 +115,7 @@ function move(event) {
   if (!editing.on || passing) return;
   const at = placeOf(event);
   if (press.id < 0) {
-    const over = event.target === viser()?.canvas && event.pointerType !== "touch" && event.buttons === 0;
+    const over = event.target === viserCanvas() && event.pointerType !== "touch" && event.buttons === 0;
     if (over || editing.hover) hover(over ? at : null);
     return;
   }
@@ -345,7 +345,7 @@ export function listenToEdits() {
   window.addEventListener("lostpointercapture", ({ pointerId }) => pointerId === press.id && drop(), true);
   document.addEventListener("pointerout", ({ relatedTarget }) => editing.hover && press.id < 0 && !relatedTarget && hover(null));
   window.addEventListener("contextmenu", (event) => {
-    if (!editing.on || event.target !== viser()?.canvas) return;
+    if (!editing.on || event.target !== viserCanvas()) return;
     if (press.id >= 0) {
       swallow(event);
       return;

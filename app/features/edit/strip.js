@@ -11,7 +11,7 @@ import { hasWords, larger } from "../../ui/looks.js";
 import { setTakesNew, takesNew } from "./move.js";
 import { floorOf, onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
-import { viser } from "../../ui/viser/viser.js";
+import { canvasBox } from "../../ui/viser/viser.js";
 
 /** @type {import("./editing.js").Tool[]} */
 const TOOLS = ["hand", "build", "joint", "select", "cut"];
@@ -126,7 +126,7 @@ export function addEditStrip(tracing) {
     if (offered) stiffen.scrollIntoView({ block: "nearest", inline: "nearest" }); // on a phone the bar is longer than it shows
   };
   const place = () => {
-    const canvas = viser()?.canvas?.getBoundingClientRect();
+    const canvas = canvasBox();
     if (!canvas || strip.hidden) return;
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
     const left = canvas.left + 14;

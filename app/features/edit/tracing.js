@@ -14,7 +14,7 @@ import { makeSvg, set } from "../../stage/svg.js";
 import { screen } from "../../stage/screen.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { onUnderlay } from "../../stage/underlay.js";
-import { viser } from "../../ui/viser/viser.js";
+import { render, viserCanvas } from "../../ui/viser/viser.js";
 
 const STORED = "softrod-picture";
 /** Pixels of the longer side that are kept: the storage has room for some megabytes. */
@@ -126,7 +126,7 @@ export function addTracing() {
     if (!picture) return;
     Object.assign(picture, changes);
     keep();
-    viser()?.requestRender();
+    render();
   };
   const show = () => {
     const focused = row.contains(document.activeElement);
@@ -139,7 +139,7 @@ export function addTracing() {
       size.input.value = String(Math.log2(picture.width));
       opacity.input.value = String(picture.opacity);
     }
-    viser()?.requestRender();
+    render();
   };
   file.addEventListener("change", async () => {
     const [chosen] = file.files ?? [];
@@ -202,7 +202,7 @@ function listen(put, stop) {
   /** @type {{id: number, x: number, y: number, from: {x: number, y: number}} | null} */
   let hold = null;
   window.addEventListener("pointerdown", (event) => {
-    const { canvas } = viser() ?? {};
+    const canvas = viserCanvas();
     if (!moving || !picture || !canvas || event.target !== canvas || event.button !== 0 || hold) return;
     swallow(event);
     canvas.setPointerCapture(event.pointerId);

@@ -12,7 +12,7 @@ import { hold } from "../../stage/canvas.js";
 import { pageState } from "../../wire/channel.js";
 import { SVG } from "../../stage/svg.js";
 import { timeNow } from "../../ui/clock.js";
-import { viser } from "../../ui/viser/viser.js";
+import { viser, viserCanvas } from "../../ui/viser/viser.js";
 import { PANEL } from "../../ui/viser/widgets.js";
 
 /** Pixels of a picture for a pixel of the page, at least. */
@@ -148,7 +148,7 @@ async function taking(canvas, fine) {
 
 /** @returns {Promise<HTMLCanvasElement>} */
 async function picture() {
-  const canvas = viser()?.canvas;
+  const canvas = viserCanvas();
   if (!canvas) throw new Error("there is no canvas");
   const { width, height } = canvas.getBoundingClientRect();
   const fine = Math.min(Math.max(FINE, devicePixelRatio), LARGEST / Math.max(width, height));

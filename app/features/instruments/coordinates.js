@@ -7,7 +7,7 @@ import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.
 import { SVG } from "../../stage/svg.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { onTools, tools } from "./tools.js";
-import { viser } from "../../ui/viser/viser.js";
+import { viserCanvas } from "../../ui/viser/viser.js";
 
 /** Simulated seconds between two pictures beyond which they do not tell a speed. */
 const NEAR = 0.1;
@@ -50,7 +50,7 @@ export function addCoordinates() {
   window.addEventListener(
     "pointermove",
     (event) => {
-      if (!tools().coordinates || event.buttons || event.target !== viser()?.canvas) return;
+      if (!tools().coordinates || event.buttons || event.target !== viserCanvas()) return;
       const mass = massAt({ x: event.clientX, y: event.clientY }, event.pointerType);
       if (mass === under) return;
       under = mass;

@@ -20,7 +20,7 @@ import { onMarksRedraw, redrawMarks, sight } from "../../stage/sight.js";
 import { SVG } from "../../stage/svg.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { timeNow } from "../../ui/clock.js";
-import { viser } from "../../ui/viser/viser.js";
+import { viserCanvas } from "../../ui/viser/viser.js";
 
 const STORED = "softrod-instruments";
 /** Pixels after which a press on an instrument in the box drags it out. */
@@ -236,7 +236,7 @@ export function addInstruments() {
   // The wheel zooms, whatever is under it.
   svg.addEventListener("wheel", (event) => {
     event.preventDefault();
-    viser()?.canvas?.dispatchEvent(new WheelEvent("wheel", event));
+    viserCanvas()?.dispatchEvent(new WheelEvent("wheel", event));
   });
   onMarksRedraw((now) => {
     seen = now;

@@ -8,8 +8,7 @@ import { COMMANDS } from "../../wire/commands.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { beginNextAt } from "../lesson/lesson.js";
-import { viser } from "../../ui/viser/viser.js";
-import { frameOf } from "../../ui/viser/widgets.js";
+import { markCanvas } from "../../ui/viser/widgets.js";
 import { StepForm } from "./step_form.js";
 
 /** @typedef {import("../../wire/wire.js").LessonForm} LessonForm */
@@ -246,8 +245,7 @@ function begin() {
     if (kept(NAME) === "1") send({ do: "makeLesson", on: true });
   });
   setInterval(() => {
-    const { canvas } = viser() ?? {};
-    if (box.parentNode && canvas) frameOf(canvas)?.setAttribute("data-softrod", "canvas");
+    if (box.parentNode) markCanvas();
   }, LOOK_EVERY);
 }
 

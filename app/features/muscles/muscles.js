@@ -15,7 +15,7 @@ import { across, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf
 import { addMuscleMarks } from "./body_marks.js";
 import { timeNow } from "../../ui/clock.js";
 import { tuning } from "./tuning.js";
-import { viser } from "../../ui/viser/viser.js";
+import { canvasBox } from "../../ui/viser/viser.js";
 
 /**
  * @typedef {import("./marks.js").Mark} Mark
@@ -303,7 +303,7 @@ function makeStrip() {
     drawMarks();
   });
   setInterval(() => pageState().rest && !strip.hidden && drawNow(), CLOCK_EVERY);
-  const canvas = viser()?.canvas?.getBoundingClientRect();
+  const canvas = canvasBox();
   setOpen(!canvas || floorOf(canvas) - canvas.top + strip.offsetHeight >= LOW);
   return {
     /** Shows the muscles of another plan, or nothing. @param {import("../../stage/plan.js").Plan} plan */

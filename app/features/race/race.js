@@ -3,7 +3,7 @@
  * The strip of a race over the bar of time: how far each body has come, who is ahead, and the start after a count-down.
  * It is made when there is a race for the first time.
  */
-import { viser } from "../../ui/viser/viser.js";
+import { canvasBox } from "../../ui/viser/viser.js";
 import { onMessage, pageState } from "../../wire/channel.js";
 import { sendParts } from "../../ui/kept/links.js";
 import { withKey } from "../../ui/hands/key_table.js";
@@ -108,7 +108,7 @@ function makeRace() {
   const countDown = (left) => {
     count.hidden = false;
     count.textContent = left ? String(left) : "Go!";
-    const box = viser()?.canvas?.getBoundingClientRect();
+    const box = canvasBox();
     if (box) Object.assign(count.style, { left: `${box.left + box.width / 2}px`, top: `${box.top + box.height / 3}px` });
     if (!left) perform("run");
     counting = setTimeout(() => (left ? countDown(left - 1) : stopCount()), COUNT);

@@ -8,7 +8,7 @@ import { pageState, send } from "../../wire/channel.js";
 import { editing } from "../../features/edit/editing.js";
 import { areFree, freeHand, freshHand, handAt } from "./hands.js";
 import { nearest, onScreen, wireNumber, screen, worldAt } from "../../stage/screen.js";
-import { viser } from "../viser/viser.js";
+import { viserCanvas } from "../viser/viser.js";
 
 /** Pixels from a mass within which it is taken hold of. */
 const REACH = { mouse: 12, pen: 16, touch: 26, disc: 0 };
@@ -82,7 +82,7 @@ const isPinch = ({ pointerType, timeStamp }) =>
 
 /** @param {PointerEvent} event */
 function press(event) {
-  const { canvas } = viser() ?? {};
+  const canvas = viserCanvas();
   const under = event.target === canvas ? event.pointerType : givesWay(event.target) ? "disc" : null;
   if (!canvas || under === null || (under === "disc" && massAt({ x: event.clientX, y: event.clientY }, under) < 0)) return;
   // The keys are the body's again.
@@ -109,7 +109,7 @@ function press(event) {
 
 /** @param {PointerEvent} event */
 function move(event) {
-  const { canvas } = viser() ?? {};
+  const canvas = viserCanvas();
   const at = { x: event.clientX, y: event.clientY };
   const hold = holds.get(event.pointerId);
   if (hold) {

@@ -3,7 +3,7 @@
  * Which pointers are pressed on the page. All others hear of a pointer after this: a press whose release never reached the
  * page ends as if it had been cancelled, and the palm beside a pen is nobody's.
  */
-import { viser } from "../viser/viser.js";
+import { viserCanvas } from "../viser/viser.js";
 
 /** Milliseconds around the use of a pen in which a finger that comes down is a palm. */
 const PALM = 500;
@@ -19,7 +19,7 @@ let penAt = -Infinity;
 
 /** What lies on the canvas: a palm may rest there. @param {EventTarget | null} target */
 const isOnCanvas = (target) =>
-  target instanceof Element && (target === viser()?.canvas || target.closest(".softrod-instruments") !== null);
+  target instanceof Element && (target === viserCanvas() || target.closest(".softrod-instruments") !== null);
 
 /** Whether a pen is in use, or was just now. @param {number} now ms of the events' clock */
 function isWriting(now) {
@@ -33,7 +33,7 @@ function cancel(press) {
   const init = { pointerId, pointerType, isPrimary, clientX, clientY, bubbles: true };
   const there = target instanceof Element && target.isConnected ? target : document.body;
   there.dispatchEvent(new PointerEvent("pointercancel", init));
-  for (const element of [there, viser()?.canvas]) {
+  for (const element of [there, viserCanvas()]) {
     if (element?.hasPointerCapture(pointerId)) element.releasePointerCapture(pointerId);
   }
 }

@@ -3,6 +3,8 @@
  * The widgets of viser's panel: what viser and its libraries call them, names for what they leave without, and marks for
  * the styles. Nothing outside of this folder knows what they are called.
  */
+import { viserCanvas } from "./viser.js";
+
 export const NUMBER_BOX = ".mantine-NumberInput-root";
 export const SLIDER = ".mantine-Slider-root";
 export const DIALOG = '.mantine-Modal-content[role="dialog"]';
@@ -24,8 +26,8 @@ export const isDark = () => document.documentElement.dataset.mantineColorScheme 
 /** A tab of the panel beside the canvas, or of that of a phone, by its id: its words may be translated. @param {string} id */
 export const tabOf = (id) => document.querySelector(`[data-dock-tab="${id}"], [role=tab][id$="-tab-${id}"]`);
 
-/** What viser makes as wide as the panel leaves room for. @param {HTMLCanvasElement} canvas */
-export const frameOf = (canvas) => canvas.closest("[data-dock-root] > div");
+/** Marks the element whose width viser fits to the room beside the panel, for the styles. */
+export const markCanvas = () => mark(viserCanvas()?.closest("[data-dock-root] > div"), "canvas");
 
 /** The panel at a side of the canvas. @param {string} side */
 export const panelAt = (side) => document.querySelector(`[data-dock-region="${side}"]`);
