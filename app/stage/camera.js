@@ -1,5 +1,5 @@
 // @ts-check
-/** The camera: seen from the front, moved and zoomed but never turned. */
+/** The camera: it looks from the front, and is moved and zoomed but never turned. */
 import { shown } from "./canvas.js";
 import { onMessage, pageState } from "../wire/channel.js";
 import { toWorld } from "./draw.js";
@@ -8,8 +8,8 @@ import { editing } from "../features/edit/editing.js";
 import { placeTransport } from "./dock.js";
 import { viserCamera, viserCanvas } from "../ui/viser/viser.js";
 
-/** How many times larger than the scene's frame a view may be; a body farther away is left out. */
-const LARGEST = 20;
+/** Largest size of a view, in that of the scene's frame; a body farther away is left out. */
+const MAX_VIEW = 20;
 /** Pixels of a canvas below which the buttons over the bar of time have no room beside a body. */
 const NARROW = 480;
 /** Pixels around those buttons. */
@@ -153,7 +153,7 @@ function bounds(width, height, withBody) {
     whole.high = Math.max(whole.high, world[i + 1] + radius);
   }
   const size = Math.max((whole.right - whole.left) / width, (whole.high - whole.low) / height);
-  return size <= LARGEST ? whole : all;
+  return size <= MAX_VIEW ? whole : all;
 }
 
 /**
@@ -184,7 +184,7 @@ export function fit(withBody = false) {
   controls.maxAzimuthAngle = Infinity;
   const [from, target] = [place(x, y, distance), place(x, y, 0)];
   controls.setLookAt(from.x, from.y, from.z, target.x, target.y, target.z, false);
-  controls.maxDistance = LARGEST * distance;
+  controls.maxDistance = MAX_VIEW * distance;
   controls.minDistance = distance / 200;
   controls.update(0);
   flatten(controls);

@@ -3,8 +3,8 @@
 import { wrapped } from "./draw.js";
 
 /**
- * The angles of a joint's two springs and how it turns from its rest angle, as they are on the screen: degrees,
- * anticlockwise from the right.
+ * The direction of a joint's first spring and the angle to its second one on the screen, degrees anticlockwise; and the
+ * mass that they share.
  *
  * @param {import("./plan.js").Plan} plan
  * @param {import("./plan.js").Frame} frame
@@ -26,5 +26,5 @@ export function jointAngles(plan, frame, joint) {
   return { from, turn, mass: joints[4 * joint + 2] };
 }
 
-/** An angle as it is shown; zero has no sign. @param {number} angle degrees */
+/** An angle as text; zero has no sign. @param {number} angle degrees */
 export const degrees = (angle) => `${(Number(angle.toFixed(1)) + 0).toFixed(1)}°`;

@@ -2,7 +2,7 @@
 /** Round lengths, as scales and grids have them. Arithmetic only. */
 
 /**
- * A round length: the next of 1, 2, 5, 10, 20, ... at or above.
+ * Rounds up to one of 1, 2, 5, 10, 20, ...
  *
  * @param {number} least
  */
@@ -11,13 +11,13 @@ export function roundUp(least) {
   return power * (/** @type {number} */ ([1, 2, 5, 10].find((step) => step * power >= least * (1 - 1e-9))));
 }
 
-/** A round length in words; of a metre, parts are in cm. @param {number} size @param {string} unit */
+/** A round length as text; parts of a metre in cm. @param {number} size @param {string} unit */
 export function lengthText(size, unit) {
   const inCm = unit === "m" && size < 1 && size >= 0.01;
   return `${Number((inCm ? 100 * size : size).toPrecision(1))} ${inCm ? "cm" : unit}`;
 }
 
-/** A round length: the last of these at or below. @param {number} most */
+/** Rounds down to one of these. @param {number} most */
 export function roundDown(most) {
   const power = 10 ** Math.floor(Math.log10(most));
   return power * (/** @type {number} */ ([10, 5, 2, 1].find((step) => step * power <= most * (1 + 1e-9))));

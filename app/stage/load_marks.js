@@ -4,7 +4,7 @@ import { loadArrows } from "./arrow_shapes.js";
 import { insertMarksLayer, onMarksRedraw } from "./sight.js";
 import { makeSvg } from "./svg.js";
 
-/** Puts up the marks of a body that has any. */
+/** Adds the marks of a body that has any. */
 export function addLoads() {
   const svg = makeSvg("svg", "softrod-marks softrod-loads");
   // A rim in the colour of the paper keeps an arrow legible over the body.

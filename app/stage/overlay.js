@@ -1,5 +1,5 @@
 // @ts-check
-/** Thin marks over the body: the joint that is read out, the mass that is chosen, and a scale bar. */
+/** Thin marks over the body: the joint that is read out, the chosen mass, a hint, and a scale bar. */
 import { pageState } from "../wire/channel.js";
 import { degrees, jointAngles } from "./joint.js";
 import { freePlace } from "./label.js";
@@ -14,11 +14,11 @@ import { viserCanvas } from "../ui/viser/viser.js";
 const ARC = 26;
 /** Pixels from the arc to the middle of its angle's text. */
 const LABEL = 22;
-/** Where else that may be: degrees by which it is turned around the mass. */
+/** Places of the text, as degrees around the mass. */
 const AROUND = [0, 180, 40, -40, 80, -80, 120, -120];
-/** Pixels that the scale bar has at least. */
+/** Least length of the scale bar, px. */
 const BAR = 70;
-/** And how long at least where it has little room. */
+/** Least length where there is little room, px. */
 const SHORTEST = 36;
 /** The mass that the keys have chosen, or -1. */
 let chosen = -1;
@@ -48,7 +48,7 @@ export function addOverlay() {
 function jointMark(add) {
   const arc = add("path", "softrod-arc");
   const angle = add("text", "softrod-angle");
-  let kept = AROUND[0];
+  let place = AROUND[0];
   /** @param {Sight} seen */
   return ({ plan, frame, on, places }) => {
     const joint = pageState().joint ?? -1;
@@ -66,15 +66,15 @@ function jointMark(add) {
     const [begin, end] = [at(from, radius), at(from + turn, radius)];
     const curve = `A${radius} ${radius} 0 0 ${turn > 0 ? 0 : 1} ${end.x} ${end.y}`;
     set(arc, { d: `M${x} ${y}L${begin.x} ${begin.y}${curve}` });
-    // On the outside of the bend, where the body is seldom; or else where it is not. It stays while it can.
+    // On the outside of the bend, where the body seldom is, or else where it is not. It stays there while it can.
     const outside = from + turn / 2 - (turn < 0 ? -90 : 90);
-    const order = [kept, ...AROUND.filter((turned) => turned !== kept)];
+    const order = [place, ...AROUND.filter((turned) => turned !== place)];
     const texts = order.map((turned) => at(outside + turned, radius + LABEL));
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
     const free = freePlace(texts.map(({ x, y }) => ({ x: Number(x), y: Number(y) })), plan.springs, places, hud ? [hud] : []);
-    kept = order[free];
+    place = order[free];
     set(angle, texts[free]);
-    // As the panel has it: positive is anticlockwise where y grows upwards.
+    // As in the panel: positive is anticlockwise where y grows upwards.
     angle.textContent = degrees(turn * plan.flip);
   };
 }
@@ -90,7 +90,7 @@ function chosenMark(add) {
   };
 }
 
-/** What a newcomer can do; it fades, and goes with the first press on the canvas. @param {Add} add */
+/** A hint for newcomers; it fades, and is removed at the first press on the canvas. @param {Add} add */
 function hintMark(add) {
   const hint = add("text", "softrod-hint");
   hint.textContent = "drag me";
@@ -120,7 +120,7 @@ function scaleMark(add) {
   return ({ plan, on, box }) => {
     const perPixel = 1 / (plan.scale * on.step);
     const end = box.right - 18;
-    // On a phone the head-up display reaches far to the right: it is shorter there, or else below.
+    // On a phone the head-up display reaches far to the right: the bar is shorter there, or else below it.
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
     const room = end - 10 - (hud?.right ?? box.left);
     const usual = roundUp(BAR * perPixel);

@@ -1,19 +1,19 @@
 // @ts-check
-/** Between the scene, the page's world and the screen: the camera looks straight at the plane z = 0. */
+/** Converts between the scene, the page's world and the screen; the camera looks straight at the plane z = 0. */
 import { project } from "../ui/viser/viser.js";
 
 /** @typedef {import("./environment.js").Screen} Screen */
 
-/** How the world lies on the screen now. @returns {Screen | null} */
+/** The present place of the world on the screen. @returns {Screen | null} */
 export function screen() {
   const [[x, y] = [NaN, NaN], [right] = [NaN]] = project([[0, 0, 0], [1, 0, 0]]);
   const step = right - x;
-  // At the very beginning the camera is not in its place.
+  // At the very beginning the camera is not placed yet.
   return step > 0 && Number.isFinite(step + x + y) ? { x, y, step } : null;
 }
 
 /**
- * Where masses are on the screen: x and y of each.
+ * Positions of masses on the screen, x and y of each.
  *
  * @param {import("./plan.js").Plan} plan
  * @param {Float32Array} positions px of the scene
@@ -37,11 +37,11 @@ export function onScreen(plan, positions, on) {
  */
 export const worldAt = (place, on) => ({ x: (place.x - on.x) / on.step, y: (on.y - place.y) / on.step });
 
-/** A number of the world as a message has it. @param {number} value */
+/** Rounds a coordinate of the world for a message. @param {number} value */
 export const wireNumber = (value) => Number(value.toFixed(6));
 
 /**
- * The mass to take hold of at a place on the screen: the nearest one within reach, or -1.
+ * The mass to grab at a place on the screen: the nearest one within reach, or -1.
  *
  * @param {Float64Array} places of the masses, x and y of each
  * @param {ArrayLike<number>} radii px on the screen

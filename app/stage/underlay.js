@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * Behind the body: the grid, a medium, the ground, walls, how far contact reaches, what fills its loops, and the wind.
+ * Draws what is behind the body: the grid, a medium, the ground, walls, the reach of contact, fillings of loops, and wind.
  */
 import { moving, standing, streaks } from "./environment.js";
 import { LAYERS } from "./looks.js";
@@ -12,20 +12,20 @@ import { onScreen } from "./screen.js";
 import { timeNow } from "../ui/clock.js";
 import { viser, viserCanvas } from "../ui/viser/viser.js";
 
-/** Milliseconds between two pictures of the wind around a body at rest, of which no frames come. */
+/** Milliseconds between two pictures of the wind around a body at rest, which sends no frames. */
 const DRIFT_EVERY = 40;
-/** Pixels by which streaks may have drifted before they are made anew. */
+/** Pixels that streaks may drift before they are computed again. */
 const MARGIN = 150;
 const KINDS = /** @type {(keyof typeof LAYERS)[]} */ (Object.keys(LAYERS));
 
-/** What a picture of the same body, seen from the same place, has in common with others. @param {import("./sight.js").Sight} seen */
+/** A key of all pictures of the same body from the same place. @param {import("./sight.js").Sight} seen */
 const viewOf = ({ plan, on, box }) => [plan.generation, on.x, on.y, on.step, box.width, box.height].join(" ");
 
 /** @typedef {typeof KINDS[number]} Kind */
 
 /**
- * The streaks of the wind: gusts only drift, so the same streaks are moved along for a while. What is returned draws
- * them at a time, s.
+ * The streaks of the wind; gusts only drift, so the same streaks are moved for a while. Returns a function that draws them
+ * at a time, s.
  *
  * @param {Element} path
  */
@@ -51,7 +51,7 @@ function windMark(path) {
 
 /** @type {((seen: import("./sight.js").Sight, svg: SVGSVGElement) => void)[]} */
 const others = [];
-/** Has something else drawn whenever this is, at the same place. @param {(typeof others)[0]} draw */
+/** Calls back whenever this is drawn, to draw at the same place. @param {(typeof others)[0]} draw */
 export const onUnderlay = (draw) => others.push(draw);
 
 /** Begins to draw. */
@@ -68,12 +68,12 @@ export function addUnderlay() {
   const blow = windMark(wind);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   let stood = "";
-  /** The picture that there was when viser drew last. @type {import("./plan.js").Frame | null} */
+  /** The frame at viser's last redraw. @type {import("./plan.js").Frame | null} */
   let before = null;
   const draw = () => {
     const { plan, frame } = shown();
     const canvas = viserCanvas();
-    // The first picture of a new body, and what is told of it, may still be on their way.
+    // The first frame of a new body, and the page's state, may not have arrived yet.
     if (!canvas || !pageState().width || plan?.generation !== frame?.generation) return;
     const seen = sight(before?.generation === plan?.generation ? before : frame);
     if (!seen) return;
@@ -98,8 +98,8 @@ export function addUnderlay() {
     if (seen.plan.wind.length) blow(seen, still.matches ? 0 : timeNow());
     else set(wind, { d: "" });
   };
-  // As viser draws, so that all is seen from the same place. Its nodes are then as the picture before had them: they
-  // take over what is new right after that, to be drawn the next time.
+  // When viser draws, so that both are seen from the same place. Its nodes then still have the previous frame: viser
+  // applies updates right after that, for its next redraw.
   const drawn = () => {
     draw();
     before = shown().frame;

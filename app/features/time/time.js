@@ -8,13 +8,13 @@ import { COMMANDS } from "../../wire/commands.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { perform } from "../../wire/perform.js";
 
-/** Milliseconds between two readings of the clock while the body is at rest. */
+/** Milliseconds between two updates of the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
 
 /**
- * @typedef {object} Face what a button shows
+ * @typedef {object} Face of a button
  * @property {string} icon
- * @property {string} word beside the icon, where there is room
+ * @property {string} word beside the icon, if there is room
  * @property {string} name for screen readers and the tooltip; it contains the word
  * @property {CommandName} does
  *
@@ -35,7 +35,7 @@ const FACES = {
   forward: faceOf("forward"),
 };
 
-/** What each button shows; its words may be translated. @type {WeakMap<HTMLButtonElement, Face>} */
+/** The present faces of buttons; their words may be translated in the page. @type {WeakMap<HTMLButtonElement, Face>} */
 const dressed = new WeakMap();
 
 /** @param {HTMLButtonElement} element @param {Face} face */
@@ -70,7 +70,7 @@ function offerButton(command) {
 /** @param {number} speed */
 const speedText = (speed) => `${/** @type {Record<string, string>} */ (FRACTIONS)[speed] ?? speed}×`;
 
-/** How fast time goes. */
+/** The list of speeds. */
 function speedBox() {
   const select = document.createElement("select");
   select.ariaLabel = "Speed";
@@ -78,7 +78,7 @@ function speedBox() {
   for (const value of SPEEDS) select.add(new Option(speedText(value), String(value)));
   select.addEventListener("change", () => {
     send({ do: "speed", speed: Number(select.value) });
-    // The keys are the body's again, unless somebody goes by keys.
+    // Return keyboard focus to the canvas, unless the user goes by keys.
     if (!select.matches(":focus-visible")) select.blur();
   });
   const show = () => {
@@ -88,7 +88,7 @@ function speedBox() {
   return { element: select, show };
 }
 
-/** The slider of time. While a finger is on it, it is the finger's. */
+/** The slider of time, which the page does not move while the user holds it. */
 function timeSlider() {
   const slider = document.createElement("input");
   slider.type = "range";
@@ -120,7 +120,7 @@ function timeSlider() {
   return { element: slider, show };
 }
 
-/** What is offered over the bar after a run that went wrong, or after going back. */
+/** Offers over the bar after a run that exploded, or after going back. */
 function offers() {
   const line = document.createElement("div");
   line.className = "softrod-line";
@@ -138,7 +138,7 @@ function offers() {
   return { element: line, show };
 }
 
-/** Puts up the bar. */
+/** Adds the bar to the page. */
 function begin() {
   const bar = document.createElement("div");
   bar.className = "softrod-transport";

@@ -1,5 +1,5 @@
 // @ts-check
-/** The View menu over the bar of time: how the page looks, and the help. */
+/** The View menu over the bar of time: looks of the page, and the help. */
 import { fit } from "../../stage/camera.js";
 import { isChasing, toggleChase } from "../../stage/chase.js";
 import { has, onMessage, pageState } from "../../wire/channel.js";
@@ -15,7 +15,7 @@ const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 
 /**
  * @typedef {object} Entry
  * @property {import("../../wire/wire.js").CommandName} name of the command
- * @property {"view" | "modes" | "help"} part of the controls of a page without which it is left out
+ * @property {"view" | "modes" | "help"} part the control that it needs
  * @property {() => boolean} [on] of a switch
  */
 
@@ -31,7 +31,7 @@ const ENTRIES = [
   { name: "help", part: "help" },
 ];
 
-/** Puts up the button and its menu. */
+/** Adds the button and its menu to the page. */
 function addMenu() {
   const element = make("div", "softrod-menu");
   const list = make("div", "softrod-menu-list");
@@ -51,7 +51,7 @@ function addMenu() {
       const byKeys = item.matches(":focus-visible");
       open(false);
       perform(entry.name);
-      // The keys are the body's again, unless somebody goes by keys.
+      // Return keyboard focus to the canvas, unless the user goes by keys.
       if (byKeys) lid.focus();
     }, "");
     const { label, hint = "", shown: key = "" } = COMMANDS[entry.name];
@@ -90,7 +90,7 @@ function addMenu() {
     } else if (to !== undefined) shown.at(to % shown.length)?.focus();
     if (to !== undefined || event.key === "Escape") event.preventDefault();
   });
-  // A press in the menu leaves the focus where it is, in every browser; any other press takes it away.
+  // A press in the menu does not move the focus, in any browser; a press elsewhere closes the menu.
   element.addEventListener("mousedown", (event) => event.preventDefault());
   element.addEventListener("focusout", ({ relatedTarget }) => {
     if (!(relatedTarget instanceof Node && element.contains(relatedTarget))) open(false);

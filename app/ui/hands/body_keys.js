@@ -1,24 +1,24 @@
 // @ts-check
 /**
- * The body by keys alone, for those who have no pointer: a stop of the Tab key over the canvas. There the arrows
- * choose a mass, Space takes hold of it and lets go, and the arrows then move it. A live region says what happened.
+ * The body by keys alone, for users without a pointer: a tab stop over the canvas. There the arrows choose a mass,
+ * Space grabs and releases it, and the arrows then move it. A live region says what happened.
  */
 import { onPicture, shown } from "../../stage/canvas.js";
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { choose, chosenMass } from "../../stage/overlay.js";
-import { freeHand, freshHand, handAt } from "./hands.js";
+import { freeHand, takeHand, handAt } from "./hands.js";
 import { ARROWS } from "./key_table.js";
 import { wireNumber } from "../../stage/screen.js";
 
-/** How far an arrow moves a mass, in units of the world: a hundredth of the scene's frame. */
+/** Distance by which an arrow moves a mass, in the world: a hundredth of the scene's frame. */
 const STEP = 0.06;
-/** How many times farther with Shift. */
-const FAR = 5;
+/** Factor of that with Shift. */
+const SHIFT_FACTOR = 5;
 
 /** @param {number} count of broken springs */
 const brokenText = (count) => `${count || "No"} ${count === 1 ? "spring" : "springs"} broken`;
 
-/** Puts up the stop and the live region. */
+/** Adds the tab stop and the live region to the page. */
 export function addBodyKeys() {
   const stop = document.createElement("div");
   stop.tabIndex = 0;
@@ -32,9 +32,9 @@ export function addBodyKeys() {
   /** @param {string} text */
   const say = (text) => (live.textContent = text);
 
-  /** Where the mass in hand is, in the world; null while none is. @type {{x: number, y: number} | null} */
+  /** The place of the mass in hand, in the world; null without one. @type {{x: number, y: number} | null} */
   let hand = null;
-  /** Its number. */
+  /** The number of the hand. */
   let number = -1;
   const name = () => {
     const { pictured: plan } = shown();
@@ -55,7 +55,7 @@ export function addBodyKeys() {
     say(`${name()} let go`);
   };
 
-  /** The mass that was chosen when the focus went, for when a dialog gives it back; -1 at first. */
+  /** The mass that was chosen when the stop lost the focus, for when a dialog returns it; -1 at first. */
   let last = -1;
   stop.addEventListener("focus", () => {
     choose(last < 0 ? Math.max(shown().pictured?.driven ?? 0, 0) : last);
@@ -80,7 +80,7 @@ export function addBodyKeys() {
     if (event.code === "Space" || event.key === "Enter") {
       const at = where();
       if (hand) letGo();
-      else if (at && (number = freshHand()) >= 0) {
+      else if (at && (number = takeHand()) >= 0) {
         hand = at;
         const mass = chosenMass();
         send({ do: "grab", hand: number, mass, x: wireNumber(at.x), y: wireNumber(at.y) });
@@ -88,7 +88,7 @@ export function addBodyKeys() {
         say(`${name()} in hand. Arrows move it`);
       }
     } else if (move && hand) {
-      const step = STEP * (event.shiftKey ? FAR : 1);
+      const step = STEP * (event.shiftKey ? SHIFT_FACTOR : 1);
       hand = { x: hand.x + move[0] * step, y: hand.y + move[1] * step };
       send({ do: "at", hands: [handAt(number, hand)] });
     } else if (move) {

@@ -1,21 +1,20 @@
 // @ts-check
 /**
- * The page's keys, by what is printed on them: letters stand in other places on Dvorak and AZERTY keyboards, and a key is
- * looked for by its letter.
+ * Commands by keys. Keys are found by the letters printed on them, whose places differ between keyboards.
  *
  * @typedef {import("../../wire/wire.js").CommandName} CommandName
  */
 import { COMMANDS } from "../../wire/commands.js";
 
-/** Where arrows point, y upwards. @type {Record<string, [number, number]>} */
+/** Directions of the arrow keys, y upwards. @type {Record<string, [number, number]>} */
 export const ARROWS = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 
-/** What the places of keys have on them on an American keyboard. @type {Record<string, string>} */
+/** Characters of an American keyboard, by the codes of keys. @type {Record<string, string>} */
 const PLACES = { Space: " ", Comma: ",", Period: "." };
 
 /**
- * What is printed on a key, in lower case. Where that is no Latin letter (a Cyrillic or Greek one, or a key of an input
- * method), what an American keyboard has in its place.
+ * The character printed on a key, in lower case; if that is no Latin letter (but Cyrillic, Greek, or a key of an input
+ * method), that of an American keyboard.
  *
  * @param {{key: string, code: string}} event of a keyboard
  */
@@ -28,7 +27,7 @@ export function printed({ key, code }) {
 const rows = /** @type {[CommandName, import("../../wire/commands.js").Row][]} */ (Object.entries(COMMANDS));
 
 /**
- * The command that a key gives, with Ctrl or without; with Shift it may be another one.
+ * The command of a key with its modifiers; a key without a command of its own for Shift has the same one with it.
  *
  * @param {{key: string, code: string, ctrlKey?: boolean, metaKey?: boolean, shiftKey?: boolean}} event of a keyboard
  * @param {string} [where] see `Row` in commands.py
@@ -40,5 +39,5 @@ export function commandOf(event, where = "") {
   return find(key) ?? find(key.replace("shift ", ""));
 }
 
-/** A sentence or a name with the key that does it, for tooltips. @param {string} text @param {CommandName} command */
+/** Appends the key of a command to a text, for tooltips. @param {string} text @param {CommandName} command */
 export const withKey = (text, command) => (COMMANDS[command].shown ? `${text} (${COMMANDS[command].shown})` : text);

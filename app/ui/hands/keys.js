@@ -1,5 +1,5 @@
 // @ts-check
-/** Keys and the arrow pad: what is held, and what is pressed once. */
+/** Keys and the arrow pad: arrows that are held, and commands of single presses. */
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { commandOf } from "./key_table.js";
 import { perform } from "../../wire/perform.js";
@@ -9,24 +9,24 @@ import { NUMBER_BOX } from "../viser/widgets.js";
 /** @typedef {import("../../wire/wire.js").Keys["held"][number]} Key */
 /** @type {Record<string, Key>} */
 const ARROWS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right" };
-/** What Space presses, once it was reached by keys. */
+/** Elements that Space presses if they were focused by keys. */
 const PRESSED = "button, input, [role=tab], [role=button]";
-/** What Space is typed into, or opens. */
+/** Elements that Space is typed into or opens. */
 const TEXTS = "textarea, select, [contenteditable], input:not([type]), input[type=text], input[type=search], input[type=url]";
-/** What a key that is held down does again and again. */
+/** Commands that are repeated while their key is held. */
 const REPEATED = new Set(["step", "steps", "back", "forward"]);
-/** With these viser would move the camera, wherever their letters are printed. */
+/** Codes of the keys by which viser would move the camera. */
 const CAMERA_KEYS = new Set(["KeyW", "KeyA", "KeyS", "KeyD", "KeyQ", "KeyE"]);
-/** What opens viser's palette, with Ctrl. */
+/** The key that opens viser's palette, with Ctrl. */
 const PALETTE = "k";
-/** Milliseconds between two reports of keys that are held; the server forgets those of which it hears nothing. */
-const REPEAT = 150;
+/** Milliseconds between two reports of held keys; the server releases those that are not reported. */
+const REPORT_EVERY = 150;
 
 /** @type {Set<Key>} */
 const held = new Set();
-/** Whether the focus was last moved by a click or a touch, and not by the Tab key. */
+/** True if the focus was last moved by a click or a touch, not by the Tab key. */
 let byPointer = false;
-/** Whether Space is down that has played or paused. */
+/** True while Space is down and has played or paused. */
 let spaceDown = false;
 
 /** @param {EventTarget | null} target */
@@ -36,12 +36,12 @@ const isTyping = (target) =>
     target.tagName === "TEXTAREA" ||
     target.tagName === "SELECT" ||
     (target instanceof HTMLInputElement && !["range", "checkbox", "radio", "button"].includes(target.type)));
-/** A slider that was reached with the Tab key takes the arrows for itself; of the bars of modes see `isTaken`. @param {EventTarget | null} target */
+/** True for a slider focused by keys, which uses the arrows itself; for the bars of modes see `isTaken`. @param {EventTarget | null} target */
 const isSlider = (target) =>
   target instanceof HTMLElement && target.matches('[role="slider"]:not(.softrod-mode):focus-visible, input[type="range"]:focus-visible');
 /**
- * Whether what has the focus takes a key for itself: the body, an instrument, a muscle's mark or a bar of a mode arrows and Space, the
- * open box of instruments Esc.
+ * True if the focused element uses a key itself: arrows and Space for the body, an instrument, the mark of a muscle or the
+ * bar of a mode, Esc for the open box of instruments.
  *
  * @param {KeyboardEvent} event
  */
@@ -54,9 +54,8 @@ function isTaken({ target, code, key }) {
   return target.matches(".softrod-body, .softrod-grip, .softrod-own-grip") && (key in ARROWS || code === "Space");
 }
 /**
- * Whether Space plays or pauses, and does not press or type anything. After a click it does, wherever the focus is then;
- * only texts and open lists keep it. Browsers take the focus as one by keys as soon as any key is pressed, so
- * `:focus-visible` cannot tell.
+ * True if Space plays or pauses rather than presses or types something. After a click it does wherever the focus is,
+ * except in texts and open lists. Browsers match `:focus-visible` as soon as any key is pressed, so it cannot be used here.
  *
  * @param {KeyboardEvent} event
  */
@@ -68,12 +67,12 @@ function isSpaceFree({ target, ctrlKey, metaKey, altKey }) {
   if (target.matches(TEXTS)) return false;
   return byPointer || !target.matches(PRESSED);
 }
-/** Whether a key acts on the page, and not on what is typed into, or on a dialog or a menu. @param {KeyboardEvent} event */
+/** True if a key acts on the page, not on a text, a dialog or a menu. @param {KeyboardEvent} event */
 export const isFree = ({ target, ctrlKey, metaKey, altKey }) =>
   !(ctrlKey || metaKey || altKey || isTyping(target) || dialogIsOpen() || menuIsOpen());
 const dialogIsOpen = () => document.querySelector('[role="dialog"], dialog[open]') !== null;
 const menuIsOpen = () => document.querySelector('[role="menu"]:not([hidden])') !== null;
-/** Nobody else is to act on it. @param {Event} event */
+/** Stops an event for everybody else. @param {Event} event */
 export const swallow = (event) => {
   event.preventDefault();
   event.stopImmediatePropagation();
@@ -100,15 +99,15 @@ const releaseAll = () => {
 };
 
 /**
- * Ctrl K. viser's palette does not hear it while a control has the focus, so the key is pressed for it once more
- * on the page itself. The control gets the focus back from the palette.
+ * Opens the palette with Ctrl K. viser ignores that key while a control has the focus, so it is dispatched again on the
+ * body of the page. The palette returns the focus to the control.
  *
  * @param {KeyboardEvent} event
- * @returns {boolean} whether that was the key
+ * @returns {boolean} true if that was the key
  */
 function openPalette(event) {
   if (commandOf(event, "own") !== "palette" || event.altKey || event.shiftKey) return false;
-  if (event.target === document.body && event.key === PALETTE && event.code === "KeyK") return true; // viser hears it
+  if (event.target === document.body && event.key === PALETTE && event.code === "KeyK") return true; // viser handles it
   swallow(event);
   const { ctrlKey, metaKey } = event;
   const pressed = { key: PALETTE, code: "KeyK", ctrlKey, metaKey };
@@ -155,7 +154,7 @@ const pressPad = (button, down) => {
 };
 
 function listenToPad() {
-  /** What each finger presses; the pad may be taken out of the page meanwhile. @type {Map<number, HTMLElement>} */
+  /** Buttons by the fingers that press them; the pad may be removed meanwhile. @type {Map<number, HTMLElement>} */
   const fingers = new Map();
   document.addEventListener("pointerdown", (event) => {
     const button = padKey(event);
@@ -179,7 +178,7 @@ function listenToPad() {
       pressPad(button, kind === "keydown");
     });
   }
-  // The Tab key may go on while Space is down.
+  // The Tab key may move the focus while Space is down.
   document.addEventListener("focusout", (event) => {
     const button = padKey(event);
     if (button?.classList.contains("softrod-on")) pressPad(button, false);
@@ -187,7 +186,7 @@ function listenToPad() {
   document.addEventListener("contextmenu", (event) => padKey(event) && event.preventDefault());
 }
 
-/** Once something is chosen from a box, keys act on the scene and not on the box. */
+/** Takes the focus from the list of scenes once a scene is chosen, so that keys act on the body. */
 function leaveChooser() {
   let scene = pageState().scene;
   onMessage("pageState", () => {
@@ -221,6 +220,6 @@ export function listenToKeys() {
   );
   window.addEventListener("blur", releaseAll);
   document.addEventListener("visibilitychange", releaseAll);
-  setInterval(() => held.size && sendHeld(), REPEAT);
+  setInterval(() => held.size && sendHeld(), REPORT_EVERY);
   listenToPad();
 }
