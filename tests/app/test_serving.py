@@ -173,7 +173,7 @@ def test_what_the_page_kept_brings_its_plots_whenever_it_comes(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     letters = kept_letters(Session(sim.load_scene("rod")), (Wish(("joint0.angle",)),))
-    with stage.page() as page:
+    with stage.page():
         tab = stage.new_tab(set())
         in_the_middle_of_a_frame(tab, lambda: tab.hear(Part("resume", 1, 1, letters)), monkeypatch)
         eventually(lambda: tab.probe().looks.dark and session_of(tab).scene.name == "rod")

@@ -15,7 +15,7 @@ from sim.store.link import PATH, pack_scene
 
 from ...linking import short_address
 from ...session.notices import Notice
-from ...ui.board import foremost
+from ...ui.board import main_settings
 from ...ui.page import Page
 from .messages import Link, Share
 
@@ -69,7 +69,7 @@ def _controls(scene: Scene, which: Literal["all", "play", "sliders"]) -> str:
     """The field of an address that says which controls there are; empty for those that there are anyway."""
     if which == "all":
         return ""
-    sliders = [setting.key for setting in foremost(settings_of(scene))] if which == "sliders" else []
+    sliders = [setting.key for setting in main_settings(settings_of(scene))] if which == "sliders" else []
     return f"controls={','.join(['play', *sliders])}"
 
 

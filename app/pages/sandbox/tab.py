@@ -218,7 +218,7 @@ class Tab:
 
     @property
     def _has_commands(self) -> bool:
-        return self._session is not None and (self._session.has_commands or self._page.is_asked)
+        return self._session is not None and (self._session.has_commands or self._page.has_requests)
 
     def _is_settled(self, session: Session) -> bool:
         """Return True if there is nothing left to send, and only the clock advances."""
