@@ -1,6 +1,7 @@
 // @ts-check
 /** A button at the edge of the view, an arrow towards a body that has left it; it shows the whole scene. */
 import { fit } from "./camera.js";
+import { iconHtml, makeButton } from "../ui/dialog.js";
 
 /** Pixels between the arrow's middle and the edge. */
 const INSET = 34;
@@ -63,17 +64,14 @@ function uncovered({ x, y }) {
 
 /** Adds the arrow to the page, hidden; what is returned draws it. */
 export function addEdgeArrow() {
-  const button = document.createElement("button");
-  button.type = "button";
-  button.className = "softrod-edge";
+  const button = makeButton("", () => {
+    fit(true);
+    button.blur();
+  }, "softrod-edge");
   button.hidden = true;
   button.ariaLabel = "The body is out of view. Show the whole scene";
   button.title = "Show the whole scene (0)";
-  button.innerHTML = '<svg viewBox="0 0 24 24" aria-hidden="true"><path d="M5 10v4h8v5l7-7-7-7v5z"/></svg>';
-  button.addEventListener("click", () => {
-    fit(true);
-    button.blur();
-  });
+  button.innerHTML = iconHtml("M5 10v4h8v5l7-7-7-7v5z");
   document.body.append(button);
   /** @param {import("./sight.js").Sight} seen */
   return ({ places, box: { left, right, top }, floor: bottom }) => {

@@ -4,6 +4,7 @@
  * now nor later.
  */
 import { stopSending } from "../wire/channel.js";
+import { make } from "./dialog.js";
 import { lost } from "./kept/keep.js";
 
 const TEXT = "Not connected: your body waits. Reconnecting…";
@@ -56,8 +57,7 @@ const endAll = () => window.dispatchEvent(new Event("blur"));
  */
 export function watchConnectionLoss() {
   for (const kind of BEGINNINGS) window.addEventListener(kind, swallow, { capture: true, passive: false });
-  const banner = document.createElement("div");
-  banner.className = "softrod-banner";
+  const banner = make("div", "softrod-banner");
   banner.setAttribute("role", "status");
   document.body.append(banner);
   let wasConnected = false;

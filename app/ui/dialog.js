@@ -19,6 +19,10 @@ export function make(kind, name, text = "") {
   return element;
 }
 
+/** An outlined or filled icon of 24 by 24 as HTML, with a word beside it. @param {string} path @param {string} [word] */
+export const iconHtml = (path, word) =>
+  `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${path}"/></svg>${word === undefined ? "" : `<span>${word}</span>`}`;
+
 /** @param {string} text @param {() => void} press @param {string} [name] */
 export function makeButton(text, press, name = "softrod-button") {
   const button = make("button", name, text);

@@ -3,6 +3,7 @@
  * The head-up display: HTML from the server behind the body, in an element that outlives the panel.
  */
 import { onMessage } from "../wire/channel.js";
+import { make } from "./dialog.js";
 import { viserCanvas } from "./viser/viser.js";
 
 /** @type {HTMLElement | null} */
@@ -19,8 +20,7 @@ function putBehind(element) {
 export const showHud = () =>
   onMessage("hud", ({ html }) => {
     if (!hud?.isConnected) {
-      hud = document.createElement("div");
-      hud.className = "softrod-hud";
+      hud = make("div", "softrod-hud");
       putBehind(hud);
     }
     hud.innerHTML = html;

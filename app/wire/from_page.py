@@ -2,7 +2,7 @@
 
 Any client can forge them: `messages.read` accepts only what is exactly declared here, and only finite
 numbers. Whether a mass or a control exists is checked where a message is handled. Places are in the page's
-world, see `stage.sketch.Mapping`. """
+world, see `stage.sketch.Mapping`."""
 
 from __future__ import annotations
 

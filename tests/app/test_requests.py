@@ -7,6 +7,7 @@ import codecs
 import threading
 import zlib
 from pathlib import Path
+from queue import Queue
 
 import pytest
 
@@ -37,17 +38,6 @@ def wait(event: threading.Event) -> None:
     event.wait(LIMIT)
 
 
-def test_requests_of_a_page_are_done_one_after_the_other() -> None:
-    line, done, go, end = SerialQueue(print), list[int](), threading.Event(), threading.Event()
-    line.submit(wait, go)
-    for number in range(MAX_WAITING - 1):
-        line.submit(done.append, number)
-    line.submit(end.set)
-    go.set()
-    assert end.wait(LIMIT)
-    assert done == list(range(MAX_WAITING - 1))
-
-
 def fail() -> None:
     """A defect."""
     raise ValueError
@@ -64,15 +54,9 @@ def test_a_request_that_fails_does_not_stop_those_after_it(caplog: pytest.LogCap
 def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_others(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    told: list[Notice] = []
-    line, others, busy, go, end = (
-        SerialQueue(told.append),
-        SerialQueue(told.append),
-        threading.Event(),
-        threading.Event(),
-        threading.Event(),
-    )
-    done: list[int] = []
+    told, done = list[Notice](), list[int]()
+    line, others = (SerialQueue(told.append) for _ in range(2))
+    busy, go, end = (threading.Event() for _ in range(3))
     line.submit(busy.set)
     line.submit(wait, go)
     assert busy.wait(LIMIT)
@@ -84,7 +68,7 @@ def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_othe
     assert end.wait(LIMIT), "another page is answered meanwhile"
     go.set()
     assert eventually(lambda: len(done) == MAX_WAITING)
-    # What there was room for is done, and the rest is not left out without a word, nor with a hundred.
+    # What there was room for is done in order, and one notice says that the rest is not.
     assert done == list(range(MAX_WAITING))
     assert told == [TOO_MUCH]
     last = threading.Event()
@@ -127,6 +111,20 @@ def test_no_event_takes_the_place_of_another(tmp_path: Path, monkeypatch: pytest
     assert len(set(page.letters.keys)) == len(page.letters.keys) == 5
 
 
+class Asking(Page):
+    """A page whose requests are handled, with the files feature alone."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._noticed: Queue[Notice] = Queue()
+        self.whole = page_of(self.session, None, self.letters, self._noticed.put)
+        self.handler = requests.RequestHandler(self.whole, (FilesFeature(self.whole),), print)
+
+    def notice(self) -> Notice:
+        """Wait for a notice."""
+        return self._noticed.get(timeout=LIMIT)
+
+
 @pytest.mark.parametrize(
     ("message", "title", "text"),
     [
@@ -136,25 +134,16 @@ def test_no_event_takes_the_place_of_another(tmp_path: Path, monkeypatch: pytest
     ],
 )
 def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, text: str) -> None:
-    page, told = Page(), threading.Event()
-    notices: list[Notice] = []
-
-    def notify(notice: Notice) -> None:
-        notices.append(notice)
-        told.set()
-
-    all_of_it = page_of(page.session, None, page.letters, notify)
-    answering = requests.RequestHandler(all_of_it, (FilesFeature(all_of_it),), print)
-    answering.ask(message)
-    assert told.wait(LIMIT)
-    assert notices[0].title == title
-    assert text in notices[0].text
+    asking = Asking()
+    asking.handler.ask(message)
+    notice = asking.notice()
+    assert notice.title == title
+    assert text in notice.text
 
 
 def test_a_page_that_gives_back_nonsense_keeps_what_comes_after_it() -> None:
-    page = Page()
-    answering = requests.RequestHandler(page_of(page.session, None, page.letters), (), print)
-    answering.take(Part("resume", 1, 1, "bm9uc2Vuc2U="))
+    page = Asking()
+    page.handler.take(Part("resume", 1, 1, "bm9uc2Vuc2U="))
     assert page.letters.sent == [Resumed()]
 
 
@@ -164,29 +153,19 @@ def packed(name: str, data: bytes) -> str:
 
 
 def test_a_file_is_opened_where_there_is_a_share_tab_and_a_broken_one_is_told() -> None:
-    page, told = Page(), threading.Event()
-    notices: list[Notice] = []
-
-    def notify(notice: Notice) -> None:
-        notices.append(notice)
-        told.set()
-
-    all_of_it = page_of(page.session, None, page.letters, notify)
-    answering = requests.RequestHandler(all_of_it, (FilesFeature(all_of_it),), print)
-
-    def say(name: str, data: bytes) -> Part:
-        return Part("file", 1, 1, packed(name, data))
-
-    all_of_it.controls = controls.Controls(("play",))
-    answering.take(say("hidden.json", b"{"))
-    all_of_it.controls = controls.ALL
-    answering.take(say("rod%20one.json", files.encode_scene(sim.load_scene("rod"))))
-    answering.take(say("b%C3%A4d.json", b"{"))
-    assert told.wait(LIMIT)
+    page = Asking()
+    for there, name, data in (
+        (controls.Controls(("play",)), "hidden.json", b"{"),
+        (controls.ALL, "rod%20one.json", files.encode_scene(sim.load_scene("rod"))),
+        (controls.ALL, "b%C3%A4d.json", b"{"),
+    ):
+        page.whole.controls = there
+        page.handler.take(Part("file", 1, 1, packed(name, data)))
+    notice = page.notice()  # the only one
     page.session.drain()
     assert page.session.scene.name == "rod"
-    assert [notice.title for notice in notices] == ["That did not work"]
-    assert notices[0].text.startswith("bäd.json: ")
+    assert notice.title == "That did not work"
+    assert notice.text.startswith("bäd.json: ")
 
 
 RING = files.encode_scene(sim.load_scene("ring"))

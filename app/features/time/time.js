@@ -5,6 +5,7 @@ import { onPicture } from "../../stage/canvas.js";
 import { nextStep, timeNow } from "../../ui/clock.js";
 import { has, onMessage, pageState, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
+import { iconHtml, make, makeButton } from "../../ui/dialog.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { perform } from "../../wire/perform.js";
 
@@ -43,36 +44,28 @@ function dress(element, face) {
   if (dressed.get(element) === face) return;
   dressed.set(element, face);
   const { icon, word, name, does } = face;
-  element.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icon}"/></svg><span>${word}</span>`;
+  element.innerHTML = iconHtml(icon, word);
   element.ariaLabel = name;
   element.title = withKey(name, does);
 }
 
 /** @param {Face} face @param {() => void} press */
 function iconButton(face, press) {
-  const element = document.createElement("button");
-  element.type = "button";
-  element.addEventListener("click", press);
+  const element = makeButton("", press, "");
   dress(element, face);
   return element;
 }
 
 /** @param {CommandName} command */
-function offerButton(command) {
-  const element = document.createElement("button");
-  element.type = "button";
-  element.className = "softrod-offer";
-  element.textContent = COMMANDS[command].word ?? COMMANDS[command].label;
-  element.addEventListener("click", () => perform(command));
-  return element;
-}
+const offerButton = (command) =>
+  makeButton(COMMANDS[command].word ?? COMMANDS[command].label, () => perform(command), "softrod-offer");
 
 /** @param {number} speed */
 const speedText = (speed) => `${/** @type {Record<string, string>} */ (FRACTIONS)[speed] ?? speed}×`;
 
 /** The list of speeds. */
 function speedBox() {
-  const select = document.createElement("select");
+  const select = make("select", "");
   select.ariaLabel = "Speed";
   select.title = "Simulated seconds per second";
   for (const value of SPEEDS) select.add(new Option(speedText(value), String(value)));
@@ -90,7 +83,7 @@ function speedBox() {
 
 /** The slider of time, which the page does not move while the user holds it. */
 function timeSlider() {
-  const slider = document.createElement("input");
+  const slider = make("input", "");
   slider.type = "range";
   slider.step = "any";
   slider.ariaLabel = "Time shown";
@@ -122,12 +115,8 @@ function timeSlider() {
 
 /** Offers over the bar after a run that exploded, or after going back. */
 function offers() {
-  const line = document.createElement("div");
-  line.className = "softrod-line";
-  const before = offerButton("before");
-  const past = document.createElement("span");
-  past.className = "softrod-past";
-  const forget = offerButton("forget");
+  const line = make("div", "softrod-line");
+  const [before, past, forget] = [offerButton("before"), make("span", "softrod-past"), offerButton("forget")];
   line.append(before, past, forget);
   const show = () => {
     const { offer, future } = pageState();
@@ -140,8 +129,7 @@ function offers() {
 
 /** Adds the bar to the page. */
 function begin() {
-  const bar = document.createElement("div");
-  bar.className = "softrod-transport";
+  const bar = make("div", "softrod-transport");
   bar.setAttribute("role", "toolbar");
   bar.ariaLabel = "Time";
   const reset = iconButton(FACES.reset, () => perform("reset"));
@@ -151,13 +139,11 @@ function begin() {
   const play = iconButton(FACES.pause, () => perform("play"));
   play.classList.add("softrod-play");
   const forward = iconButton(FACES.step, () => perform(nextStep()));
-  const clock = document.createElement("output");
-  clock.className = "softrod-clock";
+  const clock = make("output", "softrod-clock");
   clock.translate = false;
   const [time, speed, line] = [timeSlider(), speedBox(), offers()];
   bar.append(reset, second, back, play, forward, time.element, clock, speed.element);
-  const dock = document.createElement("div");
-  dock.className = "softrod-dock";
+  const dock = make("div", "softrod-dock");
   dock.append(line.element, bar);
   document.body.append(dock);
 

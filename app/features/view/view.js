@@ -4,7 +4,7 @@ import { fit } from "../../stage/camera.js";
 import { isChasing, toggleChase } from "../../stage/chase.js";
 import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { make, makeButton } from "../../ui/dialog.js";
+import { iconHtml, make, makeButton } from "../../ui/dialog.js";
 import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
@@ -40,7 +40,7 @@ function addMenu() {
   list.ariaLabel = "View";
   list.hidden = true;
   const lid = makeButton("", () => open(list.hidden === true), "softrod-menu-lid");
-  lid.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICON}"/></svg><span>View</span>`;
+  lid.innerHTML = iconHtml(ICON, "View");
   lid.ariaLabel = "View";
   lid.title = "View: dark, projector, help and more";
   lid.ariaHasPopup = "menu";

@@ -81,7 +81,7 @@ def _index(folder: str, scripts: list[str]) -> str:
     """The page: a loading screen, then viser's page, which is one long script.
 
     softrod's script has to run before viser's, or it would miss the first messages. So viser's is not run by
-    the browser but started by softrod's. """
+    the browser but started by softrod's."""
     try:
         script = page_script()
     except (OSError, ValueError) as error:

@@ -6,6 +6,7 @@
 import { onPicture, shown } from "../../stage/canvas.js";
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { choose, chosenMass } from "../../stage/overlay.js";
+import { make } from "../dialog.js";
 import { freeHand, takeHand, handAt } from "./hands.js";
 import { ARROWS } from "./key_table.js";
 import { wireNumber } from "../../stage/screen.js";
@@ -20,12 +21,10 @@ const brokenText = (count) => `${count || "No"} ${count === 1 ? "spring" : "spri
 
 /** Adds the tab stop and the live region to the page. */
 export function addBodyKeys() {
-  const stop = document.createElement("div");
+  const stop = make("div", "softrod-body");
   stop.tabIndex = 0;
-  stop.className = "softrod-body";
   stop.setAttribute("role", "application");
-  const live = document.createElement("div");
-  live.className = "softrod-live";
+  const live = make("div", "softrod-live");
   live.setAttribute("role", "status");
   document.body.prepend(stop);
   document.body.append(live);

@@ -4,6 +4,7 @@
  * work.
  */
 import { onPicture } from "../../stage/canvas.js";
+import { make, makeButton } from "../dialog.js";
 import { onMessage, pageState } from "../../wire/channel.js";
 
 /** Animation frames that viser needs to show the panel after its messages have arrived. */
@@ -15,10 +16,8 @@ const box = () => document.querySelector(".softrod-loading");
 
 /** Shows why the page cannot work, in place of the whole page, and returns the element. @param {string} text */
 export function showFault(text) {
-  const said = document.createElement("p");
-  said.className = "softrod-fault";
+  const said = make("p", "softrod-fault", text);
   said.setAttribute("role", "alert");
-  said.textContent = text;
   const over = box();
   if (over) over.querySelector("h1")?.after(said);
   else document.body.append(said);
@@ -30,10 +29,7 @@ export function watchGraphics() {
   const lost = (/** @type {Event} */ { target }) => {
     if (!(target instanceof HTMLCanvasElement && target.isConnected)) return;
     window.removeEventListener("webglcontextlost", lost, true);
-    const again = document.createElement("button");
-    again.textContent = "Reload";
-    again.addEventListener("click", () => location.reload());
-    showFault(NO_CANVAS).append(" ", again);
+    showFault(NO_CANVAS).append(" ", makeButton("Reload", () => location.reload(), ""));
   };
   window.addEventListener("webglcontextlost", lost, true);
 }
