@@ -1,9 +1,8 @@
 // @ts-check
 /** Thin marks over the body: the joint that is read out, the chosen mass, a hint, and a scale bar. */
 import { pageState } from "../wire/channel.js";
-import { degrees, jointAngles } from "./joint.js";
+import { degrees, jointAngles, lengthText, roundDown, roundUp } from "./measures.js";
 import { freePlace } from "./label.js";
-import { lengthText, roundDown, roundUp } from "./lengths.js";
 import { keepMarksDrawn, onMarksRedraw, redrawMarks } from "./sight.js";
 import { makeSvg, set } from "./svg.js";
 import { viserCanvas } from "../ui/viser/viser.js";

@@ -54,36 +54,49 @@ const others = [];
 /** Calls back whenever this is drawn, to draw at the same place. @param {(typeof others)[0]} draw */
 export const onUnderlay = (draw) => others.push(draw);
 
-/** Begins to draw. */
-export function addUnderlay() {
-  const svg = makeSvg("svg", "softrod-underlay");
-  const paths = /** @type {Record<Kind, SVGPathElement>} */ (
-    Object.fromEntries(KINDS.map((kind) => [kind, makeSvg("path", `softrod-${kind}`, svg)]))
-  );
+/** The layers behind the body. */
+class Underlay {
+  constructor() {
+    this.svg = makeSvg("svg", "softrod-underlay");
+    this.paths = /** @type {Record<Kind, SVGPathElement>} */ (
+      Object.fromEntries(KINDS.map((kind) => [kind, makeSvg("path", `softrod-${kind}`, this.svg)]))
+    );
+    this.drawWind = windMark(this.paths.wind);
+    this.still = matchMedia("(prefers-reduced-motion: reduce)");
+    /** The view for which the layers that stand were drawn. */
+    this.view = "";
+    /** The frame at viser's last redraw. @type {import("./plan.js").Frame | null} */
+    this.before = null;
+  }
+
   /** @param {Partial<Record<Kind, string>>} outlines */
-  const show = (outlines) => {
-    for (const kind of KINDS) if (kind in outlines) set(paths[kind], { d: outlines[kind] ?? "" });
-  };
-  const { wind } = paths;
-  const blow = windMark(wind);
-  const still = matchMedia("(prefers-reduced-motion: reduce)");
-  let stood = "";
-  /** The frame at viser's last redraw. @type {import("./plan.js").Frame | null} */
-  let before = null;
-  const draw = () => {
+  show(outlines) {
+    for (const kind of KINDS) if (kind in outlines) set(this.paths[kind], { d: outlines[kind] ?? "" });
+  }
+
+  draw() {
     const { plan, frame } = shown();
     const canvas = viserCanvas();
+    const { width: across = 0, height: up = 0 } = pageState();
     // The first frame of a new body, and the page's state, may not have arrived yet.
-    if (!canvas || !pageState().width || plan?.generation !== frame?.generation) return;
-    const seen = sight(before?.generation === plan?.generation ? before : frame);
+    if (!canvas || !across || plan?.generation !== frame?.generation) return;
+    const seen = sight(this.before?.generation === plan?.generation ? this.before : frame);
     if (!seen) return;
-    if (canvas.previousSibling !== svg) canvas.before(svg);
+    if (canvas.previousSibling !== this.svg) canvas.before(this.svg);
     const { left, top, width, height } = seen.box;
-    set(svg, { viewBox: `${left} ${top} ${width} ${height}` });
-    const view = [viewOf(seen), pageState().width, pageState().height].join(" ");
-    if (view !== stood) show(standing(seen, Math.max(pageState().width ?? 0, pageState().height ?? 0) / seen.plan.scale));
-    stood = view;
-    for (const other of others) other(seen, svg);
+    set(this.svg, { viewBox: `${left} ${top} ${width} ${height}` });
+    const view = [viewOf(seen), across, up].join(" ");
+    if (view !== this.view) this.show(standing(seen, Math.max(across, up) / seen.plan.scale));
+    this.view = view;
+    for (const other of others) other(seen, this.svg);
+    this.show(this.movingOutlines(seen));
+    set(this.paths.skin, { "stroke-width": (seen.plan.contact * seen.plan.scale * seen.on.step).toFixed(2) });
+    if (seen.plan.wind.length) this.drawWind(seen, this.still.matches ? 0 : timeNow());
+    else this.show({ wind: "" });
+  }
+
+  /** Skin and fillings of the body, with the fillings of a second one. @param {import("./sight.js").Sight} seen */
+  movingOutlines(seen) {
     const { damage } = shown();
     const outlines = moving(seen, damage.broken);
     const second = secondIn(seen.frame);
@@ -93,25 +106,30 @@ export function addUnderlay() {
       outlines.gas += theirs.gas;
       outlines.liquid += theirs.liquid;
     }
-    show(outlines);
-    set(paths.skin, { "stroke-width": (seen.plan.contact * seen.plan.scale * seen.on.step).toFixed(2) });
-    if (seen.plan.wind.length) blow(seen, still.matches ? 0 : timeNow());
-    else set(wind, { d: "" });
-  };
+    return outlines;
+  }
+
+  /** Draws wind that goes on around a body at rest. */
+  drift() {
+    if (pageState().rest && shown().plan?.wind.length && !this.still.matches) this.draw();
+  }
+}
+
+/** Begins to draw. */
+export function addUnderlay() {
+  const underlay = new Underlay();
   // When viser draws, so that both are seen from the same place. Its nodes then still have the previous frame: viser
   // applies updates right after that, for its next redraw.
-  const drawn = () => {
-    draw();
-    before = shown().frame;
+  const drawWithViser = () => {
+    underlay.draw();
+    underlay.before = shown().frame;
   };
   const listen = () => {
     const scene = viser()?.scene;
-    if (scene) scene.onBeforeRender = drawn;
-    else draw();
+    if (scene) scene.onBeforeRender = drawWithViser;
+    else underlay.draw();
   };
   onPicture(listen);
   onMessage("pageState", listen);
-  setInterval(() => {
-    if (pageState().rest && shown().plan?.wind.length && !still.matches) draw();
-  }, DRIFT_EVERY);
+  setInterval(() => underlay.drift(), DRIFT_EVERY);
 }

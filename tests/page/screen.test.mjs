@@ -3,8 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { become, show } from "./page.mjs";
 import { edgeArrow } from "../../app/stage/edge.js";
-import { degrees, jointAngles } from "../../app/stage/joint.js";
-import { lengthText, roundDown, roundUp } from "../../app/stage/lengths.js";
+import { degrees, jointAngles, lengthText, roundDown, roundUp } from "../../app/stage/measures.js";
 import { addOverlay } from "../../app/stage/overlay.js";
 import { nearest, onScreen, worldAt } from "../../app/stage/screen.js";
 

@@ -1,7 +1,7 @@
 // @ts-check
 /** Between the rest angle of a joint and the direction in which its second spring rests on the screen; degrees. */
 import { shown } from "../../stage/canvas.js";
-import { jointAngles } from "../../stage/joint.js";
+import { jointAngles } from "../../stage/measures.js";
 
 /** The direction of the first spring of a joint, from which angles count, and which way they turn. @param {number} joint */
 function origin(joint) {

@@ -5,7 +5,7 @@ import { CORNER, partAt, snapped, turnable } from "./places.js";
 import { editing, onEditing } from "./editing.js";
 import { wrapped } from "../../stage/draw.js";
 import { restAt, restDirection } from "./joint_rest.js";
-import { degrees } from "../../stage/joint.js";
+import { degrees } from "../../stage/measures.js";
 import { insertMarksLayer, onMarksRedraw, sight } from "../../stage/sight.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { armsOf, cornersOf, crossed, turnTo } from "./pick.js";

@@ -7,7 +7,7 @@
  * @typedef {import("../../stage/edge.js").Box} Box
  */
 import { arrow, head, headOf } from "../../stage/arrow_shapes.js";
-import { roundUp } from "../../stage/lengths.js";
+import { roundUp } from "../../stage/measures.js";
 import { sections } from "../../wire/unpack.js";
 
 /** Sets of numbers that are kept to glide between. */

@@ -10,7 +10,7 @@
  * @typedef {{x: number, y: number, mass: number}} Point in the world, and the mass that it is on, or -1
  * @typedef {import("../../stage/screen.js").Screen} Screen
  */
-import { roundUp } from "../../stage/lengths.js";
+import { roundUp } from "../../stage/measures.js";
 import { nearest, worldAt } from "../../stage/screen.js";
 
 /** @typedef {"ruler" | "protractor" | "stopwatch"} Kind */

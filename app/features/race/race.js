@@ -8,7 +8,7 @@ import { onMessage, pageState } from "../../wire/channel.js";
 import { sendParts } from "../../ui/kept/links.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { make, makeButton } from "../../ui/dialog.js";
-import { roundUp } from "../../stage/lengths.js";
+import { roundUp } from "../../stage/measures.js";
 import { gallery } from "../gallery/gallery.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";

@@ -60,8 +60,10 @@ function iconButton(face, press) {
 const offerButton = (command) =>
   makeButton(COMMANDS[command].word ?? COMMANDS[command].label, () => perform(command), "softrod-offer");
 
+/** @type {Record<string, string>} */
+const SPEED_TEXTS = FRACTIONS;
 /** @param {number} speed */
-const speedText = (speed) => `${/** @type {Record<string, string>} */ (FRACTIONS)[speed] ?? speed}×`;
+const speedText = (speed) => `${SPEED_TEXTS[speed] ?? speed}×`;
 
 /** The list of speeds. */
 function speedBox() {

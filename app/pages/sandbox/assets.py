@@ -22,6 +22,8 @@ _SCRIPTS = tuple(_APP / name for name in ("stage", "wire", "ui", "features", "pa
 _TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/webp"}
 _COMMENT = re.compile(rb"^[ \t]*(?:/\*\*(?:(?!\*/).)*\*/|//[^\n]*)[ \t]*\n", re.MULTILINE | re.DOTALL)
 """A comment on lines of its own; a test checks that none is in a text of several lines."""
+_TYPE = re.compile(rb"/\*\* @[^\n]*?\*/ ?")
+"""A type within a line of a script; a test checks that none is in a text."""
 _FOREVER = "public, max-age=31536000, immutable"
 _FIRST_SHEETS = ("ui/page.css", "ui/viser/viser.css", "ui/dialogs.css", "stage/stage.css")
 _LAST_SHEETS = ("features/classroom/classroom.css", "ui/looks.css")
@@ -54,12 +56,14 @@ def page_files() -> dict[str, StaticFile]:
 
 
 def _as_sent(path: Path) -> bytes:
-    """A file as it is sent: scripts without comments on lines of their own.
+    """A file as it is sent: scripts without types, and without comments on lines of their own.
 
     Their lines stay, empty, so that errors have the right line numbers.
     """
     data = path.read_bytes()
-    return _COMMENT.sub(lambda found: b"\n" * found[0].count(b"\n"), data) if path.suffix == ".js" else data
+    if path.suffix != ".js":
+        return data
+    return _TYPE.sub(b"", _COMMENT.sub(lambda found: b"\n" * found[0].count(b"\n"), data))
 
 
 def _sheets() -> list[Path]:

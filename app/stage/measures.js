@@ -1,5 +1,5 @@
 // @ts-check
-/** The angle of a joint as it is seen on the screen. Arithmetic only. */
+/** The angle of a joint on the screen, round lengths of scales, and their texts. Arithmetic only. */
 import { wrapped } from "./draw.js";
 
 /**
@@ -28,3 +28,25 @@ export function jointAngles(plan, frame, joint) {
 
 /** An angle as text; zero has no sign. @param {number} angle degrees */
 export const degrees = (angle) => `${(Number(angle.toFixed(1)) + 0).toFixed(1)}°`;
+
+/**
+ * Rounds up to one of 1, 2, 5, 10, 20, ...
+ *
+ * @param {number} least
+ */
+export function roundUp(least) {
+  const power = 10 ** Math.floor(Math.log10(least));
+  return power * (/** @type {number} */ ([1, 2, 5, 10].find((step) => step * power >= least * (1 - 1e-9))));
+}
+
+/** A round length as text; parts of a metre in cm. @param {number} size @param {string} unit */
+export function lengthText(size, unit) {
+  const inCm = unit === "m" && size < 1 && size >= 0.01;
+  return `${Number((inCm ? 100 * size : size).toPrecision(1))} ${inCm ? "cm" : unit}`;
+}
+
+/** Rounds down to one of these. @param {number} most */
+export function roundDown(most) {
+  const power = 10 ** Math.floor(Math.log10(most));
+  return power * (/** @type {number} */ ([10, 5, 2, 1].find((step) => step * power <= most * (1 + 1e-9))));
+}
