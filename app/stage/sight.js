@@ -23,7 +23,7 @@ const CAMERA_MOVES = 1000;
 
 /** @type {((seen: Sight) => void)[]} */
 const listeners = [];
-/** Whether the page is being printed: the canvas then has another size, and nothing is redrawn. */
+/** True while the page is printed: the canvas then has another size, and nothing is redrawn. */
 let printing = false;
 /** The canvas at the last redraw of the marks. @type {DOMRect | null} */
 let drawnOver = null;

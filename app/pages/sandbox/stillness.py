@@ -1,4 +1,4 @@
-"""Whether a body stands still, and when the texts and controls of its page have to be refreshed."""
+"""Decides whether a body stands still, and when texts and controls of its page have to be refreshed."""
 
 from __future__ import annotations
 
