@@ -18,6 +18,13 @@ import {
 /** Numbers of each wave of gusts. */
 const WAVE = 5;
 
+/** The corners of a box, clockwise. @param {Box} box @returns {Point[]} */
+const cornersOf = ({ left, right, top, bottom }) =>
+  [{ x: left, y: top }, { x: right, y: top }, { x: right, y: bottom }, { x: left, y: bottom }];
+
+/** The place of a mass among those of all. @param {Float64Array} places @param {number} mass */
+const placeOf = (places, mass) => ({ x: places[2 * mass], y: places[2 * mass + 1] });
+
 /** A point of a path. @param {Point} point */
 const text = ({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 
@@ -33,11 +40,9 @@ const text = ({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`;
  */
 export function wallInView(plan, index, on, view) {
   const [px, py, nx, ny] = plan.walls.subarray(4 * index, 4 * index + 4);
-  const scale = plan.scale * on.step;
-  const at = { x: on.x + (px - plan.x) * scale, y: on.y - (py - plan.y) * scale * plan.flip };
+  const at = onScreen(plan, on, px, py);
   const normal = { x: nx, y: -ny * plan.flip };
-  const { left, right, top, bottom } = view;
-  const box = [{ x: left, y: top }, { x: right, y: top }, { x: right, y: bottom }, { x: left, y: bottom }];
+  const box = cornersOf(view);
   const depths = box.map(({ x, y }) => (at.x - x) * normal.x + (at.y - y) * normal.y);
   /** @type {Point[]} */
   const corners = [];
@@ -175,7 +180,7 @@ export function loops({ fillings, springs }, places, gas, broken) {
     if ((fillings[i] === 1) !== gas) continue;
     const loop = Array.from(fillings.subarray(i + 2, i + 2 + fillings[i + 1]));
     if (gaps.size && loop.some((mass, k) => gaps.has(pair(mass, loop[(k + 1) % loop.length])))) continue;
-    outlines += outline(loop.map((mass) => ({ x: places[2 * mass], y: places[2 * mass + 1] })));
+    outlines += outline(loop.map((mass) => placeOf(places, mass)));
   }
   return outlines;
 }
@@ -208,8 +213,7 @@ export function standing({ plan, on, box }, size) {
  */
 export function resisting(plan, on, view) {
   const found = { medium: "", ripple: "", ground: "", grain: "" };
-  const { left, right, top, bottom } = view;
-  const all = outline([{ x: left, y: top }, { x: right, y: top }, { x: right, y: bottom }, { x: left, y: bottom }]);
+  const all = outline(cornersOf(view));
   if (plan.medium) found.medium = all;
   if (plan.medium && !(meanWind(plan) > 0)) {
     for (const { x, y } of scattered(plan, on, view, RIPPLES)) {
@@ -257,8 +261,7 @@ export function skin({ springs }, places, broken) {
   let lines = "";
   for (let i = 0; i < springs.length / 2; i++) {
     if (broken.has(i)) continue;
-    const [a, b] = [2 * springs[2 * i], 2 * springs[2 * i + 1]];
-    lines += `M${text({ x: places[a], y: places[a + 1] })}L${text({ x: places[b], y: places[b + 1] })}`;
+    lines += `M${text(placeOf(places, springs[2 * i]))}L${text(placeOf(places, springs[2 * i + 1]))}`;
   }
   return lines;
 }

@@ -12,7 +12,7 @@ const TEXT = "Not connected: your body waits. Reconnecting…";
 const WALL = "Not connected. Reconnecting…";
 /** If the server gives no reason why there is no first connection. */
 const BLOCKED =
-  "The page is here, but its live connection does not come about: something on the way lets no WebSockets through. Another network may do, such as the hotspot of the computer that softrod runs on.";
+  "The page has loaded, but its live connection fails: something on the way blocks WebSockets. Try another network, such as the hotspot of the computer that softrod runs on.";
 /** Events that begin something. Moves and releases are let through, so that whatever is pressed can be released. */
 const BEGINNINGS = ["pointerdown", "mousedown", "touchstart", "click", "dblclick", "keydown", "paste", "cut", "drop"];
 /** Keys of the browser, which move the focus or close a dialog. */

@@ -18,7 +18,7 @@ MAX_WAITING = 100
 """Requests of one page that may wait; no person makes more."""
 
 TOO_MUCH = Notice(
-    "warning", "That was too much at once", "What was asked for last is not done: do it again in a moment."
+    "warning", "Too much at once", "The last requests were ignored. Try again in a moment."
 )
 
 threads = ThreadPoolExecutor(8, thread_name_prefix="softrod-request")

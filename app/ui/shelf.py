@@ -94,7 +94,7 @@ class Shelf:
         if self.owned:
             return files.user_folder()
         if self._visitor is None:
-            raise SceneError("the page has not said whose scenes it has; reload it and try again")
+            raise SceneError("the page has not identified its user; reload it and try again")
         return self._visitor
 
     def stamp(self) -> tuple[Stamp, Stamp | None]:
@@ -139,7 +139,7 @@ class Shelf:
         if self.owned:
             return
         if not exists and len(list(self.folder.glob("*.json"))) >= MAX_SCENES:
-            raise SceneError(f"you have {MAX_SCENES} scenes here, which is the most; delete some first")
+            raise SceneError(f"you have {MAX_SCENES} scenes here, the maximum; delete some first")
         taken = sum(path.stat().st_size for path in visitors_folder().rglob("*.json"))
         if taken + files.MAX_FILE_BYTES > MAX_BYTES:
             raise SceneError("this computer has no room for more scenes of visitors; download it as a file")

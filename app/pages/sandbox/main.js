@@ -32,7 +32,7 @@ import { FEATURES } from "./features.js";
 /** Seconds within which viser's page makes its hook, if ever. */
 const PATIENCE = 20;
 
-const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
+const FAULT = "This page cannot draw: its viser page is not the version that softrod supports.";
 const NO_WEBGL =
   "softrod draws with WebGL 2, which this browser does not have or has switched off: allow hardware acceleration in its settings, or use another browser.";
 identify();
