@@ -17,9 +17,7 @@ _log = logging.getLogger(__name__)
 MAX_WAITING = 100
 """Requests of one page that may wait; no person makes more."""
 
-TOO_MUCH = Notice(
-    "warning", "Too much at once", "The last requests were ignored. Try again in a moment."
-)
+TOO_MUCH = Notice("warning", "Too much at once", "The last requests were ignored. Try again in a moment.")
 
 threads = ThreadPoolExecutor(8, thread_name_prefix="softrod-request")
 """Threads of all pages for work that would block the event loop, such as reading, packing and drawing scenes.
