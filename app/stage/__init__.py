@@ -1,1 +1,1 @@
-"""Drawing a body without a page: colours, shapes, what does not move, and what is sent of it."""
+"""Drawing a body: colours, shapes, the plan that is sent of it, and the scripts that draw it."""

@@ -9,15 +9,14 @@ const SHORTEST = 3;
 /** @param {number} value */
 const text = (value) => value.toFixed(1);
 
-/** Pixels of the head of an arrow that is as long. @param {number} length */
+/** The length of the head of an arrow of that length, px. @param {number} length */
 export const headOf = (length) => Math.min(HEAD, length);
 
 /**
- * A head with its tip at a place.
+ * The outline of a head.
  *
- * @param {number} x
- * @param {number} y
- * @param {number} angle radians on the screen, to which it points
+ * @param {number} x of its tip @param {number} y
+ * @param {number} angle direction on the screen, radians
  * @param {number} length
  * @param {boolean} open of two strokes
  */
@@ -31,13 +30,11 @@ export function head(x, y, angle, length, open) {
 }
 
 /**
- * An arrow; nothing if it is too short to be seen.
+ * The outline of an arrow; empty if it is too short to be seen.
  *
- * @param {number} x where it begins, pixels
- * @param {number} y
- * @param {number} dx
- * @param {number} dy
- * @param {boolean} open whether its head is of two strokes
+ * @param {number} x of its beginning, pixels @param {number} y
+ * @param {number} dx @param {number} dy
+ * @param {boolean} open its head is of two strokes
  */
 export function arrow(x, y, dx, dy, open = false) {
   const length = Math.hypot(dx, dy);

@@ -1,38 +1,47 @@
 // @ts-check
-/** The camera: seen from the front, moved and zoomed but never turned. */
+/** The camera: it looks from the front, and is moved and zoomed but never turned. */
 import { shown } from "./canvas.js";
-import { onTold, told } from "../wire/channel.js";
+import { onMessage, pageState } from "../wire/channel.js";
 import { toWorld } from "./draw.js";
 import { MARGIN, NEAR, STRIP } from "./looks.js";
 import { editing } from "../features/edit/editing.js";
 import { placeTransport } from "./dock.js";
-import { viser } from "../ui/viser/viser.js";
+import { viserCamera, viserCanvas } from "../ui/viser/viser.js";
 
-/** How many times larger than the scene's frame a view may be; a body farther away is left out. */
-const LARGEST = 20;
-/** Pixels of a canvas below which the buttons over the bar of time have no room beside a body, and those around them. */
-const [NARROW, ROOM] = [480, 18];
-/** Width of a phone's canvas at most, and pixels that the words at its upper left take: the scene stands below them there. */
-const [PHONE, WORDS] = [450, 66];
-/** From which part of the canvas's width on the row of tools leaves no room for the body beside it. */
+/** Largest size of a view, in that of the scene's frame; a body farther away is left out. */
+const MAX_VIEW = 20;
+/** Pixels of a canvas below which the buttons over the bar of time have no room beside a body. */
+const NARROW = 480;
+/** Pixels around those buttons. */
+const BUTTON_MARGIN = 18;
+/** Pixels of a canvas below which the scene is fitted under the head-up display, as on a phone. */
+const PHONE = 450;
+/** Pixels that the head-up display takes there. */
+const HUD_HEIGHT = 66;
+/** Part of the canvas's width beyond which the row of tools leaves no room for a body beside it. */
 const WIDE = 0.75;
-/** Milliseconds between two looks at the size of the canvas, and at whether viser has its way with the camera. */
-const LOOK_EVERY = 100;
+/** Milliseconds between two checks of the canvas's size, and of whether viser has changed how the camera moves. */
+const CHECK_EVERY = 100;
 
 let fits = 0;
-/** Where the last fit put the camera. @type {number[]} */
-let seen = [];
+/** The camera after the last fit. @type {number[]} */
+let fittedEye = [];
 /** @type {(() => void)[]} */
 const listeners = [];
 
-/** Whether the camera is still where the last fit put it. */
-function untouched() {
-  const { camera } = viser() ?? {};
-  const now = camera ? [camera.position.x, camera.position.y, camera.position.z] : [];
-  return now.length === seen.length && now.every((value, i) => Math.abs(value - seen[i]) < 1e-6);
+/** The position of the camera; empty while there is none. */
+function eye() {
+  const position = viserCamera()?.camera.position;
+  return position ? [position.x, position.y, position.z] : [];
 }
 
-/** How often the scene was fitted to the window. */
+/** True if the camera is still where the last fit put it. */
+function untouched() {
+  const now = eye();
+  return now.length === fittedEye.length && now.every((value, i) => Math.abs(value - fittedEye[i]) < 1e-6);
+}
+
+/** The number of times that the scene was fitted to the window. */
 export const fitted = () => fits;
 
 /** Calls back after every fit. @param {() => void} listener */
@@ -53,7 +62,7 @@ function flatten(controls) {
 }
 
 /**
- * Where an element can be seen from: what is scrolled out of view does not count.
+ * The upper end of the visible part of an element, which may be scrolled.
  *
  * @param {Element} element
  * @param {HTMLCanvasElement} canvas
@@ -67,7 +76,7 @@ function visibleTop(element, canvas) {
 }
 
 /**
- * Height of what lies over the canvas at the bottom: the sheet of the panel on a phone.
+ * Height of what covers the canvas at the bottom: the sheet of the panel on a phone.
  *
  * @param {HTMLCanvasElement} canvas
  * @param {DOMRect} box
@@ -85,8 +94,8 @@ function covered(canvas, box) {
 }
 
 /**
- * Height that the tools take at the top and at the bottom, where they stand in a row over nearly all of its width; and
- * that of the buttons over the bar of time, where a narrow canvas has no room beside them.
+ * Height that the tools take at the top and at the bottom if their row is nearly as wide as the canvas, or else the
+ * buttons over the bar of time if a narrow canvas has no room beside them.
  *
  * @param {DOMRect} box of the canvas
  */
@@ -96,16 +105,16 @@ function besideTools(box) {
   if (!editing.on) {
     const buttons = [...document.querySelectorAll(".softrod-menu-lid, .softrod-box-lid")];
     const height = Math.max(0, ...buttons.map((button) => button.getBoundingClientRect().height));
-    return { above: 0, below: box.width < NARROW && height ? height + ROOM : 0 };
+    return { above: 0, below: box.width < NARROW && height ? height + BUTTON_MARGIN : 0 };
   }
   if (!row || !bar || row.width < WIDE * box.width) return { above: 0, below: 0 };
   return { above: Math.max(0, row.bottom - box.top), below: bar.getBoundingClientRect().height };
 }
 
 /**
- * Makes room for the surfaces of walls that would be just beyond the edge.
+ * Extends a view to the surfaces of walls that would be just beyond its edge.
  *
- * @param {{left: number, right: number, low: number, high: number}} seen is changed
+ * @param {{left: number, right: number, low: number, high: number}} seen the view, which is changed
  * @param {import("./plan.js").Plan} plan
  */
 export function showWalls(seen, { walls, scale, x, y, flip }) {
@@ -122,11 +131,11 @@ export function showWalls(seen, { walls, scale, x, y, flip }) {
 }
 
 /**
- * What is to be seen, in the page's world.
+ * What a fit shows, in the page's world.
  *
  * @param {number} width of the scene's frame, whose middle is the origin
  * @param {number} height
- * @param {boolean} withBody whether the body belongs to it, wherever it is
+ * @param {boolean} withBody include the body, wherever it is
  */
 function bounds(width, height, withBody) {
   const { plan, frame } = shown();
@@ -144,20 +153,20 @@ function bounds(width, height, withBody) {
     whole.high = Math.max(whole.high, world[i + 1] + radius);
   }
   const size = Math.max((whole.right - whole.left) / width, (whole.high - whole.low) / height);
-  return size <= LARGEST ? whole : all;
+  return size <= MAX_VIEW ? whole : all;
 }
 
 /**
  * Shows the scene's frame, whole, in the part of the canvas that can be seen.
  *
- * @param {boolean} [withBody] whether also the body, wherever it is
- * @returns {boolean} whether it could
+ * @param {boolean} [withBody] also the body, wherever it is
+ * @returns {boolean} false while there is nothing to show
  */
 export function fit(withBody = false) {
-  const { canvas, camera, cameraControl: controls, nodeRefFromName } = viser() ?? {};
-  const root = nodeRefFromName?.[""];
-  const [width, height] = [told().width ?? 0, told().height ?? 0];
-  if (!canvas || !camera || !controls || !root || !(width > 0 && height > 0)) return false;
+  const [canvas, seen] = [viserCanvas(), viserCamera()];
+  const { width = 0, height = 0 } = pageState();
+  if (!canvas || !seen?.controls || !(width > 0 && height > 0)) return false;
+  const { camera, controls, place } = seen;
   const box = canvas.getBoundingClientRect();
   const sheet = covered(canvas, box);
   const dock = sheet + placeTransport(box, sheet);
@@ -169,42 +178,40 @@ export function fit(withBody = false) {
   const perPixel = MARGIN * Math.max((right - left) / box.width, (high - low) / free);
   const distance = (perPixel * box.height) / (2 * Math.tan((camera.fov * Math.PI) / 360));
   const spare = (free - (high - low) / perPixel) / 2;
-  const lowered = box.width < PHONE ? Math.max(0, Math.min(spare, WORDS - spare)) : 0;
+  const lowered = box.width < PHONE ? Math.max(0, Math.min(spare, HUD_HEIGHT - spare)) : 0;
   const [x, y] = [(left + right) / 2, (low + high) / 2 + perPixel * (lowered - (hidden - above) / 2)];
   controls.minAzimuthAngle = -Infinity;
   controls.maxAzimuthAngle = Infinity;
-  // From the nodes' coordinates to those of the camera.
-  const eye = camera.position.clone().set(x, y, distance).applyMatrix4(root.matrixWorld);
-  const target = camera.position.clone().set(x, y, 0).applyMatrix4(root.matrixWorld);
-  controls.setLookAt(eye.x, eye.y, eye.z, target.x, target.y, target.z, false);
-  controls.maxDistance = LARGEST * distance;
+  const [from, target] = [place(x, y, distance), place(x, y, 0)];
+  controls.setLookAt(from.x, from.y, from.z, target.x, target.y, target.z, false);
+  controls.maxDistance = MAX_VIEW * distance;
   controls.minDistance = distance / 200;
   controls.update(0);
   flatten(controls);
   fits += 1;
-  seen = [camera.position.x, camera.position.y, camera.position.z];
+  fittedEye = eye();
   for (const listener of listeners) listener();
   return true;
 }
 
 /**
- * Moves the view by a way of the page's world.
+ * Moves the view by a vector of the page's world.
  *
  * @param {number} dx @param {number} dy
  */
 export function shift(dx, dy) {
-  const { camera, cameraControl: controls, nodeRefFromName } = viser() ?? {};
-  const root = nodeRefFromName?.[""];
-  if (!camera || !controls || !root) return;
-  const [from, to] = [0, 1].map((part) => camera.position.clone().set(part * dx, part * dy, 0).applyMatrix4(root.matrixWorld));
+  const seen = viserCamera();
+  if (!seen?.controls) return;
+  const { camera, controls, place } = seen;
+  const [from, to] = [place(0, 0, 0), place(dx, dy, 0)];
   const fitted = untouched();
   const end = controls.getTarget(camera.position.clone(), true);
   controls.moveTo(end.x + to.x - from.x, end.y + to.y - from.y, end.z + to.z - from.z, false);
   controls.update(0);
-  if (fitted) seen = [camera.position.x, camera.position.y, camera.position.z];
+  if (fitted) fittedEye = eye();
 }
 
-/** Keeps the camera flat, and fits every new scene and every new size of the window. */
+/** Keeps the camera from turning, and fits every new scene and every new size of the window. */
 export function keepFlat() {
   /** @type {unknown} */
   let flat = null;
@@ -214,8 +221,8 @@ export function keepFlat() {
   let covers = "";
   const paper = matchMedia("print");
   const look = () => {
-    const { canvas, cameraControl: controls } = viser() ?? {};
-    // On paper the canvas has another size, but what is drawn in it has not.
+    const [canvas, controls] = [viserCanvas(), viserCamera()?.controls];
+    // In print the canvas has another size, but not what is drawn in it.
     if (!canvas || !controls || paper.matches) return;
     if (flat !== controls || controls.mouseButtons.left !== controls.constructor.ACTION.TRUCK) {
       flat = controls;
@@ -231,14 +238,14 @@ export function keepFlat() {
       (strip) => /** @type {HTMLElement} */ (strip).offsetHeight,
     );
     const cover = [sheet, above, below, ...strips].join(" ");
-    // A view that its user has chosen stays when the panel's sheet, the tools or a strip grow or shrink.
+    // A view that the user has chosen stays when the panel's sheet, the tools or a strip change their size.
     const grown = cover !== covers && untouched();
-    if ((told().scene !== scene || size !== now || grown) && fit()) {
-      scene = told().scene;
+    if ((pageState().scene !== scene || size !== now || grown) && fit()) {
+      scene = pageState().scene;
       size = now;
       covers = cover;
     }
   };
-  onTold("pageState", look);
-  setInterval(look, LOOK_EVERY);
+  onMessage("pageState", look);
+  setInterval(look, CHECK_EVERY);
 }

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * Draws the body: puts into viser's queue what the plan, the frames and the damage mean for its nodes, and takes out
- * what is softrod's.
+ * Draws the body: takes softrod's messages out of viser's queue, and puts in updates of nodes made from plan, frames and
+ * damage.
  *
  * @typedef {import("../ui/viser/viser.js").Message} Message
  * @typedef {import("../ui/viser/viser.js").Viser} Viser
@@ -9,76 +9,75 @@
  * @typedef {import("./plan.js").Frame} Frame
  * @typedef {import("./draw.js").Instances} Instances
  */
-import * as draw from "./draw.js";
+import { NODES, toWorld } from "./draw.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "./plan.js";
-import { callAll, hear, onTold, sendBy } from "../wire/channel.js";
+import { callAll, onMessage, receive, sendBy } from "../wire/channel.js";
 import { viser as current } from "../ui/viser/viser.js";
 import { Glide } from "./glide.js";
 
-/** Where the nodes of the body are, and those of a second one. */
-const [BODY, SECOND] = ["/body/", "/second/"];
+/** Beginning of the names of the body's nodes. */
+const BODY = "/body/";
+/** Beginning of the names of a second body's nodes. */
+const SECOND = "/second/";
 
 const state = {
   /** @type {Plan | null} */
   plan: null,
-  /** What has yielded and broken. */
   damage: UNHARMED,
-  /** The picture that is shown. @type {Frame | null} */
+  /** The frame that is shown. @type {Frame | null} */
   frame: null,
-  /** What it is a picture of: a new body's plan comes before its first picture. @type {Plan | null} */
+  /** Its plan: the plan of a new body arrives before its first frame. @type {Plan | null} */
   pictured: null,
-  /** When it was shown, ms of the screen's clock. */
+  /** Time at which it was shown, ms of the screen's clock. */
   since: 0,
-  /** What a second body is made of. @type {Plan | null} */
+  /** The plan of a second body. @type {Plan | null} */
   secondPlan: null,
-  /** Pictures drawn so far. */
+  /** Number of pictures drawn. */
   drawn: 0,
 };
 const glide = new Glide();
 /** viser's page, once it is there. @type {Viser | null} */
 let page = null;
-/** Who owns each node of the body; updates must name the owner. @type {Map<string, string | undefined>} */
-const owners = new Map();
-/** Colours that a node has. @type {Map<string, Uint8Array>} */
+/** Owners of nodes, which updates have to name. @type {Map<string, string | undefined>} */
+const nodeOwners = new Map();
+/** Present colours of nodes. @type {Map<string, Uint8Array>} */
 const colors = new Map();
 /** @type {((frame: Frame, plan: Plan) => void)[]} */
 const listeners = [];
 let asked = false;
-/** Whether the picture that is shown stays. */
+/** True while the picture is frozen. */
 let held = false;
 
-const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
-
-/** What is shown now. */
+/** The present picture. */
 export const shown = () => state;
 
-/** A second body in a picture, and what it is made of; null without one. @param {Frame} frame */
+/** The second body of a frame, with its plan; null without one. @param {Frame} frame */
 export function secondIn({ second }) {
   const { secondPlan: plan } = state;
   return second && plan?.radius.length === second.positions.length / 2 ? { plan, frame: second } : null;
 }
 
 /** @type {((frame: Frame) => void)[]} */
-const takers = [];
+const frameListeners = [];
 
-/** Calls back with every frame as it comes, which may be more than are shown. @param {(frame: Frame) => void} taker */
-export const onFrame = (taker) => takers.push(taker);
+/** Calls back with every frame that arrives; not all are shown. @param {(frame: Frame) => void} listener */
+export const onFrame = (listener) => frameListeners.push(listener);
 
-/** Calls back with every picture. @param {(frame: Frame, plan: Plan) => void} listener */
+/** Calls back with every frame that is shown. @param {(frame: Frame, plan: Plan) => void} listener */
 export const onPicture = (listener) => listeners.push(listener);
 
 const seconds = () => performance.now() / 1e3;
 
-/** Hands a message on to viser. @param {Message} message */
+/** Passes a message on to viser. @param {Message} message */
 const pass = (message) => page && Array.prototype.push.call(page.messageQueue, message);
 
-/** Asks for a picture. A hidden page has no animation frames; it is drawn when it is looked at again. */
+/** Requests a redraw. A hidden page has no animation frames, and is drawn when it is shown again. */
 function ask() {
   if (!asked) requestAnimationFrame(paint);
   asked = true;
 }
 
-/** Has the picture that is shown stay, while frames come in, or lets it go on. @param {boolean} on */
+/** Freezes the picture while frames arrive, or releases it. @param {boolean} on */
 export function hold(on) {
   held = on;
   ask();
@@ -107,75 +106,66 @@ function paint() {
 /**
  * Draws one body.
  *
- * @param {string} at where its nodes are
+ * @param {string} at beginning of its nodes' names
  * @param {Plan} plan @param {Frame} frame @param {import("./plan.js").Damage} [damage]
  */
 function show(at, plan, frame, damage = UNHARMED) {
-  const world = draw.toWorld(plan, frame.positions);
-  const has = (/** @type {string} */ name) => owners.has(at + name);
-  /** @param {string} name @param {Instances} instances */
-  const put = (name, instances) => fill(at + name, instances);
-  if (has("halos")) put("halos", draw.muscles(plan, frame, world, true, damage, isStill()));
-  if (has("muscles")) put("muscles", draw.muscles(plan, frame, world, false, damage, isStill()));
-  put("springs", draw.springs(plan, frame, world, damage));
-  if (has("yielded")) put("yielded", draw.yielded(plan, world, damage));
-  put("wedges", draw.wedges(plan, frame, world, damage));
-  if (plan.pinned.length) put("pins", draw.pins(plan, world));
-  if (plan.driven >= 0) put("ring", draw.ring(plan, world));
-  put("masses", draw.masses(plan, world));
-  if (frame.ghost) put("ghost", draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage));
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const body = { plan, frame, world: toWorld(plan, frame.positions), damage, still };
+  for (const [name, { draw, has }] of Object.entries(NODES)) {
+    if (nodeOwners.has(at + name) && (has?.(body) ?? true)) fill(at + name, draw(body));
+  }
 }
 
-/** Fills a node with its instances; colours only when they changed. @param {string} node @param {Instances} instances */
+/** Fills a node with instances; colours only if they have changed. @param {string} node @param {Instances} instances */
 function fill(node, instances) {
-  if (!owners.has(node)) return;
   const { batched_colors: wanted, ...updates } = instances;
   const before = colors.get(node);
   if (wanted && !(before && before.length === wanted.length && wanted.every((value, i) => value === before[i]))) {
     colors.set(node, wanted);
     Object.assign(updates, { batched_colors: wanted });
   }
-  pass({ type: "SceneNodeUpdateMessage", name: node, owner: owners.get(node), updates });
+  pass({ type: "SceneNodeUpdateMessage", name: node, owner: nodeOwners.get(node), updates });
 }
 
-/** Begins to take what is told of the body. */
+/** Begins to receive the messages of the body. */
 function listen() {
-  onTold("plan", ({ numbers }) => {
+  onMessage("plan", ({ numbers }) => {
     state.plan = readPlan(numbers);
     colors.clear();
     ask();
   });
-  onTold("secondPlan", ({ numbers }) => {
+  onMessage("secondPlan", ({ numbers }) => {
     state.secondPlan = readPlan(numbers);
     colors.clear();
     glide.last = null;
     ask();
   });
-  onTold("damage", ({ numbers }) => {
+  onMessage("damage", ({ numbers }) => {
     state.damage = readDamage(numbers);
-    glide.last = null; // the picture that is shown is no longer right
+    glide.last = null; // has the picture redrawn
     ask();
   });
-  onTold("frame", ({ numbers, wall }) => {
+  onMessage("frame", ({ numbers, wall }) => {
     const frame = readFrame(numbers);
     glide.take(frame, wall, seconds());
-    callAll(takers, frame);
+    callAll(frameListeners, frame);
     ask();
   });
 }
 
-/** Notes which nodes of the body there are. @param {Message} message */
+/** Follows which nodes of the bodies exist. @param {Message} message */
 function note({ type, name = "", owner, props }) {
-  if (type === "RemoveSceneNodeMessage") owners.delete(name);
+  if (type === "RemoveSceneNodeMessage") nodeOwners.delete(name);
   if (!props || !(name.startsWith(BODY) || name.startsWith(SECOND))) return;
-  owners.set(name, owner);
+  nodeOwners.set(name, owner);
   colors.delete(name);
-  glide.last = null; // a new node has to be filled in
+  glide.last = null; // has a new node filled
   ask();
 }
 
 /**
- * Stands in the way of viser's messages.
+ * Begins to intercept viser's messages.
  *
  * @param {Viser} viser
  */
@@ -186,7 +176,7 @@ export function drawBody(viser) {
   const queue = viser.messageQueue;
   queue.push = (...messages) => {
     for (const message of messages) {
-      if (hear(message)) continue;
+      if (receive(message)) continue;
       note(message);
       pass(message);
     }

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * The switch by which the camera goes with the body, or in a race with both: it moves as much as their middle does, so
- * that one can pan and zoom meanwhile. The tab remembers.
+ * The camera follows the body, or in a race both: it moves by as much as their middle does, so that the user can pan and
+ * zoom meanwhile. The tab remembers the switch.
  */
 import { onFit, shift } from "./camera.js";
 import { onPicture, shown } from "./canvas.js";
@@ -9,23 +9,23 @@ import { toWorld } from "./draw.js";
 import { kept, store } from "../ui/kept/storage.js";
 import { worldAt } from "./screen.js";
 import { screen } from "../ui/viser/screen.js";
-import { viser } from "../ui/viser/viser.js";
+import { canvasBox } from "../ui/viser/viser.js";
 
 const NAME = "softrod-chase";
-/** Seconds in which it makes up for most of a step, so that a trot does not shake it. */
+/** Time constant of its movement, s, so that a trot does not shake it. */
 const EASE = 0.2;
-/** Seconds between two pictures beyond which the body stood. */
+/** Seconds without a picture after which the body counts as at rest. */
 const STOOD = 0.1;
 
-/** Part of the canvas by which the body is out of its middle at most, for the sake of the other one. */
-const BESIDE = 0.3;
+/** Largest distance of the body from the middle, in the size of the canvas, to show the other one too. */
+const MAX_OFFSET = 0.3;
 
 let on = false;
-/** Where it has gone with, in the page's world; null until the next picture says. @type {{x: number, y: number} | null} */
-let gone = null;
+/** The place that it follows, in the page's world; null until the next picture. @type {{x: number, y: number} | null} */
+let followed = null;
 let last = 0;
 
-/** Whether the camera goes with the body. */
+/** True if the camera follows the body. */
 export const isChasing = () => on;
 
 /** The middle of a body in the page's world. @param {import("./plan.js").Plan} plan @param {Float32Array} positions */
@@ -39,30 +39,31 @@ function middleOf(plan, positions) {
   return { x, y };
 }
 
-/** What is to be kept in view, in the page's world: in a race a place between both, but never far from the body. */
+/** The place that is followed, in the page's world: in a race one between both, but never far from the body. */
 function middle() {
-  const [{ frame, pictured: plan }, seen, box] = [shown(), screen(), viser()?.canvas?.getBoundingClientRect()];
+  const { frame, pictured: plan } = shown();
+  const [seen, box] = [screen(), canvasBox()];
   if (!frame || !plan || !seen || !box) return null;
   const own = middleOf(plan, frame.positions);
   const { x, y } = frame.second ? middleOf(plan, frame.second.positions) : own;
   /** @param {number} way @param {number} size */
-  const part = (way, size) => Math.max(-BESIDE * size, Math.min(BESIDE * size, (way * seen.step) / 2)) / seen.step;
+  const part = (way, size) => Math.max(-MAX_OFFSET * size, Math.min(MAX_OFFSET * size, (way * seen.step) / 2)) / seen.step;
   return { x: own.x + part(x - own.x, box.width), y: own.y + part(y - own.y, box.height) };
 }
 
-/** Where it is to go on from: a body that is out of view comes into its middle. */
+/** Begins to follow; a body that is out of view is moved to the middle. */
 function anchor() {
-  gone = null;
+  followed = null;
   const { frame, pictured: plan } = shown();
-  const [seen, box] = [screen(), viser()?.canvas?.getBoundingClientRect()];
+  const [seen, box] = [screen(), canvasBox()];
   if (!on || !seen || !frame || !plan || !box) return;
   const at = middleOf(plan, frame.positions);
   const [x, y] = [seen.x + at.x * seen.step, seen.y - at.y * seen.step];
   if (x > box.left && x < box.right && y > box.top && y < box.bottom) return;
-  gone = worldAt({ x: box.left + box.width / 2, y: box.top + box.height / 2 }, seen);
+  followed = worldAt({ x: box.left + box.width / 2, y: box.top + box.height / 2 }, seen);
 }
 
-/** Turns it on or off. */
+/** Switches following on or off. */
 export function toggleChase() {
   on = !on;
   store(NAME, on ? "1" : "");
@@ -76,14 +77,14 @@ function chase() {
   const passed = Math.min(now - last, STOOD);
   last = now;
   if (!at) return;
-  gone ??= at;
+  followed ??= at;
   const part = 1 - Math.exp(-passed / EASE);
-  const [dx, dy] = [(at.x - gone.x) * part, (at.y - gone.y) * part];
+  const [dx, dy] = [(at.x - followed.x) * part, (at.y - followed.y) * part];
   if (dx || dy) shift(dx, dy);
-  gone = { x: gone.x + dx, y: gone.y + dy };
+  followed = { x: followed.x + dx, y: followed.y + dy };
 }
 
-/** Begins to go with the body, if the tab remembers that. */
+/** Begins to follow the body if the tab remembers that. */
 export function addChase() {
   on = kept(NAME) === "1";
   onPicture(chase);

@@ -1,9 +1,8 @@
-"""Colours: the palettes, and what has to be sent so that the page shows them.
+"""Palettes, and the colours to send so that the page shows them.
 
-viser's page always applies the ACES filmic tone map of three.js, which dulls every colour that carries
-meaning. With ambient light alone a mesh shows its own colour times the light, so the colour to send is the
-one that the tone map turns into the colour wanted.
-"""
+viser's page always applies the ACES filmic tone map of three.js, which dulls all colours. With ambient light
+alone a mesh shows its own colour times the light, so the colour to send is the one that the tone map turns
+into the wanted colour."""
 
 from __future__ import annotations
 
@@ -38,7 +37,7 @@ def linear(color: ArrayLike) -> Rgb:
 
 
 def sent(color: Rgb) -> NDArray[np.uint8]:
-    """What to send for (..., 3) sRGB colours 0..255 so that the page shows them.
+    """The colours to send for (..., 3) sRGB colours 0..255 so that the page shows them.
 
     Inverts, in order, the sRGB curve, the tone map's output matrix, its rational fit
     v (v + a) - b over v (c v + d) + e (Hill's fit of ACES), its input matrix, and the light.
@@ -53,7 +52,7 @@ def sent(color: Rgb) -> NDArray[np.uint8]:
 
 
 def plain(color: Rgb) -> NDArray[np.uint8]:
-    """The bytes of (..., 3) sRGB colours 0..255 where nothing changes them on their way."""
+    """The bytes of (..., 3) sRGB colours 0..255 without any tone map."""
     return np.rint(np.clip(color, 0.0, 255.0)).astype(np.uint8)
 
 
@@ -85,7 +84,7 @@ class Palette:
     second: Rgb
 
     def css(self, name: str) -> str:
-        """One of the colours as CSS has it."""
+        """One of the colours in CSS notation."""
         return "#" + "".join(f"{int(part):02x}" for part in getattr(self, name))
 
 

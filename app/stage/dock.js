@@ -1,9 +1,9 @@
 // @ts-check
 /**
- * Keeps the bar under the canvas, above what covers it.
+ * Places the bar at the bottom of the canvas, above what covers it.
  *
  * @param {DOMRect} box of the canvas
- * @param {number} hidden px at its bottom that are covered
+ * @param {number} hidden covered height at its bottom, px
  * @returns {number} its height, px
  */
 export function placeTransport(box, hidden) {

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * From the positions of masses to the instances of coils, wedges, discs, pins, ring and ghost: arithmetic
- * only, without a page. Every kind of thing is one instanced node.
+ * Instances of coils, wedges, discs, pins, ring and ghost from the positions of masses: arithmetic only, without a
+ * page. All parts of a kind are one instanced node.
  *
  * @typedef {import("./plan.js").Plan} Plan
  * @typedef {import("./plan.js").Frame} Frame
@@ -11,6 +11,13 @@
  * @property {Float32Array} batched_wxyzs four each
  * @property {Float32Array} batched_scales three each
  * @property {Uint8Array} [batched_colors] three each
+ *
+ * @typedef {object} Body a body in a picture
+ * @property {Plan} plan
+ * @property {Frame} frame
+ * @property {Float64Array} world positions of its masses in the page's world
+ * @property {Damage} damage
+ * @property {boolean} [still] its muscles do not breathe
  */
 import {
   BELLY, BREATH, CREASE, FILL, FULL_DEVIATION, GHOST_WIDTH, HALO, PIN, RING, SHINE, THICKEST, THINNEST, WEDGE, WIDEST,
@@ -21,8 +28,8 @@ import { beatsAt, countMuscles, muscleAt, swings, waveAt } from "./swing.js";
 
 // Depths: what is nearer is drawn over the rest.
 const Z = { halo: -0.17, muscle: -0.16, pin: -0.15, spring: -0.12, yielded: -0.1, wedge: -0.06, ring: 0.0, rim: 0.02, mass: 0.03, shine: 0.04, ghost: 0.06 };
-/** Size of what is not to be seen: an instance that is left out would be another one's. */
-const VANISHED = 1e-6;
+/** Size of a hidden instance: leaving it out would give its place to another one. */
+const HIDDEN = 1e-6;
 /** An angle in (-180, 180]. @param {number} degrees */
 export const wrapped = (degrees) => degrees - 360 * Math.ceil((degrees - 180) / 360);
 
@@ -51,6 +58,25 @@ function put(to, i, x, y, z, angle, length, width) {
 }
 
 /**
+ * Where a spring lies: its first end, its direction (radians) and its length.
+ *
+ * @param {Plan} plan @param {Float64Array} world @param {number} spring
+ */
+function lineOf({ springs }, world, spring) {
+  const [a, b] = [2 * springs[2 * spring], 2 * springs[2 * spring + 1]];
+  const [dx, dy] = [world[b] - world[a], world[b + 1] - world[a + 1]];
+  return { x: world[a], y: world[a + 1], angle: Math.atan2(dy, dx), length: Math.hypot(dx, dy) };
+}
+
+/**
+ * Puts an instance along a spring; without a width it is hidden.
+ *
+ * @param {Instances} to @param {number} i @param {ReturnType<typeof lineOf>} line @param {number} z @param {number | null} width
+ */
+const putAlong = (to, i, { x, y, angle, length }, z, width) =>
+  put(to, i, x, y, z, angle, width === null ? HIDDEN : length, width ?? HIDDEN);
+
+/**
  * Positions in the page's world.
  *
  * @param {Plan} plan
@@ -66,7 +92,7 @@ export function toWorld(plan, positions) {
 }
 
 /**
- * How far each joint is off its rest angle, degrees in (-180, 180].
+ * Deviations of joints from their rest angles, degrees in (-180, 180].
  *
  * @param {Plan} plan
  * @param {Float32Array} positions px
@@ -92,11 +118,11 @@ export function deviations(plan, positions, shift, damage = UNHARMED, turn) {
 }
 
 /**
- * The colours of a table for values from -1 to 1.
+ * Colours from a table, for values from -1 to 1.
  *
  * @param {Float32Array} table
  * @param {Float64Array} values
- * @param {number} repeat how many instances each value colours
+ * @param {number} repeat number of instances for each value
  */
 function colored(table, values, repeat) {
   const last = table.length / 3 - 1;
@@ -113,7 +139,7 @@ function colored(table, values, repeat) {
 }
 
 /**
- * One of the plan's ink colours for every instance.
+ * The same ink colour of the plan for every instance.
  *
  * @param {Plan} plan
  * @param {number} ink
@@ -125,46 +151,32 @@ function inked(plan, ink, count) {
   return colors;
 }
 
-/**
- * @param {Plan} plan
- * @param {Frame} frame
- * @param {Float64Array} world
- * @param {Damage} damage
- * @returns {Instances}
- */
-export function springs(plan, frame, world, damage = UNHARMED) {
+/** @param {Body} body */
+export function springs({ plan, frame, world, damage }) {
   const count = plan.restLength.length;
   const result = instances(count);
   const strain = new Float64Array(count);
   const { stretch } = swings(plan, frame.time);
   for (let i = 0; i < count; i++) {
-    const [a, b] = [2 * plan.springs[2 * i], 2 * plan.springs[2 * i + 1]];
-    const [dx, dy] = [world[b] - world[a], world[b + 1] - world[a + 1]];
-    const length = Math.hypot(dx, dy);
+    const line = lineOf(plan, world, i);
     const restLength = plan.restLength[i] * frame.lengthScale * (stretch[i] ?? 1) + (damage.setLength[i] ?? 0);
     const rest = Math.max(restLength * plan.scale, 1e-9);
-    strain[i] = (length / rest - 1) / plan.fullStrain[plan.fullStrain.length > 1 ? i : 0];
-    // A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
-    const part = plan.bars ? 1 : Math.min(THICKEST, Math.max(THINNEST, Math.sqrt(rest / length)));
-    const [long, wide] = damage.broken.has(i) ? [VANISHED, VANISHED] : [length, part * plan.thickness[i]];
-    put(result, i, world[a], world[a + 1], Z.spring, Math.atan2(dy, dx), long, wide);
+    strain[i] = (line.length / rest - 1) / plan.fullStrain[plan.fullStrain.length > 1 ? i : 0];
+    // A stretched coil gets thinner, as a real one does; a squeezed one never gets thicker than its masses.
+    const part = plan.bars ? 1 : Math.min(THICKEST, Math.max(THINNEST, Math.sqrt(rest / line.length)));
+    putAlong(result, i, line, Z.spring, damage.broken.has(i) ? null : part * plan.thickness[i]);
   }
   return { ...result, batched_colors: colored(plan.strainColors, strain, 1) };
 }
 
 /**
- * What muscles are drawn as: bellies along springs, or halos around the masses of joints. They breathe: a belly is thick
- * and strong in colour while its muscle is short.
+ * Muscles: bellies along springs, or halos around the masses of joints. They breathe: a belly is thick and strong in
+ * colour while its muscle is short.
  *
- * @param {Plan} plan
- * @param {Frame} frame
- * @param {Float64Array} world
+ * @param {Body} body
  * @param {boolean} ofJoints
- * @param {Damage} damage
- * @param {boolean} still whether they do not breathe
- * @returns {Instances}
  */
-export function muscles(plan, frame, world, ofJoints, damage = UNHARMED, still = false) {
+export function muscles({ plan, frame, world, damage, still = false }, ofJoints) {
   const beats = beatsAt(plan, frame.time);
   const all = Array.from({ length: countMuscles(plan) }, (_, k) => muscleAt(plan, k));
   const some = all.filter(({ joint }) => joint === ofJoints);
@@ -176,51 +188,32 @@ export function muscles(plan, frame, world, ofJoints, damage = UNHARMED, still =
     const grown = 1 + BREATH * breath[k];
     if (ofJoints) {
       const tip = plan.joints[4 * part + 2];
-      const gone = damage.broken.has(plan.joints[4 * part]) || damage.broken.has(plan.joints[4 * part + 1]);
-      const size = gone ? VANISHED : HALO * grown * plan.radius[tip];
+      const size = isBent(plan, part, damage) ? HALO * grown * plan.radius[tip] : HIDDEN;
       put(result, k, world[2 * tip], world[2 * tip + 1], Z.halo, 0, size, size);
     } else {
-      const [a, b] = [2 * plan.springs[2 * part], 2 * plan.springs[2 * part + 1]];
-      const [dx, dy] = [world[b] - world[a], world[b + 1] - world[a + 1]];
-      const gone = damage.broken.has(part);
-      const wide = BELLY * grown * plan.thickness[part] * (plan.bars ? 1 : 2);
-      put(result, k, world[a], world[a + 1], Z.muscle, Math.atan2(dy, dx), gone ? VANISHED : Math.hypot(dx, dy), gone ? VANISHED : wide);
+      const width = BELLY * grown * plan.thickness[part] * (plan.bars ? 1 : 2);
+      putAlong(result, k, lineOf(plan, world, part), Z.muscle, damage.broken.has(part) ? null : width);
     }
   });
   return { ...result, batched_colors: colored(plan.muscleColors, breath, 1) };
 }
 
-/**
- * Lines along the springs that have yielded and are not broken.
- *
- * @param {Plan} plan
- * @param {Float64Array} world
- * @param {Damage} damage
- * @returns {Instances}
- */
-export function yielded(plan, world, damage) {
+/** True if both springs of a joint are whole. @param {Plan} plan @param {number} joint @param {Damage} damage */
+const isBent = ({ joints }, joint, { broken }) => !broken.has(joints[4 * joint]) && !broken.has(joints[4 * joint + 1]);
+
+/** Lines along springs that have yielded and are not broken. @param {Body} body */
+export function yielded({ plan, world, damage }) {
   const count = plan.restLength.length;
   const result = instances(count);
   for (let i = 0; i < count; i++) {
-    const [a, b] = [2 * plan.springs[2 * i], 2 * plan.springs[2 * i + 1]];
-    const [dx, dy] = [world[b] - world[a], world[b + 1] - world[a + 1]];
     const marked = Math.abs(damage.setLength[i] ?? 0) > YIELDED * plan.restLength[i] && !damage.broken.has(i);
-    const [long, wide] = marked ? [Math.hypot(dx, dy), CREASE * plan.thickness[i]] : [VANISHED, VANISHED];
-    put(result, i, world[a], world[a + 1], Z.yielded, Math.atan2(dy, dx), long, wide);
+    putAlong(result, i, lineOf(plan, world, i), Z.yielded, marked ? CREASE * plan.thickness[i] : null);
   }
   return { ...result, batched_colors: inked(plan, 3, count) };
 }
 
-/**
- * Wedges from the rest angle to the present one, each of some thin triangles.
- *
- * @param {Plan} plan
- * @param {Frame} frame
- * @param {Float64Array} world
- * @param {Damage} damage
- * @returns {Instances}
- */
-export function wedges(plan, frame, world, damage = UNHARMED) {
+/** Wedges from the rest angle to the present one, each of some thin triangles. @param {Body} body */
+export function wedges({ plan, frame, world, damage }) {
   const { slices, joints, springs } = plan;
   const off = deviations(plan, frame.positions, frame.angleShift, damage, swings(plan, frame.time).turn);
   const result = instances(off.length * slices);
@@ -230,8 +223,7 @@ export function wedges(plan, frame, world, damage = UNHARMED) {
     const present = Math.atan2((world[b + 1] - world[a + 1]) * sense, (world[b] - world[a]) * sense);
     const turn = ((off[j] * Math.PI) / 180) * plan.flip;
     const half = Math.min(Math.min(Math.abs(turn) / slices, 3) / 2, WIDEST);
-    const gone = damage.broken.has(spring) || damage.broken.has(joints[4 * j]);
-    const radius = gone ? VANISHED : WEDGE * plan.radius[tip];
+    const radius = isBent(plan, j, damage) ? WEDGE * plan.radius[tip] : HIDDEN;
     const reach = slices === 1 ? radius * Math.cos(half) : radius;
     for (let k = 0; k < slices; k++) {
       const middle = present - turn * (1 - (k + 0.5) / slices);
@@ -242,14 +234,8 @@ export function wedges(plan, frame, world, damage = UNHARMED) {
   return { ...result, batched_colors: colored(plan.turnColors, part, slices) };
 }
 
-/**
- * Rims, then fills, then shines.
- *
- * @param {Plan} plan
- * @param {Float64Array} world
- * @returns {Instances}
- */
-export function masses(plan, world) {
+/** Rims of all masses, then fills, then shines. @param {Body} body */
+export function masses({ plan, world }) {
   const n = plan.radius.length;
   const result = instances(3 * n);
   for (let i = 0; i < n; i++) {
@@ -261,12 +247,8 @@ export function masses(plan, world) {
   return { ...result, batched_colors: Uint8Array.from(plan.massColors) };
 }
 
-/**
- * @param {Plan} plan
- * @param {Float64Array} world
- * @returns {Instances}
- */
-export function pins(plan, world) {
+/** Supports of pinned masses. @param {Body} body */
+export function pins({ plan, world }) {
   const result = instances(plan.pinned.length);
   plan.pinned.forEach((mass, i) => {
     const size = PIN * plan.radius[mass];
@@ -275,36 +257,39 @@ export function pins(plan, world) {
   return { ...result, batched_colors: inked(plan, 0, plan.pinned.length) };
 }
 
-/**
- * Around the driven mass.
- *
- * @param {Plan} plan
- * @param {Float64Array} world
- * @returns {Instances}
- */
-export function ring(plan, world) {
+/** The ring around the driven mass. @param {Body} body */
+export function ring({ plan, world }) {
   const result = instances(1);
   const size = RING * plan.radius[plan.driven];
   put(result, 0, world[2 * plan.driven], world[2 * plan.driven + 1], Z.ring, 0, size, size);
   return { ...result, batched_colors: inked(plan, 1, 1) };
 }
 
-/**
- * Thin bars for the springs of a second body.
- *
- * @param {Plan} plan
- * @param {Float64Array} world
- * @param {Damage} damage
- * @returns {Instances}
- */
-export function ghost(plan, world, damage = UNHARMED) {
+/** Thin bars along the springs of a body that is compared with. @param {Body} body */
+export function ghost({ plan, frame, damage }) {
+  const world = toWorld(plan, frame.ghost ?? new Float32Array());
   const count = plan.restLength.length;
   const result = instances(count);
   for (let i = 0; i < count; i++) {
-    const [a, b] = [2 * plan.springs[2 * i], 2 * plan.springs[2 * i + 1]];
-    const [dx, dy] = [world[b] - world[a], world[b + 1] - world[a + 1]];
-    const [long, wide] = damage.ghostBroken.has(i) ? [VANISHED, VANISHED] : [Math.hypot(dx, dy), GHOST_WIDTH];
-    put(result, i, world[a], world[a + 1], Z.ghost, Math.atan2(dy, dx), long, wide);
+    putAlong(result, i, lineOf(plan, world, i), Z.ghost, damage.ghostBroken.has(i) ? null : GHOST_WIDTH);
   }
   return { ...result, batched_colors: inked(plan, 2, count) };
 }
+
+/**
+ * All nodes of a body by their names, from the back to the front: the mesh, empty for that of the body's springs; the
+ * instances; and when there are any, if not always.
+ *
+ * @type {Record<string, {mesh: string, draw: (body: Body) => Instances, has?: (body: Body) => boolean}>}
+ */
+export const NODES = {
+  halos: { mesh: "disc", draw: (body) => muscles(body, true), has: ({ plan }) => plan.muscles.length > 0 },
+  muscles: { mesh: "belly", draw: (body) => muscles(body, false), has: ({ plan }) => plan.muscles.length > 0 },
+  pins: { mesh: "pin", draw: pins, has: ({ plan }) => plan.pinned.length > 0 },
+  springs: { mesh: "", draw: springs },
+  yielded: { mesh: "bar", draw: yielded },
+  wedges: { mesh: "slice", draw: wedges },
+  ring: { mesh: "ring", draw: ring, has: ({ plan }) => plan.driven >= 0 },
+  masses: { mesh: "disc", draw: masses },
+  ghost: { mesh: "bar", draw: ghost, has: ({ frame }) => frame.ghost !== null },
+};

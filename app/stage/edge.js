@@ -1,6 +1,7 @@
 // @ts-check
-/** An arrow at the edge of the view, towards a body that has left it; pressed, it shows the whole scene. */
+/** A button at the edge of the view, an arrow towards a body that has left it; it shows the whole scene. */
 import { fit } from "./camera.js";
+import { iconHtml, makeButton } from "../ui/dialog.js";
 
 /** Pixels between the arrow's middle and the edge. */
 const INSET = 34;
@@ -8,9 +9,9 @@ const INSET = 34;
 /** @typedef {import("./environment.js").Box} Box */
 
 /**
- * Where the arrow stands and where it points, clockwise from the right in degrees; null while a mass is in view.
+ * Place and direction of the arrow, clockwise from the right in degrees; null while a mass is in view.
  *
- * @param {ArrayLike<number>} places of the masses in pixels of the window, x and y of each
+ * @param {ArrayLike<number>} places of the masses, px of the window, x and y of each
  * @param {Box} view
  */
 export function edgeArrow(places, view) {
@@ -37,8 +38,8 @@ export function edgeArrow(places, view) {
 /** @param {number} value @param {number} low @param {number} high */
 const between = (value, low, high) => Math.max(low, Math.min(high, value));
 
-/** What else stands over the canvas, and where beside it there is room. */
-const BESIDE = /** @type {const} */ ([
+/** What else is over the canvas, and the side of it where there is room. */
+const OBSTACLES = /** @type {const} */ ([
   [".softrod-edit.softrod-edit-row:not(.softrod-edit-closed)", "below"],
   [".softrod-box[data-open]", "right"],
   [".softrod-edit:not(.softrod-edit-row)", "right"],
@@ -48,11 +49,11 @@ const BESIDE = /** @type {const} */ ([
   [".softrod-edit-bar", "above"],
 ]);
 
-/** A place for the arrow where nothing covers it. @param {{x: number, y: number}} place */
+/** Moves a place to where nothing covers the arrow. @param {{x: number, y: number}} place */
 function uncovered({ x, y }) {
-  for (const [name, side] of BESIDE) {
+  for (const [name, side] of OBSTACLES) {
     const { left, right, top, bottom } = document.querySelector(name)?.getBoundingClientRect() ?? new DOMRect();
-    if (left === right) continue; // it is not there
+    if (left === right) continue; // not in the page
     if (x + INSET < left || x - INSET > right || y + INSET < top || y - INSET > bottom) continue;
     if (side === "above") y = top - INSET;
     else if (side === "below") y = bottom + INSET;
@@ -61,23 +62,20 @@ function uncovered({ x, y }) {
   return { x, y };
 }
 
-/** Puts up the arrow, hidden; what is returned places it. */
+/** Adds the arrow to the page, hidden; what is returned draws it. */
 export function addEdgeArrow() {
-  const button = document.createElement("button");
-  button.type = "button";
-  button.className = "softrod-edge";
+  const button = makeButton("", () => {
+    fit(true);
+    button.blur();
+  }, "softrod-edge");
   button.hidden = true;
   button.ariaLabel = "The body is out of view. Show the whole scene";
   button.title = "Show the whole scene (0)";
-  button.innerHTML = '<svg viewBox="0 0 24 24" aria-hidden="true"><path d="M5 10v4h8v5l7-7-7-7v5z"/></svg>';
-  button.addEventListener("click", () => {
-    fit(true);
-    button.blur();
-  });
+  button.innerHTML = iconHtml("M5 10v4h8v5l7-7-7-7v5z");
   document.body.append(button);
-  /** @param {ArrayLike<number>} places @param {Box} view */
-  return (places, view) => {
-    const arrow = edgeArrow(places, view);
+  /** @param {import("./sight.js").Sight} seen */
+  return ({ places, box: { left, right, top }, floor: bottom }) => {
+    const arrow = edgeArrow(places, { left, right, top, bottom });
     button.hidden = arrow === null;
     if (!arrow) return;
     const { x, y } = uncovered(arrow);

@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * What surrounds and fills a body, as outlines on the screen: arithmetic only, without a page.
+ * Outlines on the screen of what surrounds and fills a body: arithmetic only, without a page.
  *
  * @typedef {import("./plan.js").Plan} Plan
  * @typedef {object} Screen pixels of the window = origin + step * world
@@ -16,14 +16,21 @@ import {
   CREST, DENSE, GRAIN, GRAINS, HATCH, PARTS, POINT, RIPPLE, RIPPLES, STREAK, STREAKS, STROKE,
 } from "./looks.js";
 
-/** Numbers of a wave of gusts. */
+/** Numbers of each wave of gusts. */
 const WAVE = 5;
 
-/** A point as a path has it. @param {Point} point */
+/** The corners of a box, clockwise. @param {Box} box @returns {Point[]} */
+const cornersOf = ({ left, right, top, bottom }) =>
+  [{ x: left, y: top }, { x: right, y: top }, { x: right, y: bottom }, { x: left, y: bottom }];
+
+/** The place of a mass among those of all. @param {Float64Array} places @param {number} mass */
+const placeOf = (places, mass) => ({ x: places[2 * mass], y: places[2 * mass + 1] });
+
+/** A point of a path. @param {Point} point */
 const text = ({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 
 /**
- * What the page shows of a wall.
+ * The visible part of a wall.
  *
  * @param {Plan} plan
  * @param {number} index of the wall
@@ -34,11 +41,9 @@ const text = ({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`;
  */
 export function wallInView(plan, index, on, view) {
   const [px, py, nx, ny] = plan.walls.subarray(4 * index, 4 * index + 4);
-  const scale = plan.scale * on.step;
-  const at = { x: on.x + (px - plan.x) * scale, y: on.y - (py - plan.y) * scale * plan.flip };
+  const at = onScreen(plan, on, px, py);
   const normal = { x: nx, y: -ny * plan.flip };
-  const { left, right, top, bottom } = view;
-  const box = [{ x: left, y: top }, { x: right, y: top }, { x: right, y: bottom }, { x: left, y: bottom }];
+  const box = cornersOf(view);
   const depths = box.map(({ x, y }) => (at.x - x) * normal.x + (at.y - y) * normal.y);
   /** @type {Point[]} */
   const corners = [];
@@ -57,7 +62,7 @@ export function wallInView(plan, index, on, view) {
 }
 
 /**
- * The part of a wall's surface that no other wall covers, as a line; nothing if there is none.
+ * The part of a wall's surface that no other wall covers.
  *
  * @param {{surface: Point[]}} wall
  * @param {{at: Point, normal: Point}[]} others
@@ -82,7 +87,7 @@ export function uncovered({ surface }, others) {
 const majorStep = (size) => roundDown(size / 5);
 
 /**
- * Between two lines of the grid that can be seen, px.
+ * Distance of the visible lines of the grid, px.
  *
  * @param {number} size of the scene's frame, px: the larger of its sides
  * @param {number} scale pixels of a px
@@ -93,7 +98,7 @@ export function gridStep(size, scale) {
 }
 
 /**
- * Lines over all of the view.
+ * The grid over the whole view.
  *
  * @param {Plan} plan
  * @param {number} size of the scene's frame, px: the larger of its sides
@@ -118,11 +123,11 @@ export function gridLines(plan, size, on, view) {
   return lines;
 }
 
-/** A closed outline, of nothing if there are no corners. @param {Point[]} corners */
+/** A closed outline; empty without corners. @param {Point[]} corners */
 export const outline = (corners) => corners.length ? `M${corners.map(text).join("L")}Z` : "";
 
 /**
- * The strokes along a wall's surface, which stay where they are in the scene.
+ * The strokes along a wall's surface, which are fixed in the scene.
  *
  * @param {{at: Point, normal: Point, surface: Point[]}} wall
  * @param {number} scale pixels of a px
@@ -145,7 +150,7 @@ export function hatching({ at, normal, surface }, scale) {
 const pair = (a, b) => `${Math.min(a, b)} ${Math.max(a, b)}`;
 
 /**
- * The pairs of masses all springs between which are broken, as `leaking` in sim/body/damage.py has them.
+ * Pairs of masses between which all springs are broken, as `leaking` in sim/body/damage.py has them.
  *
  * @param {ArrayLike<number>} springs both masses of each
  * @param {Set<number>} broken
@@ -159,7 +164,7 @@ function gapsOf(springs, broken) {
 }
 
 /**
- * The outlines of the loops that are filled with gas, or with liquid, and from which it has not got out.
+ * The outlines of loops that are filled with gas, or with liquid, and not leaking.
  *
  * @param {Plan} plan
  * @param {Float64Array} places of the masses in pixels of the window, x and y of each
@@ -173,13 +178,13 @@ export function loops({ fillings, springs }, places, gas, broken) {
     if ((fillings[i] === 1) !== gas) continue;
     const loop = Array.from(fillings.subarray(i + 2, i + 2 + fillings[i + 1]));
     if (gaps.size && loop.some((mass, k) => gaps.has(pair(mass, loop[(k + 1) % loop.length])))) continue;
-    outlines += outline(loop.map((mass) => ({ x: places[2 * mass], y: places[2 * mass + 1] })));
+    outlines += outline(loop.map((mass) => placeOf(places, mass)));
   }
   return outlines;
 }
 
 /**
- * What stays where it is as long as the camera does: the grid, a medium, the ground, and the walls.
+ * What changes only with the camera: the grid, a medium, the ground, and the walls.
  *
  * @param {{plan: Plan, on: Screen, box: Box}} seen
  * @param {number} size of the scene's frame, px: the larger of its sides
@@ -197,8 +202,8 @@ export function standing({ plan, on, box }, size) {
 }
 
 /**
- * A medium as water on a map, all over the view, and the ground as sand. Their marks stay where they are in the scene,
- * so that it can be seen how a body gets on; where wind moves the medium, its streaks show that instead.
+ * A medium as water on a map, over the whole view, and the ground as sand. Their marks are fixed in the scene, to show how
+ * a body moves; if wind moves the medium, its streaks show that instead.
  *
  * @param {Plan} plan
  * @param {Screen} on
@@ -206,8 +211,7 @@ export function standing({ plan, on, box }, size) {
  */
 export function resisting(plan, on, view) {
   const found = { medium: "", ripple: "", ground: "", grain: "" };
-  const { left, right, top, bottom } = view;
-  const all = outline([{ x: left, y: top }, { x: right, y: top }, { x: right, y: bottom }, { x: left, y: bottom }]);
+  const all = outline(cornersOf(view));
   if (plan.medium) found.medium = all;
   if (plan.medium && !(meanWind(plan) > 0)) {
     for (const { x, y } of scattered(plan, on, view, RIPPLES)) {
@@ -229,11 +233,11 @@ export function resisting(plan, on, view) {
   return found;
 }
 
-/** px/s. @param {Plan} plan */
+/** The speed of the mean wind, px/s. @param {Plan} plan */
 const meanWind = ({ wind }) => wind.length ? Math.hypot(wind[0], wind[1]) : 0;
 
 /**
- * What moves with the body.
+ * What moves with the body: its skin and its fillings.
  *
  * @param {{plan: Plan, places: Float64Array}} seen
  * @param {Set<number>} broken
@@ -245,7 +249,7 @@ export const moving = ({ plan, places }, broken) => ({
 });
 
 /**
- * The springs that are not broken, as lines: as wide as contact reaches, they touch where it begins.
+ * Lines along unbroken springs; as wide as contact reaches, they touch where it begins.
  *
  * @param {Plan} plan
  * @param {Float64Array} places of the masses in pixels of the window, x and y of each
@@ -255,18 +259,16 @@ export function skin({ springs }, places, broken) {
   let lines = "";
   for (let i = 0; i < springs.length / 2; i++) {
     if (broken.has(i)) continue;
-    const [a, b] = [2 * springs[2 * i], 2 * springs[2 * i + 1]];
-    lines += `M${text({ x: places[a], y: places[a + 1] })}L${text({ x: places[b], y: places[b + 1] })}`;
+    lines += `M${text(placeOf(places, springs[2 * i]))}L${text(placeOf(places, springs[2 * i + 1]))}`;
   }
   return lines;
 }
 
 /**
- * The velocity of the air, px/s, at a place that the mean wind carries along: gusts stand still there.
+ * The velocity of the air, px/s, at a place that moves with the mean wind, where gusts do not change.
  *
  * @param {Float32Array} wind
- * @param {number} x where the place was at time zero, px
- * @param {number} y
+ * @param {number} x of the place at time zero, px @param {number} y
  */
 export function airAt(wind, x, y) {
   let [u, v] = wind;
@@ -278,20 +280,20 @@ export function airAt(wind, x, y) {
   return { u, v };
 }
 
-/** A number from 0 to 1 that looks like chance, always the same for a cell. @param {number} i @param {number} j @param {number} k */
+/** A pseudorandom number from 0 to 1, always the same for a cell. @param {number} i @param {number} j @param {number} k */
 function chance(i, j, k) {
   const value = Math.sin(127.1 * i + 311.7 * j + 74.7 * k) * 43758.5453;
   return value - Math.floor(value);
 }
 
 /**
- * Places over all of the view, one in each cell of a lattice.
+ * Pseudorandom places over the whole view, one in each cell of a lattice.
  *
  * @param {Plan} plan
  * @param {Screen} on
  * @param {Box} view
- * @param {number} apart pixels between two places, about
- * @param {Point} drift px by which the lattice has drifted
+ * @param {number} apart mean distance, pixels
+ * @param {Point} drift of the lattice, px
  * @returns {({i: number, j: number, at: Point} & Point)[]} the cell, its place before the drift, px, and after it, pixels
  *   of the window
  */
@@ -313,15 +315,15 @@ function scattered(plan, on, view, apart, drift = { x: 0, y: 0 }) {
   return places;
 }
 
-/** From px to pixels of the window. @param {Plan} plan @param {Screen} on @param {number} x @param {number} y */
+/** A place of the scene in pixels of the window. @param {Plan} plan @param {Screen} on @param {number} x @param {number} y */
 function onScreen(plan, on, x, y) {
   const scale = plan.scale * on.step;
   return { x: on.x + (x - plan.x) * scale, y: on.y - (y - plan.y) * scale * plan.flip };
 }
 
 /**
- * Streaks of air, one in each cell of a lattice that drifts with the mean wind: each is a piece of the line along
- * which the air moves, with a point at its end.
+ * Streaks of air, one in each cell of a lattice that drifts with the mean wind: each is a piece of a streamline with a
+ * point at its end.
  *
  * @param {Plan} plan
  * @param {number} time s
@@ -348,7 +350,7 @@ export function streaks(plan, time, on, view) {
   return lines;
 }
 
-/** The point of an arrow that comes from somewhere. @param {Point} tip @param {Point} from */
+/** The point of an arrow. @param {Point} tip @param {Point} from */
 function point(tip, from) {
   const length = Math.hypot(tip.x - from.x, tip.y - from.y);
   if (!(length > 0)) return "";

@@ -1,15 +1,15 @@
 // @ts-check
 /**
- * A place for a word beside a body: one where neither the body nor other words are. Arithmetic only.
+ * Finds a place for a word near a body, where neither the body nor other words are. Arithmetic only.
  *
  * @typedef {{x: number, y: number}} Point pixels of the window
  * @typedef {{left: number, right: number, top: number, bottom: number}} Box pixels of the window
  */
 
-/** Half the width and the height of such a word with the room around it, pixels. */
+/** Half the width and height of a word with its margin, pixels. */
 const HALF = { x: 32, y: 15 };
 
-/** How far a stretch is from the middle of a word, in its half sizes. @param {Point} word @param {Point} a @param {Point} b */
+/** Distance of a line from the middle of a word, in its half sizes. @param {Point} word @param {Point} a @param {Point} b */
 function distance(word, a, b) {
   const [ax, ay] = [(a.x - word.x) / HALF.x, (a.y - word.y) / HALF.y];
   const [dx, dy] = [(b.x - a.x) / HALF.x, (b.y - a.y) / HALF.y];
@@ -18,7 +18,7 @@ function distance(word, a, b) {
 }
 
 /**
- * The first of some places that is free, or the first one if none is.
+ * The first free place of some, or the first one if none is free.
  *
  * @param {Point[]} places of the word's middle, the best first
  * @param {ArrayLike<number>} springs two masses each

@@ -1,7 +1,7 @@
-"""How everything looks that is drawn of a body, in the page, in pictures, replays and models.
+"""The looks of a body and its surroundings in the page, in pictures, replays and models.
 
-Python reads this module, scripts read `static/looks.js`, and styles read the variables of `style_rules`.
-After a change here, `python -m app.stage.looks` writes `static/looks.js` anew; a test says when it is old.
+Python uses this module, scripts use `looks.js`, and styles use the variables of `style_rules`. After a change
+here, run `python -m app.stage.looks`, which writes `looks.js`; a test fails if it is outdated.
 """
 
 from __future__ import annotations
@@ -38,15 +38,16 @@ COLORS = {
     "torque": ("7c4a03", "ffe066"),
     "second": ("0ca678", "38d9a9"),
 }
-"""Each on white and on dark paper, sRGB. `line` is of every fifth line of the grid, and of edges; `brand`
-also of the driven mass, a ghost and gas; `second` of a second body."""
+"""Colours on white and on dark paper, sRGB. `line` is for every fifth line of the grid, and edges; `brand`
+also for the driven mass, a ghost and gas; `second` for a second body."""
 
 TUTORIAL_COLORS = {
     "mass": ("ff2020", "ff2020"),
     "rest": ("40a020", "5cd63c"),
     "pulled": ("e67700", "ffd43b"),
 }
-"""Instead, in the tutorial's scheme: green springs and red masses; a pulled spring must differ from both."""
+"""Other colours of the tutorial's scheme: green springs and red masses; a pulled spring must differ from
+both."""
 
 
 # ------------------------------------------------------------------------- behind the body
@@ -82,54 +83,88 @@ LAYERS = {
     "liquid": Layer("liquid", 0.35),
     "wind": Layer("text", 0.35, width=1.4, round=True),
 }
-"""What is behind the body, from the back to the front."""
+"""Layers behind the body, from back to front."""
 
 ARROW = 2.4
 """Width of an arrow's shaft, pixels."""
 
-HEAD, SIDE = 10.0, 4.2
-"""Pixels of the head of an arrow at most, along and to either side."""
+HEAD = 10.0
+"""Largest length of the head of an arrow, pixels."""
+
+SIDE = 4.2
+"""Half the width of such a head, pixels."""
 
 DENSE = 5.0
-"""Pixels between two lines of the grid below which it has only every fifth."""
+"""Distance of the lines of the grid, pixels, below which only every fifth is drawn."""
 
-HATCH, STROKE = 13.0, 8.0
-"""Pixels between two strokes of the hatching of a wall, about, and their reach along and into the wall."""
+HATCH = 13.0
+"""Mean distance of the strokes of a wall's hatching, pixels."""
 
-STREAKS, STREAK, PARTS, POINT = 150.0, 44.0, 8, 4.0
-"""Pixels between two streaks of the wind, about; the length of one in the mean wind, its straight parts, and
-pixels of its point."""
+STROKE = 8.0
+"""Length of such a stroke along and into the wall, pixels."""
 
-RIPPLES, RIPPLE, CREST = 90.0, 20.0, 2.4
-"""Pixels between two ripples of a medium, about; the length of one, and the height of its crests."""
+STREAKS = 150.0
+"""Mean distance of the streaks of the wind, pixels."""
 
-GRAINS, GRAIN = 36.0, 3.0
-"""Pixels between two grains of the ground, about, and the length of the longest."""
+STREAK = 44.0
+"""Length of a streak in the mean wind, pixels."""
+
+PARTS = 8
+"""Straight parts of a streak."""
+
+POINT = 4.0
+"""Length of the point of a streak, pixels."""
+
+RIPPLES = 90.0
+"""Mean distance of the ripples of a medium, pixels."""
+
+RIPPLE = 20.0
+"""Length of a ripple, pixels."""
+
+CREST = 2.4
+"""Height of its crests, pixels."""
+
+GRAINS = 36.0
+"""Mean distance of the grains of the ground, pixels."""
+
+GRAIN = 3.0
+"""Length of the longest grain, pixels."""
 
 # ------------------------------------------------------------------------- the body
-FILL, SHINE, RING, PIN, WEDGE = 0.8, 0.22, 1.75, 2.0, 2.6
-"""Radii in those of the mass: of its fill and its shine, of the ring around a driven one, of a support, and
-of the wedge of a joint."""
+# Radii, in that of the mass.
+FILL = 0.8
+SHINE = 0.22
+RING = 1.75  # around a driven mass
+PIN = 2.0  # of a support
+WEDGE = 2.6  # of a joint
 
 FULL_DEVIATION = 30.0
 """Degrees off the rest angle at which a wedge has its full colour."""
 
 WIDEST = 1.2
-"""Radians beyond which half a wedge's triangle would become a needle."""
+"""Largest half angle of a triangle of a wedge, radians; beyond it would become a needle."""
 
-THINNEST, THICKEST = 0.5, 1.2
-"""Of a coil as it is stretched and squeezed, in its thickness at rest."""
+THINNEST = 0.5
+"""Thickness of the most stretched coil, in that at rest."""
+
+THICKEST = 1.2
+"""Thickness of the most squeezed coil, in that at rest."""
 
 YIELDED = 0.002
-"""Part of its rest length by which that of a spring has moved for good once it has yielded, as the proof
-strength of metals is defined."""
+"""Relative permanent change of rest length from which on a spring counts as yielded, as in the definition of
+the proof strength of metals."""
 
 CREASE = 0.34
-"""Width of the line along a spring that has yielded, in that of the spring."""
+"""Width of the line along a yielded spring, in that of the spring."""
 
-BELLY, HALO, BREATH = 1.25, 1.7, 0.25
-"""Of muscles: the width of a belly along a spring, in that of the spring; the radius of a halo around the
-mass of a joint, in that of the mass; and by how much either grows and shrinks."""
+BELLY = 1.25
+"""Width of a muscle along a spring, in that of the spring."""
+
+HALO = 1.7
+"""Radius of a muscle around the mass of a joint, in that of the mass."""
+
+BREATH = 0.25
+"""Relative change of either with the muscle's wave."""
 
 GHOST_WIDTH = 0.025
 """Width of a ghost's springs, in the world."""
@@ -138,15 +173,18 @@ GHOST_WIDTH = 0.025
 MARGIN = 1.04
 """Room around the scene's frame."""
 
-NEAR, STRIP = 0.2, 0.05
-"""How near to the frame a wall is shown with it, and how deep, as parts of its size."""
+NEAR = 0.2
+"""Distance from the frame within which walls are shown with it, in its size."""
+
+STRIP = 0.05
+"""Visible depth of such a wall, in the size of the frame."""
 
 # ------------------------------------------------------------------------- controls
 SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0)
-"""Speeds to choose from, in that of the clock."""
+"""Speeds to choose from, simulated seconds per second."""
 
 FRACTIONS = {0.125: "⅛", 0.25: "¼", 0.5: "½"}
-"""How speeds are written that are no whole numbers."""
+"""Texts of speeds that are not whole numbers."""
 
 ICONS = {
     "play": "M7 4v16l13-8z",
@@ -156,14 +194,14 @@ ICONS = {
 """Filled outlines of 24 by 24."""
 
 LINK_PATH = PATH
-"""How the path of a link to a scene ends."""
+"""End of the path of a link to a scene."""
 
 
 def style_rules(dark: str) -> str:
     """The colours as variables of CSS, as in --softrod-text, and the layers as classes of SVG.
 
     Args:
-        dark: what makes a rule hold on dark paper, with * in place of the rule.
+        dark: wraps a rule for dark paper, with * in place of the rule.
     """
     light, night = (
         ":root{" + ";".join(f"--softrod-{name}:#{pair[k]}" for name, pair in COLORS.items()) + "}"
@@ -184,7 +222,7 @@ def _layer_rule(name: str) -> str:
 
 
 def script() -> str:
-    """The text of `static/looks.js`."""
+    """The text of `looks.js`."""
     lines = [
         "// @ts-check",
         "/** Written by `python -m app.stage.looks`; app/stage/looks.py says what each is. */",

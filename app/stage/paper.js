@@ -1,15 +1,15 @@
 // @ts-check
 /**
- * On paper: the scene's title and the time over the body, and below it the step of the lesson and the plots that are open.
- * looks.css leaves out everything else.
+ * Printing: the scene's title and the time over the body, and below it the step of the lesson and the open plots. looks.css
+ * hides everything else.
  */
-import { told } from "../wire/channel.js";
+import { pageState } from "../wire/channel.js";
 import { make } from "../ui/dialog.js";
-import { frameMarks } from "./overlay.js";
+import { frameMarks } from "./sight.js";
 import { timeNow } from "../ui/clock.js";
 import { CHARTS } from "../ui/viser/widgets.js";
 
-/** The words of the lesson's present step, but none of its buttons. */
+/** The text of the lesson's present step, without its buttons. */
 function lessonWords() {
   const words = make("div", "softrod-paper-lesson");
   const card = document.querySelector(".softrod-lesson:not([hidden])");
@@ -19,7 +19,7 @@ function lessonWords() {
   return words;
 }
 
-/** Pictures of the plots that are open, each with its title and what is read off it. */
+/** Pictures of the open plots, each with its title and readings. */
 function plots() {
   const all = make("div", "softrod-paper-plots");
   const parts = document.querySelectorAll(`.softrod-plot-title, ${CHARTS}, svg.softrod-phase, .softrod-reading`);
@@ -32,7 +32,7 @@ function plots() {
   return all;
 }
 
-/** Puts up the heading, and fills it in before the page is printed. */
+/** Adds the heading to the page, and fills it before the page is printed. */
 export function addPaper() {
   const heading = make("div", "softrod-paper");
   const title = make("h1", "");
@@ -43,11 +43,11 @@ export function addPaper() {
   const fill = () => {
     const [words, curves] = [lessonWords(), plots()];
     below.replaceChildren(...[words, curves].filter((part) => part.childElementCount));
-    // The part of the page that it takes.
+    // The part of the page that is used for it.
     const plotted = [0, 0.3, 0.34][Math.min(curves.childElementCount, 2)];
     const part = Math.min((words.childElementCount ? 0.26 : 0) + plotted, 0.46);
     document.documentElement.style.setProperty("--softrod-below", `${100 * part}%`);
-    title.textContent = told().title ?? "";
+    title.textContent = pageState().title ?? "";
     time.textContent = `t = ${timeNow().toFixed(2)} s`;
     frameMarks(true);
   };

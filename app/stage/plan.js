@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * What the server sends of a body: once, what it is made of and what surrounds it (a plan), then where its masses
- * are (frames), and what has yielded and broken of it (damage) when that changes. All are written by plan.py.
+ * Reads what the server sends of a body, written by plan.py: once its parts and surroundings (a plan), then the positions of
+ * its masses (frames), and which springs have yielded and broken (damage) when that changes.
  */
 
 import { unpack } from "../wire/unpack.js";
@@ -14,10 +14,10 @@ export const readPlan = (data) => unpack("plan", data);
 /**
  * @typedef {object} Damage
  * @property {number} generation of the body
- * @property {Set<number>} broken the springs that are broken
+ * @property {Set<number>} broken the broken springs
  * @property {Float32Array} setLength px by which each rest length has moved for good; empty if none has
  * @property {Float32Array} setAngle degrees by which each rest angle has moved for good; empty if none has
- * @property {Set<number>} ghostBroken the springs of a second body that are broken
+ * @property {Set<number>} ghostBroken the broken springs of the ghost
  * @property {Damage} [second] of a second body
  */
 
@@ -33,7 +33,7 @@ export function readDamage(data) {
   };
 }
 
-/** Nothing has yielded or broken. */
+/** The damage of an intact body. */
 export const UNHARMED = readDamage(new Float32Array([1, -1]));
 
 /**
@@ -43,14 +43,14 @@ export const UNHARMED = readDamage(new Float32Array([1, -1]));
  * @property {number} lengthScale factor of all rest lengths
  * @property {number} angleShift degrees added to all rest angles
  * @property {Float32Array} positions px, x and y of each mass
- * @property {Float32Array | null} ghost of a second body
+ * @property {Float32Array | null} ghost px, positions of the ghost
  * @property {Frame | null} [second] a second body
  */
 
 /** @param {Float32Array} data @returns {Frame} */
 export function readFrame(data) {
   const { generation, time, timeRest, lengthScale, angleShift, positions, ghost, secondMoment, secondPositions } = unpack("frame", data);
-  // A time is the sum of two numbers, since one of single precision is too coarse for a long one.
+  // A time is the sum of two numbers, since single precision is too coarse for long times.
   const frame = { generation, time: time + timeRest, lengthScale, angleShift, positions, ghost: ghost.length ? ghost : null };
   if (!secondMoment.length) return frame;
   const [second, scale, shift, rest = 0] = secondMoment;
@@ -58,8 +58,9 @@ export function readFrame(data) {
 }
 
 /**
- * @param {Frame} one
- * @param {Frame} two
+ * Interpolates between frames.
+ *
+ * @param {Frame} one @param {Frame} two
  * @param {number} part of the way from one to two
  * @returns {Frame}
  */

@@ -1,7 +1,7 @@
-"""What a page is told of a body: once, what it is made of, and then where its masses are.
+"""What is sent of a body: once its parts and surroundings, then the positions of its masses.
 
-The page draws by itself. It gets one array of numbers for the plan of a body, and one for each frame; their
-sections are those of the messages `Plan`, `Frame` and `Damage`, and `plan.js` reads them.
+The page draws by itself. It gets an array of numbers for the plan of a body, and one for each frame. Their
+sections are declared by the messages `Plan`, `Frame` and `Damage`, and read by `plan.js`.
 """
 
 from __future__ import annotations
@@ -29,25 +29,28 @@ _STRAIN_SHADES = 32
 """Shades between a spring's colour at rest and its full colour, on either side."""
 
 _TURN_SHADES = 32
-_BREATH = 0.25, 0.95
-"""How much of its colour a muscle has at its longest and at its shortest."""
+"""Shades of a wedge, on either side, and of a muscle."""
+
+_BREATH = (0.25, 0.95)
+"""Saturation of a muscle at its longest and at its shortest."""
+
 _PALEST = 0.15
-"""How much of its colour the wedge of a joint at its rest angle has."""
+"""Saturation of the wedge of a joint at its rest angle."""
 
 
 @dataclass(frozen=True)
 class Picture:
-    """What is to be drawn.
+    """The state of a body that is drawn.
 
     Attributes:
         positions: (n, 2) px.
         time: simulated seconds.
         rest_length_scale: factor of the rest lengths.
         rest_angle_shift: degrees added to all rest angles.
-        ghost: (n, 2) px, where the masses of a second body are, or None.
+        ghost: (n, 2) px, positions of a ghost, which has the same plan, or None.
         damage: what has yielded and broken, or None.
-        ghost_broken: indices of the springs of the second body that are broken.
-        second: a second body, which has a plan of its own, or None.
+        ghost_broken: indices of the broken springs of the ghost.
+        second: a second body, with a plan of its own, or None.
     """
 
     positions: Floats
@@ -63,7 +66,7 @@ class Picture:
     def of(
         body: Simulation | Moment, ghost: Floats | None = None, ghost_damage: Damage | None = None
     ) -> Picture:
-        """A body as it is or was, and where the masses of a second one are, and what is broken of it."""
+        """The picture of a body, now or at a moment, with a ghost and its damage."""
         return Picture(
             body.positions,
             body.time,
@@ -76,24 +79,25 @@ class Picture:
 
     @staticmethod
     def at_start(scene: Scene) -> Picture:
-        """The start of a scene, when there is no simulation yet."""
+        """The picture of a scene at its start, without a simulation."""
         starts = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
         damage = scene.pose.damage if scene.pose else None
         return Picture(np.array(starts, float), rest_length_scale=scene.rest_length_scale, damage=damage)
 
 
 def broken_of(damage: Damage | None) -> tuple[int, ...]:
-    """Indices of the springs that are broken."""
+    """Indices of broken springs."""
     return damage.broken if damage is not None else ()
 
 
 def own_rest_angles(simulation: Simulation) -> Floats:
-    """(J,) degrees; without what keys, muscles and yielding add, of which the page is told apart."""
+    """(J,) degrees; without what keys, muscles and yielding add, which are sent separately."""
     return column(simulation.capture().scene.angular_springs, "rest_angle")
 
 
 def yielded_of(damage: Damage | None, rest_lengths: Floats) -> int:
-    """How many springs have yielded and are not broken: their rest length has moved by more than YIELDED."""
+    """The number of unbroken springs that have yielded: whose rest length has changed by more than
+    YIELDED."""
     if damage is None or not damage.set_lengths:
         return 0
     yielded = np.abs(damage.set_lengths) > YIELDED * rest_lengths
@@ -102,10 +106,10 @@ def yielded_of(damage: Damage | None, rest_lengths: Floats) -> int:
 
 
 def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray[np.float32]:
-    """The plan of a body.
+    """Encode the plan of a body.
 
     Args:
-        generation: a number that its frames carry too.
+        generation: number of the plan, which its frames have too.
         sketch: its drawing.
         rest_angles: (J,) degrees, without the shift of the arrow keys.
     """
@@ -145,15 +149,15 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
 
 
 def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:
-    """Where the masses are.
+    """Encode a frame.
 
     Args:
-        generation: of the plan.
-        picture: what is drawn.
+        generation: number of the plan.
+        picture: the picture.
     """
 
     def moment(body: Picture) -> tuple[float, float, float, float]:
-        # After a day, a time in single precision goes on by 8 ms at once.
+        # After a day, times in single precision are 8 ms apart.
         left = body.time - float(np.float32(body.time))
         return body.time, body.rest_length_scale, body.rest_angle_shift, left
 
@@ -168,11 +172,11 @@ def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:
 
 
 def encode_damage(generation: int, picture: Picture) -> NDArray[np.float32]:
-    """What has yielded and broken of a body.
+    """Encode the damage of a picture.
 
     Args:
-        generation: of the plan.
-        picture: what is drawn.
+        generation: number of the plan.
+        picture: the picture.
     """
     own = picture.damage or Damage()
     other = (picture.second.damage if picture.second is not None else None) or Damage()

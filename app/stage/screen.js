@@ -1,10 +1,10 @@
 // @ts-check
-/** Between the scene, the world in which bodies are drawn and the screen. Arithmetic only, without a page. */
+/** Converts between the scene, the page's world and the screen. Arithmetic only, without a page. */
 
 /** @typedef {import("./environment.js").Screen} Screen */
 
 /**
- * Where masses are on the screen: x and y of each.
+ * Positions of masses on the screen, x and y of each.
  *
  * @param {import("./plan.js").Plan} plan
  * @param {ArrayLike<number>} positions px of the scene
@@ -28,14 +28,14 @@ export function onScreen(plan, positions, on) {
  */
 export const worldAt = (place, on) => ({ x: (place.x - on.x) / on.step, y: (on.y - place.y) / on.step });
 
-/** Pixels from a mass within which it is taken hold of, by the kind of pointer. */
+/** Pixels from a mass within which it is grabbed, by the kind of pointer. */
 export const REACH = { mouse: 12, pen: 16, touch: 26 };
 
-/** A number of the world as a message has it. @param {number} value */
+/** Rounds a coordinate of the world for a message. @param {number} value */
 export const wireNumber = (value) => Number(value.toFixed(6));
 
 /**
- * The mass to take hold of at a place on the screen: the nearest one within reach, or -1.
+ * The mass to grab at a place on the screen: the nearest one within reach, or -1.
  *
  * @param {Float64Array} places of the masses, x and y of each
  * @param {ArrayLike<number>} radii px on the screen

@@ -1,4 +1,4 @@
-"""The flat meshes that are drawn, one of each kind, to be instanced: in units of their own."""
+"""Flat meshes of the parts of a body, of unit size, for instanced drawing."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ class Mesh(NamedTuple):
 
     Attributes:
         vertices: (V, 3).
-        faces: (F, 3) triangles; every one faces the viewer at +z.
-        outlines: (k, 2) corners of each closed line around it, for programs that fill polygons by the rule
-            that is called nonzero: the wire of a coil crosses itself.
+        faces: (F, 3) triangles, all facing the viewer at +z.
+        outlines: (k, 2) corners of each closed outline, for filling by the nonzero rule: the wire of a coil
+            crosses itself.
     """
 
     vertices: np.ndarray
@@ -31,7 +31,7 @@ def meshes() -> dict[str, Mesh]:
 
 
 def convex(*polygons: np.ndarray) -> Mesh:
-    """A mesh of convex polygons, (k, 2) corners each, anticlockwise; each becomes a fan of triangles."""
+    """A mesh of convex polygons, (k, 2) corners each, anticlockwise, as fans of triangles."""
     fans, start = [], 0
     for polygon in polygons:
         k = np.arange(1, len(polygon) - 1)
@@ -59,11 +59,11 @@ def _ring(inner: float = 0.82, corners: int = 48) -> Mesh:
 def _coil(turns: int, slimness: float) -> Mesh:
     """A coil spring seen from the side, from (0, 0) to (1, 0), of amplitude 1: one flat ribbon.
 
-    The coil's wire loops, as a real one does; the front half of each turn lies a little nearer.
+    The wire loops like a real one; the front half of each turn lies a little nearer.
 
     Args:
         turns: of the coil.
-        slimness: length over amplitude at which it is mostly drawn; there the ribbon is even.
+        slimness: typical length over amplitude, at which the width of the ribbon is even.
     """
     lead, line = 0.5 / slimness, 0.3
     t = np.linspace(0.0, turns, turns * 20 + 1)
@@ -84,7 +84,7 @@ def _coil(turns: int, slimness: float) -> Mesh:
     i = np.arange(n - 1)
     faces = np.vstack((np.column_stack((i, i + n, i + 1)), np.column_stack((i + 1, i + n, i + n + 1))))
     vertices = np.vstack((left, right))
-    # In a tight turn, triangles of the ribbon are turned over.
+    # In tight turns some triangles of the ribbon face backwards.
     one, two = (vertices[faces[:, k]] - vertices[faces[:, 0]] for k in (1, 2))
     away = one[:, 0] * two[:, 1] < one[:, 1] * two[:, 0]
     faces = np.where(away[:, None], faces[:, ::-1], faces)
@@ -92,7 +92,7 @@ def _coil(turns: int, slimness: float) -> Mesh:
 
 
 COILS = {"coil": 3.3, "coil of slim springs": 7.0, "coil of very slim springs": 16.0}
-"""Coils by their slimness: one scene is drawn with one of them."""
+"""Coils and their slimness; all springs of a scene are drawn with one of them."""
 
 _BAR = np.array([[0.0, -0.5], [1.0, -0.5], [1.0, 0.5], [0.0, 0.5]])
 _ALONG = np.linspace(0.0, 1.0, 17)

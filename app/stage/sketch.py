@@ -1,8 +1,7 @@
-"""What the drawing of a scene needs besides where its masses are: pure numpy, no viser.
+"""The drawing of a scene apart from the positions of its masses: pure numpy, no viser.
 
-Every kind of thing is one instanced node: all masses, all springs, all wedges, all pins. The page's script
-makes their instances from the positions, and draws what is behind the body.
-"""
+All parts of a kind are one instanced node: masses, springs, wedges, pins. The page's script makes the
+instances from the positions, and draws what is behind the body."""
 
 from __future__ import annotations
 
@@ -23,33 +22,40 @@ from .shapes import COILS
 
 Floats = NDArray[np.float64]
 
-MANY = 40
-"""Beyond so many masses, springs are thin bars instead of coils and wedges have one slice: as legible, and
-less to send."""
+SIMPLIFY_ABOVE_MASSES = 40
+"""Number of masses beyond which springs are thin bars instead of coils and wedges have one slice: as legible,
+and less to send."""
 
-NET = 1.25
-"""Springs per mass beyond which a body is a net, as a girder or a cloth: its springs are bars, too, since
-coils would run into each other."""
+NET_SPRINGS_PER_MASS = 1.25
+"""Springs per mass beyond which a body is a net, such as a girder or a cloth: its springs are bars, too,
+since coils would overlap."""
 
-FULL_STRAIN, MIN_STRAIN = 0.1, 1e-6
-"""Relative stretch at which a spring has its full colour, at most and at least."""
+FULL_STRAIN = 0.1
+"""Relative stretch at which a spring has its full colour, unless it yields or breaks before."""
+
+MIN_STRAIN = 1e-6
+"""Least such stretch, against division by zero."""
 
 WEDGE_SLICES = 6
+"""Triangles of a wedge."""
 
-LONGEST_LOAD, SHORTEST_LOAD = 0.6, 0.3
-"""Length of the arrow of the largest constant force, in the world; of any other at least, as a part of it."""
+LONGEST_LOAD = 0.6
+"""Length of the arrow of the largest constant force, in the world."""
+
+SHORTEST_LOAD = 0.3
+"""Least length of the others, as a part of that."""
 
 WORLD_SIZE = 6.0
-"""What the longer side of the scene's frame measures in the page's world."""
+"""Length of the longer side of the scene's frame in the page's world."""
 
 Z_GIZMO = -0.3
-"""Depth in the world: the page draws what is nearer later. The body lies in front (static/draw.js), so that a
-press on a mass takes hold of the mass, not of a gizmo's arrow across it."""
+"""Depth of gizmos in the world, behind the body (draw.js), so that a press on a mass grabs the mass, not the
+arrow of a gizmo across it."""
 
 
 @dataclass(frozen=True)
 class Mapping:
-    """The scene's coordinates (px) to the page's world and back."""
+    """Converts between coordinates of the scene (px) and of the page's world."""
 
     center: tuple[float, float]
     scale: float
@@ -57,13 +63,13 @@ class Mapping:
 
     @staticmethod
     def of(scene: Scene) -> Mapping:
-        """The frame's middle is the world's origin."""
+        """The mapping of a scene; the centre of its frame is the origin of the world."""
         xmin, ymin, xmax, ymax = scene.view.frame
         scale = WORLD_SIZE / max(xmax - xmin, ymax - ymin)
         return Mapping(((xmin + xmax) / 2.0, (ymin + ymax) / 2.0), scale, -1.0 if scene.view.y_down else 1.0)
 
     def to_world(self, points: Floats, z: float = 0.0) -> Floats:
-        """(n, 3) of (n, 2)."""
+        """(n, 3) places in the world of (n, 2) points in px."""
         return np.column_stack(
             (
                 (points[:, 0] - self.center[0]) * self.scale,
@@ -88,24 +94,24 @@ class Sketch:
     """Everything about a scene's drawing that does not move.
 
     Args:
-        scene: what is drawn.
+        scene: the scene.
         palette: the colours.
-        encode: makes bytes of colours: `colors.sent` for viser's page, `colors.plain` for a picture.
+        encode: converts colours to bytes: `colors.sent` for viser's page, `colors.plain` for a picture.
 
     Attributes:
         mapping: px to world.
         palette, encode: as above.
-        full_strain: strain at which each spring has its full colour, (S,), or (1,) where none has a limit.
-        bars: whether springs are bars instead of coils.
-        yields: whether any spring can yield.
+        full_strain: strain at which each spring has its full colour, (S,), or (1,) if all have the same.
+        bars: springs are bars instead of coils.
+        yields: a spring can yield.
         radius: (n,) of each mass in the world.
-        environment: the table of what surrounds the body, its masses by their index; None where nothing does.
-        contact: px, the distance at which contact begins; 0 where there is none.
-        medium, ground: whether the body is in a medium, and whether it lies on the ground.
-        muscles: (k, 6) whether a muscle is a joint's, the index of its spring or joint, amplitude (of a
-            joint's degrees), phase (degrees), whether its wave is a pulse, and waves in a beat.
-        beat: frequency (Hz) and phase (degrees) of what they keep to.
-        loads: (k, 3) of each constant force which mass it acts on, and its arrow in the world.
+        environment: the surroundings of the body, with indices of masses; None without any.
+        contact: px, the distance at which contact begins; 0 without contact.
+        medium, ground: the body is in a medium; it lies on the ground.
+        muscles: (k, 6) for each muscle: 1 for a joint, 0 for a spring; index of that; amplitude (degrees for
+            a joint); phase (degrees); 1 for a pulse, 0 for a sine; waves in a beat.
+        beat: frequency (Hz) and phase (degrees) of the beat.
+        loads: (k, 3) for each constant force: index of the mass, and the arrow in the world.
     """
 
     def __init__(
@@ -115,9 +121,9 @@ class Sketch:
         self.palette = palette
         self.encode = encode
         n = len(scene.masses)
-        self.many = n > MANY
+        self.many = n > SIMPLIFY_ABOVE_MASSES
         self.springs = np.stack(ends(scene.linear_springs), 1)
-        self.bars = self.many or len(self.springs) > NET * n
+        self.bars = self.many or len(self.springs) > NET_SPRINGS_PER_MASS * n
         self.full_strain = _full_strains(scene)
         self.yields = has_any(scene.linear_springs, "yield_force")
         self.rest_length = column(scene.linear_springs, "rest_length")
@@ -126,15 +132,14 @@ class Sketch:
         self.driven = next((a.mass for a in scene.anchors if a.driven), None)
         self.slices = 1 if self.many else WEDGE_SLICES
         self.joint_a, self.joint_b = ends(scene.angular_springs)
-        # The mass at the tip of each wedge is the one that both springs share, and the wedge ends at spring b
-        # as it leaves that mass.
+        # The tip of each wedge is at the mass that both springs share, and the wedge ends at spring b.
         ends_a, ends_b = self.springs[self.joint_a], self.springs[self.joint_b]
         leaves = (ends_b[:, :1] == ends_a).any(1)
         self.joint_mass = np.where(leaves, ends_b[:, 0], ends_b[:, 1])
         self.joint_sense = np.where(leaves, 1.0, -1.0)
         self.environment = None
         if is_surrounded(scene):
-            # Of contact, nothing but its distance is drawn.
+            # Of contact, only the distance is drawn.
             drawn = msgspec.structs.replace(scene, contact=None)
             self.environment = new_environment(drawn, np.arange(n), self.springs, n)
         self.contact = scene.contact.distance if scene.contact else 0.0
@@ -147,11 +152,11 @@ class Sketch:
 
     @staticmethod
     def plain(scene: Scene, dark: bool = False) -> Sketch:
-        """The drawing for a file, whose colours nothing changes on their way."""
+        """The drawing for a file, without a tone map."""
         return Sketch(scene, palette(scene.view.colors, dark), plain)
 
     def _spring_thickness(self) -> Floats:
-        """(S,) amplitude of each coil, or width of each bar, in the world."""
+        """(S,) amplitudes of coils, or widths of bars, in the world."""
         if not len(self.springs):
             return np.zeros(0)
         smaller = self.radius[self.springs].min(1)
@@ -188,7 +193,7 @@ class Sketch:
 
 
 def _muscles(scene: Scene) -> Floats:
-    """See `Sketch`; none where there is no beat, since they rest."""
+    """See `Sketch`; none without a beat, since they are then at rest."""
     rows = [
         (
             joint,
@@ -206,7 +211,7 @@ def _muscles(scene: Scene) -> Floats:
 
 
 def _load_arrows(scene: Scene, mapping: Mapping) -> Floats:
-    """See `Sketch`: as long as the forces are large, but none too short to be seen."""
+    """See `Sketch`: lengths in proportion to the forces, but none too short to be seen."""
     if not is_loaded(scene):
         return np.zeros((0, 3))
     loaded = [(i, *mass.force) for i, mass in enumerate(scene.masses) if mass.force and any(mass.force)]

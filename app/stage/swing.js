@@ -1,21 +1,23 @@
 // @ts-check
 /**
- * How muscles move rest lengths and rest angles in time, from the plan of a body: as `sim/forces/muscles.py` has it.
+ * How muscles change rest lengths and rest angles with time, by the plan of a body, as `sim/forces/muscles.py`.
  *
  * @typedef {import("./plan.js").Plan} Plan
  *
  * @typedef {object} Muscle
- * @property {boolean} joint whether it is a joint's, and not a spring's
+ * @property {boolean} joint true for a joint's, false for a spring's
  * @property {number} part index of the spring or joint
  * @property {number} amplitude of a spring's a fraction, of a joint's degrees
  * @property {number} phase degrees
- * @property {boolean} pulse whether its wave is a pulse, and not a sine
+ * @property {boolean} pulse its wave is a pulse, not a sine
  * @property {number} perBeat waves in a beat
  */
 import { SHARPNESS } from "./looks.js";
 
-/** Numbers before the first muscle, and of each. */
-const [HEAD, ROW] = [2, 6];
+/** Numbers before the first muscle. */
+const HEAD = 2;
+/** Numbers of each muscle. */
+const ROW = 6;
 
 /** @param {Plan} plan */
 export const countMuscles = ({ muscles }) => Math.max(0, (muscles.length - HEAD) / ROW);
@@ -29,14 +31,14 @@ export function muscleAt({ muscles }, k) {
 /** Beats until a time, s. @param {Plan} plan @param {number} time */
 export const beatsAt = ({ muscles: [frequency = 0, phase = 0] }, time) => frequency * time + phase / 360;
 
-/** A muscle's wave after so many beats: from -1 to 1, of a pulse from 0. @param {Muscle} muscle @param {number} beats */
+/** A muscle's wave after so many beats: from -1 to 1, a pulse from 0. @param {Muscle} muscle @param {number} beats */
 export function waveAt({ phase, pulse, perBeat }, beats) {
   const size = Math.sin(2 * Math.PI * (perBeat * beats + phase / 360));
   return pulse ? Math.exp(SHARPNESS * (size - 1)) : size;
 }
 
 /**
- * What all muscles do at a time.
+ * The effect of all muscles at a time.
  *
  * @param {Plan} plan @param {number} time s
  * @returns {{stretch: Float64Array, turn: Float64Array}} the factor of each spring's rest length, and degrees that are

@@ -1,36 +1,37 @@
 // @ts-check
 /**
- * Behind the body: the grid, a medium, the ground, walls, how far contact reaches, what fills its loops, and the wind.
+ * Draws what is behind the body: the grid, a medium, the ground, walls, the reach of contact, fillings of loops, and wind.
  */
 import { moving, standing, streaks } from "./environment.js";
 import { LAYERS } from "./looks.js";
 import { onPicture, secondIn, shown } from "./canvas.js";
-import { onTold, told } from "../wire/channel.js";
-import { makeSvg, set, sight } from "./overlay.js";
+import { onMessage, pageState } from "../wire/channel.js";
+import { sight } from "./sight.js";
+import { makeSvg, set } from "./svg.js";
 import { onScreen } from "./screen.js";
 import { timeNow } from "../ui/clock.js";
-import { viser } from "../ui/viser/viser.js";
+import { viser, viserCanvas } from "../ui/viser/viser.js";
 
-/** Milliseconds between two pictures of the wind around a body at rest, of which no frames come. */
+/** Milliseconds between two pictures of the wind around a body at rest, which sends no frames. */
 const DRIFT_EVERY = 40;
-/** Pixels by which streaks may have drifted before they are made anew. */
+/** Pixels that streaks may drift before they are computed again. */
 const MARGIN = 150;
 const KINDS = /** @type {(keyof typeof LAYERS)[]} */ (Object.keys(LAYERS));
 
-/** What a picture of the same body, seen from the same place, has in common with others. @param {import("./overlay.js").Sight} seen */
+/** A key of all pictures of the same body from the same place. @param {import("./sight.js").Sight} seen */
 const viewOf = ({ plan, on, box }) => [plan.generation, on.x, on.y, on.step, box.width, box.height].join(" ");
 
 /** @typedef {typeof KINDS[number]} Kind */
 
 /**
- * The streaks of the wind: gusts only drift, so the same streaks are moved along for a while. What is returned draws
- * them at a time, s.
+ * The streaks of the wind; gusts only drift, so the same streaks are moved for a while. Returns a function that draws them
+ * at a time, s.
  *
  * @param {Element} path
  */
 function windMark(path) {
   let [made, since] = ["", 0];
-  /** @param {import("./overlay.js").Sight} seen @param {number} time */
+  /** @param {import("./sight.js").Sight} seen @param {number} time */
   return (seen, time) => {
     const { plan, on, box } = seen;
     const view = viewOf(seen);
@@ -48,41 +49,54 @@ function windMark(path) {
   };
 }
 
-/** @type {((seen: import("./overlay.js").Sight, svg: SVGSVGElement) => void)[]} */
+/** @type {((seen: import("./sight.js").Sight, svg: SVGSVGElement) => void)[]} */
 const others = [];
-/** Has something else drawn whenever this is, at the same place. @param {(typeof others)[0]} draw */
+/** Calls back whenever this is drawn, to draw at the same place. @param {(typeof others)[0]} draw */
 export const onUnderlay = (draw) => others.push(draw);
 
-/** Begins to draw. */
-export function addUnderlay() {
-  const svg = makeSvg("svg", "softrod-underlay");
-  const paths = /** @type {Record<Kind, SVGPathElement>} */ (
-    Object.fromEntries(KINDS.map((kind) => [kind, makeSvg("path", `softrod-${kind}`, svg)]))
-  );
+/** The layers behind the body. */
+class Underlay {
+  constructor() {
+    this.svg = makeSvg("svg", "softrod-underlay");
+    this.paths = /** @type {Record<Kind, SVGPathElement>} */ (
+      Object.fromEntries(KINDS.map((kind) => [kind, makeSvg("path", `softrod-${kind}`, this.svg)]))
+    );
+    this.drawWind = windMark(this.paths.wind);
+    this.still = matchMedia("(prefers-reduced-motion: reduce)");
+    /** The view for which the layers that stand were drawn. */
+    this.view = "";
+    /** The frame at viser's last redraw. @type {import("./plan.js").Frame | null} */
+    this.before = null;
+  }
+
   /** @param {Partial<Record<Kind, string>>} outlines */
-  const show = (outlines) => {
-    for (const kind of KINDS) if (kind in outlines) set(paths[kind], { d: outlines[kind] ?? "" });
-  };
-  const { wind } = paths;
-  const blow = windMark(wind);
-  const still = matchMedia("(prefers-reduced-motion: reduce)");
-  let stood = "";
-  /** The picture that there was when viser drew last. @type {import("./plan.js").Frame | null} */
-  let before = null;
-  const draw = () => {
+  show(outlines) {
+    for (const kind of KINDS) if (kind in outlines) set(this.paths[kind], { d: outlines[kind] ?? "" });
+  }
+
+  draw() {
     const { plan, frame } = shown();
-    const canvas = viser()?.canvas;
-    // The first picture of a new body, and what is told of it, may still be on their way.
-    if (!canvas || !told().width || plan?.generation !== frame?.generation) return;
-    const seen = sight(before?.generation === plan?.generation ? before : frame);
+    const canvas = viserCanvas();
+    const { width: across = 0, height: up = 0 } = pageState();
+    // The first frame of a new body, and the page's state, may not have arrived yet.
+    if (!canvas || !across || plan?.generation !== frame?.generation) return;
+    const seen = sight(this.before?.generation === plan?.generation ? this.before : frame);
     if (!seen) return;
-    if (canvas.previousSibling !== svg) canvas.before(svg);
+    if (canvas.previousSibling !== this.svg) canvas.before(this.svg);
     const { left, top, width, height } = seen.box;
-    set(svg, { viewBox: `${left} ${top} ${width} ${height}` });
-    const view = [viewOf(seen), told().width, told().height].join(" ");
-    if (view !== stood) show(standing(seen, Math.max(told().width ?? 0, told().height ?? 0) / seen.plan.scale));
-    stood = view;
-    for (const other of others) other(seen, svg);
+    set(this.svg, { viewBox: `${left} ${top} ${width} ${height}` });
+    const view = [viewOf(seen), across, up].join(" ");
+    if (view !== this.view) this.show(standing(seen, Math.max(across, up) / seen.plan.scale));
+    this.view = view;
+    for (const other of others) other(seen, this.svg);
+    this.show(this.movingOutlines(seen));
+    set(this.paths.skin, { "stroke-width": (seen.plan.contact * seen.plan.scale * seen.on.step).toFixed(2) });
+    if (seen.plan.wind.length) this.drawWind(seen, this.still.matches ? 0 : timeNow());
+    else this.show({ wind: "" });
+  }
+
+  /** Skin and fillings of the body, with the fillings of a second one. @param {import("./sight.js").Sight} seen */
+  movingOutlines(seen) {
     const { damage } = shown();
     const outlines = moving(seen, damage.broken);
     const second = secondIn(seen.frame);
@@ -92,25 +106,30 @@ export function addUnderlay() {
       outlines.gas += theirs.gas;
       outlines.liquid += theirs.liquid;
     }
-    show(outlines);
-    set(paths.skin, { "stroke-width": (seen.plan.contact * seen.plan.scale * seen.on.step).toFixed(2) });
-    if (seen.plan.wind.length) blow(seen, still.matches ? 0 : timeNow());
-    else set(wind, { d: "" });
-  };
-  // As viser draws, so that all is seen from the same place. Its nodes are then as the picture before had them: they
-  // take over what is new right after that, to be drawn the next time.
-  const drawn = () => {
-    draw();
-    before = shown().frame;
+    return outlines;
+  }
+
+  /** Draws wind that goes on around a body at rest. */
+  drift() {
+    if (pageState().rest && shown().plan?.wind.length && !this.still.matches) this.draw();
+  }
+}
+
+/** Begins to draw. */
+export function addUnderlay() {
+  const underlay = new Underlay();
+  // When viser draws, so that both are seen from the same place. Its nodes then still have the previous frame: viser
+  // applies updates right after that, for its next redraw.
+  const drawWithViser = () => {
+    underlay.draw();
+    underlay.before = shown().frame;
   };
   const listen = () => {
     const scene = viser()?.scene;
-    if (scene) scene.onBeforeRender = drawn;
-    else draw();
+    if (scene) scene.onBeforeRender = drawWithViser;
+    else underlay.draw();
   };
   onPicture(listen);
-  onTold("pageState", listen);
-  setInterval(() => {
-    if (told().rest && shown().plan?.wind.length && !still.matches) draw();
-  }, DRIFT_EVERY);
+  onMessage("pageState", listen);
+  setInterval(() => underlay.drift(), DRIFT_EVERY);
 }

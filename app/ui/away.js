@@ -1,81 +1,81 @@
 // @ts-check
 /**
- * While there is no connection: the page says so, its clock stands, what was under way ends, and nothing that is
- * pressed is done, neither now nor late.
+ * A lost connection: the page says so, its clock stops, what is under way ends, and no press has any effect, neither
+ * now nor later.
  */
-import { hangUp } from "../wire/channel.js";
+import { stopSending } from "../wire/channel.js";
+import { make } from "./dialog.js";
 import { lost } from "./kept/keep.js";
 
 const TEXT = "Not connected: your body waits. Reconnecting…";
-/** On a wall, which has no body of its own. */
+/** For the wall of a class, which has no body of its own. */
 const WALL = "Not connected. Reconnecting…";
-/** Where nothing says why the first connection does not come about. */
+/** If the server gives no reason why there is no first connection. */
 const BLOCKED =
-  "The page is here, but its live connection does not come about: something on the way lets no WebSockets through. Another network may do, such as the hotspot of the computer that softrod runs on.";
-/** What would begin something. Moves and releases go on, so that whatever is pressed can be let go. */
+  "The page has loaded, but its live connection fails: something on the way blocks WebSockets. Try another network, such as the hotspot of the computer that softrod runs on.";
+/** Events that begin something. Moves and releases are let through, so that whatever is pressed can be released. */
 const BEGINNINGS = ["pointerdown", "mousedown", "touchstart", "click", "dblclick", "keydown", "paste", "cut", "drop"];
-/** Keys that are the browser's: they go from one control to the next, and close a dialog. */
-const BROWSERS = new Set(["Tab", "Escape", "Shift", "Control", "Alt", "Meta"]);
+/** Keys of the browser, which move the focus or close a dialog. */
+const BROWSER_KEYS = new Set(["Tab", "Escape", "Shift", "Control", "Alt", "Meta"]);
 
-let since = Infinity;
+let lostAt = Infinity;
 
-/** When the connection was found to be lost, ms of the page's clock; infinite while it is there. */
-export const awaySince = () => since;
+/** When the connection was lost, ms of the page's clock; infinite while there is one. */
+export const awaySince = () => lostAt;
 
 /** @param {Event} event */
-function isBrowsers(event) {
-  if (event instanceof KeyboardEvent) return event.ctrlKey || event.metaKey || BROWSERS.has(event.key) || /^F\d/.test(event.key);
-  // What a pupil answers is kept until there is a connection.
+function isAllowed(event) {
+  if (event instanceof KeyboardEvent) return event.ctrlKey || event.metaKey || BROWSER_KEYS.has(event.key) || /^F\d/.test(event.key);
+  // The answers of a pupil are stored until there is a connection.
   return event.target instanceof Element && event.target.closest(".softrod-close, .softrod-seat, .softrod-own-prediction") !== null;
 }
 
 /** @param {Event} event */
 function swallow(event) {
-  if (since === Infinity || isBrowsers(event)) return;
+  if (lostAt === Infinity || isAllowed(event)) return;
   event.preventDefault();
   event.stopImmediatePropagation();
 }
 
-/** Why the server takes no connection from this page: a browser does not tell what a refusal says. */
-async function whyRefused() {
+/** Asks why the server refuses connections of this page: the browser does not show the answer of a WebSocket. */
+async function reasonOfRefusal() {
   try {
     const answer = await fetch("reach", { headers: { "X-Softrod-Origin": location.origin }, cache: "no-store" });
     return answer.ok ? BLOCKED : await answer.text();
   } catch {
-    return TEXT; // it is the server that is gone
+    return TEXT; // the server does not answer
   }
 }
 
-/** Ends every drag and lets go of every key, as when the window is left. */
+/** Ends every drag and releases every key, as when the window loses the focus. */
 const endAll = () => window.dispatchEvent(new Event("blur"));
 
 /**
- * Begins to mind it, before anything else listens to the window.
+ * Begins to swallow events while there is no connection; call it before anything else listens to the window.
  *
- * @returns {(line: import("./viser/connection.js").Line) => void} to be told how the connection is
+ * @returns {(line: import("./viser/connection.js").Line) => void} call it when the state of the connection changes
  */
-export function mindAbsence() {
+export function watchConnectionLoss() {
   for (const kind of BEGINNINGS) window.addEventListener(kind, swallow, { capture: true, passive: false });
-  const banner = document.createElement("div");
-  banner.className = "softrod-banner";
+  const banner = make("div", "softrod-banner");
   banner.setAttribute("role", "status");
   document.body.append(banner);
-  let everThere = false;
+  let wasConnected = false;
   return (line) => {
     const away = line !== "connected";
-    everThere ||= !away;
-    if (away && since === Infinity) {
+    wasConnected ||= !away;
+    if (away && lostAt === Infinity) {
       endAll();
-      since = performance.now();
+      lostAt = performance.now();
     }
     if (line === "closed") {
       lost();
-      hangUp();
+      stopSending();
     }
-    if (!away) since = Infinity;
+    if (!away) lostAt = Infinity;
     document.documentElement.toggleAttribute("data-softrod-away", away);
     const wall = document.documentElement.dataset.softrodClass?.split(" ").includes("wall");
     banner.textContent = away ? (wall ? WALL : TEXT) : "";
-    if (!everThere) whyRefused().then((text) => everThere || (banner.textContent = text));
+    if (!wasConnected) reasonOfRefusal().then((text) => wasConnected || (banner.textContent = text));
   };
 }

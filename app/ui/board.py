@@ -1,4 +1,4 @@
-"""Sliders of settings and lists of choices, one below the other, as the scene has a use for them."""
+"""Sliders and dropdown lists for the settings that apply to a scene."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ from .viser.choice_box import ChoiceBox
 from .viser.handlers import on_change
 from .viser.slider_box import SliderBox, mixed_words
 
-FOREMOST = (
+MAIN_SETTINGS = (
     "tempo", "wind_speed", "gas_pressure", "pressure", "liquid_stiffness", "bulk_modulus", "load", "strength",
     "yield_force", "rest_angle", "template", "bend", "angular_stiffness", "linear_stiffness", "gravity",
 )  # fmt: skip
-"""Settings that make most of a scene, in order; the first two that there is a use for stand at the top."""
+"""The most important settings, in order; the first two that apply are at the top."""
 
 Place = viser.GuiTabHandle | viser.GuiFolderHandle
 
 
-def foremost(applicable: list[Setting]) -> list[Setting]:
-    """Of the settings that a scene has, the two that make most of it."""
-    known = (setting for setting in applicable if setting.key in FOREMOST)
-    return sorted(known, key=lambda setting: FOREMOST.index(setting.key))[:2]
+def main_settings(applicable: list[Setting]) -> list[Setting]:
+    """The two most important settings that apply to a scene."""
+    known = (setting for setting in applicable if setting.key in MAIN_SETTINGS)
+    return sorted(known, key=lambda setting: MAIN_SETTINGS.index(setting.key))[:2]
 
 
 def dials_of(scene: Scene) -> list[Setting]:
-    """The settings of a scene that have sliders; some are set by others."""
+    """The settings of a scene that have sliders; others are set by other controls."""
     return [setting for setting in settings_of(scene) if _has_dial(setting, scene)]
 
 
@@ -47,7 +47,7 @@ class Board:
     """Sliders and lists of one page.
 
     Args:
-        page: whose scene they set.
+        page: the page.
     """
 
     def __init__(self, page: Page) -> None:
@@ -55,32 +55,32 @@ class Board:
         self._sliders: list[SliderBox] = []
         self._choices: list[ChoiceBox] = []
         self._templates: list[viser.GuiDropdownHandle[str]] = []
-        self._notes: list[_MixedNote] = []
+        self._notes: list[MixedValuesNote] = []
         self._handles: list[Any] = []
         self._shown: Any = None
 
     def is_new(self, shown: object) -> bool:
-        """Whether it has to show something else than before; then it is empty from here on.
+        """Return True and remove all controls if it has to show something else.
 
-        What stays is kept: its user may be in the middle of moving it.
+        Otherwise they stay, since the user may be moving one.
         """
         if shown == self._shown:
             return False
         self._shown = shown
         for slider_box in self._sliders:
             slider_box.retire()
-        for part in (*self._notes, *self._handles):  # a folder comes after what is in it
+        for part in (*self._notes, *self._handles):  # a folder after its contents
             part.remove()
         for parts in (self._sliders, self._choices, self._templates, self._notes, self._handles):
             parts.clear()
         return True
 
-    def keep(self, *handles: Any) -> None:
-        """Take other controls away with the sliders; those of a folder are before the folder."""
+    def add_handles(self, *handles: Any) -> None:
+        """Remove other controls together with the sliders; pass a folder after its contents."""
         self._handles += handles
 
     def add_sliders(self, place: Place, settings: Sequence[Setting]) -> None:
-        """Sliders, from order 10 on, and below them a note on those whose parts have different numbers."""
+        """Add sliders, from order 10 on, and below them a note on those whose parts have different values."""
         before = len(self._sliders)
         with place:
             for order, setting in enumerate(settings, start=10):
@@ -89,10 +89,10 @@ class Board:
                 else:
                     self._add_slider(setting, order)
         gui, own = self._page.client.gui, self._sliders[before:]
-        self._notes.append(_MixedNote(gui, place, own, 10.0 + len(settings)))
+        self._notes.append(MixedValuesNote(gui, place, own, 10.0 + len(settings)))
 
     def add_choices(self, place: Place, keys: Collection[str], order: float) -> None:
-        """Lists of choices."""
+        """Add dropdown lists."""
         with place:
             for at, key in enumerate(keys):
                 choice = ChoiceBox(self._page, key, order + at)
@@ -124,11 +124,11 @@ class Board:
 
     @property
     def settled(self) -> bool:
-        """Whether all of it shows what is set."""
+        """True if all controls show the values of the solver."""
         return all(slider_box.settled for slider_box in self._sliders)
 
     def show(self, scene: Scene) -> None:
-        """Show what keys, commands or other controls have changed."""
+        """Show the values of a scene."""
         for slider_box in self._sliders:
             slider_box.show(scene)
         for note in self._notes:
@@ -140,14 +140,14 @@ class Board:
                 templates.value = f"{scene.template}°"
 
 
-class _MixedNote:
-    """Says below some sliders what those do whose parts have different numbers; it is made when one does.
+class MixedValuesNote:
+    """A note below sliders on those whose parts have different values; created when it is first needed.
 
     Args:
         gui: of the page.
-        place: where the sliders stand.
-        sliders: those that it is about.
-        order: where it stands.
+        place: the tab or folder of the sliders.
+        sliders: the sliders.
+        order: its place there.
     """
 
     def __init__(self, gui: viser.GuiApi, place: Place, sliders: list[SliderBox], order: float) -> None:
@@ -155,7 +155,7 @@ class _MixedNote:
         self._note: viser.GuiHtmlHandle | None = None
 
     def show(self) -> None:
-        """Say what is so now."""
+        """Update the text."""
         mixed = dict.fromkeys(mixed_words(box.setting) for box in self._sliders if box.mixed)
         words = " ".join(f"<b>mixed</b>: {each}." for each in mixed)
         if self._note is None and words:
@@ -165,6 +165,6 @@ class _MixedNote:
             self._note.content = f'<div class="softrod-text">{words}</div>' if words else ""
 
     def remove(self) -> None:
-        """Take it out of the page."""
+        """Remove it from the page."""
         if self._note is not None:
             self._note.remove()

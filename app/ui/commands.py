@@ -1,8 +1,8 @@
-"""Commands: what keys, buttons, menus, the palette and the help offer.
+"""Commands of keys, buttons, menus, the palette and the help.
 
 A row is all that a command needs: the page's copy of the table (`app/wire/commands.js`), the list of keys in
 docs/using.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. Rows
-stand with the features that do them; `app.pages.sandbox.features` has the whole table.
+are declared by the features that execute them; `app.pages.sandbox.features` has the whole table.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from ..session import commands
 from ..session.session import Session
 
 Does = commands.Command | Callable[[Session, Any], None] | Literal["page", "edit", "own"]
-"""What a command does: a command of the session; a function for the ticker, of the session and of the feature
-that the command belongs to; something that the page's script does; or what the script
-does where it listens to the keys: while the tools of editing are out, or in a place of its own. The last two
-are not in the palette."""
+"""What a command does: a command of the session; a function of the session and of the command's feature,
+called by the ticker; "page": a function of the page's script; "edit" or "own": something that the script does
+where it listens to the keys, while the editing tools are open or elsewhere. The last two are not in the
+palette."""
 
 
 @dataclass(frozen=True)
@@ -28,17 +28,17 @@ class Row:
     """A command.
 
     Attributes:
-        label: what it is called, in the palette and in menus.
+        label: its name in the palette and in menus.
         does: see `Does`.
-        keys: that do it, as they are shown.
-        help: what the help and the documents say of the keys; rows with the same words are one line there.
-        hint: a sentence on it, for the tooltip of its button.
-        needs: the control without which it is left out, see `controls.PARTS`.
-        icon: outline of 24 by 24, the data of an SVG path.
-        word: beside the icon of its button, where there is room; the label contains it.
-        palette: whether the palette may have it.
-        held: whether its keys act as long as they are held.
-        share: what its button in the Share tab says, and that button's icon; None without one.
+        keys: its keys, as they are shown.
+        help: description of the keys in the help and the documents; rows with the same text share a line.
+        hint: tooltip of its button.
+        needs: the control without which it is left out, see `Feature.controls`.
+        icon: data of an SVG path, 24 by 24.
+        word: text beside the icon of its button, if there is room; the label contains it.
+        palette: the palette may list it.
+        held: its keys act as long as they are held.
+        share: text and icon of its button in the Share tab; None without one.
     """
 
     label: str
@@ -55,7 +55,7 @@ class Row:
 
     @property
     def listed(self) -> bool:
-        """Whether the palette has it."""
+        """True if the palette lists it."""
         return self.palette and self.does not in ("edit", "own")
 
     @property
@@ -67,7 +67,7 @@ class Row:
 
 
 def key_lines(table: Mapping[str, Row]) -> list[tuple[str, str]]:
-    """The keys and what the help says of them; keys that have the same words share a line."""
+    """Keys and their descriptions; keys with the same description share a line."""
     keys: dict[str, list[str]] = {}
     for row in table.values():
         if row.help:

@@ -1,7 +1,7 @@
-"""Which controls a page has, for prepared lessons: all, or those that its address or its scene names.
+"""The controls of a page, for prepared lessons: all, or those that its address or its scene names.
 
-It is a matter of tidiness, not of security: what is left out can still be done by keys, and by whoever opens
-the page without the list.
+This tidies the page but secures nothing: what is left out can still be done by keys, or on a page that is
+opened without the list.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from sim.settings import Setting, setting_keys
 from ..gate.address import page_query
 
 IN_PLAY_TAB = ("chooser", "about", "follow", "angle", "keys", "body")
-"""Those that stand in the Play tab, as the sliders of single settings do."""
+"""Controls of the Play tab; the sliders of single settings are there, too."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Controls:
     """The controls of a page.
 
     Attributes:
-        names: which there are, in order; None for all.
+        names: their names, in order; None for all.
     """
 
     names: tuple[str, ...] | None = None
@@ -36,11 +36,11 @@ class Controls:
 
     @property
     def in_play_tab(self) -> bool:
-        """Whether the Play tab has anything."""
+        """True if the Play tab has any of them."""
         return self.names is None or any(n in IN_PLAY_TAB or _is_setting(n) for n in self.names)
 
-    def foremost(self, applicable: list[Setting]) -> list[Setting] | None:
-        """The settings that are named, of those that the scene has; None if none is to be named."""
+    def named_settings(self, applicable: list[Setting]) -> list[Setting] | None:
+        """The named settings among those of a scene; None if all controls are there."""
         if self.names is None:
             return None
         known = {setting.key: setting for setting in applicable}
@@ -55,15 +55,15 @@ def _is_setting(name: str) -> bool:
 
 
 def checked(names: tuple[str, ...], source: str, parts: Collection[str]) -> Controls:
-    """Controls of that list.
+    """Make controls of a list of names.
 
     Args:
         names: of controls, and keys of settings.
-        source: where they are from.
+        source: where the names are from, for errors.
         parts: the names of all controls.
 
     Raises:
-        InputError: one of them is no control; one sentence that begins with the source and has all there are.
+        InputError: a name is unknown; one sentence that begins with the source and lists all names.
     """
     for name in names:
         if name not in parts and not _is_setting(name):
@@ -75,7 +75,7 @@ def checked(names: tuple[str, ...], source: str, parts: Collection[str]) -> Cont
 
 
 def of_scene(scene: Scene, parts: Collection[str]) -> Controls:
-    """What a scene asks for, of controls with those names.
+    """The controls that a scene asks for.
 
     Raises:
         InputError: as `checked`.
@@ -84,7 +84,7 @@ def of_scene(scene: Scene, parts: Collection[str]) -> Controls:
 
 
 def of_query(query: str, parts: Collection[str]) -> Controls | None:
-    """What the query of a page's address asks for, as in `controls=play,rest_angle`; None if it has none.
+    """The controls that a query asks for, as in `controls=play,rest_angle`; None if it names none.
 
     Raises:
         InputError: as `checked`.

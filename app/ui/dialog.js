@@ -1,15 +1,14 @@
 // @ts-check
 /**
- * Dialogs that the script makes itself. The browser keeps the focus in them, gives it back afterwards, and closes
- * them with Esc.
+ * Dialogs of the script. The browser traps the focus in them, returns it afterwards, and closes them with Esc.
  */
 
 /**
- * Makes an element.
+ * Makes an HTML element.
  *
  * @template {keyof HTMLElementTagNameMap} K
  * @param {K} kind
- * @param {string} name of its class, or empty
+ * @param {string} name its class, or empty
  * @param {string} [text] shown as it is, never as HTML
  * @returns {HTMLElementTagNameMap[K]}
  */
@@ -20,6 +19,10 @@ export function make(kind, name, text = "") {
   return element;
 }
 
+/** An outlined or filled icon of 24 by 24 as HTML, with a word beside it. @param {string} path @param {string} [word] */
+export const iconHtml = (path, word) =>
+  `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${path}"/></svg>${word === undefined ? "" : `<span>${word}</span>`}`;
+
 /** @param {string} text @param {() => void} press @param {string} [name] */
 export function makeButton(text, press, name = "softrod-button") {
   const button = make("button", name, text);
@@ -29,10 +32,10 @@ export function makeButton(text, press, name = "softrod-button") {
 }
 
 /**
- * A dialog with a title and a button that closes it.
+ * Makes a dialog with a title and a button that closes it.
  *
  * @param {string} title
- * @param {string} name of its class
+ * @param {string} name its class
  */
 export function makeDialog(title, name) {
   const dialog = make("dialog", `softrod-dialog ${name}`);
@@ -45,7 +48,7 @@ export function makeDialog(title, name) {
   head.append(heading, close);
   const body = make("div", "softrod-dialog-body");
   dialog.append(head, body);
-  // A press beside it closes it, but not one that began inside, as when text is marked.
+  // A click on the backdrop closes it, unless the press began inside, as when text is selected.
   let outside = false;
   dialog.addEventListener("pointerdown", ({ target }) => (outside = target === dialog));
   dialog.addEventListener("click", ({ target }) => outside && target === dialog && dialog.close());

@@ -1,4 +1,4 @@
-"""The door of a feature: all that the rest of the page knows of it."""
+"""The interface of a feature: all that the rest of the page knows of it."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Drawn:
-    """A picture that was just drawn.
+    """The picture that was just drawn.
 
     Attributes:
-        plan: the number of the body's plan, which belongs to it.
+        plan: number of the body's plan.
         now: wall time, s.
-        exactly: whether the body stands, so that what goes with the picture is to be exact.
+        exactly: the body stands, so that what belongs to the picture has to be exact.
     """
 
     plan: int
@@ -32,11 +32,11 @@ class Drawn:
 
 @dataclass(frozen=True)
 class LongText:
-    """A text that a page may send which is too long for one message.
+    """A text of a page that is too long for one message.
 
     Attributes:
         needs: the control without which it is ignored.
-        verb: what is done with it, as in "That cannot be opened".
+        verb: participle for notices, as in "That cannot be opened".
     """
 
     needs: str
@@ -44,18 +44,18 @@ class LongText:
 
 
 class Feature:
-    """What one page has of a feature.
+    """A feature of one page.
 
-    A subclass stands in a folder of its own, and in `app.pages.sandbox.features`. It says as data what others
-    have to know. A script and a style sheet with the folder's name belong to the page; the script's default
-    export has its commands and begins it, see `Feature` in `feature.d.ts`. All methods are the ticker's but
-    for `hear` and `read`.
+    A subclass has a folder of its own, and an entry in `app.pages.sandbox.features`. It declares as data what
+    others have to know. A script and a style sheet with the folder's name are part of the page; the script's
+    default export has its commands and starts it, see `Feature` in `feature.d.ts`. All methods but `hear` and
+    `read` are called by the ticker.
 
     Attributes:
-        messages: kinds of those that it hears, and the control without which each is ignored; "" for none.
-        texts: long texts that it reads, by their kinds.
+        messages: kinds of messages that it handles, and the control that each needs; "" for none.
+        texts: long texts that it handles, by their kinds.
         commands: see `Row`.
-        controls: names of controls that a page may have, and what they stand for.
+        controls: its controls by their names, and descriptions.
     """
 
     messages: ClassVar[Mapping[type[FromPage], str]] = {}
@@ -72,28 +72,28 @@ class Feature:
         return self.page.session
 
     def hear(self, said: FromPage) -> None:
-        """Do what the page says with one of `messages`: on viser's event loop, where nothing may block, or
-        for an `Ask` in a thread, after those before it."""
+        """Handle one of `messages`: on viser's event loop, where nothing may block, or an `Ask` in a thread,
+        after those before it."""
 
     def read(self, kind: str, letters: str) -> None:
-        """Do what is to be done with one of `texts`; in a thread that may take its time."""
+        """Handle one of `texts`, in a thread that may take its time."""
 
     def attach(self, panel: Panel) -> None:
-        """Put controls into a panel, which is a new one with the controls that the page has now."""
+        """Add the feature's controls to a new panel."""
 
     def detach(self) -> None:
-        """Remember what the controls have come to: the panel is about to be taken out of the page."""
+        """Remember the values of the controls; the panel is about to be removed."""
 
     def build(self) -> None:
-        """The body is another one."""
+        """Adapt to another body."""
 
     def frame(self, drawn: Drawn) -> None:
-        """Tell the page what it does not know yet; after each picture."""
+        """Send what has changed; called after each picture."""
 
     def refresh(self) -> None:
-        """Show in the controls what has changed: ten times a second, and at once where that is a setting."""
+        """Update the controls: ten times a second, and at once when a setting changes."""
 
     @property
     def unsettled(self) -> bool:
-        """Whether there will be more to show although nothing moves."""
+        """True if there will be more to show although nothing moves."""
         return False

@@ -1,27 +1,26 @@
 // @ts-check
 /**
- * The head-up display: what the server writes, in an element that the panel cannot take away. It is behind the body, which
- * it never covers.
+ * The head-up display: HTML from the server behind the body, in an element that outlives the panel.
  */
-import { onTold } from "../wire/channel.js";
-import { viser } from "./viser/viser.js";
+import { onMessage } from "../wire/channel.js";
+import { make } from "./dialog.js";
+import { viserCanvas } from "./viser/viser.js";
 
 /** @type {HTMLElement | null} */
 let hud = null;
 
-/** Puts the display behind viser's canvas, as soon as there is one. @param {HTMLElement} element */
+/** Inserts the display behind viser's canvas, once there is one. @param {HTMLElement} element */
 function putBehind(element) {
-  const canvas = viser()?.canvas;
+  const canvas = viserCanvas();
   if (canvas?.parentElement) canvas.parentElement.prepend(element);
   else requestAnimationFrame(() => putBehind(element));
 }
 
-/** Begins to show it. */
+/** Begins to show the display. */
 export const showHud = () =>
-  onTold("hud", ({ html }) => {
+  onMessage("hud", ({ html }) => {
     if (!hud?.isConnected) {
-      hud = document.createElement("div");
-      hud.className = "softrod-hud";
+      hud = make("div", "softrod-hud");
       putBehind(hud);
     }
     hud.innerHTML = html;

@@ -1,4 +1,4 @@
-"""The notices of one page: each is shown once, and some go when what they are about is over."""
+"""The notices of one page; some are removed when their subject is over."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warnin
 MAX_WAITING = 100
 
 CLOSES_AFTER = 5.0
-"""Seconds for which a notice stands that is no error."""
+"""Seconds for which a notice is shown; errors stay."""
 
 
 class NoticeBoard:
@@ -36,16 +36,16 @@ class NoticeBoard:
 
     @property
     def has_new(self) -> bool:
-        """Whether a notice is not shown yet."""
+        """True if a notice is not shown yet."""
         return bool(self._waiting)
 
     @property
     def has_transient(self) -> bool:
-        """Whether a notice is shown that goes when what it is about is over."""
+        """True while a notice is shown that will be removed when its subject is over."""
         return bool(self._transient)
 
     def show(self, session: Session) -> None:
-        """Show what is new, and remove what is over; the ticker's."""
+        """Show new notices, and remove those whose subject is over; called by the ticker."""
         self._waiting.extend(session.notices)
         session.notices.clear()
         for about in tuple(self._transient):

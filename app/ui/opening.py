@@ -1,4 +1,5 @@
-"""Which scene a page's address asks for: ``?scene=`` a preset's name, or ``?s=`` a shared scene's code."""
+"""The scene that a page's address asks for: ``?scene=`` the name of a preset, or ``?s=`` the code of a shared
+scene."""
 
 from __future__ import annotations
 
@@ -16,14 +17,14 @@ def asked_scene(query: str) -> sim.Scene | None:
     """The scene that the query of a page's address asks for; None if it asks for none.
 
     Raises:
-        SceneError: there is none; one sentence.
+        SceneError: there is no such scene; one sentence.
     """
     fields = page_query(query) or {}
     if "s" in fields:
         return shared_scene(fields["s"])
     if "scene" not in fields:
         return None
-    # Only presets: a name could be the path of any file, and saved scenes are their owner's to show.
+    # Only presets: a name could be the path of any file, and saved scenes are private.
     name = urllib.parse.unquote(fields["scene"])
     path = next((path for path in built_in_files() if path.stem.casefold() == name.casefold()), None)
     if path is None:

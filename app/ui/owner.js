@@ -1,18 +1,18 @@
 // @ts-check
 /**
- * Whose the page is. The terminal prints an address with the owner's key after a #, which no request has; the browser
- * remembers it. Other browsers make up a secret, by which their own scenes are found again.
+ * Identifies the user of the page. The terminal prints an address with the owner's key after a #, which is in no request;
+ * the browser remembers it. Other browsers make up a secret, by which the server finds their scenes again.
  */
-import { onTold, send, told } from "../wire/channel.js";
+import { onMessage, pageState, send } from "../wire/channel.js";
 
 const BEGIN = "#owner=";
 const OWNER = "softrod-owner";
 const TEACHER_BEGIN = "#teacher=";
-/** The secret of the class that the page is of. */
+/** Where the secret of the page's class is stored. */
 const TEACHER = `softrod-teacher-${(new URLSearchParams(location.search).get("room") ?? "").toUpperCase()}`;
 const VISITOR = "softrod-visitor";
 
-/** Where the browser forbids storage, they are the page's own. @type {Map<string, string>} */
+/** Instead of a storage that the browser forbids. @type {Map<string, string>} */
 const memory = new Map();
 
 /** @param {string} name */
@@ -34,7 +34,7 @@ function remember(name, text) {
   }
 }
 
-/** Takes the owner's key out of the page's address, whether it is there at the beginning or comes later. */
+/** Moves a key from the page's address into the storage; returns true if there was one. */
 function takeKey() {
   const begin = [BEGIN, TEACHER_BEGIN].find((begin) => location.hash.startsWith(begin));
   if (!begin) return false;
@@ -51,15 +51,15 @@ function visitor() {
   return remembered(VISITOR);
 }
 
-/** Tells every new connection; before links are taken out of the address. */
-export function sayWhose() {
+/** Identifies the user to every new connection; call it before links are taken out of the address. */
+export function identify() {
   takeKey();
   const say = () => send({ do: "who", visitor: visitor(), owner: remembered(OWNER), teacher: remembered(TEACHER) });
   /** @type {string | undefined} */
   let page;
-  onTold("pageState", () => {
-    if (told().page === page) return;
-    page = told().page;
+  onMessage("pageState", () => {
+    if (pageState().page === page) return;
+    page = pageState().page;
     if (page) say();
   });
   window.addEventListener("hashchange", () => takeKey() && say());

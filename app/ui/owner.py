@@ -1,4 +1,4 @@
-"""Whose a page is: this computer's owner has a key, which the terminal prints in the page's address."""
+"""The key of this computer's owner, which the terminal prints in the page's address."""
 
 from __future__ import annotations
 
@@ -11,34 +11,34 @@ from pathlib import Path
 from sim.store import files
 
 FRAGMENT = "#owner="
-"""Before the key in an address; a browser keeps to itself what stands after a #."""
+"""Before the key in an address; browsers do not send what follows a #."""
 
 
 def key_path() -> Path:
-    """The file with the key, which only its owner can read."""
+    """The file with the key, readable only by its owner."""
     return files.user_folder().parent / "owner-key"
 
 
 def key() -> str:
-    """The owner's key: the same at every start, where it can be kept."""
+    """The owner's key: the same at every start, if it can be stored."""
     return key_in(key_path())
 
 
 def is_key(text: str) -> bool:
-    """Whether a page has the owner's key."""
+    """Return True if a page has the owner's key."""
     return secrets.compare_digest(text.encode(), key().encode())
 
 
 @functools.lru_cache(maxsize=4)
 def key_in(path: Path) -> str:
-    """The key in a file, which is made where there is none."""
+    """Read the key in a file, or make one."""
     made = secrets.token_urlsafe(16)
     with contextlib.suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)
         with contextlib.suppress(FileExistsError), open(path, "x", opener=_private) as file:
             file.write(made)
-        kept = path.read_text().strip()
-        return kept if len(kept) >= len(made) else made
+        stored = path.read_text().strip()
+        return stored if len(stored) >= len(made) else made
     return made
 
 

@@ -1,4 +1,4 @@
-"""What the panels of one page have in common."""
+"""What the features of one page share."""
 
 from __future__ import annotations
 
@@ -20,58 +20,58 @@ from ..stage import sketch
 from ..wire.carrier import Mail
 from .commands import Row
 from .controls import ALL, Controls
-from .kept.keeping import PLAIN, Looks
+from .kept.keeping import DEFAULT_LOOKS, Looks
+from .queues import BoundedQueue
 from .shelf import Shelf
-from .viser.comma_switch import CommaSwitch
+from .viser.decimal_commas import DecimalCommas
 from .viser.handlers import on_press
-from .waiting import Waiting
 
 _F = TypeVar("_F")
 
 
 class Plots(Protocol):
-    """A list of plots, as others see it."""
+    """A list of plots, as other parts of the page use it."""
 
     looked_at: bool
 
     @property
     def specs(self) -> tuple[PlotSpec, ...]:
-        """What is plotted."""
+        """The open plots."""
         ...
 
     @property
     def wants_energy(self) -> bool:
-        """Whether one of them is of the energy balance."""
+        """True if one of them shows the energy balance."""
         ...
 
 
 @dataclass
 class Page:
-    """A page, as its panels see it.
+    """A page, as its features use it.
 
     Attributes:
         client: viser's handle of it.
         session: its simulation.
-        mail: to its script.
-        notify: tells its user something.
-        perform: does a command of the table.
+        mail: sends messages to its script.
+        notify: shows a notice to its user.
+        perform: executes a command of the table.
         shelf: its scenes.
-        commands: the whole table of them.
-        controls: which it has; what there is not is not made.
+        commands: the table of commands.
+        controls: its controls; others are not created.
         looks: how it looks.
-        mapping: from the scene to the page's world and back.
+        mapping: converts between the scene and the page's world.
         commas: whether its tables have decimal commas.
         plots: its lists of plots.
-        features: what it can do; see `find`.
-        soon: has the ticker do something before the next frame; any thread may ask.
-        is_in_class: whether it is a page of a class.
-        makes_lesson: whether the scene's lesson is being made; it is not shown meanwhile.
-        is_closed: whether a lesson is not to be seen here, since a class goes through it.
-        begin_class: begins a class with a scene, and returns the address of the teacher's page, from this
-            page's; None where others cannot reach the server. The ticker's; raises `Refused`.
-        for_others: the address by which others reach the page, from that by which it was reached itself.
-        take_tables: offers to fit the scene to a table of what was measured; None where there is no place for
-            that. The ticker's.
+        features: its features; see `find`.
+        soon: has the ticker call a function before the next frame; any thread may ask.
+        is_in_class: it belongs to a class.
+        makes_lesson: the scene's lesson is being edited, and not shown meanwhile.
+        is_closed: returns True if a lesson must not be shown, since a class goes through it.
+        begin_class: begins a class with a scene, and returns the address of the teacher's page; None if
+            others cannot reach the server. Called by the ticker; raises `Refused`.
+        for_others: converts the address of the page into one by which others reach it.
+        take_tables: offers to fit the scene to tables of measurements; None if the page cannot. Called by the
+            ticker.
     """
 
     client: viser.ClientHandle
@@ -82,7 +82,7 @@ class Page:
     shelf: Shelf
     commands: Mapping[str, Row] = field(default_factory=dict)
     controls: Controls = ALL
-    looks: Looks = PLAIN
+    looks: Looks = DEFAULT_LOOKS
     plots: list[Plots] = field(default_factory=list)
     features: tuple[object, ...] = ()
     soon: Callable[[Callable[[], object]], object] = lambda act: act()
@@ -93,44 +93,44 @@ class Page:
     for_others: Callable[[str], str] = str
     take_tables: Callable[[tuple[Measurement, ...]], None] | None = None
     mapping: sketch.Mapping = field(init=False)
-    commas: CommaSwitch = field(init=False)
-    _asked: Waiting[Callable[[], object]] = field(init=False)
+    commas: DecimalCommas = field(init=False)
+    _requests: BoundedQueue[Callable[[], object]] = field(init=False)
 
     def __post_init__(self) -> None:
         self.mapping = sketch.Mapping.of(self.session.scene)
-        self.commas = CommaSwitch(self._set_commas)
-        self._asked = Waiting(self.notify)
+        self.commas = DecimalCommas(self._set_commas)
+        self._requests = BoundedQueue(self.notify)
 
     @property
     def has_lesson(self) -> bool:
-        """Whether a lesson is shown."""
+        """True if a lesson is shown."""
         lesson = self.session.scene.lesson
         return lesson is not None and not self.makes_lesson and not self.is_closed(lesson)
 
     def find(self, kind: type[_F]) -> _F | None:
-        """One of its features, by its class; None if it is not there."""
+        """Find one of its features by its class; None without one."""
         return next((feature for feature in self.features if isinstance(feature, kind)), None)
 
     def later(self, act: Callable[[], object]) -> None:
-        """Have the ticker do something that a control asks for, before the next frame; any thread may ask.
+        """Have the ticker call a function for a control before the next frame; any thread may ask.
 
-        It is forgotten with the control, see `clear`; `soon` is for what is not a control's.
+        It is dropped if the control is removed, see `clear`; `soon` is for other callers.
         """
-        self._asked.add(act)
+        self._requests.add(act)
 
     @property
-    def is_asked(self) -> bool:
-        """Whether there is something for the ticker to do."""
-        return len(self._asked) > 0
+    def has_requests(self) -> bool:
+        """True if a control has asked for something."""
+        return len(self._requests) > 0
 
     def serve(self) -> None:
-        """Do what was asked for; the ticker's."""
-        while self._asked:
-            self._asked.take()()
+        """Call the functions that controls have asked for; called by the ticker."""
+        while self._requests:
+            self._requests.take()()
 
     def clear(self) -> None:
-        """All controls are gone: forget them, and what was asked by them."""
-        self._asked.clear()
+        """Forget all controls, which have been removed, and what they have asked for."""
+        self._requests.clear()
         self.plots.clear()
         self.take_tables = None
         self.commas.clear()
@@ -139,7 +139,7 @@ class Page:
         self.soon(lambda: self.set_look("commas", on))
 
     def set_look(self, look: str, on: bool) -> None:
-        """Turn one of the looks on or off; the ticker's. The page shows it with the next frame."""
+        """Turn one of the looks on or off from the next frame on; called by the ticker."""
         self.looks = msgspec.structs.replace(self.looks, **{look: on})
         self.commas.show(self.looks.commas)
         self.session.refresh(Refresh.SETTINGS)
@@ -153,7 +153,7 @@ class Page:
         blocks: bool = False,
         **options: Any,
     ) -> viser.GuiButtonHandle:
-        """A button that is not the first thing to press; see `on_press`."""
+        """Add a secondary button; see `on_press`."""
         made = self.client.gui.add_button(label, icon=icon, color="gray", **options)
         on_press(made, press, blocks)
         return made

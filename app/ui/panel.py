@@ -1,9 +1,8 @@
 """One page's control panel: viser's handles, which belong to that page alone.
 
-Handlers only hand commands on. A value that a page sends is checked and clamped where it is applied, since
-the limits of a slider live in the browser only. A value that the server sets fires the same handlers; those
-events have no client, and are ignored, so that nothing loops.
-"""
+Handlers only post commands. Values from a page are checked and clamped where they are applied, since the
+limits of a slider exist in the browser only. Values that the server sets fire the same handlers; those events
+have no client and are ignored, which prevents loops."""
 
 from __future__ import annotations
 
@@ -19,7 +18,7 @@ PANEL_WIDTH = 348
 
 
 def set_theme(gui: viser.GuiApi, dark: bool) -> None:
-    """viser's own colours, without its logo and without the button that would share the page."""
+    """Set viser's colours, without its logo and its own share button."""
     red, green, blue = (int(part) for part in palette("softrod", dark).brand)
     gui.configure_theme(
         dark_mode=dark, show_logo=False, show_share_button=False, brand_color=(red, green, blue)
@@ -30,7 +29,7 @@ class Panel:
     """The panel of one page, into which features put their controls.
 
     Args:
-        page: whose panel it is.
+        page: the page.
     """
 
     def __init__(self, page: Page) -> None:
@@ -42,25 +41,25 @@ class Panel:
         self._gui.main_panel.set_width(PANEL_WIDTH)
 
     def tab(self, name: str) -> viser.GuiTabHandle:
-        """The tab of a name; those that are asked for first come first."""
+        """The tab of a name, created at the first call; tabs are in the order of these calls."""
         if name not in self._tabs:
             self._group = self._group or self._gui.add_tab_group()
             self._tabs[name] = self._group.add_tab(name)
         return self._tabs[name]
 
     def find(self, name: str) -> viser.GuiTabHandle | None:
-        """The tab of a name, if there is one."""
+        """The tab of a name; None if there is none."""
         return self._tabs.get(name)
 
     @property
     def is_empty(self) -> bool:
-        """Whether it has no tabs."""
+        """True if it has no tabs."""
         return not self._tabs
 
     def finish(self) -> None:
-        """All controls are there: fold it where there are none, and fill the command palette.
+        """Fold the panel if it has no controls, and fill the command palette.
 
-        The page's script acts on the keys of commands itself.
+        The keys of commands are handled by the page's script.
         """
         if self.is_empty:
             self._gui.main_panel.minimize()

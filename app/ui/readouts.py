@@ -1,4 +1,4 @@
-"""The texts that the page shows of a running simulation: pure functions from a session to HTML."""
+"""The texts that a page shows of a running simulation: pure functions from a session to HTML."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ _NAMES = {
 }
 
 _BEHIND = 5.0
-"""px from which on it is said how far a rate-limited hand is behind the pointer."""
+"""Distance of a rate-limited hand behind the pointer, px, from which on it is shown."""
 
 
 def short(value: float) -> str:
-    """A round number in as few letters as can be, for the ends of a slider."""
+    """A round number in few characters, for the ends of a slider."""
     for size, letter in ((1e6, "M"), (1e3, "k")):
         if abs(value) >= size:
             return f"{value / size:g}{letter}"
@@ -41,25 +41,24 @@ def short(value: float) -> str:
 
 
 def grouped(value: float) -> str:
-    """A number with its thousands in groups, as far as that is short."""
+    """A number with its thousands in groups, unless that is long."""
     return (
         f"{value:,.0f}" if 1e4 <= abs(value) < 1e9 else f"{value:.4g}".replace("e+0", "e").replace("e+", "e")
     )
 
 
 NEAR_THE_LIMIT = 0.8
-"""Part of the stability limit from which on the meter is shown in any scene."""
+"""Part of the stability limit beyond which the meter is shown in any scene."""
 
 
 def hud(session: Session, colors: Palette, at_rest: bool, meter: bool = False) -> str:
     """The head-up display over the canvas.
 
-    It says whether the body moves and the clock keeps up, and has the key of the colours; and the stability
-    meter where the time step is near the limit, where the scene asks for it, or with `meter`.
-    """
+    It says whether the body moves and whether the clock keeps up, and explains the colours. The stability
+    meter is there if the time step is near the limit, if the scene asks for it, or with `meter`."""
     state = _state(session, at_rest)
     lines = [f"<b>{state}</b>"] if state else []
-    lines += _harm(session, colors)
+    lines += _damage(session, colors)
     rates = session.pacer.rates(session.now())
     if rates.losing > 0.05:
         lines.append(
@@ -73,7 +72,7 @@ def hud(session: Session, colors: Palette, at_rest: bool, meter: bool = False) -
         )
     if session.preparing:
         lines.append(f'<span class="softrod-quiet">{html.escape(session.preparing)}</span>')
-    dt, limit = session.simulation.dt, session.stability.limit  # methods that bear any step have none
+    dt, limit = session.simulation.dt, session.stability.limit  # infinite for methods without one
     wanted = meter or "stability" in session.scene.view.readouts or dt > NEAR_THE_LIMIT * limit
     if wanted and math.isfinite(limit):
         lines.append(_meter(dt, limit, state == "at rest"))
@@ -86,8 +85,8 @@ def hud(session: Session, colors: Palette, at_rest: bool, meter: bool = False) -
     return "<br>".join(lines)
 
 
-def _harm(session: Session, colors: Palette) -> list[str]:
-    """How many springs are broken, and how many have yielded, with the key of their mark."""
+def _damage(session: Session, colors: Palette) -> list[str]:
+    """The numbers of broken and of yielded springs, with the mark of the latter."""
     damage, lines = session.simulation.damage, []
     if broken := len(broken_of(damage)):
         lines.append(f"{_springs(broken)} broken")
@@ -115,7 +114,7 @@ def _state(session: Session, at_rest: bool) -> str:
 def _meter(dt: float, limit: float, at_rest: bool) -> str:
     """A bar of the time step over the largest stable one.
 
-    Below the limit nothing is promised: the limit is that of the body as it is shaped now.
+    Below the limit nothing is guaranteed: the limit is that of the body's present shape.
     """
     ratio = dt / limit
     color = "#2f9e44" if ratio < 0.7 else "#e8a000" if ratio < 1.0 else "#e03131"
@@ -127,7 +126,7 @@ def _meter(dt: float, limit: float, at_rest: bool) -> str:
 
 
 def joint_table(session: Session) -> str:
-    """The angle of the joint that is read out, in the ways that the scene asks for."""
+    """The angle of the joint that is read out, in the units that the scene asks for."""
     simulation = session.simulation
     angles = simulation.angles
     if not len(angles):
@@ -141,7 +140,7 @@ def joint_table(session: Session) -> str:
         "degrees": f"{angle:+.2f}°",
         "rest_angle": f"{float(simulation.rest_angles[session.joint]):+.2f}°",
     }
-    # As it is called in plots: numbers count from 0 everywhere.
+    # Named as in plots; numbers count from 0 everywhere.
     rows = [f"<tr><td>joint{session.joint}</td><td>of {len(angles)}</td></tr>"]
     rows += [
         f"<tr><td>{_NAMES[key]}</td><td>{values[key]}</td></tr>"
@@ -157,7 +156,7 @@ def table(rows: dict[str, str]) -> str:
 
 
 def rates_table(session: Session) -> str:
-    """How fast it runs."""
+    """How fast the simulation runs."""
     rates = session.pacer.rates(session.now())
     rows = {
         "real-time factor": f"{rates.real_time_factor:.2f}",
@@ -173,7 +172,7 @@ def rates_table(session: Session) -> str:
 
 
 def predictability_table(session: Session) -> str:
-    """How fast small errors grow, and what that means."""
+    """The growth of small errors, and what it means."""
     meter = session.predictability
     if meter is None:
         return ""
@@ -200,64 +199,64 @@ _MORE = {
     "angular_stiffness": "stiffness of the joints",
     "gravity": "gravity",
 }
-_NO_MATTER = 1e-5
-"""Relative change by 1 % of a number from which on the number matters."""
+_NEGLIGIBLE = 1e-5
+"""Relative effect of 1 % of a number below which it is not shown."""
 
 
 def tuning_table(
     scene: sim.Scene,
-    told: Tuning,
+    found: Tuning,
     spring: int | None,
     does: Sequence[sim.Sensitivity] = (),
 ) -> str:
-    """What the numbers of a scene mean for its motion.
+    """What the parameters of a scene mean for its motion.
 
     Args:
         scene: the scene.
-        told: what was found of it.
-        spring: a spring to tell of by itself; None for the fastest one.
-        does: what its numbers do.
+        found: the analysis of its vibrations.
+        spring: a spring that is described alone; None for the fastest one.
+        does: the effects of its parameters.
     """
     rows: dict[str, str] = {}
-    slowest, elastic = told.slowest, told.elastic
+    slowest, elastic = found.slowest, found.elastic
     if slowest is not None:
         rows["slowest vibration"] = _vibration(slowest)
-    # Of a body that swings under gravity, that is not what its springs do.
+    # The slowest vibration of a body may be swinging under gravity, without its springs.
     if elastic is not None and slowest is not None and elastic.frequency > 1.001 * slowest.frequency:
         rows["slowest elastic one"] = _vibration(elastic)
     if elastic is not None:
         calm = elastic.calm_after
         rows["calm after"] = f"{_duration(calm)}, to a tenth" if math.isfinite(calm) else "never: undamped"
-    if told.fastest is not None:
-        rows["fastest vibration"] = _vibration(told.fastest)
-    if told.sag is not None:
+    if found.fastest is not None:
+        rows["fastest vibration"] = _vibration(found.fastest)
+    if found.sag is not None:
         pull = "gravity" if any(scene.gravity) else "its loads"
-        rows[f"sag under {pull}"] = f"{told.sag:.3g} {html.escape(scene.view.unit)}, mass {told.sag_mass}"
-    for method, step in told.stable_steps.items():
+        rows[f"sag under {pull}"] = f"{found.sag:.3g} {html.escape(scene.view.unit)}, mass {found.sag_mass}"
+    for method, step in found.stable_steps.items():
         limit = f"stable to {1e3 * step:.3g} ms" if math.isfinite(step) else "stable at any step"
         rows[METHODS[method].label] = limit
-    alone = told.springs
+    alone = found.springs
     if len(alone.frequency):
         name = f"spring {spring} alone"
         if spring is None:
             spring, name = int(np.argmax(alone.frequency)), "fastest spring alone"
         rows[name] = _rate(float(alone.frequency[spring]), float(alone.damping_ratio[spring]))
     for one in does:
-        if effects := _effects(one, told.sag, html.escape(scene.view.unit)):
+        if effects := _effects(one, found.sag, html.escape(scene.view.unit)):
             rows[f"1 % more {_MORE[one.key]}"] = effects
     notes = "".join(
         f'<div class="softrod-text softrod-about">{html.escape(note[:1].upper() + note[1:])}.</div>'
-        for note in told.notes
+        for note in found.notes
     )
     return table(rows) + notes
 
 
 def _effects(one: sim.Sensitivity, sag: float | None, unit: str) -> str:
-    """What 1 % more of a number does, or nothing where it does not matter."""
+    """The effect of 1 % more of a number; empty if negligible."""
     effects = []
-    if one.sag is not None and sag is not None and abs(0.01 * one.sag) > _NO_MATTER * abs(sag):
+    if one.sag is not None and sag is not None and abs(0.01 * one.sag) > _NEGLIGIBLE * abs(sag):
         effects.append(f"{abs(0.01 * one.sag):.2g} {unit} {'more' if one.sag > 0.0 else 'less'} sag")
-    if one.frequency is not None and abs(0.01 * one.frequency) > _NO_MATTER:
+    if one.frequency is not None and abs(0.01 * one.frequency) > _NEGLIGIBLE:
         effects.append(f"{abs(one.frequency):.2g}\u00a0% {'faster' if one.frequency > 0.0 else 'slower'}")
     return ", ".join(effects)
 
@@ -279,7 +278,7 @@ def _duration(seconds: float) -> str:
 
 
 def ghost_table(session: Session) -> str:
-    """How far the second body is from the first, and what it costs."""
+    """The distance of the ghost from the body, and its cost."""
     ghost = session.ghost
     if ghost is None:
         return ""
@@ -318,22 +317,23 @@ ENERGY_NAMES = {
     "fallbacks": "lost in fallback steps",
     "residual": "residual: the method's error",
 }
-"""What the table calls each entry of the energy balance."""
+"""Names of the entries of the energy balance in the table."""
 
 
 _LOSSES = ("damping", "air", "friction", "plastic", "broken", "fallbacks")
-"""What the table shows with the other sign: as a loss."""
+"""Entries that the table shows with the other sign, as losses."""
 
 
 def energy(value: float, largest: float) -> str:
-    """An energy as text: 0 where it is nothing beside the largest, or beside anything that can be seen."""
+    """An energy as text; 0 if it is negligible against the largest, or too small for any motion to be
+    seen."""
     if abs(value) <= max(1e-12 * largest, 1e-9):
         return "0"
     return grouped(value)
 
 
 def energy_table(session: Session) -> str:
-    """The energies and what has changed them; what has never been anything is left out."""
+    """The energies and what has changed them; entries that are zero are left out."""
     if not session.follows_energy:
         return ""
     if not session.simulation.track_energy(True):
@@ -352,11 +352,11 @@ def energy_table(session: Session) -> str:
 
 
 def description(scene: sim.Scene, editable: bool) -> str:
-    """A scene's description, which may come from anyone's file.
+    """A scene's description as HTML; it may come from anybody's file.
 
     Args:
-        scene: whose.
-        editable: with the button that opens the form of texts.js, which stands in the same place.
+        scene: the scene.
+        editable: add the button that opens the form of texts.js in the same place.
     """
     text = f"<p>{html.escape(scene.description)}</p>" if scene.description else ""
     if editable:
@@ -366,7 +366,7 @@ def description(scene: sim.Scene, editable: bool) -> str:
 
 
 def joint_of_mass(scene: sim.Scene, mass: int) -> int | None:
-    """The joint to read out when a mass is clicked: the first one whose springs share it."""
+    """The joint to read out when a mass is clicked: the first one at it."""
     for j, joint in enumerate(scene.angular_springs):
         a, b = scene.linear_springs[joint.a], scene.linear_springs[joint.b]
         if mass in {a.a, a.b} & {b.a, b.b}:
@@ -375,7 +375,7 @@ def joint_of_mass(scene: sim.Scene, mass: int) -> int | None:
 
 
 def mass_of_joint(scene: sim.Scene, joint: int) -> int:
-    """The mass at which the two springs of a joint meet; the first end of its first spring if they do not."""
+    """The mass shared by the springs of a joint; the first end of its first spring if there is none."""
     of = scene.angular_springs[joint]
     a, b = scene.linear_springs[of.a], scene.linear_springs[of.b]
     return min({a.a, a.b} & {b.a, b.b}, default=a.a)
@@ -395,7 +395,7 @@ PAD = (
     )
     + "</div>"
 )
-"""The arrow keys as buttons, for touch screens; the page's script holds them."""
+"""The arrow keys as buttons, for touch screens; handled by the page's script."""
 
 HELP_PICTURES = (
     (
@@ -423,11 +423,11 @@ HELP_PICTURES = (
         "with plots that read off period and damping, with arrows, a ruler, a protractor and a stopwatch.",
     ),
 )
-"""What can be done: a word, a picture of 150 by 96, and the rest of the sentence."""
+"""Pictures of the help: a word, a picture of 150 by 96, and the rest of the sentence."""
 
 
 def help_html(keys: list[tuple[str, str]]) -> str:
-    """The help panel, with the keys and what each does."""
+    """The help panel, with the keys and their descriptions."""
     figures = "".join(
         f'<figure><svg viewBox="0 0 150 96" aria-hidden="true">{picture}</svg>'
         f"<figcaption><b>{title}</b> {text}</figcaption></figure>"

@@ -1,8 +1,7 @@
-"""The scenes that a page has: the presets, those that it has saved, and those that others look at.
+"""The scenes of a page: presets, scenes that it has saved, and scenes of the owner.
 
-The scenes in the user's folder belong to the owner of this computer. Pages of others can open and copy them;
-what they save is in a folder of their own, which goes by a secret of their browser.
-"""
+The scenes in the user's folder belong to the owner of this computer. Visitors can open and copy them; their
+own scenes are saved in a folder of each visitor, named by a secret of their browser."""
 
 from __future__ import annotations
 
@@ -21,26 +20,26 @@ from ..wire.from_page import Who
 from . import owner
 
 _FRESH = 1.0
-"""Seconds for which a folder's time may stay the same although another file is written: clocks are coarse."""
+"""Seconds within which a folder's time may not change although a file is written: clocks are coarse."""
 
 Stamp = tuple[Path, int, bool]
-"""A folder, when it was last changed, ns, and whether that was just now."""
+"""A folder, the time of its last change, ns, and whether that was just now."""
 
 MAX_SCENES = 50
-"""Scenes that a visitor may have."""
+"""Scenes that a visitor may save."""
 
 MAX_BYTES = 200_000_000
-"""What the scenes of all visitors may take, those that they have deleted included."""
+"""Size of the scenes of all visitors, including deleted ones."""
 
 SHARED = "shared/"
-"""Beginning of the names by which visitors open the owner's scenes; no scene's own name can have it."""
+"""Prefix of the names of the owner's scenes for visitors; no real name can have it."""
 
 
 def stamp(folder: Path | None = None) -> Stamp:
-    """Another value whenever a scene may have been saved or deleted, by whatever program.
+    """A value that changes whenever a scene may have been saved or deleted, by whatever program.
 
     Args:
-        folder: where scenes are; the user's own if not given.
+        folder: a folder with scenes; the user's own if not given.
     """
     folder = folder or files.user_folder()
     try:
@@ -51,7 +50,7 @@ def stamp(folder: Path | None = None) -> Stamp:
 
 
 def scenes() -> tuple[SceneInfo, ...]:
-    """The scenes there are; read once for all pages, but for those that are being saved just now."""
+    """All scenes of this computer, cached for all pages unless one was saved just now."""
     now = stamp()
     return _read_once(now) if not now[2] else tuple(sim.list_scenes())
 
@@ -62,7 +61,7 @@ def _read_once(_: Stamp) -> tuple[SceneInfo, ...]:
 
 
 def visitors_folder() -> Path:
-    """The folder with those of the visitors; it need not exist yet."""
+    """The folder with the scenes of visitors, which may not exist yet."""
     return files.user_folder().parent / "visitors"
 
 
@@ -70,10 +69,10 @@ class Shelf:
     """The scenes of one page.
 
     Args:
-        owned: whether the page is known to be the owner's.
+        owned: the page is known to be the owner's.
 
     Attributes:
-        owned: as above, or since it has shown the owner's key.
+        owned: as above, or the page has shown the owner's key.
     """
 
     def __init__(self, owned: bool) -> None:
@@ -81,30 +80,30 @@ class Shelf:
         self._visitor: Path | None = None
 
     def introduce(self, who: Who) -> None:
-        """The page says whose it is."""
+        """Identify the page's user."""
         self.owned = self.owned or owner.is_key(who.owner)
         self._visitor = visitors_folder() / hashlib.sha256(who.visitor.encode()).hexdigest()[:32]
 
     @property
     def folder(self) -> Path:
-        """Where the page's own scenes are.
+        """The folder with the page's own scenes.
 
         Raises:
-            SceneError: the page has not said whose it is.
+            SceneError: the page has not identified its user.
         """
         if self.owned:
             return files.user_folder()
         if self._visitor is None:
-            raise SceneError("the page has not said whose scenes it has; reload it and try again")
+            raise SceneError("the page has not identified its user; reload it and try again")
         return self._visitor
 
     def stamp(self) -> tuple[Stamp, Stamp | None]:
-        """Another value whenever the page may have other scenes."""
+        """A value that changes whenever the page may have other scenes."""
         visited = None if self.owned or self._visitor is None else stamp(self._visitor)
         return stamp(), visited
 
     def scenes(self) -> list[SceneInfo]:
-        """The scenes there are."""
+        """All scenes of the page."""
         found = list(scenes())
         if self.owned:
             return found
@@ -112,7 +111,7 @@ class Shelf:
         return found + (files.list_saved(self._visitor) if self._visitor is not None else [])
 
     def find(self, name: str) -> SceneInfo | None:
-        """The scene of that name, if there is one."""
+        """The scene of a name; None if there is none."""
         return next((info for info in self.scenes() if info.name == name), None)
 
     def save(self, scene: sim.Scene, name: str) -> str:
@@ -136,11 +135,11 @@ class Shelf:
         return own_scenes.duplicate_user_scene(name.removeprefix(SHARED), self.folder, source)
 
     def _check_room(self, exists: bool = False) -> None:
-        """Refuse one more scene of a visitor where there are too many; `exists`: one is to be replaced."""
+        """Refuse one more scene of a visitor if there are too many; `exists`: it replaces one."""
         if self.owned:
             return
         if not exists and len(list(self.folder.glob("*.json"))) >= MAX_SCENES:
-            raise SceneError(f"you have {MAX_SCENES} scenes here, which is the most; delete some first")
+            raise SceneError(f"you have {MAX_SCENES} scenes here, the maximum; delete some first")
         taken = sum(path.stat().st_size for path in visitors_folder().rglob("*.json"))
         if taken + files.MAX_FILE_BYTES > MAX_BYTES:
             raise SceneError("this computer has no room for more scenes of visitors; download it as a file")

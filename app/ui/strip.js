@@ -1,12 +1,12 @@
 // @ts-check
-/** The strips over the bar of time: a head with words and buttons, and below it what a feature has. */
+/** Strips over the bar of time: a head with words and buttons, and below it the contents of a feature. */
 import { make } from "./dialog.js";
 
 /**
- * A strip, which is hidden at first.
+ * Makes a strip, hidden at first.
  *
- * @param {string} name of its feature, which is in the names of its classes
- * @param {string} label as a screen reader says it
+ * @param {string} name of its feature, part of the names of its classes
+ * @param {string} label for screen readers
  */
 export function makeStrip(name, label) {
   const strip = make("div", `softrod-strip softrod-${name}`);
@@ -24,9 +24,9 @@ export function makeStrip(name, label) {
     strip,
     head,
     says,
-    /** What a screen reader reads out when it changes. */
+    /** Its text is read out by screen readers when it changes. */
     live,
-    /** Shows or hides it; the page's root element has an attribute meanwhile. @param {boolean} on */
+    /** Shows or hides it, and sets an attribute of the page's root element accordingly. @param {boolean} on */
     show: (on) => {
       strip.hidden = !on;
       document.documentElement.toggleAttribute(`data-softrod-${name}`, on);

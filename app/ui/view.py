@@ -1,7 +1,7 @@
-"""One page's picture: the viser nodes of its scene, which belong to that page alone, and what fills them.
+"""The picture of one page: the viser nodes of its scene, and the messages that fill them.
 
-The nodes are empty: the page's script fills them in from the plan of the body and the positions of its
-masses (canvas.js). A frame in which nothing moved by a tenth of a pixel is not sent.
+The nodes are empty: the page's script fills them from the plan of the body and the positions of its masses
+(canvas.js). A frame in which nothing moved by a tenth of a pixel is not sent.
 """
 
 from __future__ import annotations
@@ -29,24 +29,27 @@ from ..wire.carrier import Mail
 from ..wire.to_page import Damage, Frame, Plan, SecondPlan
 
 STILL = 0.1
-"""Movement (in pixels of a 600 pixel high frame) below which a picture counts as unchanged."""
+"""Movement below which a picture counts as unchanged, in pixels of a frame 600 pixels high."""
 
 MAX_GIZMOS = 12
-"""Gizmos are one node each; held masses beyond so many are dragged by themselves."""
+"""Gizmos of one page, each a node of its own; further held masses are dragged directly."""
 
 # Ambient light only and no shadows: every mesh shows its own colour, and software rendering is twice as fast.
 _FLAT: dict[str, Any] = {"material": "toon3", "lod": "off", "cast_shadow": False, "receive_shadow": False}
 
 
-_BODY, _SECOND = "/body/", "/second/"
-"""Where the nodes of the body are, and those of a second one."""
+_BODY = "/body/"
+"""Prefix of the names of the body's nodes."""
+
+_SECOND = "/second/"
+"""Prefix of the names of a second body's nodes."""
 
 _BEHIND = -0.3
-"""Depth of the other body, behind all of the first."""
+"""Depth of a second body, behind the first."""
 
 
 def kinds_of(sketch: Sketch) -> dict[str, str]:
-    """The meshes of what there is to draw, by the names of their nodes."""
+    """The meshes of the nodes of a body, by the names of the nodes."""
     kinds = {
         "halos": "disc" if sketch.muscles[:, 0].any() else "",
         "muscles": "" if sketch.muscles[:, 0].all() else "belly",
@@ -65,8 +68,8 @@ class Canvas:
 
     Args:
         client: the page.
-        mail: to its script.
-        post: hands on commands, as a gizmo is dragged, on viser's event loop; it must not block.
+        mail: sends messages to its script.
+        post: posts commands while a gizmo is dragged, on viser's event loop; it must not block.
     """
 
     def __init__(
@@ -88,17 +91,17 @@ class Canvas:
 
     @property
     def plan_number(self) -> int:
-        """Of the plan that the page has."""
+        """The number of the plan that the page has."""
         return self._plan_number
 
     @property
     def nodes(self) -> tuple[str, ...]:
-        """Names of the nodes that there are, gizmos included."""
+        """The names of all nodes, including gizmos."""
         return (*self._nodes, *(gizmo.name for _, gizmo in self._gizmos))
 
     @property
     def drawn(self) -> Floats | None:
-        """(n, 2) where the masses are in the page's world, in the picture that was sent last; read-only."""
+        """(n, 2) positions of the masses in the page's world in the last picture; read-only."""
         picture, sketch = self._drawn, self.sketch
         if picture is None or sketch is None:
             return None
@@ -109,13 +112,13 @@ class Canvas:
     def build(
         self, scene: Scene, dark: bool, rest_angles: Floats | None = None, number: int | None = None
     ) -> None:
-        """Put up what a scene needs, as far as it is not there yet; `draw` then says where the masses are.
+        """Create the nodes of a scene and send its plan, as far as they have changed; then call `draw`.
 
         Args:
             scene: the scene.
-            dark: whether the page is dark.
+            dark: the page is dark.
             rest_angles: (J,) degrees without the arrow keys' shift; None for the scene's own.
-            number: that the plan is to have, as of one that other pages have too; None for one of its own.
+            number: number of a plan that other pages have too; None to count its own.
         """
         self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
         kinds = kinds_of(sketch)
@@ -135,20 +138,20 @@ class Canvas:
                 self._plan = plan
                 self._own_number += number is None
                 self._plan_number = self._own_number if number is None else number
-                self._mail.tell(Plan(numbers=encode_plan(self._plan_number, sketch, rest_angles)))
+                self._mail.send(Plan(numbers=encode_plan(self._plan_number, sketch, rest_angles)))
                 self._drawn = self._damaged = None
 
     def build_second(self, second: Scene | None, dark: bool) -> None:
-        """Put up a second body behind the first, in its place and with its colour; or none.
+        """Create the nodes of a second body behind the first, or remove them.
 
-        Call it after `build`, whose view it has.
+        Call it after `build`: both have the same view.
         """
         if second is None or self.sketch is None:
             if self._second_built:
                 self._remove(_SECOND)
                 self._second_built, self._second_plan, self._drawn = (), None, None
             return
-        # Its surroundings are the first one's, and drawn with that; nobody drives it.
+        # Its surroundings are drawn with the first body; nobody drives it.
         still = tuple(msgspec.structs.replace(anchor, driven=False) for anchor in second.anchors)
         alone = msgspec.structs.replace(
             second, view=self._view, walls=(), wind=None, contact=None, anchors=still
@@ -167,22 +170,22 @@ class Canvas:
             plan = encode_plan(0, sketch, angles)
             if self._second_plan is None or not np.array_equal(plan, self._second_plan):
                 self._second_plan, self._drawn = plan, None
-                self._mail.tell(SecondPlan(numbers=plan))
+                self._mail.send(SecondPlan(numbers=plan))
 
     def show_gizmos(self, on: bool) -> None:
-        """Put up a gizmo at each held mass, or take them away."""
+        """Add a gizmo at each held mass, or remove them."""
         if on != bool(self._gizmos) and self.sketch is not None:
             with self._client.atomic():
                 self._remove_gizmos()
                 if on:
                     self._add_gizmos(self.sketch)
-            self._drawn = None  # so that the next picture puts them in place
+            self._drawn = None  # has the next picture place them
 
     def draw(self, picture: Picture, now: float, force: bool = False) -> bool:
-        """Send a picture, if it differs from the one before, and return whether it does.
+        """Send a picture if it differs from the last one, and return True if it does.
 
         Args:
-            picture: of the scene that was built last.
+            picture: a picture of the scene that was built last.
             now: wall time, s.
             force: send even the smallest movement, so that a paused picture is exact.
         """
@@ -194,8 +197,8 @@ class Canvas:
             self._show_ghost(picture.ghost is not None)
             if not self._same_damage(picture, exactly=force):
                 self._damaged = picture
-                self._mail.tell(Damage(numbers=encode_damage(self._plan_number, picture)))
-            self._mail.tell(Frame(numbers=encode_frame(self._plan_number, picture), wall=round(now, 4)))
+                self._mail.send(Damage(numbers=encode_damage(self._plan_number, picture)))
+            self._mail.send(Frame(numbers=encode_frame(self._plan_number, picture), wall=round(now, 4)))
             for mass, gizmo in self._gizmos:
                 # While a gizmo is dragged it belongs to the pointer.
                 if mass != self._gizmo_in_hand:
@@ -206,7 +209,7 @@ class Canvas:
 
     # --------------------------------------------------------------------- inside
     def _same_damage(self, picture: Picture, exactly: bool) -> bool:
-        """Whether the page knows what has yielded and broken, to what can be seen or exactly."""
+        """Return True if the page has this damage, exactly or as far as it is visible."""
         known = self._damaged
         if (known.ghost_broken if known is not None else ()) != picture.ghost_broken:
             return False
@@ -226,14 +229,14 @@ class Canvas:
         )
 
     def _show_ghost(self, wanted: bool) -> None:
-        """A second body is there only while it is compared with."""
+        """Add or remove the node of the ghost."""
         if wanted and f"{_BODY}ghost" not in self._nodes:
             self._add_empty(f"{_BODY}ghost", "bar")
         elif not wanted and f"{_BODY}ghost" in self._nodes:
             self._nodes.pop(f"{_BODY}ghost").remove()
 
     def _is_drawn(self, picture: Picture, exactly: bool) -> bool:
-        """Whether this was drawn last, to what can be seen or exactly."""
+        """Return True if the last picture is the same, exactly or as far as it is visible."""
         drawn, sketch = self._drawn, self.sketch
         if drawn is None or sketch is None or drawn.positions.shape != picture.positions.shape:
             return False
@@ -254,7 +257,7 @@ class Canvas:
 
     @property
     def _pixel(self) -> float:
-        """A pixel of a frame that is 600 of them long, in px of the scene."""
+        """A pixel of a frame 600 pixels long, in px of the scene."""
         return 1.0 / (100.0 * self.sketch.mapping.scale) if self.sketch is not None else 1.0
 
     def _clear(self) -> None:
@@ -263,7 +266,7 @@ class Canvas:
         self._drawn = self._damaged = None
 
     def _remove(self, place: str) -> None:
-        """Take the nodes of one body away."""
+        """Remove the nodes of one body."""
         for name in [name for name in self._nodes if name.startswith(place)]:
             self._nodes.pop(name).remove()
 
@@ -274,7 +277,7 @@ class Canvas:
         self._gizmo_in_hand = None
 
     def _add_empty(self, name: str, mesh: str, depth: float = 0.0) -> None:
-        """A node that the page's script fills in."""
+        """Add a node for the page's script to fill."""
         shape = meshes()[mesh]
         self._nodes[name] = self._client.scene.add_batched_meshes_simple(
             name,
@@ -307,7 +310,7 @@ class Canvas:
         @gizmo.on_update
         async def _(event: viser.TransformControlsEvent) -> None:
             if event.client_id is None or self.sketch is None:
-                return  # our own write
+                return  # set by the server
             self._gizmo_in_hand = None if event.phase == "end" else mass
             x, y = self.sketch.mapping.to_scene(*(float(c) for c in event.target.position[:2]))
             if event.phase == "start":
@@ -318,22 +321,25 @@ class Canvas:
                 self._post(commands.DragEnd(GIZMO))
 
 
-def _near(before: tuple[float, ...], now: tuple[float, ...], most: float) -> bool:
-    """Whether numbers, which are all zero where there are none, differ by no more than that."""
+def _near(before: tuple[float, ...], now: tuple[float, ...], tolerance: float) -> bool:
+    """Return True if numbers differ by no more than a tolerance; none at all count as zeros."""
     if before is now:
         return True
     size = max(len(before), len(now))
     one, two = (np.array(numbers or (0.0,) * size) for numbers in (before, now))
-    return bool(np.abs(one - two).max(initial=0.0) <= most)
+    return bool(np.abs(one - two).max(initial=0.0) <= tolerance)
 
 
 _SWAY = 0.12
-"""Largest movement, as a part of the body's size, by which it is shown how a body leaves a shape."""
+"""Largest movement that shows how a body leaves a shape, in the body's size."""
 
 
 def picture_of(session: Session) -> Picture:
-    """The body and, pale, the ghost; without one, where the body will rest while a slider moves, what would
-    have come had the user not gone back, or how the body leaves a shape that nothing keeps."""
+    """The picture of a session: the body and, pale, its ghost.
+
+    Without a ghost, the pale body is where the body will rest while a slider moves, what happened before the
+    user went back, or how the body leaves a shape that it cannot hold.
+    """
     simulation, ghost, future = session.simulation, session.ghost, session.abandoned_future
     other = damage = None
     rest = session.rest_pose_preview.positions(len(simulation.scene.masses), session.now())
@@ -345,7 +351,7 @@ def picture_of(session: Session) -> Picture:
     elif future is not None:
         other, damage = future.positions_at(simulation.time), future.damage_at(simulation.time)
     elif session.refusal is not None and session.refusal.motion is not None:
-        # How the body would leave the shape that it could not keep; it may have other masses in the past.
+        # In the past the body may have another number of masses.
         shape = session.refused_shape
         if len(shape) == len(simulation.scene.masses):
             other = shape + _SWAY * float(np.ptp(shape, axis=0).max(initial=0.0)) * session.refusal.motion

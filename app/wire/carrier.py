@@ -1,4 +1,4 @@
-"""How messages travel: each in one message of viser's own kind, see `app.viser_inside.SoftrodMessage`."""
+"""Carries messages between page and server, each inside a `app.viser_inside.SoftrodMessage`."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from ..viser_inside import SoftrodMessage
 from .messages import FromPage, Numbers, State, ToPage, read
 
 _encode = msgspec.json.Encoder().encode
-_numbers = itertools.count()
+_event_numbers = itertools.count()
 
 
 _S = TypeVar("_S", bound=State)
 
 
 def encoded(message: ToPage) -> SoftrodMessage:
-    """A message as it travels; of states and numbers, the last one takes the place of those that wait."""
+    """Encode a message; a state or numbers replace those of the same kind that still wait to be sent."""
     kind = type(message)
-    key = f"softrod-{kind.__name__ if isinstance(message, (State, Numbers)) else next(_numbers)}"
+    key = f"softrod-{kind.__name__ if isinstance(message, (State, Numbers)) else next(_event_numbers)}"
     if not isinstance(message, Numbers):
         return SoftrodMessage(_encode(message).decode(), key=key)
     fields = msgspec.structs.asdict(message)
@@ -32,7 +32,7 @@ def encoded(message: ToPage) -> SoftrodMessage:
 
 
 class Mail:
-    """What one page is told; any thread may tell it.
+    """Sends messages to the script of one page; any thread may send.
 
     Args:
         client: the page.
@@ -40,31 +40,31 @@ class Mail:
 
     def __init__(self, client: viser.ClientHandle) -> None:
         self._client = client
-        self._told: dict[type[State], State] = {}
+        self._states: dict[type[State], State] = {}
 
-    def tell(self, message: ToPage) -> None:
-        """Tell the page something; a state only if it is another one than before."""
+    def send(self, message: ToPage) -> None:
+        """Send a message; a state only if it differs from the last one of its kind."""
         if isinstance(message, State):
-            if self._told.get(type(message)) == message:
+            if self._states.get(type(message)) == message:
                 return
-            self._told[type(message)] = message
-        self.send(encoded(message))
+            self._states[type(message)] = message
+        self.send_encoded(encoded(message))
 
-    def send(self, message: SoftrodMessage) -> None:
-        """Hand a message to viser."""
+    def send_encoded(self, message: SoftrodMessage) -> None:
+        """Hand an encoded message to viser."""
         viser_inside.send(self._client, message)
 
-    def told(self, kind: type[_S]) -> _S | None:
-        """The state of a kind that the page was told last."""
-        state = self._told.get(kind)
+    def last_sent(self, kind: type[_S]) -> _S | None:
+        """The state of a kind that was sent last."""
+        state = self._states.get(kind)
         return state if isinstance(state, kind) else None
 
 
-def listen(client: viser.ClientHandle, heard: Callable[[FromPage], None]) -> None:
-    """Have everything that a page says heard, on viser's event loop, where nothing may block."""
+def listen(client: viser.ClientHandle, receive: Callable[[FromPage], None]) -> None:
+    """Call back with every message of a page, on viser's event loop, where nothing may block."""
 
     def take(text: str) -> None:
-        if (said := read(text)) is not None:
-            heard(said)
+        if (message := read(text)) is not None:
+            receive(message)
 
     viser_inside.listen(client, take)

@@ -1,59 +1,59 @@
 // @ts-check
 /**
- * What the page and the server say to each other; docs/wire.md has all of it. It goes through viser's connection, in one kind of
+ * Messages between the page and the server, listed in docs/wire.md. They travel through viser's connection, in one kind of
  * message that viser's page never sees.
  *
- * @typedef {import("./wire.js").Told} Told
+ * @typedef {import("./wire.js").Received} Received
  * @typedef {object} Message as it travels
  * @property {string} type
  * @property {string} [text]
  * @property {Float32Array} [numbers]
  */
-/** The name of that kind. */
+/** The type of viser's messages that carry softrod's. */
 const CARRIER = "SoftrodMessage";
-/** Sends a message by the connection that there is. @type {(message: Message) => void} */
+/** Sends a message by the present connection. @type {(message: Message) => void} */
 let post = () => {};
-/** The state of the page. @type {Partial<import("./wire.js").PageState>} */
-let heard = {};
-/** @type {Map<string, ((told: any) => void)[]>} */
-const readers = new Map();
+/** @type {Partial<import("./wire.js").PageState>} */
+let state = {};
+/** @type {Map<string, ((message: any) => void)[]>} */
+const listeners = new Map();
 
-/** Has everything sent in a way. @param {typeof post} sender */
+/** Sets how messages are sent. @param {typeof post} sender */
 export const sendBy = (sender) => void (post = sender);
 
-/** How things are, as the server told it last. */
-export const told = () => heard;
+/** The state of the page that the server sent last. */
+export const pageState = () => state;
 
-/** Whether the page has a control. @param {string} control */
-export const has = (control) => heard.controls?.includes(control) ?? false;
+/** True if the page has a control. @param {string} control */
+export const has = (control) => state.controls?.includes(control) ?? false;
 
 /**
- * Calls back with everything of a kind that the server tells.
+ * Calls back with every message of a kind from the server.
  *
- * @template {keyof Told} K
+ * @template {keyof Received} K
  * @param {K} kind
- * @param {(told: Told[K]) => void} reader
+ * @param {(message: Received[K]) => void} listener
  */
-export function onTold(kind, reader) {
-  readers.set(kind, [...(readers.get(kind) ?? []), reader]);
+export function onMessage(kind, listener) {
+  listeners.set(kind, [...(listeners.get(kind) ?? []), listener]);
 }
 
 /**
- * Takes what the server tells out of a message.
+ * Hands a message to the script's listeners, if it is softrod's.
  *
  * @param {Message} message
- * @returns {boolean} whether it was for the script
+ * @returns {boolean} true if it was
  */
-export function hear({ type, text, numbers }) {
+export function receive({ type, text, numbers }) {
   if (type !== CARRIER) return false;
   const message = { ...JSON.parse(text ?? "{}"), ...(numbers && { numbers }) };
-  if (message.tell === "pageState") heard = message;
-  callAll(readers.get(message.tell) ?? [], message);
+  if (message.tell === "pageState") state = message;
+  callAll(listeners.get(message.tell) ?? [], message);
   return true;
 }
 
 /**
- * Calls each of some functions; one that throws is reported, and keeps nothing from the others.
+ * Calls each of some functions; one that throws is reported and does not stop the others.
  *
  * @template {any[]} A
  * @param {Iterable<(...args: A) => void>} callbacks @param {A} args
@@ -68,10 +68,10 @@ export function callAll(callbacks, ...args) {
   }
 }
 
-/** Says nothing more until the server has told how things are: the connection is lost. */
-export const hangUp = () => (heard = { ...heard, page: "" });
+/** Stops sending until the next `pageState`: the connection is lost. */
+export const stopSending = () => (state = { ...state, page: "" });
 
-/** Says something to the server, if there is a connection. @param {import("./wire.js").FromPage} message */
+/** Sends a message to the server, if there is a connection. @param {import("./wire.js").FromPage} message */
 export function send(message) {
-  if (heard.page) post({ type: CARRIER, text: JSON.stringify(message) });
+  if (state.page) post({ type: CARRIER, text: JSON.stringify(message) });
 }

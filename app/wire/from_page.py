@@ -1,10 +1,8 @@
-"""What a page says to the server.
+"""Messages from a page that belong to no feature.
 
-Any client can forge these: `read` takes nothing but exactly what is written here, and no number that is not
-finite. Whether a mass exists, or a control, is checked where a message is done.
-
-Places are in the page's world, see `stage.sketch.Mapping`.
-"""
+Any client can forge them: `messages.read` accepts only what is exactly declared here, and only finite
+numbers. Whether a mass or a control exists is checked where a message is handled. Places are in the page's
+world, see `stage.sketch.Mapping`."""
 
 from __future__ import annotations
 
@@ -24,23 +22,23 @@ from .messages import (
 
 
 class Perform(OwnBody, frozen=True):
-    """Do a command of the table, see `commands`."""
+    """Execute a command of the table, see `app.ui.commands`."""
 
     command: CommandName
 
 
 class Visit(OwnBody, frozen=True):
-    """A slider was pressed, or a number box entered: what is changed from here on is another step of undo."""
+    """A slider or a number box was focused: later changes are another step of undo."""
 
 
 # ------------------------------------------------------------------------- long texts
 class Part(FromPage, frozen=True):
-    """A part of what is too long for one message.
+    """A part of a text that is too long for one message.
 
     Attributes:
-        kind: of the whole text: a keepsake ("resume"), a link, a file, what is pasted, or one of a feature's.
+        kind: of the whole text: a saved page ("resume"), or one of a feature's `texts`.
         number: from 1.
-        of: how many parts there are.
+        of: number of parts.
     """
 
     kind: TextKind
@@ -51,22 +49,22 @@ class Part(FromPage, frozen=True):
 
 # ------------------------------------------------------------------------- questions
 class Unread(Ask, frozen=True):
-    """A text was typed into a number box that is no number; its user is to be told."""
+    """A text in a number box that is not a number, for a notice to the user."""
 
     text: Annotated[str, Meta(min_length=1, max_length=40)]
 
 
 class Unsent(Ask, frozen=True):
-    """Something was too long to be sent; its user is to be told."""
+    """A text was too long to be sent, for a notice to the user."""
 
     what: TextKind
 
 
 class Who(Ask, frozen=True):
-    """Whose the page is: a secret of its browser, and the owner's key if it was opened with that.
+    """Identifies the page's user: a secret of the browser, and the owner's key if it was opened with that.
 
     Attributes:
-        teacher: the secret of the class that the page is of, if it is the teacher's.
+        teacher: the secret of the page's class, if it is the teacher's page.
     """
 
     visitor: Annotated[str, Meta(pattern=r"^[0-9a-f]{32}$")]

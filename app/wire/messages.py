@@ -1,7 +1,7 @@
-"""What messages between a page and the server are made of.
+"""Base classes and field types of messages between a page and the server.
 
-A message is a class: whoever defines it has it on the wire, typed in the page's script (`wire.d.ts`) and
-listed in docs/wire.md. Nothing here knows which there are.
+A message is a class: defining it is enough to send it, typed in the page's script (`wire.d.ts`) and listed in
+docs/wire.md.
 """
 
 from __future__ import annotations
@@ -19,39 +19,39 @@ from .sections import Section, pack
 
 
 def tag_of(name: str) -> str:
-    """The tag of a message, from the name of its class: its first letter is a small one."""
+    """The tag of a message: the name of its class with a lower-case first letter."""
     return name[:1].lower() + name[1:]
 
 
 class FromPage(Struct, frozen=True, forbid_unknown_fields=True, tag_field="do", tag=tag_of):
-    """Something that a page says."""
+    """A message from a page."""
 
 
 class OwnBody(FromPage, frozen=True):
-    """Something about the page's own body, which a pupil in a class may say, too."""
+    """A message about the page's own body, which a pupil in a class may send, too."""
 
 
 class Ask(FromPage, frozen=True):
-    """Something that takes a while: it is done in a thread, in the order in which it was asked for."""
+    """A request that takes a while: it is handled in a thread, in the order of arrival."""
 
 
 class ToPage(Struct, frozen=True, kw_only=True, tag_field="tell", tag=tag_of):
-    """Something that a page is told."""
+    """A message to a page."""
 
 
 class State(ToPage, frozen=True, kw_only=True):
-    """How something is now: only the latest counts, and it is told only when it has changed."""
+    """The present state of something: only the latest counts, and it is sent only when it has changed."""
 
 
 class Event(ToPage, frozen=True, kw_only=True):
-    """Something that happened: all of them arrive, in order."""
+    """Something that happened: all events arrive, in order."""
 
 
 class Numbers(ToPage, frozen=True, kw_only=True):
-    """Numbers of single precision, which travel beside the JSON: only the latest count.
+    """Numbers of single precision, outside the JSON: only the latest count.
 
     Attributes:
-        sections: what the numbers are.
+        sections: the sections of the array.
     """
 
     numbers: np.ndarray
@@ -59,7 +59,7 @@ class Numbers(ToPage, frozen=True, kw_only=True):
 
     @classmethod
     def pack(cls, **values: ArrayLike) -> NDArray[np.float32]:
-        """Numbers with these sections; see `sections.pack`."""
+        """Make an array with these sections; see `sections.pack`."""
         return pack(cls.sections, values)
 
 
@@ -73,20 +73,20 @@ Point = tuple[Coordinate, Coordinate]
 StepNumber = Annotated[int, Meta(ge=0, le=99)]
 Number = Annotated[float, Meta(ge=-1e15, le=1e15)]
 LongText = Annotated[str, Meta(max_length=8000)]
-"""Longer than any text of a lesson may be: its user is told by how much it is too long."""
+"""Longer than any text of a lesson may be, so that a notice can say by how much it is too long."""
 QuantityName = Annotated[str, Meta(max_length=100)]
 SceneName = Annotated[str, Meta(min_length=1, max_length=200)]
 Key = Literal["up", "down", "left", "right"]
 TextKind = Annotated[str, Meta(pattern="^[a-z]{1,20}$", extra={"typescript": "TextKind"})]
-"""What a text is that is too long for one message; whoever gets it looks whether anybody reads it."""
+"""Kind of a text that is too long for one message; the receiver checks whether a feature handles it."""
 PhaseName = Literal["lobby", "show", "ask", "results", "run", "explain", "try", "collect"]
 AnswerKind = Literal["vote", "prediction", "line", "work"]
 CommandName = Annotated[str, Meta(pattern="^[A-Za-z]{1,40}$", extra={"typescript": "CommandName"})]
-"""Of the table of commands; whoever does one looks whether there is such a command."""
+"""Name in the table of commands; the receiver checks whether there is such a command."""
 
 
 def messages(kind: type) -> list[type]:
-    """The messages of a kind, in the order of their modules: the classes that have no subclasses."""
+    """The messages derived from a class, in the order of their modules: classes without subclasses."""
     return sorted(_leaves(kind), key=lambda leaf: leaf.__module__)
 
 
@@ -97,15 +97,15 @@ def _leaves(kind: type) -> list[type]:
 
 @cache
 def _decoder() -> msgspec.json.Decoder[Any]:
-    """Of all that a page can say; made at the first message, when all features have been loaded."""
+    """The decoder of all messages from pages; made at the first message, after all features were imported."""
     return msgspec.json.Decoder(reduce(or_, messages(FromPage)))
 
 
 def read(text: str) -> FromPage | None:
-    """What a page says; None if that makes no sense.
+    """Decode a message from a page; None if it is invalid.
 
     Args:
-        text: JSON.
+        text: JSON from the page.
     """
     try:
         return _decoder().decode(text)

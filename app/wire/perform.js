@@ -1,19 +1,19 @@
 // @ts-check
-/** Does a command of the table, whether it is the server's or the page's own. */
-import { has, onTold, send } from "./channel.js";
+/** Executes commands of the table, in the page or by the server. */
+import { has, onMessage, send } from "./channel.js";
 import { COMMANDS } from "./commands.js";
 
 /** @typedef {import("./wire.js").CommandName} CommandName */
 
-/** What the page does itself. @type {Map<string, () => void>} */
+/** Commands of the page. @type {Map<string, () => void>} */
 const own = new Map();
 
-/** Has the page do some commands itself. @param {Record<string, () => void>} commands */
+/** Adds commands that the page executes itself. @param {Record<string, () => void>} commands */
 export function provide(commands) {
   for (const [name, act] of Object.entries(commands)) own.set(name, act);
 }
 
-/** Whether the page has the control without which a command is left out. @param {CommandName} command */
+/** True if the page has the control that a command needs. @param {CommandName} command */
 export const isOffered = (command) => has(COMMANDS[command].needs ?? "") || !COMMANDS[command].needs;
 
 /** @param {CommandName} command */
@@ -24,5 +24,5 @@ export function perform(command) {
   else send({ do: "perform", command });
 }
 
-/** Does those commands of the page that were given in the panel or in the palette. */
-export const listenToCommands = () => onTold("run", ({ command }) => perform(command));
+/** Begins to execute commands of the page that are chosen in the panel or in the palette. */
+export const listenToCommands = () => onMessage("run", ({ command }) => perform(command));

@@ -1,7 +1,7 @@
-"""Arrays of numbers with names: the sections of a message, from one table for who writes and who reads them.
+"""Arrays of numbers with named sections, written and read by the same table.
 
 An array is a list of sections of single precision, each after its length; empty ones at the end are left out.
-The page reads them with `unpack.js` by the same tables (`layouts.js`, made from the messages' `sections`).
+The page reads them with `unpack.js` and `layouts.js`, which is made from the messages' `sections`.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ class Section:
     """A section of an array.
 
     Attributes:
-        name: what it is called, as in Python.
-        doc: what it holds, and its unit.
-        numbers: names of single numbers that it consists of, and what they are; a name that ends in "?" is a
-            flag, 1 or 0. Without them it is a list of any length.
+        name: its name in Python.
+        doc: its content and unit.
+        numbers: names and descriptions of single numbers; a name that ends in "?" is a flag, 1 or 0. Without
+            them the section is a list of any length.
     """
 
     name: str
@@ -30,11 +30,11 @@ class Section:
 
 
 def pack(layout: tuple[Section, ...], values: Mapping[str, ArrayLike]) -> NDArray[np.float32]:
-    """An array with these sections.
+    """Make an array with named sections.
 
     Args:
         layout: the table.
-        values: of sections by their names; those that are not named are empty.
+        values: of sections by their names; the others are empty.
 
     Raises:
         KeyError: a section of that name is not in the table.
@@ -48,6 +48,6 @@ def pack(layout: tuple[Section, ...], values: Mapping[str, ArrayLike]) -> NDArra
 
 
 def joined(*sections: ArrayLike) -> NDArray[np.float32]:
-    """Sections, each after its length."""
+    """Join sections, each after its length."""
     flat = [np.asarray(section, np.float32).ravel() for section in sections]
     return np.concatenate([part for section in flat for part in ([len(section)], section)], dtype=np.float32)

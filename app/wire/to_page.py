@@ -1,4 +1,4 @@
-"""What the server tells a page's script, beside what viser's own controls and nodes show."""
+"""Messages to a page's script that belong to no feature."""
 
 from __future__ import annotations
 
@@ -12,28 +12,28 @@ from .sections import Section
 
 # ------------------------------------------------------------------------- states
 class PageState(State, frozen=True, kw_only=True, omit_defaults=True):
-    """What the script has to know of the session and of the page.
+    """The state of the session and of the page.
 
     Attributes:
-        page: another text for every connection.
-        scene: another number for every scene that is opened.
-        title: the scene's.
-        width, height: of the scene's frame, in the page's world.
-        unit: of lengths.
-        joint: the one that is read out; -1 for none.
-        playing: whether the clock runs, or will as soon as a heavy step is done.
-        rest: whether the body stands while the clock runs, so that no pictures come.
-        scrubbed: whether a moment of the past is shown.
+        page: id of the connection.
+        scene: number of the opened scene.
+        title: the scene's title.
+        width, height: size of the scene's frame, in the page's world.
+        unit: unit of lengths.
+        joint: index of the joint that is read out; -1 for none.
+        playing: the clock runs, or will as soon as a heavy step is done.
+        rest: the body stands while the clock runs, so that no frames are sent.
+        scrubbed: a moment of the past is shown.
         start, end: of the past that can be shown, s; the end only while a moment of it is shown.
         speed: simulated seconds per second.
-        offer: whether going back to before an explosion is offered.
-        future: whether what came before the user went back is shown.
-        follow: whether the driven mass follows the pointer.
-        broken: how many springs are broken.
-        controls: which there are.
+        offer: going back to before an explosion is offered.
+        future: what happened before the user went back is shown.
+        follow: the driven mass follows the pointer.
+        broken: number of broken springs.
+        controls: names of the page's controls.
         gizmos, meter: switches of the View menu.
-        measuring: id of the Measure tab, if there is one.
-        lesson: whether a step of the scene's lesson has begun; None without a lesson.
+        measuring: id of the Measure tab; empty without one.
+        lesson: a step of the scene's lesson has begun; None without a lesson.
     """
 
     page: str
@@ -67,14 +67,14 @@ class Hud(State, frozen=True, kw_only=True):
 
 
 class Keepsake(State, frozen=True, kw_only=True):
-    """What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON."""
+    """The state that the browser stores and returns after a reload or an outage, see `keeping`: JSON."""
 
     kept: str
 
 
 # ------------------------------------------------------------------------- numbers
 class Plan(Numbers, frozen=True, kw_only=True):
-    """What a body is made of and what surrounds it."""
+    """The parts and the surroundings of a body."""
 
     sections = (
         Section(
@@ -129,7 +129,7 @@ class Plan(Numbers, frozen=True, kw_only=True):
 
 
 class SecondPlan(Numbers, frozen=True, kw_only=True):
-    """What a second body beside the page's is made of, as a plan; where its masses are is in the frames."""
+    """The plan of a second body; the positions of its masses are in the frames."""
 
 
 _MOMENT = {
@@ -141,10 +141,10 @@ _MOMENT = {
 
 
 class Frame(Numbers, frozen=True, kw_only=True):
-    """Where the masses are.
+    """The positions of the masses.
 
     Attributes:
-        wall: when it was made, s of a clock that runs evenly.
+        wall: time at which it was made, s of a monotonic clock.
     """
 
     wall: float
@@ -159,7 +159,7 @@ class Frame(Numbers, frozen=True, kw_only=True):
 
 
 class Damage(Numbers, frozen=True, kw_only=True):
-    """What has yielded and broken; sent only when it changes."""
+    """Yielded and broken springs; sent only when that changes."""
 
     sections = (
         Section("head", numbers={"generation": "of the body"}),
@@ -457,10 +457,10 @@ class ClassEnded(Event, frozen=True, kw_only=True):
 
 
 class Run(Event, frozen=True, kw_only=True):
-    """Do a command that is the page's, see `commands`."""
+    """Execute a command of the page's script, see `app.ui.commands`."""
 
     command: CommandName
 
 
 class Resumed(Event, frozen=True, kw_only=True):
-    """The server has what the page gave back."""
+    """The server has received the saved state."""

@@ -1,9 +1,9 @@
 // @ts-check
-/** Reads arrays of numbers by the tables of their sections, which Python has written them by (app/wire/sections.py). */
+/** Reads arrays of numbers by the tables of sections by which Python writes them (app/wire/sections.py). */
 import { LAYOUTS } from "./layouts.js";
 
 /**
- * The sections of an array, by their names. Those at the end that are left out are empty, and their numbers 0.
+ * The sections of an array by their names. Those missing at the end are empty, and their numbers 0.
  *
  * @template {keyof import("./wire.js").Layouts} K
  * @param {K} kind
@@ -22,7 +22,7 @@ export function unpack(kind, data) {
   return found;
 }
 
-/** Takes one section after the other from an array. @param {Float32Array} data sections, each after its length */
+/** Returns a function that reads one section after the other. @param {Float32Array} data sections, each after its length */
 export function sections(data) {
   let at = 0;
   return () => {

@@ -80,13 +80,13 @@ export type OpenScene = { do: "openScene"; name: string };
 export type UseInClass = { do: "useInClass"; name: string };
 /** Do something with one of the page's own scenes; `name` is that of a deleted one for "restore". */
 export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
-/** The arrow keys that are held; repeated while any of them is. */
+/** The held arrow keys; repeated while there are any. */
 export type Keys = { do: "keys"; held: ("down" | "left" | "right" | "up")[] };
-/** Where hands are; sent at every animation frame in which one moved. */
+/** The places of hands; sent at every animation frame in which one has moved. */
 export type At = { do: "at"; hands: [number, number, number][] };
-/** A hand takes hold of a mass. */
+/** A hand grabs a mass. */
 export type Grab = { do: "grab"; hand: number; mass: number; x: number; y: number };
-/** A hand lets go. */
+/** A hand releases its mass. */
 export type Drop = { do: "drop"; hand: number };
 /** A mass was clicked. */
 export type Pick = { do: "pick"; mass: number };
@@ -120,19 +120,19 @@ export type PutMode = { do: "putMode"; mode: number; part: number };
 export type DriveMode = { do: "driveMode"; mode: number };
 /** Show a moment of the past, s. */
 export type GoTo = { do: "goTo"; time: number };
-/** How fast time goes, simulated seconds per second. */
+/** Set the speed, simulated seconds per second. */
 export type Speed = { do: "speed"; speed: number };
-/** Do a command of the table, see `commands`. */
+/** Execute a command of the table, see `app.ui.commands`. */
 export type Perform = { do: "perform"; command: CommandName };
-/** A slider was pressed, or a number box entered: what is changed from here on is another step of undo. */
+/** A slider or a number box was focused: later changes are another step of undo. */
 export type Visit = { do: "visit" };
-/** A text was typed into a number box that is no number; its user is to be told. */
+/** A text in a number box that is not a number, for a notice to the user. */
 export type Unread = { do: "unread"; text: string };
-/** Something was too long to be sent; its user is to be told. */
+/** A text was too long to be sent, for a notice to the user. */
 export type Unsent = { do: "unsent"; what: TextKind };
-/** Whose the page is: a secret of its browser, and the owner's key if it was opened with that. */
+/** Identifies the page's user: a secret of the browser, and the owner's key if it was opened with that. */
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
-/** A part of what is too long for one message. */
+/** A part of a text that is too long for one message. */
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
 /** One of the choices of a question. */
 export type GiveVote = { do: "giveVote"; id: string; turn: number; stop: number; round: number; twin: number; choice: number };
@@ -221,11 +221,11 @@ export type ModeLevels = { tell: "modeLevels"; numbers: Float32Array };
 export type Race = { tell: "race"; on?: boolean; names?: [string, string]; ways?: [number, number]; seconds?: number; fair?: boolean; out?: string };
 /** Whether a race begins: why not, in a sentence, or an empty text. */
 export type RaceAnswer = { tell: "raceAnswer"; problem: string };
-/** What the script has to know of the session and of the page. */
+/** The state of the session and of the page. */
 export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };
 /** The head-up display over the canvas, HTML. */
 export type Hud = { tell: "hud"; html: string };
-/** What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON. */
+/** The state that the browser stores and returns after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
 /** What a pupil's page has to know of the class. */
 export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; asking: Asking | null; given: Given[] };
@@ -243,17 +243,17 @@ export type Taken = { tell: "taken"; ids: string[]; refused: string };
 export type Brought = { tell: "brought"; told: string; refused: boolean };
 /** The class is over: nothing of it is to be kept. */
 export type ClassEnded = { tell: "classEnded" };
-/** Do a command that is the page's, see `commands`. */
+/** Execute a command of the page's script, see `app.ui.commands`. */
 export type Run = { tell: "run"; command: CommandName };
-/** The server has what the page gave back. */
+/** The server has received the saved state. */
 export type Resumed = { tell: "resumed" };
-/** What a body is made of and what surrounds it. */
+/** The parts and the surroundings of a body. */
 export type Plan = { tell: "plan"; numbers: Float32Array };
-/** What a second body beside the page's is made of, as a plan; where its masses are is in the frames. */
+/** The plan of a second body; the positions of its masses are in the frames. */
 export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
-/** Where the masses are. */
+/** The positions of the masses. */
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
-/** What has yielded and broken; sent only when it changes. */
+/** Yielded and broken springs; sent only when that changes. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
 export type ToPage = Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | Plan | SecondPlan | Frame | Damage;
 /** What is in arrays of numbers, by the tags of their messages. */
@@ -323,5 +323,5 @@ export type Layouts = {
     /** as `set_angle`, of that */ secondSetAngle: Float32Array;
   };
 };
-/** What the page is told, by its tag. */
-export type Told = { selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };
+/** Messages to the page, by their tags. */
+export type Received = { selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };

@@ -17,7 +17,7 @@ from app.pages.sandbox.tab import Tab
 from app.session.session import Session
 from app.stage.sketch import Mapping
 from app.ui import controls
-from app.ui.waiting import Waiting
+from app.ui.queues import BoundedQueue
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 from tests.app.panels import page_of
@@ -69,11 +69,11 @@ class Bare(Tab):
         self._session, self._page = session, page_of(session)
         self._page.controls = names
         self._role = None
-        self._hearers = {}
+        self._receivers = {}
         self._add_features()
         self._page.mapping = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
         self._mail = Letters()
-        self._requests = Waiting(print)
+        self._requests = BoundedQueue(print)
 
     @property
     def done(self) -> list[Any]:

@@ -38,7 +38,7 @@ class Letters(Mail):
         self.sent: list[Any] = []
         self.keys: list[str] = []
 
-    def send(self, message: SoftrodMessage) -> None:
+    def send_encoded(self, message: SoftrodMessage) -> None:
         self.sent.append(_decoder().decode(message.text) if message.numbers is None else message)
         self.keys.append(message.redundancy_key())
 

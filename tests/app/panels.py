@@ -158,7 +158,8 @@ class Client:
         self.send_file_download = MagicMock()
         self.heard: Callable[[Any, Any], None] = print
         self._websock_connection = SimpleNamespace(
-            queue_message=self.mail.send, register_handler=lambda _, heard: setattr(self, "heard", heard)
+            queue_message=self.mail.send_encoded,
+            register_handler=lambda _, heard: setattr(self, "heard", heard),
         )
 
     def atomic(self) -> AbstractContextManager[None]:

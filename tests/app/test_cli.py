@@ -20,7 +20,7 @@ import platformdirs
 import pytest
 
 import sim
-from app.pages.sandbox.tab import compile_status
+from app.pages.sandbox.preparation import compile_status
 from app.session.log import Keys, read_log
 from sim.errors import InputError
 from tests.app.command import Result, Softrod, refused, rows_of

@@ -57,7 +57,7 @@ def test_every_setting_of_every_preset_can_be_named() -> None:
         scene = sim.load_scene(info.name)
         of_scene(scene, CONTROLS)
         named = controls.checked(tuple(setting.key for setting in settings_of(scene)), info.name, CONTROLS)
-        assert named.foremost(settings_of(scene)) == settings_of(scene)
+        assert named.named_settings(settings_of(scene)) == settings_of(scene)
 
 
 def test_what_a_list_says() -> None:
@@ -66,10 +66,10 @@ def test_what_a_list_says() -> None:
     assert "body" not in some
     assert some.in_play_tab
     applicable = settings_of(sim.load_scene("tutorial-3.3"))
-    named = some.foremost(applicable)
+    named = some.named_settings(applicable)
     assert named is not None
     assert [setting.key for setting in named] == ["gravity", "rest_angle"]
-    assert ALL.foremost(applicable) is None
+    assert ALL.named_settings(applicable) is None
     assert all(part in ALL for part in CONTROLS)
     assert not Controls(("play",)).in_play_tab
     assert Controls(("body",)).in_play_tab

@@ -16,7 +16,7 @@ from app.stage import looks
 from app.stage.colors import LIGHT_GAIN, rgb, sent
 from app.stage.plan import Picture
 from app.stage.shapes import COILS, meshes
-from app.stage.sketch import FULL_STRAIN, MANY, Mapping
+from app.stage.sketch import FULL_STRAIN, SIMPLIFY_ABOVE_MASSES, Mapping
 from tests.app.page_script import after, all_drawn, drawn, sketch_of
 
 PRESETS = [info.name for info in sim.list_scenes() if info.built_in]
@@ -130,7 +130,10 @@ def test_discs_pins_and_ring_are_at_their_masses() -> None:
 
 
 def test_many_masses_are_drawn_with_less() -> None:
-    few, many = sketch_of(sim.rope(masses=MANY)), sketch_of(sim.rope(masses=MANY + 1))
+    few, many = (
+        sketch_of(sim.rope(masses=SIMPLIFY_ABOVE_MASSES)),
+        sketch_of(sim.rope(masses=SIMPLIFY_ABOVE_MASSES + 1)),
+    )
     assert few.slices > many.slices == 1
     assert (few.many, many.many) == (False, True)
 

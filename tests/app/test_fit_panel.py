@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 from app.wire.from_page import Part
-from tests.app.test_answers import packed
+from tests.app.test_requests import packed
 from tests.app.whole import WholePage
 
 

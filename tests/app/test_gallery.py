@@ -216,7 +216,7 @@ def test_a_page_with_the_owner_s_key_is_the_owner_s(home: Path) -> None:
 def test_a_page_that_has_not_said_whose_it_is_changes_nothing(home: Path) -> None:
     files.save_user_scene(sim.rope(), "mine")
     page = Page(owned=False)
-    assert "has not said" in said(page, "delete", "mine")
+    assert "has not identified" in said(page, "delete", "mine")
     assert list(listed(page)) == ["shared/mine"]
     assert (home / "mine.json").exists()
 

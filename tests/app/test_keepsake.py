@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from app.session import commands, keepsakes, log
-from app.ui.kept import pasts
+from app.ui.kept import undo_store
 from tests.app.pages import SessionPage
 from tests.app.recording import agrees, busy_page
 
@@ -160,10 +160,10 @@ def test_what_could_be_undone_can_be_undone_by_the_page_that_comes_back() -> Non
     page.frames(3, commands.Open(sim.load_scene("box")), commands.SetValue("gravity", 100.0))
     page.frames(3, commands.Undo())
     data, secret = page.session.keepsake(), 32 * "a"
-    pasts.keep(secret, page.session.versions)
+    undo_store.store(secret, page.session.versions)
     page.frames(3, commands.SetValue("air_friction", 1.0))  # of which the browser keeps nothing any more
     other = SessionPage("ring")
-    other.frames(3, commands.Resume(data, pasts.of(secret)))
+    other.frames(3, commands.Resume(data, undo_store.copy_of(secret)))
     session = other.session
     other.frames(1, commands.Undo())
     assert (session.scene.name, session.scene.gravity[1]) == ("tutorial-3.3", 500.0)
@@ -186,19 +186,20 @@ def test_of_a_scene_that_no_version_is_nothing_is_undone() -> None:
     assert len(page.session.versions) == 0
     page.frames(1, commands.Undo())
     assert page.session.scene.name == "ring"
-    assert pasts.of(32 * "b") is None
+    assert undo_store.copy_of(32 * "b") is None
 
 
 def test_what_is_kept_for_pages_that_come_back_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     page = SessionPage()
     page.frames(3, commands.SetValue("gravity", 500.0))
-    names = [f"{number:032x}" for number in range(2 * pasts.MAX_PAGES)]
+    names = [f"{number:032x}" for number in range(2 * undo_store.MAX_PAGES)]
     for name in names:
-        pasts.keep(name, page.session.versions)
-    assert [name for name in names if pasts.of(name) is not None] == names[pasts.MAX_PAGES :]
-    monkeypatch.setattr(pasts, "MAX_BYTES", 3 * page.session.versions.bytes)
-    pasts.keep(32 * "c", page.session.versions)
-    assert [name for name in (*names, 32 * "c") if pasts.of(name) is not None] == [*names[-2:], 32 * "c"]
+        undo_store.store(name, page.session.versions)
+    assert [name for name in names if undo_store.copy_of(name) is not None] == names[undo_store.MAX_PAGES :]
+    monkeypatch.setattr(undo_store, "MAX_BYTES", 3 * page.session.versions.bytes)
+    undo_store.store(32 * "c", page.session.versions)
+    names.append(32 * "c")
+    assert [name for name in names if undo_store.copy_of(name) is not None] == names[-3:]
 
 
 def test_that_somebody_did_something_is_kept() -> None:

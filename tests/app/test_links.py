@@ -20,7 +20,7 @@ from app.session import commands
 from app.session.notices import Notice
 from app.ui import controls
 from app.ui.controls import Controls
-from app.ui.kept.keeping import Parts
+from app.ui.kept.keeping import ChunkAssembler
 from app.ui.opening import asked_scene
 from app.wire.from_page import Part
 from app.wire.messages import Ask, read
@@ -196,7 +196,7 @@ def test_parts_are_put_together_in_their_order() -> None:
     assert part == Part("link", 1, 2, "1.ab<>%")
     assert read('{"do":"part","kind":"link","number":1,"of":2,"letters":"a b"}') is None
     assert read('{"do":"part","kind":"rm -r","number":1,"of":1,"letters":"a"}') is None
-    parts = Parts()
+    parts = ChunkAssembler()
     assert parts.add(1, 2, "a") is None
     assert parts.add(1, 2, "b") is None  # begun anew
     assert parts.add(2, 2, "c") == "bc"

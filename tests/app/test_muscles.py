@@ -189,7 +189,7 @@ def test_pictures_have_muscles_where_the_page_has_them(time: float) -> None:
     nodes, sketch = drawn(scene, picture), Sketch(scene, palette(scene.view.colors, dark=False))
     rest = np.array([joint.rest_angle for joint in scene.angular_springs])
     for kind, parts in (
-        ("bellies", instances.muscles(sketch, picture, of_joints=False)),
+        ("muscles", instances.muscles(sketch, picture, of_joints=False)),
         ("halos", instances.muscles(sketch, picture, of_joints=True)),
         ("springs", instances.springs(sketch, picture)),
     ):

@@ -117,11 +117,11 @@ READERS: dict[str, tuple[Callable[[], bytes], Callable[[bytes], object]]] = {
         lambda data: decode_link(text(data)),
     ),
     "what a page keeps": (
-        lambda: keeping.encode(a_keepsake(), keeping.PLAIN),
+        lambda: keeping.encode(a_keepsake(), keeping.DEFAULT_LOOKS),
         lambda data: keeping.decode(text(packed(data))),
     ),
     "what a page keeps, packed": (
-        lambda: packed(keeping.encode(a_keepsake(), keeping.PLAIN)),
+        lambda: packed(keeping.encode(a_keepsake(), keeping.DEFAULT_LOOKS)),
         lambda data: keeping.decode(text(data)),
     ),
     "a message": (

@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from playwright.sync_api import Browser, BrowserContext, Page, Playwright, ViewportSize, sync_playwright
 
 import sim
-from app.pages.sandbox.tab import Submit, Tab
+from app.pages.sandbox.tab import RunInThread, Tab
 from app.server import serve as server_of_pages
 from app.server.serve import serving
 from tests.browser.between_frames import FRAME_LOCK
@@ -94,7 +94,7 @@ def frames_are_whole() -> Iterator[None]:
     """The solver is the ticker's alone: a test, which is another thread, sees it only between two frames."""
     frame = Tab.frame
 
-    def alone(tab: Tab, budget: float, beside: Submit) -> None:
+    def alone(tab: Tab, budget: float, beside: RunInThread) -> None:
         with FRAME_LOCK:
             frame(tab, budget, beside)
 

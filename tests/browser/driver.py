@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 import imageio.v3 as iio  # viser brings it along
 import numpy as np
 from numpy.typing import NDArray
-from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Locator, Page
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, FloatRect, Locator, Page
 
 import sim
 from app.pages.sandbox.tab import Tab
@@ -95,6 +95,19 @@ def until(page: Page, condition: Callable[[], T], what: str, limit: float = LIMI
             raise AssertionError(f"in {limit:g} s it did not come to this: {what}")
         page.wait_for_timeout(wait)
         wait = min(2.0 * wait, 50.0)
+
+
+def box_of(element: Locator) -> FloatRect:
+    """The place of an element on the screen, CSS px; it has to be visible."""
+    box = element.bounding_box()
+    assert box is not None, "the element has no box"
+    return box
+
+
+def middle_of(element: Locator) -> Point:
+    """The middle of an element on the screen, CSS px."""
+    box = box_of(element)
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
 def rough_context(browser: Browser, pixels: bool = False, **options: Any) -> BrowserContext:
@@ -412,8 +425,7 @@ class Desk:
         """Click on a slider's track, `part` of the way from its low to its high end."""
         track = self.control(name).locator(".mantine-Slider-track")
         track.scroll_into_view_if_needed()
-        box = track.bounding_box()
-        assert box is not None
+        box = box_of(track)
         self.page.mouse.click(box["x"] + part * box["width"], box["y"] + box["height"] / 2)
 
     def box(self, name: str) -> Locator:

@@ -131,11 +131,11 @@ def test_where_websockets_are_kept_out_the_pages_say_so(
     assert not place.classroom.checks
     # A pupil's page does not wait for ever, either.
     phone.goto(seat_address(place.base, place.classroom.room.code))
-    expect(phone.get_by_text("lets no WebSockets through")).to_be_visible()
+    expect(phone.get_by_text("blocks WebSockets")).to_be_visible()
     # And it comes in as soon as it can.
     place.between.upgrades = "led"
     until(phone, lambda: place.classroom.room.seats, "it has a seat", limit=LIMIT)
-    expect(phone.get_by_text("lets no WebSockets through")).to_be_hidden()
+    expect(phone.get_by_text("blocks WebSockets")).to_be_hidden()
     phone.context.close()
 
 

@@ -8,7 +8,7 @@ import pytest
 from app.session import commands
 from sim.settings import setting_of
 from tests.browser.conftest import OpenPage
-from tests.browser.driver import Desk
+from tests.browser.driver import Desk, middle_of
 from tests.browser.looks import assert_shown
 
 
@@ -82,9 +82,7 @@ def test_a_click_on_a_mass_reads_out_its_joint_beside_its_arc(open_page: OpenPag
     assert abs(angle - desk.simulation.angles[0]) > 0.01  # so it is not the first one's
     label = desk.page.locator(".softrod-angle")
     desk.until(lambda: (label.text_content() or "").rstrip("°") == f"{angle:.1f}", "so does the arc")
-    box = label.bounding_box()
-    assert box is not None
-    middle = np.array((box["x"] + box["width"] / 2, box["y"] + box["height"] / 2))
+    middle = np.array(middle_of(label))
     assert np.linalg.norm(middle - (x, y)) < 90.0
 
 

@@ -8,6 +8,7 @@ import pytest
 
 from sim.store import files
 from tests.browser.conftest import OpenPage
+from tests.browser.driver import middle_of
 
 
 def test_an_empty_canvas_a_tab_without_plots_and_a_gallery_without_own_scenes(
@@ -21,9 +22,7 @@ def test_an_empty_canvas_a_tab_without_plots_and_a_gallery_without_own_scenes(
     desk.button("Draw a body").click()
     desk.until(lambda: "Drag from a mass" in note.inner_text(), "it says how")
     # It is not in the way: a press on it is one on the canvas.
-    box = note.bounding_box()
-    assert box is not None
-    middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    middle = middle_of(note)
     desk.page.mouse.click(*middle)
     desk.until(lambda: len(desk.session.scene.masses) == 2, "a mass is put down there")
     desk.until(lambda: not note.is_visible(), "there is something now")

@@ -154,8 +154,8 @@ def test_a_scene_that_is_saved_as_the_gallery_opens_does_not_keep_it_shut(open_p
     desk = open_page(size=SMALL)
     mail = Mail(desk.tab.client)
     with desk.tab.client.atomic():
-        mail.tell(OfferGallery(why=""))
-        mail.tell(ShelfChanged())
+        mail.send(OfferGallery(why=""))
+        mail.send(ShelfChanged())
     desk.page.get_by_role("dialog", name="Scenes").locator(".softrod-card").first.wait_for()
 
 

@@ -10,7 +10,7 @@ import pytest
 from app.session import commands
 from tests.amount import part_of
 from tests.browser.conftest import OpenPage
-from tests.browser.driver import Desk
+from tests.browser.driver import Desk, box_of, middle_of
 
 
 def test_words_stand_beside_the_icons_where_there_is_room(open_page: OpenPage) -> None:
@@ -18,8 +18,8 @@ def test_words_stand_beside_the_icons_where_there_is_room(open_page: OpenPage) -
     word = desk.button("Reset").locator("span")
     assert word.is_visible()
     # Nothing is cut off, and nothing lies over its neighbour.
-    boxes = [part.bounding_box() for part in desk.page.locator(".softrod-transport > *").all()]
-    edges = [(box["x"], box["x"] + box["width"]) for box in boxes if box is not None]
+    boxes = [box_of(part) for part in desk.page.locator(".softrod-transport > *").all() if part.is_visible()]
+    edges = [(box["x"], box["x"] + box["width"]) for box in boxes]
     assert all(end <= begin for (_, end), (begin, _) in itertools.pairwise(edges)), edges
     desk.page.set_viewport_size({"width": 800, "height": 600})
     desk.until(lambda: not word.is_visible(), "the words give way")
@@ -47,8 +47,7 @@ def test_an_arrow_at_the_edge_leads_back_to_a_body_that_is_out_of_view(open_page
         desk.lead(start, end, 4)
         desk.page.mouse.up()
         desk.until(lambda: arrow.is_visible(), "the arrow is there")
-        box = arrow.bounding_box()
-        assert box is not None and box["x"] < 60.0, "the body is to the left"
+        assert box_of(arrow)["x"] < 60.0, "the body is to the left"
         arrow.click()  # it fails if something else is over it
         desk.until(lambda: not arrow.is_visible(), "the arrow is gone")
         assert all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))
@@ -68,8 +67,7 @@ def test_show_all_shows_a_body_that_has_left_the_scene_s_frame(open_page: OpenPa
 def test_a_scene_is_opened_anew(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.SetValue("angular_stiffness", 500.0))
-    box, chooser = desk.button("Open anew").bounding_box(), desk.button("Rope (3.3)").bounding_box()
-    assert box is not None and chooser is not None
+    box, chooser = (box_of(desk.button(name)) for name in ("Open anew", "Rope (3.3)"))
     assert box["height"] > 20.0
     assert abs(box["y"] - chooser["y"]) < 4.0
     assert box["x"] > chooser["x"] + chooser["width"]
@@ -166,8 +164,7 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
     icon, open_anew = desk.button("Open anew"), desk.button("Open anew").locator(".mantine-Button-label")
     assert icon.is_visible() and open_anew.evaluate("e => getComputedStyle(e).fontSize") == "0px"
     # What is beside the panel is not below it, and its sliders are where they seem to be.
-    panel, canvas = (desk.page.locator(one).first.bounding_box() for one in ("[data-dock-region]", "canvas"))
-    assert panel is not None and canvas is not None
+    panel, canvas = (box_of(desk.page.locator(one).first) for one in ("[data-dock-region]", "canvas"))
     assert panel["width"] >= 560.0
     assert canvas["x"] + canvas["width"] == pytest.approx(panel["x"], abs=1.0)
     desk.show("Play")
@@ -185,9 +182,8 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
     desk.open()
     assert desk.page.locator("html.softrod-projector").count() == 1
     desk.page.keyboard.press("p")
-    desk.until(lambda: desk.page.locator("[data-dock-region]").bounding_box()["width"] < 400.0, "as before")  # type: ignore[index]
-    canvas = desk.page.locator("canvas").first.bounding_box()
-    assert canvas is not None and canvas["width"] > 1500.0
+    desk.until(lambda: box_of(desk.page.locator("[data-dock-region]"))["width"] < 400.0, "as before")
+    assert box_of(desk.page.locator("canvas").first)["width"] > 1500.0
 
 
 @pytest.mark.parametrize("dark", part_of((False, True), 2))
@@ -249,8 +245,7 @@ def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: O
     assert curves.count() == 1
     desk.until(lambda: curves.evaluate("image => image.naturalWidth > 100"), "the curve is a picture")
     assert desk.page.locator(".uplot canvas").evaluate("e => getComputedStyle(e).visibility") == "hidden"
-    box, canvas = below.bounding_box(), desk.page.locator("canvas").first.bounding_box()
-    assert box is not None and canvas is not None
+    box, canvas = box_of(below), box_of(desk.page.locator("canvas").first)
     assert canvas["y"] + canvas["height"] <= box["y"] + 1.0
     assert box["y"] + box["height"] <= 700.0
     desk.picture("paper-lesson.png")
@@ -262,10 +257,8 @@ def test_what_is_said_over_the_body_covers_no_mass(open_page: OpenPage) -> None:
     desk.wait_drawn()
     word = desk.page.locator(".softrod-hud b")
     word.wait_for()
-    box = word.bounding_box()
-    assert box is not None
     # The view is moved until a mass is in the middle of the word.
-    wanted = np.array((box["x"] + box["width"] / 2, box["y"] + box["height"] / 2))
+    wanted = np.array(middle_of(word))
     begin = np.array((400.0, 300.0))
 
     def is_there() -> bool:

@@ -8,7 +8,7 @@ from app.session import commands
 from app.ui.viser import slider_box
 from sim.settings import setting_of
 from tests.browser.conftest import OpenPage
-from tests.browser.driver import Desk
+from tests.browser.driver import Desk, middle_of
 
 
 def value(desk: Desk, key: str) -> float:
@@ -138,9 +138,7 @@ def test_one_visit_to_a_box_and_one_press_of_a_slider_are_one_step_of_undo(open_
         desk.until(
             lambda label=label, before=before: desk.slider_value(label) == before, "the slider shows it"
         )
-        thumb = desk.thumb(label).bounding_box()
-        assert thumb is not None
-        x, y = thumb["x"] + thumb["width"] / 2, thumb["y"] + thumb["height"] / 2
+        x, y = middle_of(desk.thumb(label))
         for _ in range(2):
             desk.page.mouse.move(x, y)
             desk.page.mouse.down()
@@ -169,10 +167,8 @@ def test_the_bubble_of_a_slider_has_the_value(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Play(False))
     desk.show("Play")
-    thumb = desk.thumb("Angular stiffness").bounding_box()
-    assert thumb is not None
     before = value(desk, "angular_stiffness")
-    x, y = thumb["x"] + thumb["width"] / 2, thumb["y"] + thumb["height"] / 2
+    x, y = middle_of(desk.thumb("Angular stiffness"))
     desk.page.mouse.move(x, y)
     desk.page.mouse.down()
     desk.page.mouse.move(x - 30.0, y, steps=4)

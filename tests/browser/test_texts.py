@@ -7,7 +7,7 @@ from playwright.sync_api import Locator
 import sim
 from app.session import commands
 from tests.browser.conftest import OpenPage
-from tests.browser.driver import Desk
+from tests.browser.driver import Desk, box_of
 
 EVIL = "<img src=x onerror=window.pwned=1>"
 
@@ -80,8 +80,7 @@ def test_by_touch(open_page: OpenPage) -> None:
     assert name.input_value() == "Start from nothing"
     assert text.input_value() == desk.session.scene.description
     for field in (name, text):
-        box = field.bounding_box()
-        assert box is not None
+        box = box_of(field)
         assert box["x"] >= 0 and box["x"] + box["width"] <= 390
         # Or the phone's browser would zoom.
         assert field.evaluate("it => parseFloat(getComputedStyle(it).fontSize)") >= 16

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { become, canvas, key, pass, point, put, show, Target } from "./page.mjs";
-import { awaySince, mindAbsence } from "../../app/ui/away.js";
+import { awaySince, watchConnectionLoss } from "../../app/ui/away.js";
 import { Attempts, askedScene, Pulse, serverPath, watchConnection } from "../../app/ui/viser/connection.js";
 import { callAll } from "../../app/wire/channel.js";
 import { listenToKeys } from "../../app/ui/hands/keys.js";
@@ -92,7 +92,7 @@ globalThis.Worker = class extends Target {
     posted.push(message);
   }
 };
-watchConnection(mindAbsence(), () => true);
+watchConnection(watchConnectionLoss(), () => true);
 listenToPresses();
 listenToKeys();
 listenToPointer();

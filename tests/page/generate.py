@@ -14,8 +14,8 @@ from typing import Any
 
 from msgspec import inspect as types_of
 
-from app.pages.sandbox.answers import VERBS
 from app.pages.sandbox.features import COMMANDS, FEATURES
+from app.pages.sandbox.requests import VERBS
 from app.ui.commands import key_lines
 from app.ui.feature import Feature
 from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages
@@ -98,7 +98,7 @@ def types() -> str:
     commands = "; ".join(
         f"{of}: {' | '.join(map(json.dumps, names)) or 'never'}" for of, names in page.items()
     )
-    told = "; ".join(f"{kind.__struct_config__.tag}: {kind.__name__}" for kind in tells)
+    received = "; ".join(f"{kind.__struct_config__.tag}: {kind.__name__}" for kind in tells)
     lines = [
         f"// Made by `{COMMAND}` from app/wire.",
         f"export type CommandName = {' | '.join(map(json.dumps, COMMANDS))};",
@@ -112,8 +112,8 @@ def types() -> str:
         *(declared(kind, says=False) for kind in tells),
         f"export type ToPage = {' | '.join(kind.__name__ for kind in tells)};",
         *layout_types(),
-        "/** What the page is told, by its tag. */",
-        f"export type Told = {{ {told} }};",
+        "/** Messages to the page, by their tags. */",
+        f"export type Received = {{ {received} }};",
     ]
     return "\n".join(lines) + "\n"
 

@@ -12,22 +12,14 @@ for await (const line of createInterface({ input: process.stdin })) {
   const data = JSON.parse(line);
   const [plan, frame] = [readPlan(new Float32Array(data.plan)), readFrame(new Float32Array(data.frame))];
   const damage = readDamage(new Float32Array(data.damage));
-  const world = draw.toWorld(plan, frame.positions);
+  const body = { plan, frame, world: draw.toWorld(plan, frame.positions), damage };
   // A screen whose pixels are px of the scene, for outlines.
   const on = { x: plan.x, y: plan.y, step: 1 / plan.scale };
   const places = Float64Array.from(frame.positions, (value, i) => (i % 2 ? plan.y - (value - plan.y) * plan.flip : value));
   const view = { left: 0, right: 600, top: 0, bottom: 600 };
   console.log(
     JSON.stringify({
-      springs: plain(draw.springs(plan, frame, world, damage)),
-      bellies: plan.muscles.length ? plain(draw.muscles(plan, frame, world, false, damage)) : null,
-      halos: plan.muscles.length ? plain(draw.muscles(plan, frame, world, true, damage)) : null,
-      yielded: plain(draw.yielded(plan, world, damage)),
-      wedges: plain(draw.wedges(plan, frame, world, damage)),
-      masses: plain(draw.masses(plan, world)),
-      pins: plain(draw.pins(plan, world)),
-      ring: plan.driven < 0 ? null : plain(draw.ring(plan, world)),
-      ghost: frame.ghost ? plain(draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage)) : null,
+      ...Object.fromEntries(Object.entries(draw.NODES).map(([name, node]) => [name, node.has?.(body) ?? true ? plain(node.draw(body)) : null])),
       deviations: [...draw.deviations(plan, frame.positions, frame.angleShift, damage, swings(plan, frame.time).turn)],
       sizes: [plan.walls.length, plan.fillings.length, plan.wind.length],
       outlines: {

@@ -2,7 +2,7 @@
 // body on it, and the server's end of the wire. Import it before the scripts of the page.
 import { mock } from "node:test";
 import { drawBody } from "../../app/stage/canvas.js";
-import { hear } from "../../app/wire/channel.js";
+import { receive } from "../../app/wire/channel.js";
 
 // ------------------------------------------------------------------------- time
 let now = 1e4;
@@ -277,7 +277,7 @@ const said = [];
 export const heard = () => said.splice(0);
 /** Has the server tell the page something. */
 export const tell = (kind, message = {}, numbers = undefined) =>
-  hear({ type: "SoftrodMessage", text: JSON.stringify({ tell: kind, ...message }), numbers });
+  receive({ type: "SoftrodMessage", text: JSON.stringify({ tell: kind, ...message }), numbers });
 /** Has the server tell how things are: a page with everything, and what is different now. */
 let state = { page: "a", scene: 1, controls: ["play", "edit", "tools", "view"], width: 8, height: 6, speed: 1, rest: true };
 export const become = (changes = {}) => tell("pageState", (state = { ...state, ...changes }));

@@ -4,7 +4,8 @@ import { test } from "node:test";
 import { become, show } from "./page.mjs";
 import { edgeArrow } from "../../app/stage/edge.js";
 import { axisMarks, rangeOf, roundDown, roundUp } from "../../app/stage/axes.js";
-import { addOverlay, degrees, jointAngles, lengthText } from "../../app/stage/overlay.js";
+import { degrees, jointAngles, lengthText } from "../../app/stage/measures.js";
+import { addOverlay } from "../../app/stage/overlay.js";
 import { nearest, onScreen, worldAt } from "../../app/stage/screen.js";
 
 const plan = (flip) => ({

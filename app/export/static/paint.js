@@ -15,7 +15,7 @@
  * @typedef {{plan: Plan, frame: Frame, damage: Damage}} Shown
  */
 import { loadArrows } from "../../stage/arrow_shapes.js";
-import * as draw from "../../stage/draw.js";
+import { NODES, toWorld } from "../../stage/draw.js";
 import { moving, standing, streaks } from "../../stage/environment.js";
 import { ARROW, LAYERS, MARGIN } from "../../stage/looks.js";
 
@@ -81,7 +81,7 @@ export function paint(stage, canvas, { plan, frame, damage }) {
   const [across, down] = [Math.round(width * fine), Math.round(height * fine)];
   if (canvas.width !== across || canvas.height !== down) [canvas.width, canvas.height] = [across, down];
   const on = screenOf(stage, canvas);
-  const world = draw.toWorld(plan, frame.positions);
+  const world = toWorld(plan, frame.positions);
   const places = world.map((value, i) => (i % 2 ? on.y - on.step * value : on.x + on.step * value));
   const box = { left: 0, right: width, top: 0, bottom: height };
   const wind = plan.wind.length ? streaks(plan, frame.time, on, box) : "";
@@ -100,20 +100,11 @@ export function paint(stage, canvas, { plan, frame, damage }) {
     else to.stroke(path);
   }
   to.globalAlpha = 1;
-  /** @param {string} mesh @param {Instances} parts */
-  const put = (mesh, parts) => stamp(to, stage.meshes[mesh], parts, on);
-  if (plan.muscles.length) {
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    put("disc", draw.muscles(plan, frame, world, true, damage, still));
-    put("belly", draw.muscles(plan, frame, world, false, damage, still));
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const body = { plan, frame, world, damage, still };
+  for (const { mesh, draw, has } of Object.values(NODES)) {
+    if (has?.(body) ?? true) stamp(to, stage.meshes[mesh || stage.springs], draw(body), on);
   }
-  put("pin", draw.pins(plan, world));
-  put(stage.springs, draw.springs(plan, frame, world, damage));
-  put("bar", draw.yielded(plan, world, damage));
-  put("slice", draw.wedges(plan, frame, world, damage));
-  if (plan.driven >= 0) put("ring", draw.ring(plan, world));
-  put("disc", draw.masses(plan, world));
-  if (frame.ghost) put("bar", draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage));
   if (plan.loads.length) {
     const arrows = new Path2D(loadArrows(plan, places, on.step));
     Object.assign(to, { strokeStyle: color("force"), fillStyle: color("force"), lineWidth: ARROW, lineJoin: "round" });

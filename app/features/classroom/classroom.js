@@ -1,8 +1,7 @@
 // @ts-check
 /** A class's part of the page, by what the page's address says that it is. */
-import { onTold } from "../../wire/channel.js";
-import { viser } from "../../ui/viser/viser.js";
-import { frameOf } from "../../ui/viser/widgets.js";
+import { onMessage } from "../../wire/channel.js";
+import { markCanvas } from "../../ui/viser/widgets.js";
 import { addDesk } from "./desk.js";
 import { addSeat, OWN_BODY } from "./seat.js";
 import { addWall } from "./wall.js";
@@ -18,11 +17,10 @@ export function addClassroom() {
   else addSeat();
   const { dataset } = document.documentElement;
   // A page that only looks needs no panel.
-  onTold("seat", ({ asking, follows }) => (dataset.softrodClass = OWN_BODY.has(asking?.phase ?? "") && !follows ? "seat" : "seat looks"));
-  onTold("wall", ({ asking }) => (dataset.softrodClass = asking.phase === "lobby" ? "wall lobby" : "wall"));
-  onTold("desk", () => (dataset.softrodClass = "desk"));
+  onMessage("seat", ({ asking, follows }) => (dataset.softrodClass = OWN_BODY.has(asking?.phase ?? "") && !follows ? "seat" : "seat looks"));
+  onMessage("wall", ({ asking }) => (dataset.softrodClass = asking.phase === "lobby" ? "wall lobby" : "wall"));
+  onMessage("desk", () => (dataset.softrodClass = "desk"));
   setInterval(() => {
-    const { canvas } = viser() ?? {};
-    if (dataset.softrodClass && canvas) frameOf(canvas)?.setAttribute("data-softrod", "canvas");
+    if (dataset.softrodClass) markCanvas();
   }, LOOK_EVERY);
 }

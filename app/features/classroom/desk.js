@@ -3,7 +3,7 @@
  * The teacher's part of the page: what comes next, what the class does now, who is there, and what was given. What is
  * seldom wanted is folded.
  */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { beforehand } from "./beforehand.js";
 import { box, button, fold, icon, typedAddress, untranslated, voteBars } from "./elements.js";
@@ -68,9 +68,9 @@ export function addDesk() {
   element.ariaLabel = "Class";
   const predictions = new Predictions();
   card = new Card(element, () => (desk ? parts(desk) : []));
-  onTold("predictions", ({ bodies }) => predictions.show(bodies));
+  onMessage("predictions", ({ bodies }) => predictions.show(bodies));
   keepPosters(element);
-  onTold("desk", (told) => {
+  onMessage("desk", (told) => {
     if (!desk) keepInPlace(element);
     card.defer(() => {
       desk = told;
@@ -78,7 +78,7 @@ export function addDesk() {
     });
   });
   hearImports(() => card.defer(show));
-  onTold("classEnded", () => {
+  onMessage("classEnded", () => {
     predictions.show([]);
     element.replaceChildren(make("h2", "", "The class is over"), make("p", "", "Nothing that was given is kept on this computer."));
   });

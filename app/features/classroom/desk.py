@@ -135,7 +135,7 @@ class DeskRole(ClassRole):
         if posters != self._posters:
             self._posters = posters
             springs = classroom.scene(self.room.at).linear_springs if has_own else ()
-            self._mail.tell(
+            self._mail.send(
                 Posters(
                     places={str(number): status.places for number, status in posters},
                     springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MAX_PLACES),
@@ -143,8 +143,8 @@ class DeskRole(ClassRole):
             )
         words = (status.word for _, status in posters)
         if self._is_new(classroom.written, classroom.trouble, self._again, tuple(classroom.checks), *words):
-            self._mail.tell(self._state())
-            self._mail.tell(predictions(classroom))
+            self._mail.send(self._state())
+            self._mail.send(predictions(classroom))
 
     def keep(self, keepsake: bytes) -> bool:
         return False
@@ -194,13 +194,13 @@ class DeskRole(ClassRole):
         try:
             imported = sheets.import_sheet(self.room, text)
         except Refused as error:
-            self._mail.tell(Brought(told=str(error), refused=True))
+            self._mail.send(Brought(told=str(error), refused=True))
             return
         count = f"{imported.new} {'answer' if imported.new == 1 else 'answers'}"
         known = f", {imported.known} had been brought before" if imported.known else ""
         steps = ", ".join(map(str, imported.reached))
         goals = f". As its own file says, it reached the goal of step {steps}" if steps else ""
-        self._mail.tell(Brought(told=f"{imported.name}: {count}{known}{goals}."))
+        self._mail.send(Brought(told=f"{imported.name}: {count}{known}{goals}."))
 
     def _hand_over(self, name: str, title: str, made: Future[bytes], session: Session) -> None:
         """Have the browser save a file."""

@@ -1,7 +1,7 @@
 // @ts-check
 /** What the cards of a class are made of; whatever takes the focus has a name by which it keeps it when its card is remade. */
 import { make, makeButton } from "../../ui/dialog.js";
-import { makeSvg } from "../../stage/overlay.js";
+import { makeSvg } from "../../stage/svg.js";
 
 /** Icons as strokes in 24 by 24, since not every font has such letters. */
 const ICONS = {

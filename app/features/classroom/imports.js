@@ -1,6 +1,6 @@
 // @ts-check
 /** The part of the teacher's page that takes answers which pupils gave in files: as files, or by their QR codes. */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { box, button, typedLine } from "./elements.js";
 
@@ -19,7 +19,7 @@ const note = (told, refused) => (results = [{ told, refused }, ...results].slice
 
 /** Begins to listen. @param {() => void} changed */
 export function hearImports(changed) {
-  onTold("brought", ({ told, refused }) => {
+  onMessage("brought", ({ told, refused }) => {
     note(told, refused);
     changed();
   });

@@ -3,7 +3,7 @@
  * The answers that a pupil gives in a class. They stay in the browser until the server has them, through outages, reloads
  * and restarts of the server, and are repeated until then. The server counts each once.
  */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 
 /**
  * @typedef {import("../../wire/wire.js").GiveVote | import("../../wire/wire.js").GivePrediction |
@@ -72,20 +72,20 @@ export function forgetAnswers() {
 
 /** Begins to send what waits, and to hear what was taken. */
 export function openOutbox() {
-  onTold("taken", ({ ids, refused }) => {
+  onMessage("taken", ({ ids, refused }) => {
     waiting = waiting.filter(({ id }) => !ids.includes(id));
     store();
     for (const listener of listeners) listener(refused);
   });
-  onTold("seat", (seat) => (turn = Math.max(turn, seat.turn)));
+  onMessage("seat", (seat) => (turn = Math.max(turn, seat.turn)));
   const repeat = () => {
-    if (told().page) for (const answer of waiting) send(answer);
+    if (pageState().page) for (const answer of waiting) send(answer);
   };
   setInterval(repeat, REPEAT_EVERY);
   let page = "";
-  onTold("pageState", () => {
-    if (told().page === page) return;
-    page = told().page ?? "";
+  onMessage("pageState", () => {
+    if (pageState().page === page) return;
+    page = pageState().page ?? "";
     // After the page has said whose it is.
     setTimeout(repeat, 200);
   });

@@ -1,7 +1,7 @@
 // @ts-check
 /** The class's plot: what each seat found over what it set, a point a seat. */
 import { axisMarks } from "../../stage/axes.js";
-import { makeSvg, set } from "../../stage/overlay.js";
+import { makeSvg, set } from "../../stage/svg.js";
 
 /** @typedef {import("../../wire/wire.js").Found} Found */
 /** @typedef {import("../../wire/wire.js").Law} Law */

@@ -1,7 +1,7 @@
 // @ts-check
 /** Small still pictures of bodies, drawn from where their masses are. */
-import { onTold } from "../../wire/channel.js";
-import { makeSvg, set } from "../../stage/overlay.js";
+import { onMessage } from "../../wire/channel.js";
+import { makeSvg, set } from "../../stage/svg.js";
 
 /** @typedef {[number, number][]} Places thousandths of the scene's frame */
 
@@ -47,7 +47,7 @@ export function poster(seat) {
 
 /** Keeps the pictures in an element up to date. @param {HTMLElement} box */
 export function keepPosters(box) {
-  onTold("posters", (told) => {
+  onMessage("posters", (told) => {
     posters = told;
     for (const svg of /** @type {NodeListOf<SVGSVGElement>} */ (box.querySelectorAll("svg[data-seat]"))) {
       draw(svg, posters.places[svg.dataset.seat ?? ""] ?? []);

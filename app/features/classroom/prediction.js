@@ -4,12 +4,13 @@
  * the others follow as a chain of massless springs would: each spring is brought back towards its length, again and again
  * (Jakobsen 2001, Advanced Character Physics).
  */
-import { makeSvg, onSight, putUp, redrawMarks, set } from "../../stage/overlay.js";
+import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
+import { makeSvg, set } from "../../stage/svg.js";
 import { worldAt, wireNumber } from "../../stage/screen.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { screen } from "../../ui/viser/screen.js";
 
-/** @typedef {import("../../stage/overlay.js").Sight} Sight */
+/** @typedef {import("../../stage/sight.js").Sight} Sight */
 /** @typedef {[number, number]} Place in the page's world */
 /** @typedef {[a: number, b: number, length: number]} Spring the masses that it joins, and its length */
 
@@ -91,7 +92,7 @@ export class OwnPrediction {
   constructor(changed) {
     this.changed = changed;
     this.svg.removeAttribute("aria-hidden");
-    onSight((seen) => this.draw(seen));
+    onMarksRedraw((seen) => this.draw(seen));
   }
 
   /** Begins a prediction where the body is, or ends it. @param {boolean} on */
@@ -100,7 +101,7 @@ export class OwnPrediction {
     this.isOn = on;
     this.places = [];
     this.moved = false;
-    if (on) putUp(this.svg);
+    if (on) insertMarksLayer(this.svg);
     else this.svg.remove();
     redrawMarks();
   }
@@ -185,14 +186,14 @@ export class Predictions {
   bodies = [];
 
   constructor() {
-    onSight((seen) => this.draw(seen));
+    onMarksRedraw((seen) => this.draw(seen));
   }
 
   /** @param {Place[][]} bodies */
   show(bodies) {
     this.bodies = bodies;
     this.svg.replaceChildren(...bodies.map(() => makeSvg("path", "")));
-    if (bodies.length && !this.svg.parentNode) putUp(this.svg);
+    if (bodies.length && !this.svg.parentNode) insertMarksLayer(this.svg);
     if (!bodies.length) this.svg.remove();
     redrawMarks();
   }

@@ -95,7 +95,7 @@ class Entrance(Role):
         self._mail, self._problem = mail, problem
 
     def frame(self, session: Session) -> None:
-        self._mail.tell(Seat(problem=self._problem))
+        self._mail.send(Seat(problem=self._problem))
 
 
 class ClassRole(Role):
@@ -134,7 +134,7 @@ class ClassRole(Role):
             self._update(session)
         elif not self._told_end:
             self._told_end = True
-            self._mail.tell(ClassEnded())
+            self._mail.send(ClassEnded())
 
     def _update(self, session: Session) -> None:
         """Tell the page what has changed in the running class."""

@@ -1,6 +1,6 @@
 // @ts-check
 /** A pupil's page in a class: one sentence that says what to do, and what it takes to do it. */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { perform } from "../../wire/perform.js";
 import { giveUpConnection } from "../../ui/viser/connection.js";
@@ -49,7 +49,7 @@ export function addSeat() {
   card = new Card(element, () => (seat ? parts(seat) : []));
   prediction = new OwnPrediction(show);
   openOutbox();
-  onTold("seat", (told) => {
+  onMessage("seat", (told) => {
     if (told.asking?.stop !== seat?.asking?.stop || told.asking?.phase !== seat?.asking?.phase) {
       twin = 0;
       typed = refusal = "";
@@ -57,8 +57,8 @@ export function addSeat() {
     seat = told;
     card.defer(show);
   });
-  onTold("predictions", ({ bodies }) => others.show(bodies));
-  onTold("classEnded", () => {
+  onMessage("predictions", ({ bodies }) => others.show(bodies));
+  onMessage("classEnded", () => {
     forgetAnswers();
     prediction.show(false);
     spoken.textContent = "The class is over.";

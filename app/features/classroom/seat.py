@@ -121,19 +121,19 @@ class SeatRole(ClassRole):
                     self.room.follow(self._own_seat().number, on)
         except Refused as error:
             ids = (said.id,) if isinstance(said, from_page.Give) else ()
-            self._mail.tell(Taken(ids=ids, refused=str(error)))
+            self._mail.send(Taken(ids=ids, refused=str(error)))
 
     def _update(self, session: Session) -> None:
         ready = tuple(id for version, id in self._unwritten if version <= self.classroom.written)
         if ready:
             left = [one for one in self._unwritten if one[1] not in ready]
             self._unwritten = deque(left, maxlen=MAX_ANSWERS)
-            self._mail.tell(Taken(ids=ready))
+            self._mail.send(Taken(ids=ready))
         if self.seat is not None and self.shared_view is None:
             self._update_body(session)
         if self._is_new(self.seat is None, self._problem, self._reached):
-            self._mail.tell(self._state())
-            self._mail.tell(predictions(self.classroom))
+            self._mail.send(self._state())
+            self._mail.send(predictions(self.classroom))
 
     def keep(self, keepsake: bytes) -> bool:
         if self.seat is not None and self._stop == self.room.at:
@@ -153,7 +153,7 @@ class SeatRole(ClassRole):
         try:
             self.show(self.classroom.scene(self.room.at))
         except SettingError as error:
-            self._mail.tell(Taken(ids=(), refused=f"This step cannot begin: {error}."))
+            self._mail.send(Taken(ids=(), refused=f"This step cannot begin: {error}."))
 
     def show(self, scene: sim.Scene) -> None:
         if self._session is not None:

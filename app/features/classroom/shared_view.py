@@ -57,7 +57,7 @@ class Onlooker:
                 self._canvas.build(view.scene, dark, view.rest_angles, view.number)
             self._canvas.draw(view.picture, now, force=True)
             self._synced, self._sync_due = view, now + RESYNC_EVERY
-            self._mail.tell(_page_state(view, self._page))
+            self._mail.send(_page_state(view, self._page))
         self._state = state
         if view.audience is not self._audience:
             self._audience.discard(self._client)

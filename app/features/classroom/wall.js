@@ -1,6 +1,6 @@
 // @ts-check
 /** The wall: what a class sees on the projector, large enough for the last row, and without names. */
-import { onTold } from "../../wire/channel.js";
+import { onMessage } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { box, qrCode, typedAddress, untranslated, voteBars } from "./elements.js";
 import { plot, power } from "./plot.js";
@@ -39,12 +39,12 @@ export function addWall() {
     hasWaited = true;
     show();
   }, EMPTY_AFTER);
-  onTold("predictions", ({ bodies }) => predictions.show(bodies));
-  onTold("wall", (told) => {
+  onMessage("predictions", ({ bodies }) => predictions.show(bodies));
+  onMessage("wall", (told) => {
     wall = told;
     show();
   });
-  onTold("classEnded", () => {
+  onMessage("classEnded", () => {
     predictions.show([]);
     head.replaceChildren(make("h1", "", "The class is over."));
     side.replaceChildren();

@@ -46,7 +46,7 @@ class WallRole(ClassRole):
         is_shown = room.phase in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN)
         voted = is_shown and bool(room.given(room.at, 0, Vote))
         lines = room.given(room.at, 0, Line) if room.phase is not Phase.EXPLAIN else []
-        self._mail.tell(
+        self._mail.send(
             Wall(
                 code=room.code,
                 address=self._address,
@@ -68,7 +68,7 @@ class WallRole(ClassRole):
                 doing=doing,
             )
         )
-        self._mail.tell(predictions(self.classroom))
+        self._mail.send(predictions(self.classroom))
 
     def _count_bodies(self) -> dict[str, int]:
         """Count the stable, exploded and untouched bodies of the seats that are present; with a goal, also

@@ -3,10 +3,10 @@
  * Copying parts of a body and pasting them, in another tab, too: by the clipboard where the browser allows it, and by the
  * storage that the tabs of one server share.
  */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { editing } from "./editing.js";
 import { sendParts } from "../../ui/kept/links.js";
-import { sight } from "../../stage/overlay.js";
+import { sight } from "../../stage/sight.js";
 import { worldAt } from "../../stage/screen.js";
 
 const STORED = "softrod-clipboard";
@@ -44,7 +44,7 @@ export function pasteHere(text) {
 
 /** Begins to listen. */
 export function listenToClipboard() {
-  onTold("copied", ({ text }) => {
+  onMessage("copied", ({ text }) => {
     copied = text;
     try {
       localStorage.setItem(STORED, text);

@@ -92,7 +92,7 @@ class Edits:
             self._session.post(
                 commands.Change(lambda moment, _: texts.set_texts(moment.scene, ask.name, ask.description))
             )
-        self._mail.tell(TextsTaken(refused=refused))
+        self._mail.send(TextsTaken(refused=refused))
 
     def paste(self, message: str) -> None:
         """Paste copied parts; in a thread, since the text may be long.
@@ -122,9 +122,9 @@ class Edits:
         session, versions = self._session, self._session.versions
         if session.selection is not self._selected:
             self._selected = session.selection
-            self._mail.tell(Selected(*(tuple(sorted(parts)) for parts in self._selected)))
+            self._mail.send(Selected(*(tuple(sorted(parts)) for parts in self._selected)))
         stiffen = (session.refusal.stiffening or 0.0) if session.refusal is not None else 0.0
-        self._mail.tell(Versions(versions.undoable, versions.redoable, len(versions), round(stiffen, 3)))
+        self._mail.send(Versions(versions.undoable, versions.redoable, len(versions), round(stiffen, 3)))
         if session.playing and self._drew and not self._offered:
             self._offered = True
             self._notify(Notice("info", "It sags?", OFFER))
@@ -133,7 +133,7 @@ class Edits:
             moment = session.simulation.capture()
             try:
                 fragment = _copy(moment, masses_of(moment.scene, session.selection))
-                self._mail.tell(Copied(text=copying.encode(fragment)))
+                self._mail.send(Copied(text=copying.encode(fragment)))
             except SceneError as error:
                 self._notify(Notice("error", "That cannot be copied", str(error)))
 

@@ -4,16 +4,16 @@
  * that nothing lags; the server makes the edit.
  */
 import { onPicture } from "../../stage/canvas.js";
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { change, countSelected, editing, giveUp } from "./editing.js";
 import { swallow } from "../../ui/hands/keys.js";
 import { moveSelected } from "./move.js";
-import { sight } from "../../stage/overlay.js";
+import { sight } from "../../stage/sight.js";
 import * as pick from "./pick.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { nearest } from "../../stage/screen.js";
 import { perform } from "../../wire/perform.js";
-import { viser } from "../../ui/viser/viser.js";
+import { viserCanvas } from "../../ui/viser/viser.js";
 
 /**
  * @typedef {import("./pick.js").Place} Place
@@ -52,7 +52,7 @@ const placeOf = ({ clientX, clientY }) => ({ x: clientX, y: clientY });
 
 /** @param {PointerEvent} event */
 function down(event) {
-  const { canvas } = viser() ?? {};
+  const canvas = viserCanvas();
   if (passing || !editing.on || event.target !== canvas || !canvas) return;
   if (press.id >= 0 && event.pointerType === "pen") drop(); // a resting hand gives way to the pen
   if (press.id >= 0) {
@@ -112,7 +112,7 @@ function move(event) {
   if (!editing.on || passing) return;
   const at = placeOf(event);
   if (press.id < 0) {
-    const over = event.target === viser()?.canvas && event.pointerType !== "touch" && event.buttons === 0;
+    const over = event.target === viserCanvas() && event.pointerType !== "touch" && event.buttons === 0;
     if (over || editing.hover) hover(over ? at : null);
     return;
   }
@@ -327,7 +327,7 @@ export function stepBack(what) {
 // ------------------------------------------------------------------------- events
 /** Selects what the second button is released over. @param {MouseEvent & {pointerType?: string}} event */
 function openMenu(event) {
-  if (!editing.on || event.target !== viser()?.canvas) return;
+  if (!editing.on || event.target !== viserCanvas()) return;
   if (press.id >= 0) {
     swallow(event);
     return;
@@ -348,7 +348,7 @@ export function listenToEdits() {
   window.addEventListener("lostpointercapture", ({ pointerId }) => pointerId === press.id && drop(), true);
   document.addEventListener("pointerout", ({ relatedTarget }) => editing.hover && press.id < 0 && !relatedTarget && hover(null));
   window.addEventListener("contextmenu", openMenu, true);
-  onTold("selected", ({ masses, springs, joints }) => {
+  onMessage("selected", ({ masses, springs, joints }) => {
     const { chaining, chain } = editing;
     change({
       selected: { masses, springs, joints },
@@ -356,7 +356,7 @@ export function listenToEdits() {
       chaining: false,
     });
   });
-  onTold("versions", ({ undo, redo, stiffen }) => {
+  onMessage("versions", ({ undo, redo, stiffen }) => {
     if (redo && redo !== editing.redo) giveUp(); // undone elsewhere: as in `stepBack`
     change({ undo, redo, stiffen });
   });
@@ -366,9 +366,9 @@ export function listenToEdits() {
     if (radius.length < masses || ends.length < springs) giveUp();
     [masses, springs] = [radius.length, ends.length];
   });
-  let { scene } = told();
-  onTold("pageState", () => {
-    if (told().scene !== scene) giveUp();
-    ({ scene } = told());
+  let { scene } = pageState();
+  onMessage("pageState", () => {
+    if (pageState().scene !== scene) giveUp();
+    ({ scene } = pageState());
   });
 }

@@ -13,7 +13,8 @@ import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { commandOf } from "../../ui/hands/key_table.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
 import { moveSelected } from "./move.js";
-import { chosenMass, sight } from "../../stage/overlay.js";
+import { chosenMass } from "../../stage/overlay.js";
+import { sight } from "../../stage/sight.js";
 import { massAt } from "../../ui/hands/pointer.js";
 
 /** Factor by which an arrow key moves less with Shift. */

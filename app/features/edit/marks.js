@@ -3,11 +3,13 @@
 import { CORNER, WEDGE, armsOf, cornersOf, crossed, directionOf, distance, endsOf, knobOf, off, partAt, placeOf, restAt, snapped, springsOf, turnable, turnTo } from "./pick.js";
 import { editing, onEditing } from "./editing.js";
 import { wrapped } from "../../stage/draw.js";
-import { degrees, makeSvg, onSight, putUp, set, sight } from "../../stage/overlay.js";
+import { insertMarksLayer, onMarksRedraw, sight } from "../../stage/sight.js";
+import { makeSvg, set } from "../../stage/svg.js";
+import { degrees } from "../../stage/measures.js";
 import { massAt } from "../../ui/hands/pointer.js";
 
 /**
- * @typedef {import("../../stage/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/sight.js").Sight} Sight
  * @typedef {import("./pick.js").Parts} Parts
  * @typedef {import("./pick.js").Place} Place
  */
@@ -45,7 +47,7 @@ export function addEditMarks() {
   const paths = KINDS.map((kind) => makeSvg("path", `softrod-edit-${kind}`, svg));
   const words = makeSvg("text", "", svg);
   let empty = true;
-  putUp(svg);
+  insertMarksLayer(svg);
 
   /** @param {Sight} seen */
   const draw = (seen) => {
@@ -55,7 +57,7 @@ export function addEditMarks() {
     writeRestAngle(seen, words);
     empty = !editing.on;
   };
-  onSight(draw);
+  onMarksRedraw(draw);
   let asked = false;
   onEditing(() => {
     if (asked) return;

@@ -1,6 +1,6 @@
 // @ts-check
 /** Moves the selection. Whether its springs take their new lengths as rest lengths is asked once per tab. */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { wireNumber } from "../../stage/screen.js";
 import { make, makeButton, makeDialog } from "../../ui/dialog.js";
 import { change } from "./editing.js";
@@ -39,10 +39,10 @@ export function moveSelected(x, y, how = {}) {
 
 function makeQuestion() {
   const { dialog, body } = makeDialog("Moved masses", "softrod-moved");
-  let { scene } = told();
-  onTold("pageState", () => {
-    if (told().scene !== scene) dialog.close(); // it is about another body
-    ({ scene } = told());
+  let { scene } = pageState();
+  onMessage("pageState", () => {
+    if (pageState().scene !== scene) dialog.close(); // it is about another body
+    ({ scene } = pageState());
   });
   /** @param {string} text @param {boolean} rest @param {string} [name] of its class */
   const answer = (text, rest, name) =>

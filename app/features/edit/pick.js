@@ -3,16 +3,17 @@
  * Where things are on the screen, for an edit: what is under the pointer, corners, the rest angles of joints, the grid.
  * Directions are in degrees, anticlockwise from the right.
  *
- * @typedef {import("../../stage/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/sight.js").Sight} Sight
  * @typedef {{x: number, y: number}} Place pixels
  * @typedef {{masses: number[], springs: number[], joints: number[]}} Parts
  */
 import { gridStep } from "../../stage/environment.js";
 import { shown } from "../../stage/canvas.js";
-import { told } from "../../wire/channel.js";
+import { pageState } from "../../wire/channel.js";
 import { wrapped } from "../../stage/draw.js";
 import { editing } from "./editing.js";
-import { jointAngles, sight } from "../../stage/overlay.js";
+import { sight } from "../../stage/sight.js";
+import { jointAngles } from "../../stage/measures.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { wireNumber, worldAt } from "../../stage/screen.js";
 
@@ -228,7 +229,7 @@ export function knobAt(at, kind) {
 export function step() {
   const { plan, on } = sight() ?? {};
   if (!plan || !on) return 1;
-  return gridStep(Math.max(told().width ?? 0, told().height ?? 0) / plan.scale, plan.scale * on.step);
+  return gridStep(Math.max(pageState().width ?? 0, pageState().height ?? 0) / plan.scale, plan.scale * on.step);
 }
 
 /** The nearest crossing of the grid's lines. @param {Place} at @param {boolean} isFree off the grid */

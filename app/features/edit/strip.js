@@ -1,6 +1,6 @@
 // @ts-check
 /** The strip of tools at the left of the canvas, and the bar with what can be done to the selection. */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { copySelection, pasteHere } from "./clipboard.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { make, makeButton } from "../../ui/dialog.js";
@@ -9,9 +9,9 @@ import { change, countSelected, editing, isEditable, onEditing, setEditing, setT
 import { withKey } from "../../ui/hands/key_table.js";
 import { hasWords, larger } from "../../ui/looks.js";
 import { setTakesNewLengths, takesNewLengths } from "./move.js";
-import { floorOf, onSight } from "../../stage/overlay.js";
+import { floorOf, onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
-import { viser } from "../../ui/viser/viser.js";
+import { canvasBox } from "../../ui/viser/viser.js";
 
 /** @typedef {import("../../wire/wire.js").Act["what"]} Action */
 
@@ -145,7 +145,7 @@ class EditStrip {
   }
 
   place() {
-    const canvas = viser()?.canvas?.getBoundingClientRect();
+    const canvas = canvasBox();
     if (!canvas || this.strip.hidden) return;
     const { on, selected } = editing;
     const { strip, bar, count } = this;
@@ -193,11 +193,11 @@ export function addEditStrip(tracing) {
     [shown, selected] = [now, editing.selected];
     strip.show();
   });
-  onTold("pageState", () => {
+  onMessage("pageState", () => {
     if (editing.on && !isEditable()) change({ on: false });
     strip.show();
   });
-  onSight(() => strip.place()); // after the scale bar
+  onMarksRedraw(() => strip.place()); // after the scale bar
   window.addEventListener("resize", () => strip.place());
   strip.show();
 }

@@ -3,7 +3,7 @@
  * The form for the scene's name and description, in the place of the description. What a user wrote is shown as text,
  * never as HTML, and stays in the form until the server has accepted it.
  */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 
 /** Limits of a scene's file, see `Scene`. */
@@ -23,7 +23,7 @@ function labelled(text, field, max) {
 }
 
 /** Identifies the open scene. */
-const openScene = () => `${told().page}.${told().scene}`;
+const openScene = () => `${pageState().page}.${pageState().scene}`;
 
 class TextsForm {
   /** The scene that the form is for; empty while it is closed. */
@@ -58,7 +58,7 @@ class TextsForm {
 
   open() {
     this.scene = openScene();
-    this.name.value = told().title ?? "";
+    this.name.value = pageState().title ?? "";
     this.description.value = document.querySelector("#softrod-about > p")?.textContent ?? "";
     this.refused.textContent = "";
     this.place();
@@ -95,7 +95,7 @@ export function addTexts() {
   document.addEventListener("click", ({ target }) => {
     if (target instanceof Element && target.closest(".softrod-edit-texts")) texts.open();
   });
-  onTold("textsTaken", ({ refused }) => texts.take(refused));
-  onTold("pageState", () => texts.scene && texts.scene !== openScene() && texts.close());
+  onMessage("textsTaken", ({ refused }) => texts.take(refused));
+  onMessage("pageState", () => texts.scene && texts.scene !== openScene() && texts.close());
   setInterval(() => texts.place(), CHECK_EVERY);
 }

@@ -10,11 +10,11 @@ import { make, makeButton } from "../../ui/dialog.js";
 import { editing, onEditing } from "./editing.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
-import { makeSvg, set } from "../../stage/overlay.js";
+import { makeSvg, set } from "../../stage/svg.js";
 import { screen } from "../../ui/viser/screen.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { onUnderlay } from "../../stage/underlay.js";
-import { viser } from "../../ui/viser/viser.js";
+import { viser, viserCanvas } from "../../ui/viser/viser.js";
 
 const STORED = "softrod-picture";
 /** Pixels of the longer side, at most: the storage has room for some megabytes. */
@@ -186,7 +186,7 @@ class Tracing {
     /** @type {{id: number, x: number, y: number, from: {x: number, y: number}} | null} */
     let hold = null;
     window.addEventListener("pointerdown", (event) => {
-      const { canvas } = viser() ?? {};
+      const canvas = viserCanvas();
       if (!this.moving || !this.picture || !canvas || event.target !== canvas || event.button !== 0 || hold) return;
       swallow(event);
       canvas.setPointerCapture(event.pointerId);

@@ -9,11 +9,11 @@
  * @typedef {import("../../ui/viser/viser.js").Renderer} Renderer
  */
 import { hold } from "../../stage/canvas.js";
-import { told } from "../../wire/channel.js";
-import { SVG } from "../../stage/overlay.js";
+import { pageState } from "../../wire/channel.js";
+import { SVG } from "../../stage/svg.js";
 import { timeNow } from "../../ui/clock.js";
 import { download } from "../../ui/download.js";
-import { viser } from "../../ui/viser/viser.js";
+import { viser, viserCanvas } from "../../ui/viser/viser.js";
 import { PANEL } from "../../ui/viser/widgets.js";
 
 /** Pixels of a picture for a pixel of the page, at least. */
@@ -149,7 +149,7 @@ async function taking(canvas, fine) {
 
 /** @returns {Promise<HTMLCanvasElement>} */
 async function picture() {
-  const canvas = viser()?.canvas;
+  const canvas = viserCanvas();
   if (!canvas) throw new Error("there is no canvas");
   const { width, height } = canvas.getBoundingClientRect();
   const fine = Math.min(Math.max(FINE, devicePixelRatio), LARGEST / Math.max(width, height));
@@ -174,7 +174,7 @@ async function picture() {
   to.globalAlpha = 1;
   to.fillStyle = color("text");
   to.font = "600 18px system-ui, sans-serif";
-  to.fillText(told().title ?? "", 18, 32);
+  to.fillText(pageState().title ?? "", 18, 32);
   to.font = "14px system-ui, sans-serif";
   to.fillText(`t = ${time.toFixed(2)} s`, 18, 54);
   return result;
@@ -190,7 +190,7 @@ export async function takePicture() {
     const made = await picture();
     const file = await new Promise((/** @type {BlobCallback} */ done) => made.toBlob(done, "image/png"));
     if (!file) throw new Error("the picture could not be packed");
-    download(file, `${(told().title ?? "").replace(/[^\p{L}\p{N} ._-]+/gu, "-").slice(0, 80) || "softrod"}.png`);
+    download(file, `${(pageState().title ?? "").replace(/[^\p{L}\p{N} ._-]+/gu, "-").slice(0, 80) || "softrod"}.png`);
   } finally {
     busy = false;
   }

@@ -1,6 +1,6 @@
 // @ts-check
 /** The dialog with an address of the scene, and its QR code. */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { make, makeButton, makeDialog } from "../../ui/dialog.js";
 
 /** Characters from which on a link may be cut: by some e-mail programs, and by messengers. */
@@ -108,7 +108,7 @@ export function addShareDialog() {
     copy.focus();
     renew();
   };
-  onTold("link", ({ link, qr, problem }) => {
+  onMessage("link", ({ link, qr, problem }) => {
     field.value = link;
     field.rows = kind.isShort() ? 2 : 4;
     field.classList.toggle("softrod-short", kind.isShort());

@@ -15,7 +15,7 @@ from sim.store.link import PATH, pack_scene
 
 from ...linking import short_address
 from ...session.notices import Notice
-from ...ui.board import foremost
+from ...ui.board import main_settings
 from ...ui.page import Page
 from .messages import Link, Share
 
@@ -45,9 +45,9 @@ class Sharing:
             scene = self._session.snapshot(self._session.scene.name, ask.pose)
             link = self._link(scene, ask)
         except (InputError, SceneError) as error:
-            self._mail.tell(Link(problem=str(error)))
+            self._mail.send(Link(problem=str(error)))
             return
-        self._mail.tell(Link(link=link, qr=qr_code(link) if len(link) <= MAX_IN_QR else ""))
+        self._mail.send(Link(link=link, qr=qr_code(link) if len(link) <= MAX_IN_QR else ""))
 
     def _link(self, scene: Scene, ask: Share) -> str:
         base, controls = self._for_others(ask.page), _controls(scene, ask.controls)
@@ -69,7 +69,7 @@ def _controls(scene: Scene, which: Literal["all", "play", "sliders"]) -> str:
     """The field of an address that says which controls there are; empty for those that there are anyway."""
     if which == "all":
         return ""
-    sliders = [setting.key for setting in foremost(settings_of(scene))] if which == "sliders" else []
+    sliders = [setting.key for setting in main_settings(settings_of(scene))] if which == "sliders" else []
     return f"controls={','.join(['play', *sliders])}"
 
 

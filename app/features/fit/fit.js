@@ -3,8 +3,9 @@
  * The measured places of a table: all of them small, and those of the present time larger. After a fit, also pale bodies
  * that fit the table about as well.
  */
-import { onTold } from "../../wire/channel.js";
-import { makeSvg, onSight, redrawMarks } from "../../stage/overlay.js";
+import { onMessage } from "../../wire/channel.js";
+import { onMarksRedraw, redrawMarks } from "../../stage/sight.js";
+import { makeSvg } from "../../stage/svg.js";
 
 /** Numbers of a place: time, x, y. */
 const EACH = 3;
@@ -52,7 +53,7 @@ function begin() {
   let numbers = new Float32Array();
   /** @type {Fan} */
   let fan = { numbers, draws: 0, masses: 0, rate: 0 };
-  /** @param {import("../../stage/overlay.js").Sight} seen */
+  /** @param {import("../../stage/sight.js").Sight} seen */
   const draw = ({ plan, frame, on }) => {
     if (!svg.parentNode) return;
     const scale = plan.scale * on.step;
@@ -83,15 +84,15 @@ function begin() {
     if (!any) svg.remove();
     redrawMarks();
   };
-  onTold("measured", (told) => {
+  onMessage("measured", (told) => {
     numbers = told.numbers;
     show();
   });
-  onTold("fan", (told) => {
+  onMessage("fan", (told) => {
     fan = told;
     show();
   });
-  onSight(draw);
+  onMarksRedraw(draw);
 }
 
 /** @type {import("../../ui/feature.js").Feature<"fit">} */

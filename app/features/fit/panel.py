@@ -99,7 +99,7 @@ class FitPanel:
         self.forget()
         table = tables[chosen]
         self._table, self._scene = table, self._session.scene
-        self._page.mail.tell(ShowMeasures())
+        self._page.mail.send(ShowMeasures())
         gui = self._page.client.gui
         with self._tab:
             if len(tables) > 1:
@@ -166,8 +166,8 @@ class FitPanel:
         self._which = None
         self._columns.clear()
         self._switches.clear()
-        self._page.mail.tell(Measured(numbers=NONE))
-        self._page.mail.tell(Fan(numbers=NONE))
+        self._page.mail.send(Measured(numbers=NONE))
+        self._page.mail.send(Fan(numbers=NONE))
 
     def build(self) -> None:
         """Forget the table if the scene has another body."""
@@ -228,7 +228,7 @@ class FitPanel:
             both = np.column_stack((table.time[rows[some]] - begin, places[some]))
             both = both[(np.abs(both) < 1e7).all(axis=1)]  # and no NaN, where there is no scale yet
             numbers = both.astype(np.float32).ravel()
-        self._page.mail.tell(Measured(numbers=numbers))
+        self._page.mail.send(Measured(numbers=numbers))
 
     # --------------------------------------------------------------------- the fit
     def _begin(self) -> None:
@@ -248,7 +248,7 @@ class FitPanel:
         scale = self._given_scale() if self._needs_scale(matches) else None
         self._fit.disabled = True
         self._result.content = _text("The fit begins ...")
-        self._page.mail.tell(Fan(numbers=NONE))
+        self._page.mail.send(Fan(numbers=NONE))
         scene = self._session.simulation.capture().scene
         _worker.submit(partial(self._run, table, scene, vary, texts, scale))
 
@@ -324,7 +324,7 @@ class FitPanel:
         self._result.content = _found_html(found)
         self._session.post(commands.Change(lambda moment, _: Edit("fitted", found.scene)))
         self._session.post(commands.Reset())
-        self._page.mail.tell(seen)
+        self._page.mail.send(seen)
         self._show_points()
 
 

@@ -5,7 +5,7 @@
  *
  * @typedef {import("../../wire/wire.js").Entry} Entry
  */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { copied } from "../files/share.js";
 import { make, makeButton, makeDialog } from "../../ui/dialog.js";
 import { isDark } from "../../ui/viser/widgets.js";
@@ -297,15 +297,15 @@ export let gallery;
 /** Makes the dialog, which opens when the server says so. */
 function begin() {
   gallery = new Gallery();
-  onTold("offerGallery", ({ why }) => {
+  onMessage("offerGallery", ({ why }) => {
     gallery.open();
     if (why) gallery.say(why);
   });
-  onTold("shelfChanged", () => gallery.dialog.open && gallery.list());
-  onTold("scenes", (letter) => gallery.take(letter));
-  onTold("scenePictures", ({ pictures }) => gallery.picture(pictures));
-  onTold("usedInClass", ({ address, command }) => (address ? location.assign(address) : gallery.tellCommand(command)));
-  onTold("sceneChanged", ({ text, undo }) => {
+  onMessage("shelfChanged", () => gallery.dialog.open && gallery.list());
+  onMessage("scenes", (letter) => gallery.take(letter));
+  onMessage("scenePictures", ({ pictures }) => gallery.picture(pictures));
+  onMessage("usedInClass", ({ address, command }) => (address ? location.assign(address) : gallery.tellCommand(command)));
+  onMessage("sceneChanged", ({ text, undo }) => {
     gallery.say(text, ...(undo ? [makeButton("Undo", () => send({ do: "changeScene", how: "restore", name: undo }))] : []));
     gallery.list();
   });

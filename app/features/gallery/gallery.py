@@ -56,11 +56,11 @@ class Gallery:
 
     def offer(self, why: str = "") -> None:
         """Have the page show it, with a sentence that says why, if there is one."""
-        self._mail.tell(OfferGallery(why=why))
+        self._mail.send(OfferGallery(why=why))
 
     def changed(self) -> None:
         """Have the page ask for the scenes again, if it shows them."""
-        self._mail.tell(ShelfChanged())
+        self._mail.send(ShelfChanged())
 
     def open(self, ask: OpenScene) -> None:
         """Open a scene; if it cannot be read, nothing changes."""
@@ -80,7 +80,7 @@ class Gallery:
     def list(self, ask: ListScenes) -> None:
         """Send the page all scenes, then the pictures of those that are saved as they get ready."""
         scenes = self._shelf.scenes()
-        self._mail.tell(
+        self._mail.send(
             Scenes(
                 scenes=tuple(entries(scenes)),
                 present=self._session.scene.name,
@@ -93,7 +93,7 @@ class Gallery:
             if picture := _picture(info.path, ask.dark):
                 pictures[info.name] = picture
             if count % PAINTED_AT_ONCE == 0 or count == len(saved):
-                self._mail.tell(ScenePictures(pictures=pictures))
+                self._mail.send(ScenePictures(pictures=pictures))
                 pictures = {}
 
     def use_in_class(self, ask: UseInClass) -> None:
@@ -104,7 +104,7 @@ class Gallery:
         if not self._shelf.owned:
             return
         if begin is None:
-            self._mail.tell(UsedInClass(address="", command=command))
+            self._mail.send(UsedInClass(address="", command=command))
             return
         scene = self._read(ask.name, "That scene cannot be used in a class")
         if scene is None:
@@ -112,7 +112,7 @@ class Gallery:
 
         def do() -> None:
             try:
-                self._mail.tell(UsedInClass(address=begin(scene), command=command))
+                self._mail.send(UsedInClass(address=begin(scene), command=command))
             except Refused as error:
                 self._notify(Notice("error", "No class has begun", str(error)))
 
@@ -138,7 +138,7 @@ class Gallery:
                     said = f"{own_scenes.restore_user_scene(ask.name, folder)!r} is back."
         except SceneError as error:
             said = str(error)
-        self._mail.tell(SceneChanged(text=said, undo=trashed))
+        self._mail.send(SceneChanged(text=said, undo=trashed))
 
 
 def _picture(path: Path, dark: bool) -> str:

@@ -1,5 +1,5 @@
 // @ts-check
-/** Hands on the body, by keys, mouse, touch and pen. Begins after the features whose tools have keys and pointers first. */
+/** Hands on the body, by keys, mouse, touch and pen. Begins after features whose tools handle keys and pointers first. */
 import { addBodyKeys } from "../../ui/hands/body_keys.js";
 import { listenToKeys } from "../../ui/hands/keys.js";
 import { listenToPointer } from "../../ui/hands/pointer.js";

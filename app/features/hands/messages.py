@@ -1,4 +1,4 @@
-"""What a page says of its hands."""
+"""Messages about hands."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from ...wire.messages import Coordinate, Hand, Index, Key, OwnBody
 
 
 class Keys(OwnBody, frozen=True):
-    """The arrow keys that are held; repeated while any of them is."""
+    """The held arrow keys; repeated while there are any."""
 
     held: Annotated[tuple[Key, ...], Meta(max_length=4)]
 
 
 class At(OwnBody, frozen=True):
-    """Where hands are; sent at every animation frame in which one moved."""
+    """The places of hands; sent at every animation frame in which one has moved."""
 
     hands: Annotated[tuple[tuple[Hand, Coordinate, Coordinate], ...], Meta(min_length=1, max_length=10)]
 
 
 class Grab(OwnBody, frozen=True):
-    """A hand takes hold of a mass."""
+    """A hand grabs a mass."""
 
     hand: Hand
     mass: Index
@@ -31,7 +31,7 @@ class Grab(OwnBody, frozen=True):
 
 
 class Drop(OwnBody, frozen=True):
-    """A hand lets go."""
+    """A hand releases its mass."""
 
     hand: Hand
 

@@ -2,9 +2,10 @@
 /** Draws the arrows of forces, velocities and torques over the body, with a sample arrow that shows their scale. */
 import { arrow } from "../../stage/arrow_shapes.js";
 import * as arrows from "./arrows.js";
-import { onTold, told } from "../../wire/channel.js";
+import { onMessage, pageState } from "../../wire/channel.js";
 import { unpack } from "../../wire/unpack.js";
-import { makeSvg, onSight, putUp, redrawMarks, set } from "../../stage/overlay.js";
+import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
+import { makeSvg, set } from "../../stage/svg.js";
 
 /** Length of the longest arrow, as a fraction of the canvas's shorter side. */
 const LENGTH = 0.17;
@@ -20,7 +21,7 @@ const REDRAW_AFTER = 400;
 
 /**
  * @typedef {"forces" | "velocities" | "torques"} Kind
- * @typedef {import("../../stage/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/sight.js").Sight} Sight
  */
 /** @type {Record<Kind, string>} */
 const NAMES = { forces: "force", velocities: "speed", torques: "torque" };
@@ -68,7 +69,7 @@ class ArrowMarks {
     if (kind === "torques") this.drawTorques(seen, numbers, unit, end, y, 0.62 * height);
     else this.drawVectors(kind, seen, numbers, unit, end, y);
     set(this.rim, { d: (this.body.getAttribute("d") ?? "") + (this.held.getAttribute("d") ?? "") });
-    const text = `${NAMES[kind]} ${roundText(unit)} ${unitOf(kind, told().unit ?? "")}`;
+    const text = `${NAMES[kind]} ${roundText(unit)} ${unitOf(kind, pageState().unit ?? "")}`;
     if (this.words.textContent !== text) this.words.textContent = text;
     return true;
   }
@@ -102,10 +103,10 @@ export function addArrows() {
   const series = new arrows.Series();
   const marks = KINDS.map((kind) => new ArrowMarks(kind, svg));
   let redraw = 0;
-  onSight((seen) => {
+  onMarksRedraw((seen) => {
     const numbers = series.at(seen.frame.time);
     const isShown = numbers !== null && numbers.generation === seen.plan.generation;
-    if (isShown === (svg.parentNode === null)) isShown ? putUp(svg) : svg.remove();
+    if (isShown === (svg.parentNode === null)) isShown ? insertMarksLayer(svg) : svg.remove();
     if (!isShown) return;
     const height = parseFloat(getComputedStyle(svg).fontSize);
     const bar = document.querySelector(".softrod-scale")?.getBoundingClientRect();
@@ -114,7 +115,7 @@ export function addArrows() {
     clearTimeout(redraw);
     if (marks.some(({ scale }) => scale.full > 0 && scale.settling)) redraw = setTimeout(redrawMarks, REDRAW_AFTER);
   });
-  onTold("arrows", ({ numbers }) => {
+  onMessage("arrows", ({ numbers }) => {
     if (numbers.length) series.take(unpack("arrows", numbers));
     else series.clear();
     redrawMarks();

@@ -73,13 +73,13 @@ class Arrows:
         self._sent = about, numbers
         self._due = now + EVERY - 1e-3
         encoded = encode(plan, simulation.time, least, sorted(held), numbers)
-        self._mail.tell(to_page.Arrows(numbers=encoded))
+        self._mail.send(to_page.Arrows(numbers=encoded))
 
     def clear(self) -> None:
         """Remove the arrows from the page."""
         if self._sent is not None:
             self._sent = None
-            self._mail.tell(to_page.Arrows(numbers=np.zeros(0, np.float32)))
+            self._mail.send(to_page.Arrows(numbers=np.zeros(0, np.float32)))
 
 
 def _numbers(simulation: Simulation, kinds: Set[str]) -> list[Floats]:

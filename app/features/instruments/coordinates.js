@@ -1,12 +1,14 @@
 // @ts-check
 /** A small label next to a mass, the one under the pointer or the chosen one: its position and its speed. */
 import { onPicture } from "../../stage/canvas.js";
-import { told } from "../../wire/channel.js";
-import { chosenMass, makeSvg, onSight, putUp, redrawMarks, set } from "../../stage/overlay.js";
+import { pageState } from "../../wire/channel.js";
+import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
+import { makeSvg, set } from "../../stage/svg.js";
+import { chosenMass } from "../../stage/overlay.js";
 import { digits } from "./shapes.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { onTools, tools } from "./tools.js";
-import { viser } from "../../ui/viser/viser.js";
+import { viserCanvas } from "../../ui/viser/viser.js";
 
 /** Simulated seconds between two pictures beyond which they give no speed. */
 const MAX_INTERVAL = 0.1;
@@ -38,20 +40,20 @@ export function addCoordinates() {
     last = frame;
   });
   window.addEventListener("pointermove", (event) => {
-    if (!tools().coordinates || event.buttons || event.target !== viser()?.canvas) return;
+    if (!tools().coordinates || event.buttons || event.target !== viserCanvas()) return;
     const mass = massAt({ x: event.clientX, y: event.clientY }, event.pointerType);
     if (mass === under) return;
     under = mass;
     redrawMarks();
   }, { capture: true, passive: true });
-  onSight(({ plan, frame, on, places, box }) => {
+  onMarksRedraw(({ plan, frame, on, places, box }) => {
     const mass = [under, chosenMass(), tools().chosen].find((each) => each >= 0 && each < plan.radius.length);
     const isShown = tools().coordinates && mass !== undefined;
-    if (isShown === (svg.parentNode === null)) isShown ? putUp(svg) : svg.remove();
+    if (isShown === (svg.parentNode === null)) isShown ? insertMarksLayer(svg) : svg.remove();
     if (!isShown) return;
     const [x, y] = places.subarray(2 * mass, 2 * mass + 2);
     const radius = plan.radius[mass] * on.step;
-    const unit = told().unit ?? "";
+    const unit = pageState().unit ?? "";
     const speed = speedOf(before, frame, mass);
     const [px, py] = frame.positions.subarray(2 * mass, 2 * mass + 2);
     lines[0].textContent = `mass ${mass}: ${digits(px)}, ${digits(py)} ${unit}`;

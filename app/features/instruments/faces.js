@@ -7,11 +7,11 @@
  * @typedef {import("./shapes.js").Place} Place
  * @typedef {import("./shapes.js").Placed} Placed
  * @typedef {import("./shapes.js").Kind} Kind
- * @typedef {import("../../stage/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/sight.js").Sight} Sight
  */
-import { told } from "../../wire/channel.js";
+import { pageState } from "../../wire/channel.js";
 import { digits, protractorReading, rulerReading, ticks, watchReading } from "./shapes.js";
-import { makeSvg, set } from "../../stage/overlay.js";
+import { makeSvg, set } from "../../stage/svg.js";
 import { timeNow } from "../../ui/clock.js";
 
 /** Pixels between a point and its grip. */
@@ -127,7 +127,7 @@ class Ruler extends LineFace {
     set(this.marks, { d: `M${text(ends[0])}L${text(ends[1])}${ticks(a, b, normal, scale)}` });
     this.putGrips(placed, ends);
     const { length, dx, dy } = rulerReading(a, b, scale, plan.flip);
-    const lines = [`${digits(length)} ${told().unit ?? ""}`, `Δx ${digits(dx)}  Δy ${digits(dy)}`];
+    const lines = [`${digits(length)} ${pageState().unit ?? ""}`, `Δx ${digits(dx)}  Δy ${digits(dy)}`];
     this.writeLines(lines, beyond({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }, normal, WIDTH + size), normal, size);
     return `${lines[0]}, ${lines[1].replace("  ", ", ")}`;
   }

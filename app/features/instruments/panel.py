@@ -115,4 +115,4 @@ class ToolsPanel:
             chosen=-1 if self._chosen is None else self._chosen,
             coordinates=bool(self._coordinates.value),
         )
-        self._mail.tell(tools)
+        self._mail.send(tools)

@@ -5,22 +5,23 @@
  *
  * @typedef {import("./shapes.js").Kind} Kind
  * @typedef {import("./shapes.js").Place} Place
- * @typedef {import("../../stage/overlay.js").Sight} Sight
+ * @typedef {import("../../stage/sight.js").Sight} Sight
  * @typedef {import("./shapes.js").Placed & {face: import("./faces.js").Face}} Instrument
  */
 import { Box } from "./box.js";
 import { NAMES, newFace } from "./faces.js";
 import * as shapes from "./shapes.js";
-import { has, onTold } from "../../wire/channel.js";
+import { has, onMessage } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { make } from "../../ui/dialog.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { printed } from "../../ui/hands/key_table.js";
 import { isFree } from "../../ui/hands/keys.js";
-import { makeSvg, onSight, redrawMarks, sight } from "../../stage/overlay.js";
+import { onMarksRedraw, redrawMarks, sight } from "../../stage/sight.js";
+import { makeSvg } from "../../stage/svg.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { timeNow } from "../../ui/clock.js";
-import { viser } from "../../ui/viser/viser.js";
+import { viserCanvas } from "../../ui/viser/viser.js";
 
 const STORED = "softrod-instruments";
 /** Pixels by which an arrow key moves a point. */
@@ -58,7 +59,7 @@ class Instruments {
     // The wheel zooms, whatever is under it.
     this.svg.addEventListener("wheel", (event) => {
       event.preventDefault();
-      viser()?.canvas?.dispatchEvent(new WheelEvent("wheel", event));
+      viserCanvas()?.dispatchEvent(new WheelEvent("wheel", event));
     });
   }
 
@@ -243,7 +244,7 @@ export function addInstruments() {
     if (index < 0 || event.repeat || event.shiftKey || !isFree(event)) return;
     if (instruments.pressWatch(index)) event.preventDefault();
   });
-  onSight((seen) => instruments.look(seen));
+  onMarksRedraw((seen) => instruments.look(seen));
   setInterval(() => {
     const watch = instruments.placed.get("stopwatch");
     if (watch?.watch?.since != null) instruments.draw(watch);
@@ -253,7 +254,7 @@ export function addInstruments() {
     instruments.box.element.hidden = !isOffered;
     instruments.svg.style.display = isOffered ? "" : "none";
   };
-  onTold("pageState", show);
+  onMessage("pageState", show);
   show();
   for (const { kind, points, watch } of shapes.restored(kept(STORED))) instruments.add(kind, points, watch);
   instruments.seen = sight();

@@ -1,6 +1,6 @@
 // @ts-check
 /** What is measured on the canvas: the state of the switches of the Measure tab (panel.py). */
-import { onTold } from "../../wire/channel.js";
+import { onMessage } from "../../wire/channel.js";
 
 /** @typedef {import("../../wire/wire.js").Tools} Tools */
 
@@ -17,7 +17,7 @@ export const onTools = (listener) => listeners.push(listener);
 
 /** Begins to receive it. */
 export const hearTools = () =>
-  onTold("tools", (now) => {
+  onMessage("tools", (now) => {
     state = now;
     for (const call of listeners) call();
   });

@@ -1,8 +1,9 @@
 // @ts-check
 /** The paths of some masses during the last seconds, from the positions that the page receives anyway. */
-import { onTold, told } from "../../wire/channel.js";
+import { onMessage, pageState } from "../../wire/channel.js";
 import { onFrame, shown } from "../../stage/canvas.js";
-import { makeSvg, onSight, redrawMarks, set } from "../../stage/overlay.js";
+import { onMarksRedraw, redrawMarks } from "../../stage/sight.js";
+import { makeSvg, set } from "../../stage/svg.js";
 import { onTools, tools } from "./tools.js";
 import { timeNow } from "../../ui/clock.js";
 
@@ -90,7 +91,7 @@ class Trace {
     });
   }
 
-  /** @param {number} mass @param {import("../../stage/overlay.js").Sight} seen */
+  /** @param {number} mass @param {import("../../stage/sight.js").Sight} seen */
   draw(mass, { plan, frame, on }) {
     const scale = plan.scale * on.step;
     const [x, y] = frame.positions.subarray(2 * mass, 2 * mass + 2);
@@ -128,12 +129,12 @@ export function addTraces() {
     record(shown().frame);
     redrawMarks();
   });
-  let { scene } = told();
-  onTold("pageState", () => {
-    if (told().scene !== scene) [...traces.keys()].forEach(remove);
-    ({ scene } = told());
+  let { scene } = pageState();
+  onMessage("pageState", () => {
+    if (pageState().scene !== scene) [...traces.keys()].forEach(remove);
+    ({ scene } = pageState());
   });
   onFrame(record);
-  onSight((seen) => traces.forEach((trace, mass) => trace.draw(mass, seen)));
-  setInterval(() => traces.size && told().rest && redrawMarks(), FADE_EVERY);
+  onMarksRedraw((seen) => traces.forEach((trace, mass) => trace.draw(mass, seen)));
+  setInterval(() => traces.size && pageState().rest && redrawMarks(), FADE_EVERY);
 }

@@ -5,7 +5,7 @@
  * @typedef {import("./run.js").Given} Given
  * @typedef {LessonRun<import("./run.js").Step, Given>} Run
  */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { perform } from "../../wire/perform.js";
 import { kept, store } from "../../ui/kept/storage.js";
@@ -71,7 +71,7 @@ function take({ steps }) {
  * the middle of.
  */
 function beginPresent() {
-  const { page, scene, lesson } = told();
+  const { page, scene, lesson } = pageState();
   const opening = `${page}.${scene}`;
   // Its tab is not there while it is being made.
   if (page && lesson === undefined) begunIn = "";
@@ -91,8 +91,8 @@ function beginPresent() {
 function begin() {
   card = make("section", "softrod-lesson");
   card.ariaLabel = "Lesson";
-  onTold("lesson", take);
-  onTold("pageState", beginPresent);
+  onMessage("lesson", take);
+  onMessage("pageState", beginPresent);
   setInterval(() => {
     const place = document.getElementById("softrod-lesson");
     if (place && card.parentElement !== place) place.replaceChildren(card);

@@ -64,7 +64,7 @@ class LessonPanel:
             self._text.content = PLACE if lesson else ""
         if lesson is not None:
             steps = (LessonStep(step.title, step.do, step.watch, step.question) for step in lesson.steps)
-            self._page.mail.tell(LessonState(steps=tuple(steps)))
+            self._page.mail.send(LessonState(steps=tuple(steps)))
         specs = tuple(map(parse_plot, (self.step.plots or ()) if self.step else ()))
         if specs != self.plots.specs:
             self.plots.remember(specs)

@@ -135,10 +135,10 @@ class LessonMaker:
                 steps,
                 tuple(describe_settings(scene, step.settings) for step in steps),
             )
-        self._mail.tell(LessonForm(open=self._open, trying=self._trying, steps=steps, begins=self._begins))
+        self._mail.send(LessonForm(open=self._open, trying=self._trying, steps=steps, begins=self._begins))
         if self._page.makes_lesson and self._session.now() >= self._due:
             self._due = self._session.now() + OFFERS_EVERY
-            self._mail.tell(self._offers())
+            self._mail.send(self._offers())
 
     # --------------------------------------------------------------------- inside
     def _show(self, on: bool) -> None:
@@ -215,7 +215,7 @@ class LessonMaker:
             sentence = re.sub(r"^[a-z]+ ", lambda first: first[0].capitalize(), f"{match[2]}.")  # no name
             if not part:
                 self._page.notify(Notice("error", "That cannot be done", sentence))
-        self._mail.tell(LessonTaken(step=step, part=part, field=field, refused=sentence))
+        self._mail.send(LessonTaken(step=step, part=part, field=field, refused=sentence))
 
     @property
     def _arrows(self) -> tuple[str, ...]:

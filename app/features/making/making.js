@@ -3,13 +3,12 @@
  * The form in which the scene's lesson is made, next to the body: its steps in order, and the fields of the chosen one.
  * The server has the lesson, with undo; the form shows what the server has.
  */
-import { onTold, send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { beginNextAt } from "../lesson/lesson.js";
-import { viser } from "../../ui/viser/viser.js";
-import { frameOf } from "../../ui/viser/widgets.js";
+import { markCanvas } from "../../ui/viser/widgets.js";
 import { box } from "./fields.js";
 import { StepForm } from "./step_form.js";
 import { MAX_STEPS, StepList } from "./step_list.js";
@@ -154,22 +153,22 @@ class MakingForm {
   }
 
   listen() {
-    onTold("lessonForm", (lesson) => this.take(lesson));
-    onTold("lessonOffers", (offers) => {
+    onMessage("lessonForm", (lesson) => this.take(lesson));
+    onMessage("lessonOffers", (offers) => {
       this.offers = offers;
       if (this.element.parentNode) this.show();
     });
-    onTold("lessonTaken", (taken) => {
+    onMessage("lessonTaken", (taken) => {
       if (taken.step === this.at || taken.step < 0) this.fields.hear(taken);
       else if (taken.refused) this.says.textContent = `Step ${taken.step + 1}: ${taken.refused} It stays as it was.`;
     });
-    onTold("versions", ({ undo, redo }) => {
+    onMessage("versions", ({ undo, redo }) => {
       this.undo.disabled = !undo;
       this.redo.disabled = !redo;
       this.undo.title = undo ? `Undo: ${undo}` : "Nothing to undo";
       this.redo.title = redo ? `Redo: ${redo}` : "Nothing to redo";
     });
-    onTold("link", ({ link }) => {
+    onMessage("link", ({ link }) => {
       if (!this.wantsPhone || !link) return;
       this.wantsPhone = false;
       // At this page's own address, and without what this window has stored.
@@ -178,14 +177,13 @@ class MakingForm {
     });
     // After a reload or an outage the server has a new page, without a form.
     let page = "";
-    onTold("pageState", (state) => {
+    onMessage("pageState", (state) => {
       if (state.page === page) return;
       page = state.page;
       if (kept(STORED) === "1") send({ do: "makeLesson", on: true });
     });
     setInterval(() => {
-      const { canvas } = viser() ?? {};
-      if (this.element.parentNode && canvas) frameOf(canvas)?.setAttribute("data-softrod", "canvas");
+      if (this.element.parentNode) markCanvas();
     }, CHECK_EVERY);
   }
 }

@@ -3,7 +3,7 @@
  * Shows the Measure tab when the server asks for it, since viser cannot turn to a tab, and reports to the server whether
  * the plots are visible: they are not sent otherwise.
  */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { readPhases } from "./phase.js";
 import { tabOf } from "../../ui/viser/widgets.js";
 
@@ -18,9 +18,9 @@ const titles = () => [...document.querySelectorAll(".softrod-plot-title")];
 function begin() {
   readPhases();
   // Legends then read later values, too.
-  onTold("pageState", ({ scrubbed = false }) => document.documentElement.toggleAttribute("data-softrod-past", scrubbed));
-  onTold("showMeasures", () => {
-    const { measuring = "" } = told();
+  onMessage("pageState", ({ scrubbed = false }) => document.documentElement.toggleAttribute("data-softrod-past", scrubbed));
+  onMessage("showMeasures", () => {
+    const { measuring = "" } = pageState();
     const count = titles().length;
     const tab = measuring && tabOf(measuring);
     if (!(tab instanceof HTMLElement)) return;
@@ -49,8 +49,8 @@ function reportVisibility() {
   /** @type {"measure" | "lesson" | "" | null} */
   let reported = null;
   setInterval(() => {
-    if (told().page !== page) {
-      page = told().page;
+    if (pageState().page !== page) {
+      page = pageState().page;
       reported = null;
     }
     // What is in a hidden tab or a folded panel has no box on the screen.

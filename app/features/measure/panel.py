@@ -124,7 +124,7 @@ class MeasurePanel:
     # --------------------------------------------------------------------- plots
     def _add_chosen(self) -> None:
         over = self._over.value
-        self._page.mail.tell(ShowMeasures())
+        self._page.mail.send(ShowMeasures())
         self.plots.add(PlotSpec((self._chosen,), "" if over in TIME else over))
 
     def plot_angle(self) -> None:
@@ -133,7 +133,7 @@ class MeasurePanel:
         if not session.scene.angular_springs:
             self._page.notify(Notice("warning", "Nothing to plot", "This scene has no joints."))
             return
-        self._page.mail.tell(ShowMeasures())
+        self._page.mail.send(ShowMeasures())
         spec = PlotSpec((f"joint{session.joint}.angle",))
         if spec not in self.plots.specs:
             self.plots.add(spec)

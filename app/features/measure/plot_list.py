@@ -111,7 +111,7 @@ class _OpenPlot:
         # At the nearest later sample: values between two samples are unknown.
         places = np.minimum(np.searchsorted(rows[:, 0], times), len(rows) - 1)
         values = tuple(float(v) if np.isfinite(v) else None for v in rows[places, 1])
-        self._page.mail.tell(Melody(name=quantity.name, unit=quantity.unit, values=values))
+        self._page.mail.send(Melody(name=quantity.name, unit=quantity.unit, values=values))
 
     def _send(self, suffix: str, data: bytes) -> None:
         name = f"{self._page.session.scene.name}-{self.plot.spec.names[0]}{suffix}"

@@ -121,18 +121,18 @@ class ModesFeature(Feature):
         if watch is None:
             if self._on:
                 self._on, self._shapes, self._sent = False, -1, None
-                self.page.mail.tell(messages.ModeShapes(numbers=np.zeros(0, np.float32)))
-                self.page.mail.tell(messages.Modes())
+                self.page.mail.send(messages.ModeShapes(numbers=np.zeros(0, np.float32)))
+                self.page.mail.send(messages.Modes())
             return
         self._on = True
         modes, drive = watch.found, session.driving.drive
         if modes is None:
             self._shapes, self._sent = -1, None
-            self.page.mail.tell(messages.Modes(on=True, number=watch.number, trouble=watch.trouble))
+            self.page.mail.send(messages.Modes(on=True, number=watch.number, trouble=watch.trouble))
             return
         if self._shapes != watch.number:
             self._shapes, self._sent = watch.number, None
-            self.page.mail.tell(messages.ModeShapes(numbers=encode_shapes(watch.number, modes)))
+            self.page.mail.send(messages.ModeShapes(numbers=encode_shapes(watch.number, modes)))
         state = messages.Modes(
             on=True,
             number=watch.number,
@@ -142,7 +142,7 @@ class ModesFeature(Feature):
             full=_rounded(watch.full),
             driven=-1 if drive is None or drive.let_go < math.inf else drive.mode,
         )
-        self.page.mail.tell(state)
+        self.page.mail.send(state)
         self._tell_levels(session, modes)
 
     def _tell_levels(self, session: Session, modes: Modes) -> None:
@@ -176,7 +176,7 @@ class ModesFeature(Feature):
                 self._sent = number, simulation.time, before
                 return
         self._sent = watch.number, simulation.time, numbers
-        self.page.mail.tell(messages.ModeLevels(numbers=numbers))
+        self.page.mail.send(messages.ModeLevels(numbers=numbers))
 
 
 def encode_shapes(number: int, modes: Modes) -> NDArray[np.float32]:

@@ -3,7 +3,7 @@
 import { loudspeaker } from "./sound.js";
 import { few } from "./shapes.js";
 import { melodyOf } from "./tones.js";
-import { onTold } from "../../wire/channel.js";
+import { onMessage } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 
 /** Seconds of a plot. */
@@ -19,7 +19,7 @@ export function listenToMelodies() {
   document.body.append(live);
   /** @type {OscillatorNode | null} */
   let before = null;
-  onTold("melody", ({ name, unit, values }) => {
+  onMessage("melody", ({ name, unit, values }) => {
     const numbers = values.map((value) => value ?? Number.NaN);
     const finite = numbers.filter(Number.isFinite);
     if (!finite.length) {

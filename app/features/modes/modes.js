@@ -7,7 +7,7 @@ import { listenToMelodies } from "./melody.js";
 import { ShapeMarks } from "./shape_marks.js";
 import { few, percent, readLevels, readShapes } from "./shapes.js";
 import { addSound, toggleSound } from "./sound.js";
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { makeStrip } from "../../ui/strip.js";
@@ -76,12 +76,12 @@ class ModeStrip {
     setInterval(() => this.driven >= 0 && send({ do: "driveMode", mode: this.driven }), REPEAT);
     window.addEventListener("blur", () => this.drive(-1));
     document.addEventListener("visibilitychange", () => this.drive(-1));
-    onTold("modes", (told) => this.take(told));
-    onTold("modeShapes", ({ numbers }) => {
+    onMessage("modes", (told) => this.take(told));
+    onMessage("modeShapes", ({ numbers }) => {
       this.shapes = readShapes(numbers);
       this.look();
     });
-    onTold("modeLevels", ({ numbers }) => {
+    onMessage("modeLevels", ({ numbers }) => {
       this.levels = readLevels(numbers);
       this.sound.hear(this.levels);
       this.drawLevels();
@@ -129,7 +129,7 @@ class ModeStrip {
   /** The amplitude of a mode; 0 if it cannot be seen. @param {number} i */
   inUnits(i) {
     const level = this.level(i);
-    return `${level < 1e-3 ? 0 : few(level * (this.modes.full?.[i] ?? 0), 2)} ${told().unit ?? ""}`;
+    return `${level < 1e-3 ? 0 : few(level * (this.modes.full?.[i] ?? 0), 2)} ${pageState().unit ?? ""}`;
   }
 
   /** @param {number} i */

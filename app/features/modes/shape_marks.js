@@ -1,7 +1,8 @@
 // @ts-check
 /** The shape of a mode over the body: it swings, its nodes stand still, and lines show how far its antinodes go. */
 import { posed } from "./shapes.js";
-import { makeSvg, putUp, set, sight } from "../../stage/overlay.js";
+import { insertMarksLayer, sight } from "../../stage/sight.js";
+import { makeSvg, set } from "../../stage/svg.js";
 import { onScreen } from "../../stage/screen.js";
 
 /** @typedef {import("./shapes.js").Shapes} Shapes */
@@ -57,13 +58,13 @@ export class ShapeMarks {
     const { shapes, frames } = this.source();
     const seen = sight();
     if (shapes?.modes[this.mode] && seen && 2 * seen.plan.radius.length === shapes.rest.length) {
-      if (!this.svg.parentNode) putUp(this.svg);
+      if (!this.svg.parentNode) insertMarksLayer(this.svg);
       this.place(shapes, frames, seen);
     } else this.svg.remove();
     this.ask();
   }
 
-  /** @param {Shapes} shapes @param {Float32Array | undefined} frames @param {import("../../stage/overlay.js").Sight} seen */
+  /** @param {Shapes} shapes @param {Float32Array | undefined} frames @param {import("../../stage/sight.js").Sight} seen */
   place(shapes, frames, { plan, on }) {
     const amplitude = this.amplitude || AMPLITUDE * shapes.size;
     /** @param {number} part of the amplitude */

@@ -4,7 +4,7 @@
  * or breaks. It is off until it is turned on; browsers allow no sound before a gesture, either.
  */
 import { tonesOf } from "./tones.js";
-import { onTold, told } from "../../wire/channel.js";
+import { onMessage, pageState } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { kept, store } from "../../ui/kept/storage.js";
@@ -147,7 +147,7 @@ export function addSound() {
     if (on) {
       const { context, out } = loudspeaker();
       voices ??= new Voices(context, out);
-      broken = told().broken ?? 0;
+      broken = pageState().broken ?? 0;
     } else if (heard && voices) {
       voices.rest(heard.context.currentTime);
     }
@@ -166,7 +166,7 @@ export function addSound() {
     clicked = performance.now() / 1e3;
     click(heard.context, heard.out, seconds, loud, pitch);
   };
-  onTold("pageState", ({ playing, broken: now = 0 }) => {
+  onMessage("pageState", ({ playing, broken: now = 0 }) => {
     if (on && heard && voices && !playing) voices.rest(heard.context.currentTime);
     if (on && now > broken) knock(CRACK, 0.9, 900);
     broken = now;
@@ -182,8 +182,8 @@ export function addSound() {
     },
     /** Takes their present levels. @param {Levels} levels */
     hear({ levels, touching }) {
-      if (on && heard && voices && told().playing) {
-        voices.follow(tonesOf(frequencies, dampings, levels, told().speed ?? 1), heard.context.currentTime);
+      if (on && heard && voices && pageState().playing) {
+        voices.follow(tonesOf(frequencies, dampings, levels, pageState().speed ?? 1), heard.context.currentTime);
         if (loose && touching > TOUCH) knock(CLICK, Math.min(0.15 + Math.sqrt(touching), 1), 2400);
       }
       if (touching > TOUCH) loose = false;

@@ -1,6 +1,7 @@
 // @ts-check
 /** Marks on the body: the springs and joints of the muscles that are pointed at in the strip. */
-import { makeSvg, onSight, putUp, set, sight } from "../../stage/overlay.js";
+import { insertMarksLayer, onMarksRedraw, sight } from "../../stage/sight.js";
+import { makeSvg, set } from "../../stage/svg.js";
 
 /** @typedef {import("./marks.js").Mark} Mark */
 
@@ -14,7 +15,7 @@ export class MuscleMarks {
   marked = [];
 
   constructor() {
-    onSight((seen) => this.draw(seen));
+    onMarksRedraw((seen) => this.draw(seen));
   }
 
   /** @param {Mark[]} marks */
@@ -24,7 +25,7 @@ export class MuscleMarks {
     if (seen) this.draw(seen);
   }
 
-  /** @param {import("../../stage/overlay.js").Sight} seen */
+  /** @param {import("../../stage/sight.js").Sight} seen */
   draw({ plan, places, on }) {
     if (!this.marked.length) {
       this.svg.remove();
@@ -41,6 +42,6 @@ export class MuscleMarks {
       return !joint && 2 * part < plan.springs.length ? `M${at(plan.springs[2 * part])}L${at(plan.springs[2 * part + 1])}` : "";
     });
     set(this.path, { d: paths.join("") });
-    if (!this.svg.parentNode) putUp(this.svg);
+    if (!this.svg.parentNode) insertMarksLayer(this.svg);
   }
 }

@@ -5,18 +5,19 @@
  * muscles for the first time.
  */
 import { onPicture, shown } from "../../stage/canvas.js";
-import { has, onTold, send, told } from "../../wire/channel.js";
+import { has, onMessage, pageState, send } from "../../wire/channel.js";
 import { change, editing, onEditing } from "../edit/editing.js";
 import { beatsAt, countMuscles } from "../../stage/swing.js";
 import { makeButton } from "../../ui/dialog.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
-import { floorOf, makeSvg, set } from "../../stage/overlay.js";
+import { floorOf } from "../../stage/sight.js";
+import { makeSvg, set } from "../../stage/svg.js";
 import { makeStrip } from "../../ui/strip.js";
 import { across, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf, stepOf, wayOf, waveOf } from "./marks.js";
 import { MuscleMarks } from "./body_marks.js";
 import { timeNow } from "../../ui/clock.js";
 import { tuning } from "./tuning.js";
-import { viser } from "../../ui/viser/viser.js";
+import { canvasBox } from "../../ui/viser/viser.js";
 
 /**
  * @typedef {import("./marks.js").Mark} Mark
@@ -120,7 +121,7 @@ class MuscleStrip {
       ({ selected, on } = editing);
       this.drawMarks();
     });
-    setInterval(() => told().rest && !strip.strip.hidden && this.drawNow(), CLOCK_EVERY);
+    setInterval(() => pageState().rest && !strip.strip.hidden && this.drawNow(), CLOCK_EVERY);
   }
 
   /** Shows the muscles of another plan, or nothing. @param {import("../../stage/plan.js").Plan} plan */
@@ -129,7 +130,7 @@ class MuscleStrip {
     const isShown = this.marks.length > 0 && has("edit");
     this.strip.show(isShown);
     if (!this.fold.ariaExpanded) {
-      const canvas = viser()?.canvas?.getBoundingClientRect();
+      const canvas = canvasBox();
       this.setOpen(!canvas || floorOf(canvas) - canvas.top + this.strip.strip.offsetHeight >= MIN_ROOM);
     }
     const keys = new Set(this.marks.map(({ key }) => key));
@@ -360,7 +361,7 @@ function begin() {
     strip?.drawNow();
   };
   onPicture(look);
-  onTold("pageState", look);
+  onMessage("pageState", look);
 }
 
 /** @type {import("../../ui/feature.js").Feature<"muscles">} */

@@ -10,7 +10,7 @@ from sim.settings import CHOICES, Setting
 
 from ...session import commands
 from ...session.session import Session
-from ...ui.board import Board, dials_of, foremost
+from ...ui.board import Board, dials_of, main_settings
 from ...ui.commands import Row
 from ...ui.feature import Feature
 from ...ui.page import Page
@@ -72,8 +72,8 @@ class PlayFeature(Feature):
         touching = [key for key in TOUCH_CHOICES if CHOICES[key].applies(scene)]
         if not self._board.is_new((dials, touching)):
             return
-        named = self.page.controls.foremost(dials)
-        first = foremost(dials) if named is None else named
+        named = self.page.controls.named_settings(dials)
+        first = main_settings(dials) if named is None else named
         self._board.add_sliders(self._tab, first)
         if "body" in self.page.controls:
             others = [dial for dial in dials if dial not in first and dial.key not in ELSEWHERE]
@@ -96,7 +96,9 @@ class PlayFeature(Feature):
                 nothing = "Every mass of this scene is held."
                 if "edit" in self.page.controls:
                     nothing += " Press Edit (E) to build more, or select a mass and let it go."
-                self._board.keep(gui.add_html(f'<div class="softrod-text">{nothing}</div>', order=LAST + 3))
+                self._board.add_handles(
+                    gui.add_html(f'<div class="softrod-text">{nothing}</div>', order=LAST + 3)
+                )
                 return
             folder = gui.add_folder("All numbers", order=LAST + 3)
         self._board.add_sliders(folder, others)
@@ -108,7 +110,7 @@ class PlayFeature(Feature):
                 lambda: self.session.post(commands.RestoreSceneValues("body")),
                 order=LAST,
             )
-        self._board.keep(own_values, folder)
+        self._board.add_handles(own_values, folder)
 
     @property
     def unsettled(self) -> bool:

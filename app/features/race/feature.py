@@ -92,10 +92,10 @@ class RaceFeature(Feature):
             on_terrain(rival, session.snapshot(session.scene.name, with_pose=False))
         except (SceneError, InputError) as error:
             text = str(error)
-            self.page.mail.tell(RaceAnswer(problem=f"{text[:1].upper()}{text[1:]}."))
+            self.page.mail.send(RaceAnswer(problem=f"{text[:1].upper()}{text[1:]}."))
             return
         session.post(BeginRace(rival))
-        self.page.mail.tell(RaceAnswer(problem=""))
+        self.page.mail.send(RaceAnswer(problem=""))
 
     def _find(self, text: str) -> sim.Scene:
         """Return the scene that a text names.
@@ -121,14 +121,14 @@ class RaceFeature(Feature):
         if rival is None:
             if self._on:
                 self._on = False
-                self.page.mail.tell(Race())
+                self.page.mail.send(Race())
             return
         now = session.now()
         if now < self._due:
             return
         self._on, self._due = True, now + READ_EVERY
         one, other = rival.ways(session.simulation)
-        self.page.mail.tell(
+        self.page.mail.send(
             Race(
                 on=True,
                 names=(shown_name(session.scene), shown_name(rival.scene)),

@@ -3,8 +3,8 @@
  * The strip of a race over the bar of time: how far each body has come, which is ahead, and a start after a count-down.
  * It is made at the first race.
  */
-import { viser } from "../../ui/viser/viser.js";
-import { onTold, told } from "../../wire/channel.js";
+import { canvasBox } from "../../ui/viser/viser.js";
+import { onMessage, pageState } from "../../wire/channel.js";
 import { sendParts } from "../../ui/kept/links.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { make, makeButton } from "../../ui/dialog.js";
@@ -35,7 +35,7 @@ let race = { tell: "race" };
 /** A distance in words. @param {number} way */
 const inPx = (way) => {
   const size = Math.abs(way) < 10 ? Number(Math.abs(way).toPrecision(2)) : Math.round(Math.abs(way));
-  return `${way < 0 && size ? "−" : ""}${size} ${told().unit ?? ""}`;
+  return `${way < 0 && size ? "−" : ""}${size} ${pageState().unit ?? ""}`;
 };
 
 /** The names of both, which are made different if they are the same. @param {Race} race @returns {[string, string]} */
@@ -110,7 +110,7 @@ function makeRace() {
   const countDown = (left) => {
     count.hidden = false;
     count.textContent = left ? String(left) : "Go!";
-    const box = viser()?.canvas?.getBoundingClientRect();
+    const box = canvasBox();
     if (box) Object.assign(count.style, { left: `${box.left + box.width / 2}px`, top: `${box.top + box.height / 3}px` });
     if (!left) perform("run");
     counting = setTimeout(() => (left ? countDown(left - 1) : stopCount()), COUNT);
@@ -123,7 +123,7 @@ function makeRace() {
     countDown(3);
   };
   window.addEventListener("keydown", ({ key }) => key === "Escape" && stopCount(), true);
-  onTold("pageState", ({ playing }) => playing && counting && count.textContent !== "Go!" && stopCount());
+  onMessage("pageState", ({ playing }) => playing && counting && count.textContent !== "Go!" && stopCount());
   return (/** @type {Race} */ now) => {
     const on = now.on ?? false;
     if (strip.hidden === on) live.textContent = on ? `A race against ${namesOf(now)[1]}. ${withKey("Start", "race")}.` : "The race is left";
@@ -142,11 +142,11 @@ function makeRace() {
     if (says.textContent !== (text || "At the start")) says.textContent = text || "At the start";
     begin.textContent = begun ? "Start again" : "Start";
     rule.hidden = begun && fair;
-    if (begun && on && performance.now() - read > READ_EVERY && told().playing) {
+    if (begun && on && performance.now() - read > READ_EVERY && pageState().playing) {
       read = performance.now();
       const short = verdict(now).replace(/ by .*/, "");
       if (live.textContent !== short) live.textContent = short;
-    } else if (begun && on && !told().playing && live.textContent !== text) live.textContent = text;
+    } else if (begun && on && !pageState().playing && live.textContent !== text) live.textContent = text;
   };
 }
 
@@ -154,13 +154,13 @@ function makeRace() {
 function begin() {
   /** @type {ReturnType<typeof makeRace> | null} */
   let show = null;
-  onTold("race", (now) => {
+  onMessage("race", (now) => {
     race = now;
     if (!show && !now.on) return;
     show ??= makeRace();
     show(now);
   });
-  onTold("raceAnswer", ({ problem }) => (problem ? gallery.say(problem) : gallery.close()));
+  onMessage("raceAnswer", ({ problem }) => (problem ? gallery.say(problem) : gallery.close()));
 }
 
 /** @type {import("../../ui/feature.js").Feature<"race">} */

@@ -1,4 +1,4 @@
-"""Time: play and pause, steps, going back to what has passed, and speed."""
+"""Time: play and pause, steps, going back in time, and speed."""
 
 from __future__ import annotations
 

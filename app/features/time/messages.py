@@ -1,4 +1,4 @@
-"""What a page says of time."""
+"""Messages about time."""
 
 from __future__ import annotations
 
@@ -12,6 +12,6 @@ class GoTo(OwnBody, frozen=True):
 
 
 class Speed(OwnBody, frozen=True):
-    """How fast time goes, simulated seconds per second."""
+    """Set the speed, simulated seconds per second."""
 
     speed: Coordinate

@@ -3,18 +3,19 @@
 import { FRACTIONS, SPEEDS } from "../../stage/looks.js";
 import { onPicture } from "../../stage/canvas.js";
 import { nextStep, timeNow } from "../../ui/clock.js";
-import { has, onTold, send, told } from "../../wire/channel.js";
+import { has, onMessage, pageState, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
+import { iconHtml, make, makeButton } from "../../ui/dialog.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { perform } from "../../wire/perform.js";
 
-/** Milliseconds between two readings of the clock while the body is at rest. */
+/** Milliseconds between two updates of the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
 
 /**
- * @typedef {object} Face what a button shows
+ * @typedef {object} Face of a button
  * @property {string} icon
- * @property {string} word beside the icon, where there is room
+ * @property {string} word beside the icon, if there is room
  * @property {string} name for screen readers and the tooltip; it contains the word
  * @property {CommandName} does
  *
@@ -35,7 +36,7 @@ const FACES = {
   forward: faceOf("forward"),
 };
 
-/** What each button shows; its words may be translated. @type {WeakMap<HTMLButtonElement, Face>} */
+/** The present faces of buttons; their words may be translated in the page. @type {WeakMap<HTMLButtonElement, Face>} */
 const dressed = new WeakMap();
 
 /** @param {HTMLButtonElement} element @param {Face} face */
@@ -43,54 +44,48 @@ function dress(element, face) {
   if (dressed.get(element) === face) return;
   dressed.set(element, face);
   const { icon, word, name, does } = face;
-  element.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icon}"/></svg><span>${word}</span>`;
+  element.innerHTML = iconHtml(icon, word);
   element.ariaLabel = name;
   element.title = withKey(name, does);
 }
 
 /** @param {Face} face @param {() => void} press */
 function iconButton(face, press) {
-  const element = document.createElement("button");
-  element.type = "button";
-  element.addEventListener("click", press);
+  const element = makeButton("", press, "");
   dress(element, face);
   return element;
 }
 
 /** @param {CommandName} command */
-function offerButton(command) {
-  const element = document.createElement("button");
-  element.type = "button";
-  element.className = "softrod-offer";
-  element.textContent = COMMANDS[command].word ?? COMMANDS[command].label;
-  element.addEventListener("click", () => perform(command));
-  return element;
-}
+const offerButton = (command) =>
+  makeButton(COMMANDS[command].word ?? COMMANDS[command].label, () => perform(command), "softrod-offer");
 
+/** @type {Record<string, string>} */
+const SPEED_TEXTS = FRACTIONS;
 /** @param {number} speed */
-const speedText = (speed) => `${/** @type {Record<string, string>} */ (FRACTIONS)[speed] ?? speed}×`;
+const speedText = (speed) => `${SPEED_TEXTS[speed] ?? speed}×`;
 
-/** How fast time goes. */
+/** The list of speeds. */
 function speedBox() {
-  const select = document.createElement("select");
+  const select = make("select", "");
   select.ariaLabel = "Speed";
   select.title = "Simulated seconds per second";
   for (const value of SPEEDS) select.add(new Option(speedText(value), String(value)));
   select.addEventListener("change", () => {
     send({ do: "speed", speed: Number(select.value) });
-    // The keys are the body's again, unless somebody goes by keys.
+    // Return keyboard focus to the canvas, unless the user goes by keys.
     if (!select.matches(":focus-visible")) select.blur();
   });
   const show = () => {
-    const { speed = 1 } = told();
+    const { speed = 1 } = pageState();
     if (document.activeElement !== select) select.value = String(speed);
   };
   return { element: select, show };
 }
 
-/** The slider of time. While a finger is on it, it is the finger's. */
+/** The slider of time, which the page does not move while the user holds it. */
 function timeSlider() {
-  const slider = document.createElement("input");
+  const slider = make("input", "");
   slider.type = "range";
   slider.step = "any";
   slider.ariaLabel = "Time shown";
@@ -110,7 +105,7 @@ function timeSlider() {
   slider.addEventListener("change", () => (held = false));
   /** @param {number} now */
   const show = (now) => {
-    const { start = 0, end = 0, scrubbed } = told();
+    const { start = 0, end = 0, scrubbed } = pageState();
     const last = scrubbed ? end : Math.max(end, now);
     slider.min = String(start);
     slider.max = String(Math.max(last, start + 1e-3));
@@ -120,17 +115,13 @@ function timeSlider() {
   return { element: slider, show };
 }
 
-/** What is offered over the bar after a run that went wrong, or after going back. */
+/** Offers over the bar after a run that exploded, or after going back. */
 function offers() {
-  const line = document.createElement("div");
-  line.className = "softrod-line";
-  const before = offerButton("before");
-  const past = document.createElement("span");
-  past.className = "softrod-past";
-  const forget = offerButton("forget");
+  const line = make("div", "softrod-line");
+  const [before, past, forget] = [offerButton("before"), make("span", "softrod-past"), offerButton("forget")];
   line.append(before, past, forget);
   const show = () => {
-    const { offer, future } = told();
+    const { offer, future } = pageState();
     before.hidden = !offer;
     forget.hidden = !future;
     past.textContent = future ? "The thin line is what happened before you went back." : "";
@@ -138,10 +129,9 @@ function offers() {
   return { element: line, show };
 }
 
-/** Puts up the bar. */
+/** Adds the bar to the page. */
 function begin() {
-  const bar = document.createElement("div");
-  bar.className = "softrod-transport";
+  const bar = make("div", "softrod-transport");
   bar.setAttribute("role", "toolbar");
   bar.ariaLabel = "Time";
   const reset = iconButton(FACES.reset, () => perform("reset"));
@@ -151,29 +141,27 @@ function begin() {
   const play = iconButton(FACES.pause, () => perform("play"));
   play.classList.add("softrod-play");
   const forward = iconButton(FACES.step, () => perform(nextStep()));
-  const clock = document.createElement("output");
-  clock.className = "softrod-clock";
+  const clock = make("output", "softrod-clock");
   clock.translate = false;
   const [time, speed, line] = [timeSlider(), speedBox(), offers()];
   bar.append(reset, second, back, play, forward, time.element, clock, speed.element);
-  const dock = document.createElement("div");
-  dock.className = "softrod-dock";
+  const dock = make("div", "softrod-dock");
   dock.append(line.element, bar);
   document.body.append(dock);
 
   const show = () => {
     const now = timeNow();
-    const past = told().scrubbed;
+    const past = pageState().scrubbed;
     clock.textContent = `${now.toFixed(2)} s`;
     time.show(now);
-    dress(play, told().playing ? FACES.pause : past ? FACES.goOn : FACES.play);
+    dress(play, pageState().playing ? FACES.pause : past ? FACES.goOn : FACES.play);
     dress(forward, past ? FACES.forward : FACES.step);
     speed.show();
     line.show();
   };
   onPicture(show);
-  setInterval(() => told().rest && show(), CLOCK_EVERY);
-  onTold("pageState", () => {
+  setInterval(() => pageState().rest && show(), CLOCK_EVERY);
+  onMessage("pageState", () => {
     document.documentElement.toggleAttribute("data-softrod-no-time", !has("play"));
     show();
   });

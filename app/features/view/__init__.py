@@ -1,1 +1,1 @@
-"""How the page looks: the View menu, and the help."""
+"""The looks of the page: the View menu, and the help."""

@@ -1,4 +1,4 @@
-"""How the page looks, and the help."""
+"""The looks of the page, and the help."""
 
 from __future__ import annotations
 

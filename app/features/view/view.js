@@ -1,12 +1,12 @@
 // @ts-check
-/** The View menu over the bar of time: how the page looks, and the help. */
+/** The View menu over the bar of time: looks of the page, and the help. */
 import { fit } from "../../stage/camera.js";
 import { isChasing, toggleChase } from "../../stage/chase.js";
-import { has, onTold, told } from "../../wire/channel.js";
+import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { make, makeButton } from "../../ui/dialog.js";
+import { iconHtml, make, makeButton } from "../../ui/dialog.js";
 import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
-import { onSight } from "../../stage/overlay.js";
+import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { isDark } from "../../ui/viser/widgets.js";
 
@@ -15,7 +15,7 @@ const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 
 /**
  * @typedef {object} Entry
  * @property {import("../../wire/wire.js").CommandName} name of the command
- * @property {"view" | "modes" | "help"} part of the controls of a page without which it is left out
+ * @property {"view" | "modes" | "help"} part the control that it needs
  * @property {() => boolean} [on] of a switch
  */
 
@@ -23,90 +23,103 @@ const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 
 const ENTRIES = [
   { name: "dark", part: "view", on: isDark },
   { name: "larger", part: "view", on: isProjector },
-  { name: "meter", part: "view", on: () => told().meter ?? false },
-  { name: "gizmos", part: "view", on: () => told().gizmos ?? false },
+  { name: "meter", part: "view", on: () => pageState().meter ?? false },
+  { name: "gizmos", part: "view", on: () => pageState().gizmos ?? false },
   { name: "modes", part: "modes", on: () => document.documentElement.hasAttribute("data-softrod-modes") },
   { name: "chase", part: "view", on: isChasing },
   { name: "fit", part: "view" },
   { name: "help", part: "help" },
 ];
 
-/** Puts up the button and its menu. */
-function addMenu() {
-  const element = make("div", "softrod-menu");
-  const list = make("div", "softrod-menu-list");
-  list.id = "softrod-menu-list";
-  list.setAttribute("role", "menu");
-  list.ariaLabel = "View";
-  list.hidden = true;
-  const lid = makeButton("", () => open(list.hidden === true), "softrod-menu-lid");
-  lid.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICON}"/></svg><span>View</span>`;
-  lid.ariaLabel = "View";
-  lid.title = "View: dark, projector, help and more";
-  lid.ariaHasPopup = "menu";
-  lid.ariaExpanded = "false";
-  lid.setAttribute("aria-controls", list.id);
-  const items = ENTRIES.map((entry) => {
+/** The button and its menu. */
+class ViewMenu {
+  constructor() {
+    this.element = make("div", "softrod-menu");
+    this.list = make("div", "softrod-menu-list");
+    this.list.id = "softrod-menu-list";
+    this.list.setAttribute("role", "menu");
+    this.list.ariaLabel = "View";
+    this.list.hidden = true;
+    this.lid = makeButton("", () => this.open(this.list.hidden === true), "softrod-menu-lid");
+    this.lid.innerHTML = iconHtml(ICON, "View");
+    this.lid.ariaLabel = "View";
+    this.lid.title = "View: dark, projector, help and more";
+    this.lid.ariaHasPopup = "menu";
+    this.lid.ariaExpanded = "false";
+    this.lid.setAttribute("aria-controls", this.list.id);
+    this.items = ENTRIES.map((entry) => ({ entry, item: this.addItem(entry) }));
+    this.element.append(this.list, this.lid);
+    document.body.append(this.element);
+    this.listen();
+  }
+
+  /** @param {Entry} entry */
+  addItem(entry) {
     const item = makeButton("", () => {
       const byKeys = item.matches(":focus-visible");
-      open(false);
+      this.open(false);
       perform(entry.name);
-      // The keys are the body's again, unless somebody goes by keys.
-      if (byKeys) lid.focus();
+      // Return keyboard focus to the canvas, unless the user goes by keys.
+      if (byKeys) this.lid.focus();
     }, "");
     const { label, hint = "", shown: key = "" } = COMMANDS[entry.name];
     item.append(make("span", "softrod-menu-mark"), make("span", "", label), make("kbd", "", key));
     item.setAttribute("role", entry.on ? "menuitemcheckbox" : "menuitem");
     item.tabIndex = -1;
     item.title = hint;
-    list.append(item);
-    return { entry, item };
-  });
-  element.append(list, lid);
-  document.body.append(element);
+    this.list.append(item);
+    return item;
+  }
 
   /** @param {boolean} on */
-  function open(on) {
-    for (const { entry, item } of items) {
+  open(on) {
+    for (const { entry, item } of this.items) {
       item.hidden = !has(entry.part);
       if (entry.on) item.ariaChecked = String(entry.on());
     }
-    list.hidden = !on;
-    element.toggleAttribute("data-open", on);
-    lid.ariaExpanded = String(on);
+    this.list.hidden = !on;
+    this.element.toggleAttribute("data-open", on);
+    this.lid.ariaExpanded = String(on);
     if (!on) return;
-    keepInView(list);
-    items.find(({ item }) => !item.hidden)?.item.focus();
+    keepInView(this.list);
+    this.items.find(({ item }) => !item.hidden)?.item.focus();
   }
-  element.addEventListener("keydown", (event) => {
-    if (list.hidden) return;
+
+  /** @param {KeyboardEvent} event */
+  press(event) {
+    if (this.list.hidden) return;
     event.stopPropagation(); // viser would move the camera
-    const shown = items.filter(({ item }) => !item.hidden).map(({ item }) => item);
+    const shown = this.items.filter(({ item }) => !item.hidden).map(({ item }) => item);
     const at = shown.findIndex((item) => item === document.activeElement);
     const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
     if (event.key === "Escape" || event.key === "Tab") {
-      open(false);
-      lid.focus();
+      this.open(false);
+      this.lid.focus();
     } else if (to !== undefined) shown.at(to % shown.length)?.focus();
     if (to !== undefined || event.key === "Escape") event.preventDefault();
-  });
-  // A press in the menu leaves the focus where it is, in every browser; any other press takes it away.
-  element.addEventListener("mousedown", (event) => event.preventDefault());
-  element.addEventListener("focusout", ({ relatedTarget }) => {
-    if (!(relatedTarget instanceof Node && element.contains(relatedTarget))) open(false);
-  });
-  onTold("pageState", () => (element.hidden = !has("view") && !has("modes") && !has("help")));
-  onSight(({ box, floor }) => {
-    element.classList.toggle("softrod-words", hasWords(box));
-    element.style.right = `${window.innerWidth - box.right + 14}px`;
-    element.style.bottom = `${window.innerHeight - floor + 10}px`;
-    if (!list.hidden) keepInView(list);
-  });
+  }
+
+  listen() {
+    const { element } = this;
+    element.addEventListener("keydown", (event) => this.press(event));
+    // A press in the menu does not move the focus, in any browser; a press elsewhere closes the menu.
+    element.addEventListener("mousedown", (event) => event.preventDefault());
+    element.addEventListener("focusout", ({ relatedTarget }) => {
+      if (!(relatedTarget instanceof Node && element.contains(relatedTarget))) this.open(false);
+    });
+    onMessage("pageState", () => (element.hidden = !has("view") && !has("modes") && !has("help")));
+    onMarksRedraw(({ box, floor }) => {
+      element.classList.toggle("softrod-words", hasWords(box));
+      element.style.right = `${window.innerWidth - box.right + 14}px`;
+      element.style.bottom = `${window.innerHeight - floor + 10}px`;
+      if (!this.list.hidden) keepInView(this.list);
+    });
+  }
 }
 
 function begin() {
   restoreLooks();
-  addMenu();
+  new ViewMenu();
 }
 
 /** @type {import("../../ui/feature.js").Feature<"view">} */

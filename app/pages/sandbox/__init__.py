@@ -1,1 +1,1 @@
-"""The page of a body: its tab, its features, and the files that a browser gets."""
+"""The page with a body: its tab, its features, and the files that are sent to browsers."""

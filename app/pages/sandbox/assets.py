@@ -1,4 +1,4 @@
-"""The files that a browser gets: viser's page with softrod's own script and styles, and these."""
+"""The files that are sent to browsers: viser's page with softrod's script and styles."""
 
 from __future__ import annotations
 
@@ -18,29 +18,32 @@ from .features import FEATURES
 
 _APP = Path(__file__).parents[2]
 _SCRIPTS = tuple(_APP / name for name in ("stage", "wire", "ui", "features", "pages"))
-"""Scripts have the same places relative to each other as on the disk."""
+"""Folders with scripts, which have the same relative paths as on the disk."""
 _TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/webp"}
 _COMMENT = re.compile(rb"^[ \t]*(?:/\*\*(?:(?!\*/).)*\*/|//[^\n]*)[ \t]*\n", re.MULTILINE | re.DOTALL)
-"""A comment of scripts on lines of its own; none stands in a text of several lines, a test says so."""
+"""A comment on lines of its own; a test checks that none is in a text of several lines."""
+_TYPE = re.compile(rb"/\*\* @[^\n]*?\*/ ?")
+"""A type within a line of a script; a test checks that none is in a text."""
 _FOREVER = "public, max-age=31536000, immutable"
-_FIRST = ("ui/page.css", "ui/viser/viser.css", "ui/dialogs.css", "stage/stage.css")
-_LAST = ("features/classroom/classroom.css", "ui/looks.css")
-"""Style sheets of no feature, before and after those of features; later ones win."""
+_FIRST_SHEETS = ("ui/page.css", "ui/viser/viser.css", "ui/dialogs.css", "stage/stage.css")
+_LAST_SHEETS = ("features/classroom/classroom.css", "ui/looks.css")
+"""Style sheets of no feature, before and after those of features; later ones take precedence."""
 
 
 @cache
 def page_files() -> dict[str, StaticFile]:
-    """Every file of the page by its path.
+    """All files of the page by their paths.
 
-    The script's address has a digest of its text, so that a browser keeps it, and never mixes two versions.
+    Paths of scripts contain a digest of all scripts, so that browsers can cache them and never mix two
+    versions.
 
     Raises:
-        GateError: viser's page is not as it is known here.
+        GateError: viser's page differs from the known version.
     """
     paths = (path for folder in _SCRIPTS for path in sorted(folder.rglob("*")) if path.suffix in _TYPES)
     sources = {path.relative_to(_APP).as_posix(): _as_sent(path) for path in paths}
     digest = hashlib.sha256(b"".join(sources.values())).hexdigest()[:12]
-    # Without a slash before it, since the page may be in a folder of another site.
+    # Relative, since the page may be in a folder of another site.
     folder = f"softrod/{digest}/"
     files = {
         f"/{folder}{name}": StaticFile(gzip.compress(text, mtime=0), _TYPES[Path(name).suffix], _FOREVER)
@@ -53,22 +56,24 @@ def page_files() -> dict[str, StaticFile]:
 
 
 def _as_sent(path: Path) -> bytes:
-    """A file as browsers get it: scripts without the comments that have lines of their own.
+    """A file as it is sent: scripts without types, and without comments on lines of their own.
 
-    The lines stay, empty, so that errors name the right ones.
+    Their lines stay, empty, so that errors have the right line numbers.
     """
     data = path.read_bytes()
-    return _COMMENT.sub(lambda found: b"\n" * found[0].count(b"\n"), data) if path.suffix == ".js" else data
+    if path.suffix != ".js":
+        return data
+    return _TYPE.sub(b"", _COMMENT.sub(lambda found: b"\n" * found[0].count(b"\n"), data))
 
 
 def _sheets() -> list[Path]:
-    """The style sheets; later ones win."""
+    """The style sheets; later ones take precedence."""
     of_features = [Path(inspect.getfile(feature)).parent for feature in FEATURES]
     sheets = [folder / f"{folder.name}.css" for folder in of_features]
     return [
-        *(_APP / name for name in _FIRST),
+        *(_APP / name for name in _FIRST_SHEETS),
         *(sheet for sheet in sheets if sheet.exists()),
-        *(_APP / name for name in _LAST),
+        *(_APP / name for name in _LAST_SHEETS),
     ]
 
 
@@ -77,11 +82,10 @@ def _html(page: str) -> StaticFile:
 
 
 def _index(folder: str, scripts: list[str]) -> str:
-    """The page: at once a picture that says that it is loading, then viser's, which is one long script.
+    """The page: a loading screen, then viser's page, which is one long script.
 
-    softrod's script has to be there before viser's begins, or it would miss the first messages. So viser's is
-    not run as it stands; softrod's begins it.
-    """
+    softrod's script has to run before viser's, or it would miss the first messages. So viser's is not run by
+    the browser but started by softrod's."""
     try:
         script = page_script()
     except (OSError, ValueError) as error:

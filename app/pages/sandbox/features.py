@@ -1,4 +1,4 @@
-"""The features of a page, in the order in which they begin."""
+"""The features of a page, in the order in which they start."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ FEATURES: tuple[type[Feature], ...] = (
 )
 
 COMMANDS: Mapping[str, Row] = {name: row for feature in FEATURES for name, row in feature.commands.items()}
-"""All commands by their names, in the order of the palette and of the help."""
+"""All commands by their names, in the order of the palette and the help."""
 
 CONTROLS: Mapping[str, str] = {name: text for feature in FEATURES for name, text in feature.controls.items()}
-"""Names of all controls, and what they stand for."""
+"""All controls by their names, with descriptions."""

@@ -1,23 +1,25 @@
 // @ts-check
-/** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
-import { mindAbsence } from "../../ui/away.js";
-import { tellApart } from "../../ui/viser/axis_numbers.js";
+/** Starts softrod's part of the page; viser's page has the panel, the nodes and the connection. */
+import { watchConnectionLoss } from "../../ui/away.js";
+import { fixAxisLabels } from "../../ui/viser/axis_numbers.js";
 import { addClassroom } from "../../features/classroom/classroom.js";
 import { fitted, keepFlat } from "../../stage/camera.js";
 import { addChase } from "../../stage/chase.js";
 import { drawBody, shown } from "../../stage/canvas.js";
 import { askedScene, watchConnection } from "../../ui/viser/connection.js";
-import { mindDialogs } from "../../ui/viser/dialogs.js";
+import { closeDialogsByKey } from "../../ui/viser/dialogs.js";
+import { addEdgeArrow } from "../../stage/edge.js";
 import { addEmpty } from "../../stage/empty.js";
 import { showHud } from "../../ui/hud.js";
 import { hasKept, keepOnlyOf, resume } from "../../ui/kept/keep.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "../../ui/kept/links.js";
 import { addLoads } from "../../stage/load_marks.js";
-import { beginViser, canDraw, complain, endLoading, mindGraphics } from "../../ui/viser/loading.js";
-import { mindWidgets } from "../../ui/viser/widgets.js";
-import { mindNumbers } from "../../ui/viser/numbers.js";
+import { beginViser, canDraw, showFault, endLoading, watchGraphics } from "../../ui/viser/loading.js";
+import { watchWidgets } from "../../ui/viser/widgets.js";
+import { listenToNumbers } from "../../ui/viser/numbers.js";
 import { addOverlay } from "../../stage/overlay.js";
-import { sayWhose } from "../../ui/owner.js";
+import { onMarksRedraw } from "../../stage/sight.js";
+import { identify } from "../../ui/owner.js";
 import { listenToCommands, provide } from "../../wire/perform.js";
 import { addPaper } from "../../stage/paper.js";
 import { listenToPresses } from "../../ui/hands/presses.js";
@@ -27,56 +29,58 @@ import { isKnown, whenViser } from "../../ui/viser/viser.js";
 import { send } from "../../wire/channel.js";
 import { FEATURES } from "./features.js";
 
-/** Seconds after which viser's page has made its hook, or never will. */
+/** Seconds within which viser's page makes its hook, if ever. */
 const PATIENCE = 20;
 
-const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
+const FAULT = "This page cannot draw: its viser page is not the version that softrod supports.";
 const NO_WEBGL =
   "softrod draws with WebGL 2, which this browser does not have or has switched off: allow hardware acceleration in its settings, or use another browser.";
-sayWhose();
+identify();
 takeLink();
 keepAddress();
 keepOnlyOf(new URLSearchParams(location.search).get("room") || askedScene(location.search));
-watchConnection(mindAbsence(), () => !hasKept());
-const plotsAreLoaded = tellApart();
+watchConnection(watchConnectionLoss(), () => !hasKept());
+const plotsAreLoaded = fixAxisLabels();
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let late;
 whenViser((viser) => {
   clearTimeout(late);
   plotsAreLoaded();
   if (!isKnown(viser)) {
-    complain(FAULT);
+    showFault(FAULT);
     return;
   }
   endLoading();
-  mindGraphics();
+  watchGraphics();
   drawBody(viser);
   showHud();
-  mindWidgets();
+  watchWidgets();
   listenToCommands();
   keepFlat();
-  addChase(); // before what is drawn where the camera looks
-  mindDialogs();
+  addChase(); // before everything that is drawn where the camera looks
+  closeDialogsByKey();
   listenToPresses();
-  addOverlay(); // its hint goes with the first press, which others keep for themselves
+  addOverlay(); // before others, which stop the press that removes its hint
+  const drawEdgeArrow = addEdgeArrow();
   addUnderlay();
   addLoads();
   for (const { commands, begin } of FEATURES) {
     provide(commands);
     begin();
   }
-  mindNumbers();
+  listenToNumbers();
   resume(openLink);
   listenToLinks();
   addPaper();
   addClassroom();
   addEmpty();
+  onMarksRedraw(drawEdgeArrow); // last: it stands where nothing else does
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted, send, ...seen } });
 });
 if (canDraw()) {
-  late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
+  late = setTimeout(() => showFault(FAULT), 1e3 * PATIENCE);
   beginViser();
 } else {
-  complain(NO_WEBGL);
+  showFault(NO_WEBGL);
 }

@@ -1,4 +1,4 @@
-"""What a test may know of a page's inside: it asks for nothing else, so that the inside may change."""
+"""The inner state of a page for tests, which use nothing else of it, so that the rest may change."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from ...wire.to_page import PageState
 
 @dataclass(frozen=True)
 class Probe:
-    """A page at a moment; nothing in it changes.
+    """A page at a moment.
 
     Attributes:
-        generation: of the body that its panel is for; -1 while there is none, or it is to be made anew.
-        state, hud: what its script was told last of the page, and of the head-up display.
+        generation: of the body that is shown; -1 if it has to be built.
+        state, hud: the last state and head-up display that were sent.
         looks: how it looks.
-        controls: names of those that it has; None for all.
-        plots: those that are open.
-        plots_seen: whether its user looks at them, as far as the server knows.
-        kept: what the browser was told to keep last; None if nothing was.
-        owned: whether it is the page of this computer's owner.
-        requests: how many of its requests wait for the ticker.
-        nodes: names of what there is to be drawn, as `/body/masses`.
-        mapping: from the scene to the page's world and back.
-        drawn: (n, 2) where the masses are in its world, in the picture that was sent last; read-only.
+        controls: names of its controls; None for all.
+        plots: the open plots.
+        plots_seen: its user looks at them, as far as the server knows.
+        kept: the state that was saved last; None before that.
+        owned: it is the page of this computer's owner.
+        requests: number of its requests that wait for the ticker.
+        nodes: names of viser's nodes, such as `/body/masses`.
+        mapping: converts between the scene and the page's world.
+        drawn: (n, 2) positions of the masses in its world in the last picture; read-only.
     """
 
     generation: int

@@ -1,28 +1,23 @@
-"""One browser tab: its session, its picture and its panel, tied together.
+"""One browser tab: ties together its session, its canvas, its panel and its features.
 
-All of it is the ticker's: it is made, drawn and thrown away in the ticker's thread. Handlers, which run on
-viser's event loop or in its pool, only post commands and requests.
+Everything here belongs to the ticker's thread, which makes, draws and discards the tab. Handlers, which run
+on viser's event loop or in its thread pool, only post commands and requests.
 """
 
 from __future__ import annotations
 
-import math
 import secrets
 import time
 from collections.abc import Callable
 from concurrent.futures import Future
-from functools import partial
-from typing import Any, Protocol
+from typing import Any
 
 import viser
 
 import sim
 from app.classroom.live import SharedView
-from sim.compiling.compiler import Compiler, cache_trouble, needed_by
-from sim.errors import InputError, SceneError
-from sim.methods.registry import METHODS
+from sim.compiling.compiler import Compiler
 from sim.scene.lesson import Lesson
-from sim.scene.types import shown_name
 
 from ...features.classroom.role import Role
 from ...features.classroom.shared_view import Onlooker
@@ -31,70 +26,40 @@ from ...features.measure.feature import MeasureFeature
 from ...session import commands
 from ...session.pacing import LONGEST_FRAME, is_large
 from ...session.plots import PlotSpec
-from ...session.session import Notice, Refresh, Session
-from ...stage.colors import palette
-from ...stage.plan import Picture, broken_of, own_rest_angles
-from ...stage.sketch import Mapping, world_size
-from ...ui import controls, readouts
+from ...session.session import Notice, Session
+from ...stage.plan import Picture
 from ...ui.controls import Controls
-from ...ui.feature import Drawn, Feature
+from ...ui.feature import Feature
 from ...ui.kept import keeping
 from ...ui.kept.keeper import Keeper
 from ...ui.notice_board import NoticeBoard
-from ...ui.opening import asked_scene
 from ...ui.page import Page
-from ...ui.panel import Panel, set_theme
+from ...ui.queues import BoundedQueue
 from ...ui.shelf import Shelf
-from ...ui.view import Canvas, picture_of
-from ...ui.waiting import Waiting
-from ...viser_inside import element_id
+from ...ui.view import Canvas
 from ...wire import from_page
 from ...wire.carrier import Mail, listen
 from ...wire.messages import Ask, FromPage, messages
 from ...wire.to_page import Hud, PageState, Run
-from .answers import Answers
-from .features import COMMANDS, CONTROLS, FEATURES
+from .address import PageAddress
+from .features import COMMANDS, FEATURES
+from .page_panel import PagePanel
+from .page_view import PageView
+from .preparation import Preparation
 from .probe import Probe
-
-READOUTS_EVERY = 0.1
-"""Seconds between two updates of texts and sliders; faster would only flicker."""
+from .requests import RequestHandler
 
 MAX_REQUESTS = 20
-"""What one page may ask the ticker for in a frame; what comes faster waits, or is dropped."""
+"""Requests of one page that the ticker serves in a frame, so that one page cannot starve the others."""
 
 CALM_FRAME = 1.0
 """Seconds between two frames of a page on which nothing happens."""
 
 UNTOUCHED = 1.0
-"""Seconds for which its user has done nothing then."""
+"""Seconds without input after which nothing happens on a page."""
 
-RESTING_AFTER = 0.5
-"""Seconds without a visible movement after which the body counts as at rest."""
-
-
-def compile_status(ready: int, of: int, busy_with: str, awaited: str) -> str:
-    """How far the compiler is, as the page says it; empty if all is ready.
-
-    Args:
-        ready: number of parts that are compiled.
-        of: number of all parts.
-        busy_with: what is being compiled.
-        awaited: the method that the body waits for, moved by NumPy meanwhile; empty if it does not wait.
-    """
-    if awaited:
-        text = f"moves by NumPy until {awaited} is compiled: {ready} of {of} parts ready"
-    elif ready < of:
-        text = f"preparing {busy_with}: {ready} of {of} parts ready"
-    else:
-        return ""
-    trouble = cache_trouble()
-    return f"{text}; {trouble}" if trouble else text
-
-
-class Submit(Protocol):
-    """Has something done in another thread, as `ThreadPoolExecutor.submit`."""
-
-    def __call__(self, work: Any, /, *arguments: Any, **options: Any) -> Future[Any]: ...
+RunInThread = Callable[..., Future[Any]]
+"""Calls a function with arguments in another thread, as `ThreadPoolExecutor.submit`."""
 
 
 class Tab:
@@ -102,14 +67,14 @@ class Tab:
 
     Args:
         client: viser's handle of it.
-        scene: what it shows first.
-        compiler: makes kernels ready in the background.
-        query: of the page's address, which may say which controls there are, and which scene comes first.
-        owned: whether it is known to be the page of this computer's owner.
-        for_others: the address by which others reach the page, from that by which it was reached itself.
-        role_of: what the page is in a class, if it is in one, from its mail.
+        scene: the scene that is shown first, if the address asks for none.
+        compiler: compiles kernels in the background.
+        query: of the page's address, which may name controls and a scene.
+        owned: the page is known to be that of this computer's owner.
+        for_others: converts the address of the page into one by which others reach it.
+        role_of: makes the role of the page in a class from its mail; None if it is in no class.
         begin_class: see `Page`.
-        is_taught: whether a class goes through a lesson: then only the owner sees it outside the class.
+        is_taught: returns True while a class goes through a lesson, which only the owner then sees elsewhere.
     """
 
     def __init__(
@@ -125,47 +90,31 @@ class Tab:
         is_taught: Callable[[Lesson], bool] = lambda _: False,
     ) -> None:
         self.client = client
-        self._compiler = compiler
-        self._notices = NoticeBoard(client)
-        self._requests: Waiting[Callable[[Session], object]] = Waiting(self.notify)
-        self._generation = -1
-        self._number = secrets.token_hex(4)
-        self._planned = -1
-        self._shelf = Shelf(owned)
-        self._readouts_due = 0.0
-        self._moved_at = 0.0
-        self._was_at_rest = self._rests = False
-        self._broken = 0
-        self._last_revision = -1
-        self._was_playing = True
-        self._wanted = ""
-        self._all_ready = False
-        self._for_others = for_others
-        self._begin_class = begin_class
-        self._is_taught = is_taught
+        self._for_others, self._begin_class, self._is_taught = for_others, begin_class, is_taught
         self._mail = Mail(client)
+        self._notices = NoticeBoard(client)
+        self._requests: BoundedQueue[Callable[[Session], object]] = BoundedQueue(self.notify)
+        self._number = secrets.token_hex(4)
+        self._shelf = Shelf(owned)
+        self._preparation = Preparation(compiler)
+        self._address = PageAddress(query, self.notify)
         self._role = role_of(self._mail)
-        # In a class, the class says what is shown.
-        self._first = scene = (self._asked_scene(query) if self._role is None else None) or scene
+        # In a class, the class decides what is shown.
+        self._first = scene = (self._address.scene() if self._role is None else None) or scene
+        self._session: Session | None = None
+        self._features: tuple[Feature, ...] = ()
+        self._receivers: dict[type, list[tuple[Feature, str]]] = {}
+        self._calm, self._stirred = False, time.monotonic()
+        self._under_way: Future[Any] | None = None
         self._view = Canvas(client, self._mail, self._post)
         self._shared_view: SharedView | None = None
         self._onlooker = Onlooker(client, self._mail, self._view, self._number)
         listen(client, self.hear)
-        self._asked_controls = self._checked(partial(controls.of_query, parts=CONTROLS), query)
-        self._scenes_controls = controls.ALL
-        self._named_controls: tuple[str, ...] | None = None
-        self._features: tuple[Feature, ...] = ()
-        self._hearers: dict[type, list[tuple[Feature, str]]] = {}
-        self._session: Session | None = None
-        self._calm, self._stirred = False, time.monotonic()
-        self._under_way: Future[Any] | None = None
-        self._mapping = Mapping.of(scene)
-        self._looks = keeping.PLAIN
-        self._view.build(scene, self._looks.dark)
+        self._view.build(scene, keeping.DEFAULT_LOOKS.dark)
         self._view.draw(Picture.at_start(scene), time.monotonic())
 
     def leave(self) -> None:
-        """The page is gone."""
+        """Release what the page holds; it is gone."""
         self._onlooker.leave()
         if self._role is not None:
             self._role.leave()
@@ -176,27 +125,27 @@ class Tab:
         return self._session
 
     def probe(self) -> Probe:
-        """What is so now, for a test; any thread may look, once there is a session."""
-        page, hud = self._page, self._mail.told(Hud)
+        """Describe the present state for a test; any thread may call once there is a session."""
+        page, hud = self._page, self._mail.last_sent(Hud)
         return Probe(
-            generation=self._generation,
-            state=self._mail.told(PageState),
+            generation=self._shown.generation,
+            state=self._mail.last_sent(PageState),
             hud=hud.html if hud is not None else "",
             looks=page.looks,
             controls=page.controls.names,
-            plots=self._plot_specs,
+            plots=self._plots,
             plots_seen=(measure := page.find(MeasureFeature)) is not None and measure.is_seen,
             kept=self._keeper.kept,
             owned=self._shelf.owned,
             requests=len(self._requests),
             nodes=self._view.nodes,
-            mapping=self._mapping,
+            mapping=page.mapping,
             drawn=self._view.drawn,
         )
 
     # --------------------------------------------------------------------- handlers, any thread
     def hear(self, said: FromPage) -> None:
-        """Do what the page says, or have the ticker do it; nothing in it is trusted."""
+        """Handle a message of the page, or leave it to the ticker; nothing in it is trusted."""
         session, role = self._session, self._role
         if session is None or (role is not None and not role.allows(said)):
             return
@@ -206,9 +155,9 @@ class Tab:
             case from_page.Perform(command):
                 self.perform(command)
             case from_page.Part():
-                self._answers.take(said)
+                self._handler.take(said)
             case from_page.Who() | from_page.Unread() | from_page.Unsent():
-                self._answers.ask(said)
+                self._handler.ask(said)
                 if role is not None and isinstance(said, from_page.Who):
                     self._requests.add(lambda now: role.introduce(said, now))
             case from_page.InSeat() | from_page.Lead() | from_page.Checked():
@@ -216,16 +165,16 @@ class Tab:
                     self._requests.add(lambda now: role.hear(said, now))
             case _:
                 pass
-        for feature, needs in self._hearers.get(type(said), ()):
+        for feature, needs in self._receivers.get(type(said), ()):
             if needs and needs not in self._page.controls:
                 continue
             if isinstance(said, Ask):
-                self._answers.later(feature.hear, said)
+                self._handler.later(feature.hear, said)
             else:
                 feature.hear(said)
 
     def perform(self, command: str) -> None:
-        """Do a command of the table, if the page has the control that it needs."""
+        """Execute a command of the table, if the page has the control that it needs."""
         row, session = COMMANDS.get(command), self._session
         if row is None or session is None or (row.needs and row.needs not in self._page.controls):
             return
@@ -233,7 +182,7 @@ class Tab:
         if does in ("edit", "own"):
             return
         if does == "page":
-            self._mail.tell(Run(command=command))
+            self._mail.send(Run(command=command))
         elif callable(does):
             owner = next(one for one in self._features if command in one.commands)
             self._requests.add(lambda now: does(now, owner))
@@ -241,11 +190,11 @@ class Tab:
             session.post(does)
 
     def notify(self, notice: Notice) -> None:
-        """Have the user told something."""
+        """Show a notice to the user with the next frame."""
         self._notices.add(notice)
 
     def snapshot(self) -> sim.Scene:
-        """The scene as it is now, with its pose; as it comes first where the page is not drawn yet.
+        """The scene with its present pose; the first scene if nothing is drawn yet.
 
         Raises:
             InputError: the ticker did not answer.
@@ -253,48 +202,51 @@ class Tab:
         session = self._session
         return self._first if session is None else session.snapshot(session.scene.name, with_pose=True)
 
+    def stir(self) -> None:
+        """Note that a message arrived, of any kind; any thread may call."""
+        self._stirred = time.monotonic()
+
     def _post(self, command: commands.Command) -> None:
         if self._session is not None:
             self._session.post(command)
 
-    # --------------------------------------------------------------------- the ticker's
+    # --------------------------------------------------------------------- frames
     @property
     def is_calm(self) -> bool:
-        """Whether a frame now and then will do: its body rests or stands, and nobody does anything."""
+        """True if an occasional frame is enough: the body is at rest, and nobody does anything."""
         return self._calm and not (self._requests or self._notices.has_new or self._has_commands)
 
     @property
     def _has_commands(self) -> bool:
-        return self._session is not None and (self._session.has_commands or self._page.is_asked)
-
-    def stir(self) -> None:
-        """The page has said something, of whatever kind; any thread may call."""
-        self._stirred = time.monotonic()
+        return self._session is not None and (self._session.has_commands or self._page.has_requests)
 
     def _is_settled(self, session: Session) -> bool:
-        """Whether the page is told all that there is to tell, and nothing goes on but the clock."""
-        waits = (
-            not self._all_ready or self._notices.has_transient or self._unsettled or self._role is not None
-        )
-        lists = [*self._page.plots] if session.playing else []
-        plots = any(each.specs and each.looked_at for each in lists)
+        """Return True if there is nothing left to send, and only the clock advances."""
+        shown = self._shown
+        waits = not self._preparation.is_done or self._notices.has_transient or shown.unsettled
+        plotting = session.playing and any(each.specs and each.looked_at for each in self._page.plots)
         untouched = time.monotonic() - self._stirred > UNTOUCHED
-        return untouched and self._was_at_rest and not (waits or plots) and session.is_idle
+        still = shown.stillness.is_shown and not (waits or plotting or self._role is not None)
+        return untouched and still and session.is_idle
 
-    def frame(self, budget: float, beside: Submit) -> bool:
-        """One frame, of `budget` seconds of computing at most; returns whether the page is told anything.
+    def frame(self, budget: float, beside: RunInThread) -> bool:
+        """Compute and send one frame, and return True if anything may have been sent.
 
-        What a heavy body needs is done by `beside`, in another thread. Until that is done the session is that
-        thread's, and the page keeps its picture.
+        What a heavy body needs is computed in another thread. Until that is done the session belongs to that
+        thread, and the page shows its last picture.
+
+        Args:
+            budget: seconds of computing time.
+            beside: runs the work of a heavy body.
         """
         session, calm = self._session, self._calm
         if not self.is_calm and calm:
-            self.stir()  # something was asked for
+            self.stir()  # there is a request
         self._calm = False
         if self._under_way is not None:
             if not self._under_way.done():
                 if session is not None:
-                    self._set_state(session.will_play)
+                    self._shown.send_state(session.will_play)
                 return True
             done, self._under_way = self._under_way, None
             made = done.result()
@@ -306,68 +258,63 @@ class Tab:
         else:
             made = session
             self._serve_requests(session)
-            self._apply_looks()
+            self._shown.apply_looks()
             if self._role is not None:
                 self._role.frame(session)
-                told = self._show_teachers_body(session, self._role.shared_view)
+                sent = self._show_teachers_body(session, self._role.shared_view)
                 if self._shared_view is not None:
-                    return told
-            self._prepare(session)
+                    return sent
+            self._preparation.update(session)
             if session.is_heavy:
                 self._under_way = beside(self._advance, session, budget)
                 return True
             self._advance(session, budget, CALM_FRAME + LONGEST_FRAME if calm else LONGEST_FRAME)
-        # All at once: viser 1.1.1 sets an `asyncio.Event` from this thread at every message, which raises if
-        # its event loop is just waking up from the one before. And no panel comes in parts.
+        # In one batch: viser 1.1.1 sets an `asyncio.Event` from this thread at every message, which raises if
+        # its event loop is just waking up from the one before. And no panel appears in parts.
         with self.client.atomic():
             session = session or self._begin(made)
-            self._send(session)
-        self._keeper.keep(self._plot_specs, self._was_at_rest)
+            self._shown.send()
+            self._notices.show(session)
+        self._keeper.keep(self._plots, self._shown.stillness.is_shown)
         self._calm = self._is_settled(session)
         return True
-
-    def _show_teachers_body(self, session: Session, view: SharedView | None) -> bool:
-        """Show what the teacher's page does, if there is that, instead of the page's own body.
-
-        Returns:
-            whether the page was told anything.
-        """
-        before, self._shared_view = self._shared_view, view
-        if (before is None) != (view is None):
-            self._generation = -1
-            self._onlooker.leave()
-        if view is None:
-            return False
-        show, anew = self._onlooker.show, self._generation != session.generation
-        if not (anew or session.notices or self._notices.has_new or self._notices.has_transient):
-            return show(view, self._page.looks.dark, session.now())
-        with self.client.atomic():
-            if anew:
-                self._onlooker.leave()
-                self._rebuild(session)
-            self._notices.show(session)
-            show(view, self._page.looks.dark, session.now())
-        return True
-
-    def _send(self, session: Session) -> None:
-        """Send what the page does not know yet."""
-        if session.generation != self._generation:
-            self._rebuild(session)
-        if session.revision != self._planned:
-            self._plan(session)
-        drawn = self._show(session)
-        for feature in self._features:
-            feature.frame(drawn)
-        self._notices.show(session)
 
     @staticmethod
     def _advance(session: Session, budget: float, longest: float = LONGEST_FRAME) -> None:
         session.drain()
         session.tick(budget, longest)
 
-    def _begin(self, session: Session) -> Session:
-        """What is made after the first picture has been sent."""
+    def _serve_requests(self, session: Session) -> None:
+        self._page.serve()
+        for _ in range(min(len(self._requests), MAX_REQUESTS)):
+            self._requests.take()(session)
 
+    def _show_teachers_body(self, session: Session, view: SharedView | None) -> bool:
+        """Show the teacher's body instead of the page's own, if there is one to show.
+
+        Returns:
+            True if anything was sent.
+        """
+        before, self._shared_view = self._shared_view, view
+        if (before is None) != (view is None):
+            self._shown.generation = -1
+            self._onlooker.leave()
+        if view is None:
+            return False
+        show, is_new = self._onlooker.show, self._shown.generation != session.generation
+        if not (is_new or session.notices or self._notices.has_new or self._notices.has_transient):
+            return show(view, self._page.looks.dark, session.now())
+        with self.client.atomic():
+            if is_new:
+                self._onlooker.leave()
+                self._shown.rebuild()
+            self._notices.show(session)
+            show(view, self._page.looks.dark, session.now())
+        return True
+
+    # --------------------------------------------------------------------- beginning
+    def _begin(self, session: Session) -> Session:
+        """Make the panel and the features, after the first picture has been sent."""
         self._page = Page(
             self.client, session, self._mail, self.notify, self.perform, self._shelf,
             commands=COMMANDS, controls=self._wanted_controls(session.scene), begin_class=self._begin_class,
@@ -377,11 +324,17 @@ class Tab:
         self._add_features()
         role = self._role
         self._keeper = Keeper(self._page, role.keep if role is not None else lambda _: False)
-        self._answers = Answers(
-            self._page, self._features, lambda kept: self._page.soon(lambda: self._resume(kept))
+        self._handler = RequestHandler(
+            self._page, self._features, lambda saved: self._page.soon(lambda: self._resume(saved))
         )
-        self._make_panel(session)
+        panel = PagePanel(self._page, self._features, role.place if role is not None else "")
+        self._shown = PageView(
+            self._page, self._features, self._view, panel, self._number, self._wanted_controls
+        )
         self._session = session
+        if self._address.problem:
+            # With the next frame, when the page can show the gallery.
+            self._requests.add(lambda _: self._offer_other_scenes(self._address.problem))
         return session
 
     def _add_features(self) -> None:
@@ -389,196 +342,34 @@ class Tab:
         for feature in self._features:
             for kind, needs in feature.messages.items():
                 for message in messages(kind):
-                    self._hearers.setdefault(message, []).append((feature, needs))
-
-    def _asked_scene(self, query: str) -> sim.Scene | None:
-        """The scene that the page's address asks for; if there is none, its user is told and may choose."""
-        try:
-            return asked_scene(query)
-        except SceneError as error:
-            # Later, when the page knows how to ask for the scenes that there are.
-            why = f"{str(error)[:1].upper()}{str(error)[1:]}."
-            self._requests.add(lambda _: self._say_not_found(why))
-            return None
+                    self._receivers.setdefault(message, []).append((feature, needs))
 
     def _is_closed(self, lesson: Lesson) -> bool:
-        """Whether the page is not to show a lesson: what is right in it comes when the class comes to it."""
+        """Return True if the page must not show a lesson, whose answers come when the class reaches them."""
         return self._role is not None or (not self._shelf.owned and self._is_taught(lesson))
 
     def _wanted_controls(self, scene: sim.Scene) -> Controls:
-        """Those that its place in a class gives it, or that the page's address names, or else the scene."""
+        """The controls of the page's role in a class, or of its address, or else of the scene."""
         if self._role is not None and (given := self._role.controls) is not None:
             return given
-        if self._asked_controls is None and scene.view.controls != self._named_controls:
-            self._named_controls = scene.view.controls
-            self._scenes_controls = (
-                self._checked(partial(controls.of_scene, parts=CONTROLS), scene) or controls.ALL
-            )
-        return self._asked_controls or self._scenes_controls
+        return self._address.controls(scene)
 
-    def _checked(self, find: Callable[[Any], Controls | None], source: Any) -> Controls | None:
-        """The controls that are found; if one of them is none, its user is told, and all are there."""
-        try:
-            return find(source)
-        except InputError as error:
-            self.notify(Notice("error", "All controls are shown", str(error)))
-            return None
-
-    def _make_panel(self, session: Session) -> None:
-        """The panel, with the controls that there are."""
-        page = self._page
-        self._panel = Panel(page)
-        self._has_lesson = page.has_lesson
-        for feature in self._features:
-            feature.attach(self._panel)
-        play = self._panel.find("Play")
-        if self._role is not None and play is not None:
-            with play:
-                self.client.gui.add_html(self._role.place, order=0)
-        self._panel.finish()
-
-    def _prepare(self, session: Session) -> None:
-        """Have compiled first what the session waits for, and say what it is and how far it is."""
-        method = session.simulation.method
-        if self._all_ready and not session.simulation.plain:
-            return
-        if session.simulation.plain and method != self._wanted:
-            self._wanted = method
-            self._compiler.want(needed_by(method))
-        ready, of = self._compiler.progress
-        self._all_ready = ready == of
-        label = METHODS[method].label if session.simulation.plain else ""
-        text = compile_status(ready, of, self._compiler.busy_with, label)
-        if text != session.preparing:
-            session.preparing = text
-            session.refresh(Refresh.SETTINGS)
-
-    def _rebuild(self, session: Session) -> None:
-        """Another body: other nodes and other controls."""
-        self._plan(session)
-        self._view.show_gizmos(self._page.looks.gizmos)
-        wanted, has_lesson = self._wanted_controls(session.scene), self._page.has_lesson
-        if (wanted, has_lesson) != (self._page.controls, self._has_lesson):
-            was_empty = self._panel.is_empty
-            self._page.controls = wanted
-            for feature in self._features:
-                feature.detach()
-            self.client.gui.reset()
-            self._page.clear()
-            self._make_panel(session)
-            if was_empty and not self._panel.is_empty:
-                self.client.gui.main_panel.expand()
-        for feature in self._features:
-            feature.build()
-        self._moved_at = session.now()
-        self._generation = session.generation
-
-    def _plan(self, session: Session) -> None:
-        """Tell the page of the body, as far as it is another one."""
-        self._planned = session.revision
-        self._mapping = self._page.mapping = Mapping.of(session.scene)
-        dark, second = self._page.looks.dark, session.companions.second
-        self._view.build(session.scene, dark, own_rest_angles(session.simulation))
-        self._view.build_second(second.capture().scene if second is not None else None, dark)
-
-    @property
-    def _plot_specs(self) -> tuple[PlotSpec, ...]:
-        """What is plotted."""
-        measure = self._page.find(MeasureFeature)
-        return measure.specs if measure is not None else ()
-
-    @property
-    def _unsettled(self) -> bool:
-        """Whether a control shows what is not set, or there will be more to show."""
-        return any(feature.unsettled for feature in self._features)
-
-    def _show(self, session: Session) -> Drawn:
-        """Send the picture, the texts and the controls, as far as they changed."""
-        now = session.now()
-        running = session.playing and session.simulation.divergence is None
-        # A change of the controls, or the end of a run, is drawn exactly; a moving body only when it shows.
-        changed = session.revision != self._last_revision or running != self._was_playing
-        self._last_revision, self._was_playing = session.revision, running
-        picture = picture_of(session)
-        if self._view.draw(picture, now, force=changed or not running):
-            self._moved_at = now
-        at_rest = now - self._moved_at > RESTING_AFTER
-        self._broken = len(broken_of(picture.damage))
-        self._rests = at_rest and running
-        self._set_state(session.playing)
-        still = at_rest and self._was_at_rest and not self._unsettled
-        if changed or (now >= self._readouts_due and not still):
-            self._readouts_due = now + READOUTS_EVERY
-            self._was_at_rest = at_rest and not session.stability_watch.is_looking
-            with self.client.atomic():
-                for feature in self._features:
-                    feature.refresh()
-                colors, looks = palette(session.scene.view.colors, self._page.looks.dark), self._page.looks
-                self._mail.tell(Hud(html=readouts.hud(session, colors, at_rest, looks.meter)))
-        return Drawn(self._view.plan_number, now, exactly=changed or not running)
-
-    def _set_state(self, playing: bool) -> None:
-        """Tell the page's script how things are."""
-        if (session := self._session) is None:
-            return
-        history, joint = session.history, session.joint
-        width, height = world_size(session.scene)
-        scrubbed, measures = history.scrubbed, self._panel.find("Measure")
-        state = PageState(
-            page=self._number,
-            scene=session.openings,
-            title=shown_name(session.scene),
-            width=width,
-            height=height,
-            unit=session.scene.view.unit,
-            joint=joint if session.scene.angular_springs else -1,
-            playing=playing,
-            rest=self._rests and playing,
-            scrubbed=scrubbed,
-            # Coarse while time passes, so that this seldom changes.
-            start=history.start if scrubbed else math.floor(2.0 * history.start) / 2.0,
-            end=history.end if scrubbed else 0.0,
-            speed=session.pacer.speed,
-            offer=session.offer_back,
-            future=session.abandoned_future is not None,
-            follow=session.follow,
-            broken=self._broken,
-            controls=tuple(name for name in CONTROLS if name in self._page.controls),
-            gizmos=self._page.looks.gizmos,
-            meter=self._page.looks.meter,
-            measuring=element_id(measures) if measures is not None else "",
-            lesson=session.lesson_begun if self._has_lesson else None,
-        )
-        self._mail.tell(state)
-
-    def _apply_looks(self) -> None:
-        """Show how the page is to look."""
-        looks, shown = self._page.looks, self._looks
-        self._looks = looks
-        if looks.dark != shown.dark:
-            set_theme(self.client.gui, dark=looks.dark)
-            self._generation = -1
-        if looks.gizmos != shown.gizmos:
-            self._view.show_gizmos(looks.gizmos)
-
-    def _resume(self, kept: keeping.Kept) -> None:
-        """Go on from a saved state.
-
-        The plots are remembered before the body comes: with it they are put up.
-        """
-        self._keeper.resume(kept)
-        if (measure := self._page.find(MeasureFeature)) is not None:
-            measure.remember(kept.plots)
-
-    def _serve_requests(self, session: Session) -> None:
-        self._page.serve()
-        # No more in a frame than a person can ask for: others wait for the same thread.
-        for _ in range(min(len(self._requests), MAX_REQUESTS)):
-            self._requests.take()(session)
-
-    def _say_not_found(self, why: str) -> None:
+    def _offer_other_scenes(self, why: str) -> None:
+        """Say why the scene of the address is not shown, in the gallery if there is one."""
         gallery = self._page.find(GalleryFeature)
         if gallery is not None and "chooser" in self._page.controls:
             gallery.offer(why)
         else:
             self.notify(Notice("error", "That address has no scene", why))
+
+    def _resume(self, saved: keeping.SavedPage) -> None:
+        """Restore a saved state; the plots first, since they are made when the body is built."""
+        self._keeper.resume(saved)
+        if (measure := self._page.find(MeasureFeature)) is not None:
+            measure.remember(saved.plots)
+
+    @property
+    def _plots(self) -> tuple[PlotSpec, ...]:
+        """The open plots."""
+        measure = self._page.find(MeasureFeature)
+        return measure.specs if measure is not None else ()

@@ -1,10 +1,10 @@
 // @ts-check
 /** The body by keys alone: a stop of the Tab key over the canvas, and a live region that says what happened. */
 import { onPicture, shown } from "../../stage/canvas.js";
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { toWorld } from "../../stage/draw.js";
 import { choose, chosenMass } from "../../stage/overlay.js";
-import { freeHand, freshHand, handAt } from "./hands.js";
+import { freeHand, takeHand, handAt } from "./hands.js";
 import { KeyHand } from "./key_hand.js";
 import { wireNumber } from "../../stage/screen.js";
 
@@ -32,7 +32,7 @@ export function addBodyKeys() {
     grab(mass) {
       const { pictured: plan, frame } = shown();
       if (!plan || !frame) return false;
-      number = freshHand();
+      number = takeHand();
       if (number < 0) return false;
       const [x, y] = toWorld(plan, frame.positions.subarray(2 * mass, 2 * mass + 2));
       at = { x, y };
@@ -56,9 +56,9 @@ export function addBodyKeys() {
   onPicture(() => keys.recount());
   stop.addEventListener("keydown", (event) => keys.press(event));
 
-  let before = told();
-  onTold("pageState", () => {
-    const now = told();
+  let before = pageState();
+  onMessage("pageState", () => {
+    const now = pageState();
     stop.ariaLabel = `Body of ${shown().plan?.radius.length ?? 0} masses`;
     if (before.scene !== undefined && now.scene !== before.scene) keys.forget();
     const news = [];

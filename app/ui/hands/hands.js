@@ -1,16 +1,17 @@
 // @ts-check
 /**
- * The hands that hold masses, by number: one for each pointer that drags, and one for the keys. The server knows as many.
+ * Hands that hold masses, by number: one for each dragging pointer, and one for the keys.
  */
 import { wireNumber } from "../../stage/screen.js";
 
-const MOST = 10;
+/** Hands that the server accepts. */
+const MAX_HANDS = 10;
 /** @type {Set<number>} */
 const busy = new Set();
 
-/** The number of a free hand, which is busy from now on, or -1. */
-export function freshHand() {
-  for (let number = 0; number < MOST; number++) {
+/** Takes a free hand and returns its number, or -1. */
+export function takeHand() {
+  for (let number = 0; number < MAX_HANDS; number++) {
     if (busy.has(number)) continue;
     busy.add(number);
     return number;
@@ -21,11 +22,11 @@ export function freshHand() {
 /** @param {number} number */
 export const freeHand = (number) => busy.delete(number);
 
-/** Whether nothing is in any hand. */
+/** True if all hands are free. */
 export const areFree = () => busy.size === 0;
 
 /**
- * Where a hand is, as a message has it.
+ * The place of a hand, for a message.
  *
  * @param {number} number of the hand @param {{x: number, y: number}} point of the world
  * @returns {[number, number, number]}

@@ -1,6 +1,6 @@
 // @ts-check
 /** Keys and the arrow pad: what is held, and what is pressed once. */
-import { onTold, send, told } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { ARROWS, heldArrow } from "./arrow_keys.js";
 import { listenToPad, releasePad } from "./arrow_pad.js";
 import { commandOf } from "./key_table.js";
@@ -144,10 +144,10 @@ function press(event) {
 
 /** Once something is chosen from a box, keys act on the scene and not on the box. */
 function leaveChooser() {
-  let scene = told().scene;
-  onTold("pageState", () => {
-    if (told().scene === scene) return;
-    scene = told().scene;
+  let scene = pageState().scene;
+  onMessage("pageState", () => {
+    if (pageState().scene === scene) return;
+    scene = pageState().scene;
     const focused = document.activeElement;
     if (focused instanceof HTMLElement && focused.matches('[aria-haspopup="listbox"]')) focused.blur();
   });

@@ -1,44 +1,44 @@
 // @ts-check
 /**
- * Taking hold of masses with a mouse, pens and fingers, each with a mass of its own. Where the pointers are in the scene is
- * told to the server at every animation frame while it matters.
+ * Dragging masses with a mouse, pens and fingers, each with a mass of its own. The places of the pointers are sent at every
+ * animation frame while they matter.
  */
 import { shown } from "../../stage/canvas.js";
-import { send, told } from "../../wire/channel.js";
+import { pageState, send } from "../../wire/channel.js";
 import { editing } from "../../features/edit/editing.js";
-import { areFree, freeHand, freshHand, handAt } from "./hands.js";
+import { areFree, freeHand, takeHand, handAt } from "./hands.js";
 import { nearest, onScreen, REACH, wireNumber, worldAt } from "../../stage/screen.js";
 import { screen } from "../viser/screen.js";
-import { viser } from "../viser/viser.js";
+import { viserCanvas } from "../viser/viser.js";
 
-/** Pixels within which a press counts as a click. */
+/** Pixels by which a pointer may move in a click. */
 const CLICK = 4;
-/** Milliseconds after a finger on the background in which a second one is for the view, whatever is under it. */
+/** Milliseconds after a finger on the background in which a second one zooms, whatever is under it. */
 const PINCH = 250;
 
 /** @typedef {{x: number, y: number}} Place pixels of the window */
 
-/** Where the pointer was last over the canvas, in pixels of the window. @type {{x: number, y: number} | null} */
+/** The last place of the pointer over the canvas. @type {Place | null} */
 let pointer = null;
 /**
- * What each pointer holds: in which hand, where it was pressed, where it is and whether the server knows that.
+ * Held masses by pointer: the hand, where the pointer was pressed and is now, and whether that has been sent.
  *
- * @type {Map<number, {mass: number, hand: number, start: Place, at: Place, moved: boolean, told: boolean}>}
+ * @type {Map<number, {mass: number, hand: number, start: Place, at: Place, moved: boolean, sent: boolean}>}
  */
 const holds = new Map();
-/** When each finger came down on the background, ms of the events' clock. @type {Map<number, number>} */
+/** Times at which fingers came down on the background, ms of the events' clock. @type {Map<number, number>} */
 const viewing = new Map();
 let asked = false;
 
-/** What lies over the canvas and gives way to a mass under the pointer. @param {EventTarget | null} target */
+/** True for what lies over the canvas but lets a mass under it be grabbed. @param {EventTarget | null} target */
 const givesWay = (target) => target instanceof Element && target.closest(".softrod-instruments") !== null;
 
 /**
- * The mass under a place on the screen, or -1.
+ * The mass at a place on the screen, or -1.
  *
- * @param {{x: number, y: number}} place
- * @param {string} kind of pointer; "disc" for the disc itself and nothing around it
- * @param {number[]} [others] masses that do not count
+ * @param {Place} place
+ * @param {string} kind of pointer; "disc" for only the disc itself
+ * @param {number[]} [others] masses that are ignored
  */
 export function massAt(place, kind, others = []) {
   const { pictured: plan, frame } = shown();
@@ -61,12 +61,12 @@ function report() {
   asked = false;
   const hands = [];
   for (const hold of holds.values()) {
-    const point = hold.told ? null : pointAt(hold.at);
+    const point = hold.sent ? null : pointAt(hold.at);
     if (point) hands.push(handAt(hold.hand, point));
-    hold.told = true;
+    hold.sent = true;
   }
-  // That of a free hand is followed without a button.
-  const point = pointer && areFree() && told().follow ? pointAt(pointer) : null;
+  // A body may follow the pointer without a button pressed.
+  const point = pointer && areFree() && pageState().follow ? pointAt(pointer) : null;
   if (point) hands.push(handAt(0, point));
   if (hands.length) send({ do: "at", hands });
 }
@@ -76,16 +76,16 @@ function reportSoon() {
   asked = true;
 }
 
-/** Whether a finger that comes down belongs to one that did so just now, for the view. @param {PointerEvent} event */
+/** True if a finger comes down just after another one, to zoom. @param {PointerEvent} event */
 const isPinch = ({ pointerType, timeStamp }) =>
   pointerType === "touch" && [...viewing.values()].some((since) => timeStamp - since < PINCH);
 
 /** @param {PointerEvent} event */
 function press(event) {
-  const { canvas } = viser() ?? {};
+  const canvas = viserCanvas();
   const under = event.target === canvas ? event.pointerType : givesWay(event.target) ? "disc" : null;
   if (!canvas || under === null || (under === "disc" && massAt({ x: event.clientX, y: event.clientY }, under) < 0)) return;
-  // The keys are the body's again.
+  // Return keyboard focus to the canvas.
   const focused = document.activeElement;
   if (focused instanceof HTMLElement || focused instanceof SVGElement) focused.blur();
   const place = { x: event.clientX, y: event.clientY };
@@ -94,39 +94,39 @@ function press(event) {
   const held = [...holds.values()].map(({ mass }) => mass);
   const mass = event.button === 0 && !isTool && !isPinch(event) ? massAt(place, under, held) : -1;
   const point = mass >= 0 ? pointAt(place) : null;
-  const hand = point ? freshHand() : -1;
+  const hand = point ? takeHand() : -1;
   if (!point || hand < 0) {
     if (event.pointerType === "touch") viewing.set(event.pointerId, event.timeStamp);
     return;
   }
-  // Neither viser nor its camera may hear of it.
+  // Hide it from viser and its camera.
   event.preventDefault();
   event.stopImmediatePropagation();
   canvas.setPointerCapture(event.pointerId);
-  holds.set(event.pointerId, { mass, hand, start: place, at: place, moved: false, told: true });
+  holds.set(event.pointerId, { mass, hand, start: place, at: place, moved: false, sent: true });
   send({ do: "grab", hand, mass, x: wireNumber(point.x), y: wireNumber(point.y) });
 }
 
 /** @param {PointerEvent} event */
 function move(event) {
-  const { canvas } = viser() ?? {};
+  const canvas = viserCanvas();
   const at = { x: event.clientX, y: event.clientY };
   const hold = holds.get(event.pointerId);
   if (hold) {
     event.stopImmediatePropagation();
     hold.at = pointer = at;
-    hold.told = false;
+    hold.sent = false;
     hold.moved ||= Math.hypot(at.x - hold.start.x, at.y - hold.start.y) > CLICK;
     reportSoon();
     return;
   }
-  // Off the canvas the pointer counts as staying where it was.
+  // Off the canvas, the last place on it counts.
   if (holds.size || event.target !== canvas) return;
   pointer = at;
   if (event.buttons === 0 && event.pointerType !== "touch") {
     document.documentElement.toggleAttribute("data-softrod-near", massAt(at, event.pointerType) >= 0);
   }
-  if (told().follow) reportSoon();
+  if (pageState().follow) reportSoon();
 }
 
 /** @param {PointerEvent} event */

@@ -1,39 +1,39 @@
 // @ts-check
 /**
- * Which pointers are pressed on the page. All others hear of a pointer after this: a press whose release never reached the
- * page ends as if it had been cancelled, and the palm beside a pen is nobody's.
+ * Filters the pointers of the page before all other listeners: a press whose release never reached the page is cancelled,
+ * and the palm beside a pen is ignored.
  */
-import { viser } from "../viser/viser.js";
+import { viserCanvas } from "../viser/viser.js";
 
-/** Milliseconds around the use of a pen in which a finger that comes down is a palm. */
+/** Milliseconds before and after the use of a pen in which a finger counts as a palm. */
 const PALM = 500;
-/** Milliseconds without a word from a pen that is down after which it counts as gone: one that is held trembles. */
+/** Milliseconds without an event of a pressed pen after which it counts as gone: a held pen always trembles. */
 const GONE = 5000;
 
-/** What began each press that lasts. @type {Map<number, PointerEvent>} */
+/** The events that began the present presses. @type {Map<number, PointerEvent>} */
 const presses = new Map();
 /** @type {Set<number>} */
 const palms = new Set();
-/** When a pen was last near, ms of the events' clock. */
+/** Time of the last event of a pen, ms of the events' clock. */
 let penAt = -Infinity;
 
-/** What lies on the canvas: a palm may rest there. @param {EventTarget | null} target */
+/** True for the canvas and the instruments over it, where a palm may rest. @param {EventTarget | null} target */
 const isOnCanvas = (target) =>
-  target instanceof Element && (target === viser()?.canvas || target.closest(".softrod-instruments") !== null);
+  target instanceof Element && (target === viserCanvas() || target.closest(".softrod-instruments") !== null);
 
-/** Whether a pen is in use, or was just now. @param {number} now ms of the events' clock */
+/** True if a pen is in use, or was just now. @param {number} now ms of the events' clock */
 function isWriting(now) {
   const isDown = [...presses.values()].some(({ pointerType }) => pointerType === "pen");
   return now - penAt < (isDown ? GONE : PALM);
 }
 
-/** Has all who know of a press forget it. @param {PointerEvent} press */
+/** Cancels a press for all listeners. @param {PointerEvent} press */
 function cancel(press) {
   const { pointerId, pointerType, isPrimary, clientX, clientY, target } = press;
   const init = { pointerId, pointerType, isPrimary, clientX, clientY, bubbles: true };
   const there = target instanceof Element && target.isConnected ? target : document.body;
   there.dispatchEvent(new PointerEvent("pointercancel", init));
-  for (const element of [there, viser()?.canvas]) {
+  for (const element of [there, viserCanvas()]) {
     if (element?.hasPointerCapture(pointerId)) element.releasePointerCapture(pointerId);
   }
 }

@@ -1,1 +1,1 @@
-"""What a browser keeps of a page, and the links that it is opened by."""
+"""The state of a page that its browser stores, and links that open a scene."""

@@ -1,29 +1,29 @@
 // @ts-check
 /**
- * What survives a reload, a lost connection and a restart of the server: the tab's own storage keeps what the
- * server says of the session now and then, and every new connection gets it back.
+ * Survives a reload, a lost connection and a restart of the server: the tab stores the state that the server sends now and
+ * then, and returns it to every new connection.
  */
-import { onTold, told } from "../../wire/channel.js";
+import { onMessage, pageState } from "../../wire/channel.js";
 import { sendParts } from "./links.js";
 import { kept, store } from "./storage.js";
 
 const NAME = "softrod";
-/** The scene that the page's address asked for. */
+/** Where the scene that the page's address asks for is stored. */
 const ASKED = "softrod-asked";
 
-/** What the server is to be given, if anything, until it says that it has it: what was kept before. */
+/** The state that the server has to be given; null once it confirms that it has it. */
 let due = kept(NAME);
 
-/** The connection is lost: the next one is to be given what is kept now. */
+/** Has the present state given to the next connection; the last one is lost. */
 export const lost = () => (due = kept(NAME));
 
-/** Whether the next connection is to be given something. */
+/** True if the next connection has to be given a state. */
 export const hasKept = () => Boolean(due);
 
 /**
- * Forgets what is kept of another scene than the one that the page's address asks for.
+ * Forgets the stored state if the page's address asks for another scene.
  *
- * @param {string} asked empty if it asks for none
+ * @param {string} asked what it asks for; empty for none
  */
 export function keepOnlyOf(asked) {
   if (asked && asked !== kept(ASKED)) {
@@ -33,7 +33,7 @@ export function keepOnlyOf(asked) {
   store(ASKED, asked);
 }
 
-/** Compressed, as letters that a message can carry. @param {BlobPart} data */
+/** Compresses data, as base64 for a message. @param {BlobPart} data */
 export async function packed(data) {
   const stream = new Blob([data]).stream().pipeThrough(new CompressionStream("deflate"));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
@@ -43,23 +43,23 @@ export async function packed(data) {
 }
 
 /**
- * Gives it to each new connection, keeps what the server says from then on, and calls back.
+ * Gives the stored state to each new connection, then calls back; stores the states that the server sends from then on.
  *
  * @param {() => void} then
  */
 export function resume(then) {
   /** @type {string | undefined} */
   let page;
-  onTold("resumed", () => (due = null));
-  // Unless the server knows nothing yet of what was kept before.
-  onTold("keepsake", ({ kept }) => due || store(NAME, kept));
-  onTold("pageState", async () => {
-    if (told().page === page) return;
-    const mine = (page = told().page);
+  onMessage("resumed", () => (due = null));
+  // Unless the server does not have the previous state yet.
+  onMessage("keepsake", ({ kept }) => due || store(NAME, kept));
+  onMessage("pageState", async () => {
+    if (pageState().page === page) return;
+    const mine = (page = pageState().page);
     if (!mine) return;
     if (due) {
       const letters = await packed(due);
-      if (mine !== page) return; // it is given to the next one
+      if (mine !== page) return; // the next connection gets it
       if (due && !sendParts("resume", letters)) due = null;
     }
     then();

@@ -1,4 +1,4 @@
-"""Has the browser store what its page needs to come back to where it is, as often as that is worth it."""
+"""Saves the state of a page in its browser, as often as the cost allows."""
 
 from __future__ import annotations
 
@@ -12,17 +12,20 @@ from ...session.notices import Notice
 from ...session.plots import PlotSpec
 from ...wire.to_page import Keepsake, Resumed
 from ..page import Page
-from . import keeping, pasts
+from . import keeping, undo_store
 
-MIN_INTERVAL, MAX_INTERVAL = 1.0, 3.0
-"""Seconds between two saved states."""
+MIN_INTERVAL = 1.0
+"""Seconds between two saved states of a page whose state is cheap to save."""
+
+MAX_INTERVAL = 3.0
+"""Seconds after which a state is saved whatever it costs."""
 
 MAX_SHARE = 0.001
-"""The share of processor time that saving may take, within these intervals."""
+"""Share of processor time that saving may take between these intervals."""
 
 
 class KeptState(NamedTuple):
-    """What the browser was given last: the session's revision, and how the page looked."""
+    """The state that was saved last."""
 
     revision: int
     looks: keeping.Looks
@@ -34,11 +37,11 @@ class Keeper:
     """Saves one page's state in its browser, and restores it; the ticker's.
 
     Args:
-        page: whose state it is.
-        store: takes the state of a session instead of the browser, and says whether it did.
+        page: the page.
+        store: stores the state of a session elsewhere than in the browser; returns True if it did.
 
     Attributes:
-        kept: what was saved last; None if nothing was, or if the next frame is to be saved.
+        kept: the state that was saved last; None before that, or to have the next frame saved.
     """
 
     def __init__(self, page: Page, store: Callable[[bytes], bool]) -> None:
@@ -52,8 +55,8 @@ class Keeper:
         """Save the state if it has changed and is due.
 
         Args:
-            plots: those that are open.
-            at_rest: whether only the clock has gone on: that is not worth a message.
+            plots: the open plots.
+            at_rest: only the clock has advanced, which is not worth a message.
         """
         page, session = self._page, self._page.session
         now = session.now()
@@ -67,23 +70,23 @@ class Keeper:
         began = time.thread_time()  # other threads' work is no reason to save less often
         undo = self._secret if len(session.versions) else ""
         if undo:
-            pasts.keep(undo, session.versions)
+            undo_store.store(undo, session.versions)
         made = session.keepsake()
         if not self._store(made):
-            page.mail.tell(Keepsake(kept=keeping.encode(made, page.looks, plots, undo).decode()))
+            page.mail.send(Keepsake(kept=keeping.encode(made, page.looks, plots, undo).decode()))
         self.kept, self._scene = state, scene
         wait = (time.thread_time() - began) / MAX_SHARE
         self._due = now + min(max(MIN_INTERVAL, wait), MAX_INTERVAL)
 
-    def resume(self, kept: keeping.Kept) -> None:
-        """Go on from a saved state, in this very frame."""
+    def resume(self, saved: keeping.SavedPage) -> None:
+        """Restore a saved state in this frame."""
         page = self._page
-        versions = pasts.of(kept.undo) if kept.undo else None
-        if kept.undo and versions is None:
+        versions = undo_store.copy_of(saved.undo) if saved.undo else None
+        if saved.undo and versions is None:
             text = "What was changed before the connection was lost can no longer be undone."
             page.notify(Notice("info", "Undo starts afresh", text))
-        page.session.post(commands.Resume(bytes(kept.session), versions))
-        page.mail.tell(Resumed())
+        page.session.post(commands.Resume(bytes(saved.session), versions))
+        page.mail.send(Resumed())
         self.kept = None
-        for look in kept.looks.__struct_fields__:
-            page.set_look(look, getattr(kept.looks, look))
+        for look in saved.looks.__struct_fields__:
+            page.set_look(look, getattr(saved.looks, look))

@@ -1,4 +1,4 @@
-"""What a browser keeps of its page, and gives back after a reload, an outage or a restart of the server."""
+"""The state of a page as its browser stores it, for a reload, an outage or a restart of the server."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from msgspec import Meta
 from ...session.plots import PlotSpec
 
 MAX_BYTES = 8_000_000
-"""Of what a page gives back, unpacked: a scene of the largest size, and what belongs to it."""
+"""Size of an unpacked text from a page: a scene of the largest size and what belongs to it."""
 
 
 class Looks(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """How the page and its tables look, as far as that is the server's.
+    """How the page and its tables look, as far as the server decides it.
 
     Attributes:
-        dark: light on dark.
-        gizmos: arrows that drag held masses along one axis.
-        meter: always the stability meter, not only where it matters.
-        commas: tables that are saved have decimal commas.
+        dark: light text on a dark page.
+        gizmos: arrows at held masses, which drag them along one axis.
+        meter: show the stability meter always, not only near the limit.
+        commas: tables are saved with decimal commas.
     """
 
     dark: bool = False
@@ -31,41 +31,40 @@ class Looks(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     commas: bool = False
 
 
-PLAIN = Looks()
-"""How a new page looks."""
+DEFAULT_LOOKS = Looks()
 
 
-class Kept(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A keepsake of the session, how the page and its tables looked, and which plots were open.
+class SavedPage(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The saved session, how the page looked, and which plots were open.
 
     Attributes:
-        undo: a secret by which the server knows what there was to undo; empty if there was nothing.
+        undo: secret by which the server finds the undo history; empty if there was none.
     """
 
     session: msgspec.Raw
-    looks: Looks = PLAIN
+    looks: Looks = DEFAULT_LOOKS
     plots: tuple[PlotSpec, ...] = ()
     undo: Annotated[str, Meta(pattern="^([0-9a-f]{32})?$")] = ""
 
 
 def encode(session: bytes, looks: Looks, plots: tuple[PlotSpec, ...] = (), undo: str = "") -> bytes:
-    """What the browser is to keep, JSON."""
-    return msgspec.json.encode(Kept(session=msgspec.Raw(session), looks=looks, plots=plots, undo=undo))
+    """Encode the state of a page for its browser, as JSON."""
+    return msgspec.json.encode(SavedPage(session=msgspec.Raw(session), looks=looks, plots=plots, undo=undo))
 
 
-def decode(letters: str) -> Kept | None:
-    """What a page gives back; None if it makes no sense. Nothing in it is trusted."""
+def decode(letters: str) -> SavedPage | None:
+    """Decode what a page sends back; None if it is invalid. Nothing in it is trusted."""
     try:
-        return msgspec.json.decode(unpacked(letters), type=Kept)
+        return msgspec.json.decode(unpacked(letters), type=SavedPage)
     except (ValueError, RecursionError):
         return None
 
 
 def unpacked(letters: str) -> bytes:
-    """What a page has packed, at most MAX_BYTES of it.
+    """Decompress a text from a page, up to MAX_BYTES.
 
     Raises:
-        ValueError: it was not packed so.
+        ValueError: it is not base64 of compressed data.
     """
     try:
         return zlib.decompressobj().decompress(base64.b64decode(letters, validate=True), MAX_BYTES)
@@ -73,19 +72,19 @@ def unpacked(letters: str) -> bytes:
         raise ValueError(str(error)) from None
 
 
-class Parts:
-    """Puts together what comes in parts."""
+class ChunkAssembler:
+    """Joins a text that arrives in parts."""
 
     def __init__(self) -> None:
         self._letters: list[str] = []
 
     @property
     def size(self) -> int:
-        """Letters of what is not whole yet."""
+        """Characters of the unfinished text."""
         return sum(map(len, self._letters))
 
     def add(self, number: int, of: int, letters: str) -> str | None:
-        """The whole, once the last part is there; None before that, or if a part is missing."""
+        """Add a part, and return the text if that was the last one; start over if a part is missing."""
         if number == 1:
             self._letters = []
         if number != len(self._letters) + 1 or number > of:

@@ -1,24 +1,24 @@
 // @ts-check
 /**
- * Links that hold a scene after their #. A browser keeps that to itself, so it is sent to the server here. Nothing in
- * it is read in the page, and the address is given back without it: a reload then goes on with what is kept.
+ * Links with a scene after their #. Browsers do not send that part, so it is sent to the server here, unread, and removed
+ * from the address: a reload then goes on with the stored state.
  */
 import { LINK_PATH } from "../../stage/looks.js";
-import { send, told } from "../../wire/channel.js";
+import { pageState, send } from "../../wire/channel.js";
 
-/** The end of such a link's path; the page itself may be in a folder. */
+/** End of the path of such a link; the page itself may be in a folder. */
 const PATH = new RegExp(`${LINK_PATH}$`);
-/** How the data begins: the number of its way of packing, and a dot. */
+/** Beginning of the data: the version of the packing, and a dot. */
 const BEGIN = /^#\d+\./;
-/** Characters of a message; the gate takes 64 KiB. */
+/** Characters of a part; the gate accepts messages up to 64 KiB. */
 const PART = 48_000;
-/** Parts of a text; the server takes no more. */
+/** Parts of a text that the server accepts. */
 const MAX_PARTS = 99;
 
-/** The data of a link that is to be opened. */
+/** The data of a link that has to be opened. */
 let due = "";
 
-/** Takes a link out of the page's address; before viser's page begins, which would connect to all of that. */
+/** Takes a link out of the page's address; call it before viser's page begins, which would connect to all of it. */
 export function takeLink() {
   const { hash, pathname, search } = location;
   if (PATH.test(pathname) || BEGIN.test(hash)) due = hash.slice(1);
@@ -26,8 +26,8 @@ export function takeLink() {
 }
 
 /**
- * Has viser's page leave the page's address alone: for a page in a folder it would write the address of its WebSocket
- * there, which the server takes for an attack at the next reload.
+ * Keeps viser's page from changing the address: for a page in a folder it would add the address of its WebSocket, which
+ * the server would take for an attack at the next reload.
  */
 export function keepAddress() {
   const replace = history.replaceState.bind(history);
@@ -35,11 +35,11 @@ export function keepAddress() {
 }
 
 /**
- * Sends a text in parts; one that is too long is not sent, and its user is told.
+ * Sends a text in parts; if it is too long, the user gets a notice instead.
  *
  * @param {import("../../wire/wire.js").TextKind} kind
  * @param {string} letters
- * @returns {boolean} whether it was sent
+ * @returns {boolean} true if it was sent
  */
 export function sendParts(kind, letters) {
   const parts = Math.max(1, Math.ceil(letters.length / PART));
@@ -51,14 +51,14 @@ export function sendParts(kind, letters) {
   return true;
 }
 
-/** Has the server open the link that the page was opened with, if there is a connection. */
+/** Has the server open the link of the page's address, if there is a connection. */
 export function openLink() {
-  if (!due || !told().page) return;
+  if (!due || !pageState().page) return;
   sendParts("link", due);
   due = "";
 }
 
-/** Begins to take links that are put into the address of the page that is there. */
+/** Opens links that are pasted into the address of the present page. */
 export function listenToLinks() {
   window.addEventListener("hashchange", () => {
     takeLink();

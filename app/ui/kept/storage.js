@@ -1,7 +1,7 @@
 // @ts-check
-/** The tab's own storage. A browser may forbid it: then nothing is kept, and the page works all the same. */
+/** The storage of the tab. If the browser forbids it, nothing is stored, and the page works all the same. */
 
-/** What is kept under a name, or null. @param {string} name */
+/** The text stored under a name, or null. @param {string} name */
 export function kept(name) {
   try {
     return sessionStorage.getItem(name);
@@ -11,7 +11,7 @@ export function kept(name) {
 }
 
 /**
- * Keeps a text. If there is no room for it, what was kept before goes too: better nothing than something old.
+ * Stores a text. If there is no room for it the old one is removed too: better nothing than an outdated state.
  *
  * @param {string} name
  * @param {string} text

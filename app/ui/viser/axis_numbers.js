@@ -1,14 +1,14 @@
 // @ts-check
 /**
- * Numbers on the axes of plots. The plotting library writes them with three decimals, so that marks a thousandth apart
- * look alike. It makes its formatter when viser's page is loaded, with nothing but a language.
+ * Numbers on the axes of plots. The plotting library formats them with three decimals, so that marks a thousandth apart
+ * look alike. It makes its formatter when viser's page is loaded, with a language as the only argument.
  */
 
-/** Digits that tell the marks of the narrowest axis apart, see app/session/plots.py. */
+/** Digits that distinguish the marks of the narrowest axis, see app/session/plots.py. */
 const DIGITS = 7;
 
-/** Has formatters with nothing but a language write so many digits; returns what ends that. */
-export function tellApart() {
+/** Makes such formatters write so many digits, until the returned function is called. */
+export function fixAxisLabels() {
   const original = Intl.NumberFormat;
   const ours = new Proxy(original, {
     construct: (target, [language, options]) =>

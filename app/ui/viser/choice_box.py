@@ -1,4 +1,4 @@
-"""A list from which a property of the scene is chosen, see `sim.settings.CHOICES`."""
+"""A dropdown list for a property of the scene, see `sim.settings.CHOICES`."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from .handlers import on_change
 
 
 class ChoiceBox:
-    """The list of one choice.
+    """The list of one property.
 
     Args:
-        page: where it stands.
-        key: of the choice.
-        order: in its tab.
+        page: its page.
+        key: of the property.
+        order: its place in the tab.
 
     Attributes:
         handle: viser's handle of it.
@@ -35,5 +35,5 @@ class ChoiceBox:
         on_change(self.handle, choose)
 
     def show(self, scene: Scene) -> None:
-        """Show what the scene has."""
+        """Show the value of a scene."""
         self.handle.value = self._choice.options[self._choice.read(scene)]

@@ -1,83 +1,82 @@
 // @ts-check
 /**
- * Whether the server is there. viser's page has its WebSocket in a worker; what goes to and from that worker is
- * seen here.
+ * Watches the connection to the server. viser's page has its WebSocket in a worker; messages to and from that worker pass
+ * through here.
  *
- * A path can die without a word: the server stands still, a Wi-Fi roams, a proxy forgets. Neither end is told, and
- * the socket stays open. So the page asks the server for a sign of life whenever it has heard nothing for a
- * while, which is tiny and costs nothing while a body moves. The gate answers it (`Gate`), whatever else the
- * server does.
+ * A connection can die silently: the server hangs, a Wi-Fi roams, a proxy drops it. Neither end notices, and the socket
+ * stays open. So the page asks the server for a sign of life whenever it has received nothing for a while, which costs
+ * nothing while a body moves. The gate answers (`Gate`), whatever else the server does.
  *
- * A browser that was refused many times makes every further attempt wait for some seconds. viser begins another
- * one every second, which gives up the one that waits, so after half a minute it never comes back. Here an
- * attempt has its time.
+ * A browser that was refused many times delays every further attempt by some seconds. viser begins another one every
+ * second, which aborts the one that waits, so after half a minute it never reconnects. Here an attempt gets enough time.
  */
 
-/** By what the times after which a page loses its patience are divided: a browser test may set it before the page begins. */
+/** Divides all waiting times; browser tests may set it before the page begins. */
 const HURRY = Number(/** @type {any} */ (globalThis).__softrodHurry) || 1;
-/** Milliseconds that an attempt has before another may take its place. */
+/** Milliseconds before an attempt to connect may be replaced by another. */
 const PATIENCE = 8000 / HURRY;
-/** Milliseconds between two looks, whether it is time for an attempt or for a sign of life. */
-const LOOK_EVERY = 1000 / HURRY;
-/** Milliseconds between two looks beyond which it was the page that stood still: a hidden page, a sleeping machine. */
+/** Milliseconds between two checks. */
+const CHECK_EVERY = 1000 / HURRY;
+/** Milliseconds between two checks that prove that the page itself was suspended: hidden, or on a sleeping machine. */
 const STOOD = 2500;
-/** Milliseconds of silence after which the server is asked for a sign of life. */
+/** Milliseconds of silence before the server is asked for a sign of life. */
 const ASK_AFTER = 2000 / HURRY;
-/** Milliseconds of silence after which the page says so. */
+/** Milliseconds of silence before the page says so. */
 const SILENT_AFTER = 7000 / HURRY;
-/** Milliseconds of silence after which the connection is given up for a new one; at first, and at most. */
+/** Milliseconds of silence before the connection is replaced, at first. */
 const GIVE_UP_AFTER = 14_000 / HURRY;
+/** The longest such time, for slow connections. */
 const GIVE_UP_LATEST = 56_000;
 
-/** @typedef {"connected" | "silent" | "closed"} Line how the connection is */
+/** @typedef {"connected" | "silent" | "closed"} Line state of the connection */
 
-/** Decides which attempts to connect are made. */
+/** Decides when an attempt to connect is made. */
 export class Attempts {
   constructor() {
     this.under = -Infinity;
   }
 
-  /** Whether one may begin; then it is under way. @param {number} now ms */
+  /** Begins an attempt and returns true, unless one is under way. @param {number} now ms */
   begin(now) {
     if (now - this.under < PATIENCE) return false;
     this.under = now;
     return true;
   }
 
-  /** The one under way has failed, or the connection is lost. */
+  /** Ends the present attempt: it has failed, or the connection was lost. */
   end() {
     this.under = -Infinity;
   }
 }
 
-/** Measures how long a connection has been silent, and says what is to be done about it. */
+/** Measures the silence of a connection, and decides what to do about it. */
 export class Pulse {
   constructor() {
     this.silence = 0;
     this.looked = -Infinity;
     /**
-     * Silence after which it is given up. A large message on a slow path is silent, too, so it grows, until a connection
-     * has been well for as long as it can be.
+     * Silence before it is replaced. While a large message arrives slowly there is silence, too, so this time grows, until a
+     * connection has been well for the longest such time.
      */
     this.patience = GIVE_UP_AFTER;
     this.well = 0;
   }
 
-  /** Something came. */
+  /** Notes that a message has arrived. */
   heard() {
     this.silence = 0;
   }
 
   /**
-   * Looks at the clock, some times a minute or more.
+   * Checks the silence; call it at least several times a minute.
    *
    * @param {number} now ms
-   * @returns {"well" | "ask" | "silent" | "dead"} "silent" and "dead" want a sign of life, too
+   * @returns {"well" | "ask" | "silent" | "dead"} in all cases but "well" ask for a sign of life
    */
   look(now) {
     const passed = now - this.looked;
     this.looked = now;
-    // What came while the page stood still may wait behind this very look. So such a time proves nothing.
+    // Messages that arrived while the page was suspended may be delivered after this call, so that time does not count.
     if (passed < STOOD) {
       this.silence += passed;
       this.well = this.silence < SILENT_AFTER ? this.well + passed : 0;
@@ -93,22 +92,22 @@ export class Pulse {
   }
 }
 
-/** The workers that hold the page's connection. @type {Set<Worker>} */
+/** Workers with connections of the page. @type {Set<Worker>} */
 const workers = new Set();
 
-/** Gives the connection up for good: nobody looks at this page any more. */
+/** Closes the connection for good: nobody uses this page any more. */
 export function giveUpConnection() {
   for (const worker of workers) worker.terminate();
   workers.clear();
 }
 
-/** Names this page to the server, which drops an older connection of the same page that it still holds. */
+/** A name by which the server recognizes the page, to drop an older connection of it. */
 function newName() {
   return [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
 /**
- * What of the page's address says which scene it shows, as one of its own or as a class's; empty if nothing does.
+ * The part of the page's address that names a scene, its own or that of a class; empty without one.
  *
  * @param {string} search the query of the page's address
  */
@@ -118,11 +117,11 @@ export function askedScene(search) {
 }
 
 /**
- * What is added to the server's address: the page's name, and what the page's own address asks for.
+ * The path of the connection: the page's name, and what the page's own address asks for.
  *
  * @param {string} name
  * @param {string} search the query of the page's address
- * @param {boolean} isNew whether the page has nothing to go on with, and gets the scene that its address asks for
+ * @param {boolean} isNew the page has no stored state, and gets the scene of its address
  */
 export function serverPath(name, search, isNew) {
   const asked = new URLSearchParams(search);
@@ -133,10 +132,10 @@ export function serverPath(name, search, isNew) {
 }
 
 /**
- * Watches every worker that the page makes from now on.
+ * Watches all workers that the page makes from now on.
  *
- * @param {(line: Line) => void} changed called while messages can still be sent, where they ever can
- * @param {() => boolean} isNew whether the page has nothing to go on with
+ * @param {(line: Line) => void} changed called with each new state, if possible while messages can still be sent
+ * @param {() => boolean} isNew returns true if the page has no stored state
  */
 export function watchConnection(changed, isNew) {
   const attempts = new Attempts();
@@ -164,7 +163,7 @@ export function watchConnection(changed, isNew) {
           become("connected");
         }
       });
-      setInterval(() => this.look(), LOOK_EVERY);
+      setInterval(() => this.look(), CHECK_EVERY);
       document.addEventListener("visibilitychange", () => this.look());
     }
 
@@ -174,7 +173,7 @@ export function watchConnection(changed, isNew) {
       if (line === "closed") this.postMessage({ type: "retry" });
       if (line !== "connected" && line !== "silent") return;
       if (found === "dead") {
-        // viser's page believes it, and begins a new attempt, which closes the old socket.
+        // This makes viser's page begin a new attempt, which closes the old socket.
         this.dispatchEvent(new MessageEvent("message", { data: { type: "closed", closeReason: "silence" } }));
         return;
       }
@@ -184,7 +183,7 @@ export function watchConnection(changed, isNew) {
 
     /** @param {any} message @param {any} [transfer] */
     postMessage(message, transfer) {
-      // Whatever is sent into a silent path would be done late, when nobody expects it.
+      // Messages on a silent connection would take effect late, when nobody expects it.
       if (message?.type === "send" && line === "silent") return;
       if (message?.type === "set_server") server = message.server;
       if (message?.type === "set_server" || message?.type === "retry") {

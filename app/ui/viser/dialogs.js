@@ -1,10 +1,10 @@
 // @ts-check
-/** Esc closes a question or the help of viser's, by the button that does nothing else: the last one. */
+/** Closes viser's dialogs with Esc, by their last button, which only closes. */
 import { swallow } from "../hands/keys.js";
 import { DIALOG } from "./widgets.js";
 
-/** Begins to listen; before the keys are listened to, which leave an open dialog alone. */
-export function mindDialogs() {
+/** Begins to listen; call it before the other keys, which ignore an open dialog. */
+export function closeDialogsByKey() {
   window.addEventListener(
     "keydown",
     (event) => {

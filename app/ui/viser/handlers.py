@@ -1,4 +1,4 @@
-"""Calling back when a page's user does something to a control; viser does so when the server does, too."""
+"""Callbacks for changes by the user; viser also calls its handlers when the server changes a control."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ def on_press(button: Any, press: Callable[[], None], blocks: bool = False) -> No
     """Call back when a button is pressed.
 
     Args:
-        button: which.
-        press: what is called, on viser's event loop.
-        blocks: whether it may take a while; then one of viser's threads calls it.
+        button: the button.
+        press: called on viser's event loop.
+        blocks: it may take a while, so one of viser's threads calls it.
     """
     if blocks:
         button.on_click(lambda _: press())
@@ -35,7 +35,7 @@ def on_press(button: Any, press: Callable[[], None], blocks: bool = False) -> No
 
 
 def add_command(gui: viser.GuiApi, label: str, act: Callable[[], None], keys: str | None = None) -> None:
-    """Add something to the command palette, which calls back on viser's event loop."""
+    """Add a command to the palette, which calls back on viser's event loop."""
 
     @gui.add_command(label, description=keys).on_trigger
     async def _(_: object) -> None:

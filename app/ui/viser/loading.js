@@ -1,51 +1,47 @@
 // @ts-check
 /**
- * The page that stands from the first bytes on until the body and the panel do; viser's own is not to be seen before
- * that. It also says why the page cannot work, with nothing under it.
+ * The loading screen, which covers viser's page until the body and the panel are there. It also says why the page cannot
+ * work.
  */
 import { onPicture } from "../../stage/canvas.js";
-import { onTold, told } from "../../wire/channel.js";
+import { make, makeButton } from "../dialog.js";
+import { onMessage, pageState } from "../../wire/channel.js";
 
-/** Pictures of the screen that viser needs to put up the panel of which the page was told. */
+/** Animation frames that viser needs to show the panel after its messages have arrived. */
 const SETTLING = 4;
 
-const NO_CANVAS = "The browser no longer draws this page. Your body is kept:";
+const NO_CANVAS = "The browser no longer draws this page. Your body is saved:";
 
 const box = () => document.querySelector(".softrod-loading");
 
-/** Says in place of the whole page that it cannot work, and returns what says it. @param {string} text */
-export function complain(text) {
-  const said = document.createElement("p");
-  said.className = "softrod-fault";
+/** Shows why the page cannot work, in place of the whole page, and returns the element. @param {string} text */
+export function showFault(text) {
+  const said = make("p", "softrod-fault", text);
   said.setAttribute("role", "alert");
-  said.textContent = text;
   const over = box();
   if (over) over.querySelector("h1")?.after(said);
   else document.body.append(said);
   return said;
 }
 
-/** Says so once the browser has taken the canvas away from the page: what viser had put on it does not all come back. */
-export function mindGraphics() {
+/** Offers to reload once the browser has discarded the canvas, since viser does not restore all of it. */
+export function watchGraphics() {
   const lost = (/** @type {Event} */ { target }) => {
     if (!(target instanceof HTMLCanvasElement && target.isConnected)) return;
     window.removeEventListener("webglcontextlost", lost, true);
-    const again = document.createElement("button");
-    again.textContent = "Reload";
-    again.addEventListener("click", () => location.reload());
-    complain(NO_CANVAS).append(" ", again);
+    showFault(NO_CANVAS).append(" ", makeButton("Reload", () => location.reload(), ""));
   };
   window.addEventListener("webglcontextlost", lost, true);
 }
 
-/** Whether the browser can draw; viser needs WebGL 2. */
+/** True if the browser has WebGL 2, which viser needs. */
 export function canDraw() {
   const context = document.createElement("canvas").getContext("webgl2");
   context?.getExtension("WEBGL_lose_context")?.loseContext();
   return context !== null;
 }
 
-/** Begins viser's page, whose script waits in the page for its turn. */
+/** Begins viser's page, whose script is in the page but not run yet. */
 export function beginViser() {
   const waiting = document.querySelector("script[data-p]");
   const script = document.createElement("script");
@@ -54,17 +50,17 @@ export function beginViser() {
   document.head.append(script);
 }
 
-/** Takes the page away once there is something to see. */
+/** Removes the loading screen once there is something to see. */
 export function endLoading() {
   let pictured = false;
   let left = SETTLING;
   const settle = () => (left-- > 0 ? requestAnimationFrame(settle) : box()?.remove());
   const look = () => {
-    if (left === SETTLING && pictured && told().page) settle();
+    if (left === SETTLING && pictured && pageState().page) settle();
   };
   onPicture(() => {
     pictured = true;
     look();
   });
-  onTold("pageState", look);
+  onMessage("pageState", look);
 }

@@ -1,16 +1,12 @@
 // @ts-check
-/** What viser's page shows, for the browser tests: these know nothing of viser and of what it draws with. */
+/** What viser's page shows, for browser tests, which then need not know viser or the library that draws. */
 import { viser } from "./viser.js";
 
-/** What is drawn in. */
-export const canvas = () => viser()?.canvas;
-
-/** Has all drawn once more. */
-export const render = () => viser()?.requestRender();
+export { viserCanvas as canvas, project, render } from "./viser.js";
 
 /**
- * The matrices of a node's instances in the page's world, as they are handed to the graphics card, 16 numbers each; null if
- * there is no such node.
+ * The matrices of a node's instances in the page's world, as the graphics card gets them, 16 numbers each; null without
+ * such a node.
  *
  * @param {string} name
  */
@@ -25,20 +21,7 @@ export function instances(name) {
   return found;
 }
 
-/** Where places of the page's world are on the screen, CSS pixels. @param {number[][]} places x, y and z of each */
-export function project(places) {
-  const { camera, canvas, nodeRefFromName } = viser() ?? {};
-  const root = nodeRefFromName?.[""];
-  if (!camera || !canvas || !root) return [];
-  const box = canvas.getBoundingClientRect();
-  camera.updateMatrixWorld();
-  return places.map(([x, y, z]) => {
-    const point = camera.position.clone().set(x, y, z).applyMatrix4(root.matrixWorld).project(camera);
-    return [box.left + ((point.x + 1) / 2) * box.width, box.top + ((1 - point.y) / 2) * box.height];
-  });
-}
-
-/** Where the page looks from: its matrix, what it looks at, and how; null while there is no camera. */
+/** The camera: its matrix, its target and its angles; null while there is none. */
 export function camera() {
   const { camera, cameraControl } = /** @type {any} */ (viser() ?? {});
   if (!camera || !cameraControl) return null;

@@ -17,34 +17,34 @@ from .. import readouts
 from .handlers import on_change
 
 TOUCHED = 0.4
-"""Seconds for which a slider that its user moved is left alone by the server."""
+"""Seconds for which the server does not move a slider that its user has moved."""
 
-TOLD = 3.0
-"""Seconds for which a user is told only once that numbers of a box are out of range."""
+NOTICE_EVERY = 3.0
+"""Seconds between two notices that numbers of a box are out of range."""
 
 DECIMALS = 15
-"""Decimals that a box shows; viser takes those of its step, and the point out of any other number."""
+"""Decimals that a box shows; viser would round to those of its step."""
 
 
 class SliderBox:
     """A slider and a number box for one setting; the slider of a logarithmic one is over powers of ten.
 
-    The slider covers the useful range, the box all that is allowed. What is out of range is not taken, and
-    its user is told so. The page's script sends whole numbers only, see `numbers.js`.
+    The slider covers the useful range, the box all that is allowed. Numbers out of range are refused with a
+    notice. The page's script sends complete numbers only, see `numbers.js`.
 
     Args:
         client: the page.
         setting: the setting.
-        value: what is set.
-        post: hands a value on.
-        tell: says something to the user.
-        order: where it stands in its tab; at the end if not given.
-        apart: by how much later the number box comes.
+        value: its present value.
+        post: called with a new value.
+        notify: shows a notice to the user.
+        order: its place in the tab; at the end if not given.
+        apart: distance of the number box in this order.
 
     Attributes:
-        settled: whether it shows what is set, and not still what its user has set.
-        mixed: whether the parts that it sets have different numbers; its label says so, and its hint what it
-            then does.
+        settled: it shows the value of the solver, not one that its user has just set.
+        mixed: the parts that it sets have different values; its label says so, and its hint what it then
+        does.
     """
 
     def __init__(
@@ -53,18 +53,18 @@ class SliderBox:
         setting: Setting,
         value: float,
         post: Callable[[float], None],
-        tell: Callable[[Notice], None],
+        notify: Callable[[Notice], None],
         order: float | None = None,
         apart: float = 0.5,
     ) -> None:
         self.setting = setting
         self._post = post
-        self._limits = Limits(setting, tell)
+        self._limits = Limits(setting, notify)
         self.settled = True
         self.mixed = False
         self._scene: Scene | None = None
         self._touched = -math.inf
-        self._known = value  # what the solver has, as far as this page knows
+        self._known = value  # the last known value of the solver
         self._retired = False
         low, high = setting.slider
         self._low, self._high = self._to_slider(low), self._to_slider(high)
@@ -88,7 +88,7 @@ class SliderBox:
         self.box = client.gui.add_number(
             "",
             initial_value=rounded(value),
-            step=box_step,  # and no limits: viser would take the sign out of a number, or put in another one
+            step=box_step,  # without limits: viser would drop the sign of a number, or replace it
             order=None if order is None else order + apart,
         )
         self.box.precision = DECIMALS
@@ -109,11 +109,11 @@ class SliderBox:
         on_change(self.box, enter)
 
     def retire(self) -> None:
-        """It is about to be taken out of the page: what its user still sends is ignored."""
+        """Ignore what its user still sends; it is about to be removed."""
         self._retired = True
 
     def show(self, scene: Scene) -> None:
-        """Show what the solver has, if that is not what this page's user is just setting."""
+        """Show the value of a scene, unless the user is just setting another one."""
         value = self.setting.read(scene)
         if scene is not self._scene:
             self._scene = scene
@@ -121,7 +121,7 @@ class SliderBox:
         self.show_value(value)
 
     def show_value(self, value: float) -> None:
-        """Show a number, if that is not what this page's user is just setting."""
+        """Show a value, unless the user is just setting another one."""
         if time.monotonic() - self._touched < TOUCHED:
             return
         self._known, self.settled = value, True
@@ -141,7 +141,7 @@ class SliderBox:
             self.slider.label = f"{setting.label} (mixed)" if mixed else setting.label
 
     def _send(self, value: float) -> bool:
-        """Hand a value on, if it is one that can be set."""
+        """Post a value if it is allowed, and return True if it was posted."""
         self._touched, self.settled = time.monotonic(), False
         if self._retired or not self._limits.allow(value):
             return False
@@ -150,7 +150,7 @@ class SliderBox:
         return True
 
     def _place(self, value: float) -> float:
-        """Where the slider stands for a value, at the end of its range for one beyond it."""
+        """The slider's position for a value, limited to its range."""
         return min(max(self._to_slider(value), self._low), self._high)
 
     def _to_slider(self, value: float) -> float:
@@ -158,46 +158,46 @@ class SliderBox:
 
     def _from_slider(self, place: float) -> float:
         place = min(max(place, self._low), self._high)
-        # Three digits are as fine as a hand can move it.
+        # No hand moves it more finely than three digits.
         return float(f"{10.0**place:.3g}") if self.setting.logarithmic else float(place)
 
 
 def mixed_words(setting: Setting) -> str:
-    """What a slider shows and does where the parts that it sets have different numbers."""
+    """What a slider does whose parts have different values."""
     if setting.key == "rest_angle":
         return "the slider turns the first angle, and the others by as much"
     return "the slider sets the largest number, and the others keep their ratio to it"
 
 
 class Limits:
-    """What can be set in a box; tells its user if a number cannot.
+    """The values that a box may have, with a notice for others.
 
     Args:
         of: the number, with its label, unit and limits.
-        tell: says something to the user.
+        notify: shows a notice to the user.
 
     Attributes:
-        range: what can be set, in words.
+        range: the allowed range as text.
     """
 
-    def __init__(self, of: Setting | Number, tell: Callable[[Notice], None]) -> None:
-        self._of, self._tell = of, tell
-        self._told = -math.inf
+    def __init__(self, of: Setting | Number, notify: Callable[[Notice], None]) -> None:
+        self._of, self._notify = of, notify
+        self._noticed = -math.inf
         self.range = f"{readouts.grouped(of.low)} to {readouts.grouped(of.high)} {of.unit}".rstrip()
 
     def allow(self, value: float) -> bool:
-        """Whether a number can be set; if not, its user is told."""
+        """Return True if a number is allowed; if not, show a notice."""
         if self._of.low <= value <= self._of.high:
             return True
         now = time.monotonic()
-        if now - self._told > TOLD:  # a button that counts down may be held
-            self._told = now
-            self._tell(Notice("warning", "Out of range", f"{self._of.label}: {self.range}"))
+        if now - self._noticed > NOTICE_EVERY:  # a button that counts down may be held
+            self._noticed = now
+            self._notify(Notice("warning", "Out of range", f"{self._of.label}: {self.range}"))
         return False
 
 
 def alike(a: float, b: float) -> bool:
-    """Whether two numbers are the same in a box."""
+    """Return True if a box shows two numbers alike."""
     return math.isclose(a, b, rel_tol=1e-6, abs_tol=1e-9)
 
 

@@ -1,8 +1,8 @@
 // @ts-check
 /**
- * The one way into viser's page: its test hook, `window.__viserMutable`.
+ * Access to viser's page by its test hook, `window.__viserMutable`.
  *
- * viser is pinned exactly. What is used of it is written down here as types, and driven by the browser tests.
+ * viser is pinned to one version. The types here list what is used of it; the browser tests exercise all of it.
  *
  * @typedef {{x: number, y: number, z: number, clone(): Vector, set(x: number, y: number, z: number): Vector,
  *   project(camera: Camera): Vector, applyMatrix4(matrix: Matrix): Vector}} Vector
@@ -21,7 +21,7 @@
  *   Scene
  * @typedef {object} Viser
  * @property {HTMLCanvasElement | null} canvas
- * @property {Scene | null} scene whose methods are called whenever it is about to be drawn, and when it is
+ * @property {Scene | null} scene its methods are called before and after it is drawn
  * @property {Camera | null} camera
  * @property {Controls | null} cameraControl
  * @property {Record<string, {matrixWorld: Matrix} | undefined>} nodeRefFromName
@@ -35,8 +35,43 @@ const NAME = "__viserMutable";
 /** @returns {Viser | undefined} */
 export const viser = () => /** @type {any} */ (window)[NAME];
 
+/** The canvas that viser draws in, once there is one. */
+export const viserCanvas = () => viser()?.canvas ?? null;
+
+/** The place of the canvas in the window. */
+export const canvasBox = () => viserCanvas()?.getBoundingClientRect();
+
+/** Requests a redraw of the canvas. */
+export const render = () => viser()?.requestRender();
+
+/** The camera, and a place of the page's world in its coordinates; null while there is no camera. */
+export function viserCamera() {
+  const { camera, cameraControl: controls, nodeRefFromName } = viser() ?? {};
+  const root = nodeRefFromName?.[""];
+  if (!camera || !root) return null;
+  /** @param {number} x @param {number} y @param {number} z */
+  const place = (x, y, z) => camera.position.clone().set(x, y, z).applyMatrix4(root.matrixWorld);
+  return { camera, controls, place };
+}
+
 /**
- * Calls back once viser's page has made its hook, before the first message can come.
+ * Places of the page's world on the screen, CSS pixels; empty while there is no camera.
+ *
+ * @param {number[][]} places x, y and z of each
+ */
+export function project(places) {
+  const [seen, box] = [viserCamera(), canvasBox()];
+  if (!seen || !box) return [];
+  const { camera, place } = seen;
+  camera.updateMatrixWorld();
+  return places.map(([x, y, z]) => {
+    const point = place(x, y, z).project(camera);
+    return [box.left + ((point.x + 1) / 2) * box.width, box.top + ((1 - point.y) / 2) * box.height];
+  });
+}
+
+/**
+ * Calls back once viser's page has made its hook, before the first message can arrive.
  *
  * @param {(viser: Viser) => void} ready
  */
@@ -56,7 +91,7 @@ export function whenViser(ready) {
   });
 }
 
-/** Whether viser's page is as this script knows it. @param {Viser | undefined} found */
+/** True if viser's page has what this script uses. @param {Viser | undefined} found */
 export const isKnown = (found) =>
   found !== undefined &&
   Array.isArray(found.messageQueue) &&

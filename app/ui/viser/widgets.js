@@ -1,8 +1,10 @@
 // @ts-check
 /**
- * The widgets of viser's panel: what viser and its libraries call them, names for what they leave without, and marks for
- * the styles. Nothing outside of this folder knows what they are called.
+ * The widgets of viser's panel: selectors for them, labels that viser leaves out, and marks for the styles. Nothing outside
+ * of this folder depends on how viser and its libraries call them.
  */
+import { viserCanvas } from "./viser.js";
+
 export const NUMBER_BOX = ".mantine-NumberInput-root";
 export const SLIDER = ".mantine-Slider-root";
 export const DIALOG = '.mantine-Modal-content[role="dialog"]';
@@ -12,20 +14,21 @@ export const CHARTS = ".uplot canvas";
 const ROW = ".mantine-Flex-root:has(> div > p > label)";
 /** The icon of the button that opens a file. */
 export const OPEN = ".icon-tabler-upload";
-/** Buttons that are only an icon, by what they do. @type {Record<string, string>} */
+/** Labels of buttons that are only an icon, by the class of the icon. @type {Record<string, string>} */
 const ICONS = { "tabler-icon-list-search": "All commands" };
-/** The icon of "Open anew", which stands beside the scene's title; and of viser's own page for developers, which changes what
- * softrod sets. */
-const [ANEW, DEVELOPERS] = [".icon-tabler-refresh", ".tabler-icon-adjustments"];
+/** The icon of the button "Open anew" beside the title of the scene. */
+const REOPEN = ".icon-tabler-refresh";
+/** The icon of viser's tools for developers, which would change settings of softrod. */
+const DEVELOPERS = ".tabler-icon-adjustments";
 
-/** Whether the page is dark. */
+/** True if the page is dark. */
 export const isDark = () => document.documentElement.dataset.mantineColorScheme === "dark";
 
-/** A tab of the panel beside the canvas, or of that of a phone, by its id: its words may be translated. @param {string} id */
+/** A tab of the panel by its id, since its words may be translated. @param {string} id */
 export const tabOf = (id) => document.querySelector(`[data-dock-tab="${id}"], [role=tab][id$="-tab-${id}"]`);
 
-/** What viser makes as wide as the panel leaves room for. @param {HTMLCanvasElement} canvas */
-export const frameOf = (canvas) => canvas.closest("[data-dock-root] > div");
+/** Marks the element whose width viser fits to the room beside the panel, for the styles. */
+export const markCanvas = () => mark(viserCanvas()?.closest("[data-dock-root] > div"), "canvas");
 
 /** The panel at a side of the canvas. @param {string} side */
 export const panelAt = (side) => document.querySelector(`[data-dock-region="${side}"]`);
@@ -34,8 +37,8 @@ export const panelAt = (side) => document.querySelector(`[data-dock-region="${si
 const rowName = (element) => element.closest(ROW)?.querySelector("label")?.innerText ?? "";
 
 /**
- * Marks an element by an attribute: a selector with `:has` would have the browser go through the whole page whenever a
- * text in it changes, which took half of the page's time.
+ * Marks an element by an attribute. A selector with `:has` would make the browser search the whole page whenever a text in
+ * it changes, which took half of the page's time.
  *
  * @param {Element | null | undefined} element @param {string} mark
  */
@@ -43,7 +46,7 @@ function mark(element, mark) {
   if (element && element.getAttribute("data-softrod") !== mark) element.setAttribute("data-softrod", mark);
 }
 
-/** A slider and the box below it, which has its value; that of a logarithmic slider is over powers of ten. @param {Element} slider */
+/** Labels a slider and the number box below it, whose text it shows: its own value may be a power of ten. @param {Element} slider */
 function pair(slider) {
   const label = rowName(slider);
   const thumb = slider.querySelector(".mantine-Slider-thumb");
@@ -70,15 +73,15 @@ function look() {
     const label = rowName(input);
     if (label) input.ariaLabel = label;
   }
-  const anew = document.querySelector(ANEW)?.closest("button");
-  mark(anew, "icon");
-  mark(anew?.parentElement, "icon-row");
-  mark(anew?.parentElement?.previousElementSibling, "before-icon");
+  const reopen = document.querySelector(REOPEN)?.closest("button");
+  mark(reopen, "icon");
+  mark(reopen?.parentElement, "icon-row");
+  mark(reopen?.parentElement?.previousElementSibling, "before-icon");
   mark(document.querySelector(DEVELOPERS)?.closest("button"), "developers");
 }
 
-/** Begins to name and to mark what comes into the page. */
-export function mindWidgets() {
+/** Begins to label and mark the widgets that appear in the page. */
+export function watchWidgets() {
   let asked = false;
   const later = () => {
     asked = false;

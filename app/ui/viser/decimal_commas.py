@@ -1,4 +1,4 @@
-"""Whether tables that are saved have decimal commas: one choice of a page, shown where tables are saved."""
+"""The setting of a page whether saved tables have decimal commas, with a switch wherever tables are saved."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import viser
 from .handlers import on_change
 
 
-class CommaSwitch:
-    """The choice.
+class DecimalCommas:
+    """The setting and its switches.
 
     Args:
-        act: passes on whether its user wants commas.
+        act: called with the new value when the user changes it.
 
     Attributes:
-        on: whether tables have decimal commas, and semicolons between their columns.
+        on: tables have decimal commas, and semicolons between their columns.
     """
 
     def __init__(self, act: Callable[[bool], None]) -> None:
@@ -25,11 +25,11 @@ class CommaSwitch:
         self._shown: list[viser.GuiCheckboxHandle] = []
 
     def clear(self) -> None:
-        """Forget the switches of a panel that is gone."""
+        """Forget the switches of a panel that has been removed."""
         self._shown.clear()
 
     def add(self, gui: viser.GuiApi, order: float | None = None) -> viser.GuiCheckboxHandle:
-        """Show it, where the next control would stand."""
+        """Add a switch at the place of the next control."""
         switch = gui.add_checkbox(
             "Decimal commas",
             initial_value=self.on,
@@ -42,7 +42,7 @@ class CommaSwitch:
         return switch
 
     def show(self, on: bool) -> None:
-        """Choose, and show it everywhere."""
+        """Set the value, and show it in all switches."""
         self.on = on
         for switch in self._shown:
             switch.value = on

@@ -7,6 +7,7 @@ import codecs
 import threading
 import zlib
 from pathlib import Path
+from queue import Queue
 
 import pytest
 
@@ -15,11 +16,10 @@ from app.features.edit.feature import EditFeature
 from app.features.files.feature import FilesFeature
 from app.features.files.panel import open_file
 from app.features.gallery.messages import ListScenes
-from app.pages.sandbox import answers
-from app.pages.sandbox.answers import InOrder
+from app.pages.sandbox import requests
 from app.session.notices import Notice
-from app.ui import controls
-from app.ui.waiting import MOST, TOO_MUCH, Waiting
+from app.ui import controls, queues
+from app.ui.queues import MAX_WAITING, TOO_MUCH, BoundedQueue, SerialQueue
 from app.wire.from_page import Part, Unread, Unsent
 from app.wire.messages import Ask
 from app.wire.to_page import Resumed
@@ -38,24 +38,13 @@ def wait(event: threading.Event) -> None:
     event.wait(LIMIT)
 
 
-def test_requests_of_a_page_are_done_one_after_the_other() -> None:
-    line, done, go, end = InOrder(print), list[int](), threading.Event(), threading.Event()
-    line.submit(wait, go)
-    for number in range(MOST - 1):
-        line.submit(done.append, number)
-    line.submit(end.set)
-    go.set()
-    assert end.wait(LIMIT)
-    assert done == list(range(MOST - 1))
-
-
 def fail() -> None:
     """A defect."""
     raise ValueError
 
 
 def test_a_request_that_fails_does_not_stop_those_after_it(caplog: pytest.LogCaptureFixture) -> None:
-    line, end = InOrder(print), threading.Event()
+    line, end = SerialQueue(print), threading.Event()
     line.submit(fail)
     line.submit(end.set)
     assert end.wait(LIMIT)
@@ -65,28 +54,22 @@ def test_a_request_that_fails_does_not_stop_those_after_it(caplog: pytest.LogCap
 def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_others(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    told: list[Notice] = []
-    line, others, busy, go, end = (
-        InOrder(told.append),
-        InOrder(told.append),
-        threading.Event(),
-        threading.Event(),
-        threading.Event(),
-    )
-    done: list[int] = []
+    told, done = list[Notice](), list[int]()
+    line, others = (SerialQueue(told.append) for _ in range(2))
+    busy, go, end = (threading.Event() for _ in range(3))
     line.submit(busy.set)
     line.submit(wait, go)
     assert busy.wait(LIMIT)
     with monkeypatch.context() as patch:
-        patch.setattr(answers.beside, "submit", lambda *_: pytest.fail("it takes more of the threads' room"))
-        for number in range(10 * MOST):
+        patch.setattr(queues.threads, "submit", lambda *_: pytest.fail("it takes more of the threads' room"))
+        for number in range(10 * MAX_WAITING):
             line.submit(done.append, number)
     others.submit(end.set)
     assert end.wait(LIMIT), "another page is answered meanwhile"
     go.set()
-    assert eventually(lambda: len(done) == MOST)
-    # What there was room for is done, and the rest is not left out without a word, nor with a hundred.
-    assert done == list(range(MOST))
+    assert eventually(lambda: len(done) == MAX_WAITING)
+    # What there was room for is done in order, and one notice says that the rest is not.
+    assert done == list(range(MAX_WAITING))
     assert told == [TOO_MUCH]
     last = threading.Event()
     line.submit(last.set)
@@ -95,7 +78,7 @@ def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_othe
 
 def test_a_full_queue_says_so_once_until_it_is_empty() -> None:
     told: list[Notice] = []
-    queue: Waiting[int] = Waiting(told.append, 2)
+    queue: BoundedQueue[int] = BoundedQueue(told.append, 2)
     for _ in range(2):
         for number in range(5):
             queue.add(number)
@@ -107,13 +90,13 @@ def test_a_full_queue_says_so_once_until_it_is_empty() -> None:
 def test_texts_that_are_never_finished_are_bounded() -> None:
     page = Page()
     readers = (FilesFeature(page.page), EditFeature(page.page))
-    answering = answers.Answers(page.page, readers, print)
+    answering = requests.RequestHandler(page.page, readers, print)
     letters = "A" * 48_000
     for kind in ("resume", "link", "file", "paste"):
         for number in range(1, 99):
             answering.take(Part(kind, number, 99, letters))  # type: ignore[arg-type]
             held = sum(parts.size for parts in answering.unfinished)
-            assert held <= answers.MAX_UNFINISHED
+            assert held <= requests.MAX_UNFINISHED
     assert TOO_MUCH in page.notices
 
 
@@ -128,6 +111,20 @@ def test_no_event_takes_the_place_of_another(tmp_path: Path, monkeypatch: pytest
     assert len(set(page.letters.keys)) == len(page.letters.keys) == 5
 
 
+class Asking(Page):
+    """A page whose requests are handled, with the files feature alone."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._noticed: Queue[Notice] = Queue()
+        self.whole = page_of(self.session, None, self.letters, self._noticed.put)
+        self.handler = requests.RequestHandler(self.whole, (FilesFeature(self.whole),), print)
+
+    def notice(self) -> Notice:
+        """Wait for a notice."""
+        return self._noticed.get(timeout=LIMIT)
+
+
 @pytest.mark.parametrize(
     ("message", "title", "text"),
     [
@@ -137,25 +134,16 @@ def test_no_event_takes_the_place_of_another(tmp_path: Path, monkeypatch: pytest
     ],
 )
 def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, text: str) -> None:
-    page, told = Page(), threading.Event()
-    notices: list[Notice] = []
-
-    def notify(notice: Notice) -> None:
-        notices.append(notice)
-        told.set()
-
-    all_of_it = page_of(page.session, None, page.letters, notify)
-    answering = answers.Answers(all_of_it, (FilesFeature(all_of_it),), print)
-    answering.ask(message)
-    assert told.wait(LIMIT)
-    assert notices[0].title == title
-    assert text in notices[0].text
+    asking = Asking()
+    asking.handler.ask(message)
+    notice = asking.notice()
+    assert notice.title == title
+    assert text in notice.text
 
 
 def test_a_page_that_gives_back_nonsense_keeps_what_comes_after_it() -> None:
-    page = Page()
-    answering = answers.Answers(page_of(page.session, None, page.letters), (), print)
-    answering.take(Part("resume", 1, 1, "bm9uc2Vuc2U="))
+    page = Asking()
+    page.handler.take(Part("resume", 1, 1, "bm9uc2Vuc2U="))
     assert page.letters.sent == [Resumed()]
 
 
@@ -165,29 +153,19 @@ def packed(name: str, data: bytes) -> str:
 
 
 def test_a_file_is_opened_where_there_is_a_share_tab_and_a_broken_one_is_told() -> None:
-    page, told = Page(), threading.Event()
-    notices: list[Notice] = []
-
-    def notify(notice: Notice) -> None:
-        notices.append(notice)
-        told.set()
-
-    all_of_it = page_of(page.session, None, page.letters, notify)
-    answering = answers.Answers(all_of_it, (FilesFeature(all_of_it),), print)
-
-    def say(name: str, data: bytes) -> Part:
-        return Part("file", 1, 1, packed(name, data))
-
-    all_of_it.controls = controls.Controls(("play",))
-    answering.take(say("hidden.json", b"{"))
-    all_of_it.controls = controls.ALL
-    answering.take(say("rod%20one.json", files.encode_scene(sim.load_scene("rod"))))
-    answering.take(say("b%C3%A4d.json", b"{"))
-    assert told.wait(LIMIT)
+    page = Asking()
+    for there, name, data in (
+        (controls.Controls(("play",)), "hidden.json", b"{"),
+        (controls.ALL, "rod%20one.json", files.encode_scene(sim.load_scene("rod"))),
+        (controls.ALL, "b%C3%A4d.json", b"{"),
+    ):
+        page.whole.controls = there
+        page.handler.take(Part("file", 1, 1, packed(name, data)))
+    notice = page.notice()  # the only one
     page.session.drain()
     assert page.session.scene.name == "rod"
-    assert [notice.title for notice in notices] == ["That did not work"]
-    assert notices[0].text.startswith("bäd.json: ")
+    assert notice.title == "That did not work"
+    assert notice.text.startswith("bäd.json: ")
 
 
 RING = files.encode_scene(sim.load_scene("ring"))

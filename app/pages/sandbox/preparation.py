@@ -1,0 +1,58 @@
+"""The state of the compiler, as a page shows it."""
+
+from __future__ import annotations
+
+from sim.compiling.compiler import Compiler, cache_trouble, needed_by
+from sim.methods.registry import METHODS
+
+from ...session.session import Refresh, Session
+
+
+def compile_status(ready: int, of: int, busy_with: str, awaited: str) -> str:
+    """The progress of the compiler in words; empty once everything is compiled.
+
+    Args:
+        ready: number of compiled parts.
+        of: number of all parts.
+        busy_with: what is being compiled.
+        awaited: the method that the body waits for, stepped by NumPy meanwhile; empty if it does not wait.
+    """
+    if awaited:
+        text = f"moves by NumPy until {awaited} is compiled: {ready} of {of} parts ready"
+    elif ready < of:
+        text = f"preparing {busy_with}: {ready} of {of} parts ready"
+    else:
+        return ""
+    trouble = cache_trouble()
+    return f"{text}; {trouble}" if trouble else text
+
+
+class Preparation:
+    """Has the compiler begin with what a page waits for, and shows its progress.
+
+    Args:
+        compiler: compiles kernels in the background.
+
+    Attributes:
+        is_done: everything is compiled.
+    """
+
+    def __init__(self, compiler: Compiler) -> None:
+        self._compiler = compiler
+        self._wanted = ""
+        self.is_done = False
+
+    def update(self, session: Session) -> None:
+        """Ask for the session's method if it is not compiled, and note the progress in the session."""
+        method, waits = session.simulation.method, session.simulation.plain
+        if self.is_done and not waits:
+            return
+        if waits and method != self._wanted:
+            self._wanted = method
+            self._compiler.want(needed_by(method))
+        ready, of = self._compiler.progress
+        self.is_done = ready == of
+        text = compile_status(ready, of, self._compiler.busy_with, METHODS[method].label if waits else "")
+        if text != session.preparing:
+            session.preparing = text
+            session.refresh(Refresh.SETTINGS)

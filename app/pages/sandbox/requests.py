@@ -1,0 +1,103 @@
+"""What a page's script sends besides commands: requests that take a while, and long texts in parts."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Callable, Collection, Iterable
+from typing import Any
+
+from ...session.notices import Notice
+from ...ui.feature import Feature
+from ...ui.kept import keeping
+from ...ui.page import Page
+from ...ui.queues import TOO_MUCH, SerialQueue
+from ...wire import from_page
+from ...wire.to_page import Resumed
+
+MAX_UNFINISHED = 6_000_000
+"""Characters of unfinished texts that one page may have sent: slightly more than the longest text."""
+
+TOO_LONG = "It is too large for a page to send: at most 4.7 MB, which is some 11,000 masses."
+
+VERBS = {"resume": "resumed"}
+"""What is done with long texts of no feature, as `LongText.verb`."""
+
+_AMBIGUOUS_COMMA = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}", re.ASCII)
+"""A comma that may be a decimal comma or separate thousands; the page's script does not read such numbers."""
+
+
+class RequestHandler:
+    """Handles the requests of one page's script, one after the other.
+
+    Args:
+        page: the page.
+        features: its features, which may read long texts.
+        resume: restores a saved state of the page.
+    """
+
+    def __init__(
+        self, page: Page, features: Iterable[Feature], resume: Callable[[keeping.SavedPage], object]
+    ) -> None:
+        self._page, self._resume = page, resume
+        self._readers = {kind: feature for feature in features for kind in feature.texts}
+        self._chunks: defaultdict[str, keeping.ChunkAssembler] = defaultdict(keeping.ChunkAssembler)
+        self._queue = SerialQueue(page.notify)
+
+    def ask(self, ask: from_page.Ask) -> None:
+        """Answer a question after those before it."""
+        self._queue.submit(self._answer, ask)
+
+    def later(self, work: Callable[..., None], *arguments: Any) -> None:
+        """Call a function in a thread, after the requests before it."""
+        self._queue.submit(work, *arguments)
+
+    @property
+    def unfinished(self) -> Collection[keeping.ChunkAssembler]:
+        """The texts whose last part is missing."""
+        return self._chunks.values()
+
+    def take(self, part: from_page.Part) -> None:
+        """Add a part to its text, and handle the text once it is complete."""
+        if part.kind not in VERBS and part.kind not in self._readers:
+            return
+        letters = self._chunks[part.kind].add(part.number, part.of, part.letters)
+        if letters is None:
+            if sum(text.size for text in self.unfinished) > MAX_UNFINISHED:
+                self._chunks.clear()
+                self._page.notify(TOO_MUCH)
+            return
+        if (reader := self._readers.get(part.kind)) is not None:
+            needs = reader.texts[part.kind].needs
+            if not needs or needs in self._page.controls:
+                self._queue.submit(reader.read, part.kind, letters)
+        elif part.kind == "resume":
+            if saved := keeping.decode(letters):
+                self._resume(saved)
+            else:
+                self._page.mail.send(
+                    Resumed()
+                )  # nothing can be restored, but the page need not send it again
+
+    def _verb(self, kind: str) -> str:
+        """What is done with long texts of a kind, as `LongText.verb`."""
+        reader = self._readers.get(kind)
+        return reader.texts[kind].verb if reader is not None else VERBS.get(kind, "sent")
+
+    def _answer(self, ask: from_page.Ask) -> None:
+        match ask:
+            case from_page.Who():
+                self._page.shelf.introduce(ask)
+            case from_page.Unread(text):
+                self._page.notify(not_a_number(text))
+            case from_page.Unsent(what):
+                self._page.notify(Notice("error", f"That cannot be {self._verb(what)}", TOO_LONG))
+
+
+def not_a_number(text: str) -> Notice:
+    """Explain why a text in a number box is not a number, and how to write one."""
+    if _AMBIGUOUS_COMMA.fullmatch(text):
+        why = f"{text} could be {text.replace(',', '.')} or {text.replace(',', '')}. Write one of these."
+    else:
+        why = f"“{text}” is not a number. Write one as 20000, 2e4 or 0.05."
+    return Notice("warning", "That cannot be read", why)
