@@ -21,7 +21,7 @@ from app.export import film, model, replay
 from app.export.bundle import BundleError, bundle
 from app.export.clip import Clip, ClipFrame
 from app.export.formats import FORMATS
-from app.server.background import BackgroundWorker
+from app.background import BackgroundWorker
 from app.session import commands
 from app.session.session import Session
 from app.stage.plan import Picture

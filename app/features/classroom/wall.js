@@ -55,7 +55,8 @@ export function addWall() {
 /** @param {Wall} wall */
 function title({ asking: { phase, title }, seats, answered }) {
   if (phase === "lobby") return `${seats} ${seats === 1 ? "is" : "are"} here`;
-  return phase in WAITS ? `${answered} of ${seats} ${WAITS[/** @type {keyof typeof WAITS} */ (phase)]}` : title;
+  const waits = WAITS[/** @type {keyof typeof WAITS} */ (phase)];
+  return waits ? `${answered} of ${seats} ${waits}` : title;
 }
 
 /** @param {Wall} wall @returns {Element[]} */

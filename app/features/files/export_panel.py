@@ -15,7 +15,7 @@ from sim.errors import InputError
 
 from ...export.clip import ClipFrame
 from ...export.formats import FORMATS, Format, Options, Source
-from ...server.background import YieldGil, file_worker
+from ...background import YieldGil, file_worker
 from ...session.notices import Notice
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_press

@@ -22,7 +22,7 @@ from sim.edit.edit import Edit
 from sim.errors import InputError, SceneError, SettingError
 from sim.settings import settings_of
 
-from ...server.background import BackgroundWorker, YieldGil
+from ...background import BackgroundWorker, YieldGil
 from ...session import commands
 from ...ui import readouts
 from ...ui.page import Page

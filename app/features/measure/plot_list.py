@@ -11,7 +11,7 @@ import viser
 from sim.errors import InputError
 from sim.scene.types import shown_name
 
-from ...server.background import file_worker
+from ...background import file_worker
 from ...session.notices import Notice
 from ...session.plots import MAX_PLOTS, Plot, PlotSpec, curve
 from ...stage.colors import palette

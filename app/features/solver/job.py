@@ -13,7 +13,7 @@ from collections.abc import Callable
 import sim
 from sim.errors import InputError, SceneError
 
-from ...server.background import BackgroundWorker
+from ...background import BackgroundWorker
 from ...session.notices import Notice
 from ...ui.page import Page
 
