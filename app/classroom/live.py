@@ -98,7 +98,7 @@ class PupilStatus:
 
 @dataclass(frozen=True)
 class DeviceCheck:
-    """What a device found out about whether it can take part; see `app.wire.from_page.Checked`."""
+    """What a device found out about whether it can take part; see `messages.Checked`."""
 
     trip: int
     rate: int

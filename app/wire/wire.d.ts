@@ -12,20 +12,6 @@ export type QuestionDraft = { text: string; choices: string[]; answer: number; b
 export type GoalDraft = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
 /** A reading as it is chosen, see `sim.scene.lesson.Reading`. */
 export type ReadingDraft = { quantity: string; of: "period" | "value" };
-/** A scene as the gallery shows it. */
-export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
-/** What the script shows of a step, see `sim.scene.lesson.Step`. */
-export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
-/** A question with answers to choose from. */
-export type Question = { text: string; choices: string[]; answer: number; because: string };
-/** One step of a lesson. */
-export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
-/** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
-export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
-/** Something that is read off a run. */
-export type Reading = { quantity: string; of: "period" | "value" };
-/** A slider or a list that a step can offer. */
-export type LessonControl = { key: string; label: string };
 /** What a class looks at. */
 export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
 /** Something that the pupil at a page has given. */
@@ -44,6 +30,54 @@ export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" |
 export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
 /** An answer, as the teacher sees it. */
 export type DeskAnswer = { id: string; seat: number; kind: "line" | "prediction" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
+/** A scene as the gallery shows it. */
+export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
+/** What the script shows of a step, see `sim.scene.lesson.Step`. */
+export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
+/** A question with answers to choose from. */
+export type Question = { text: string; choices: string[]; answer: number; because: string };
+/** One step of a lesson. */
+export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
+/** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
+export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
+/** Something that is read off a run. */
+export type Reading = { quantity: string; of: "period" | "value" };
+/** A slider or a list that a step can offer. */
+export type LessonControl = { key: string; label: string };
+/** One of the choices of a question. */
+export type GiveVote = { do: "giveVote"; id: string; turn: number; stop: number; round: number; twin: number; choice: number };
+/** Where each mass will be. */
+export type GivePrediction = { do: "givePrediction"; id: string; turn: number; stop: number; round: number; twin: number; points: [number, number][] };
+/** An explanation. */
+export type GiveLine = { do: "giveLine"; id: string; turn: number; stop: number; round: number; twin: number; text: string };
+/** Hand in what the page's body did since the step began; the server has it. */
+export type GiveWork = { do: "giveWork"; id: string; turn: number; stop: number; round: number; twin: number };
+/** A hand goes up or down. */
+export type RaiseHand = { do: "raiseHand"; up: boolean };
+/** Another name is wanted: one of the class's, or the one that was typed. */
+export type NewName = { do: "newName"; wanted?: string };
+/** Two pupils are at this page, or one. */
+export type SitTogether = { do: "sitTogether"; two: boolean };
+/** Another device is to take the seat over: two digits are wanted by which it finds it. */
+export type LeaveBy = { do: "leaveBy" };
+/** This page is to have the seat that offers itself by two digits. */
+export type TakeOver = { do: "takeOver"; digits: string };
+/** The page is to show the teacher's body where it could show its own, or its own again. */
+export type Follow = { do: "follow"; on: boolean };
+/** What a device found that tried whether it can take part in a class. */
+export type Checked = { do: "checked"; trip: number; rate: number; works: boolean; doubts: boolean };
+/** The class goes to a stop and a phase. */
+export type Stage = { do: "stage"; stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round?: number };
+/** Something that needs no place. */
+export type Arrange = { do: "arrange"; what: "again" | "asMine" | "close" | "end" | "gather" | "giveBack" | "givenNames" | "goOn" | "law" | "lessonFile" | "noLaw" | "open" | "ownNames" | "pause" | "reset" | "zip" };
+/** An answer is picked out, or no longer. */
+export type Star = { do: "star"; answer: string; on: boolean };
+/** An answer is to be shown alone on the wall; none for "". */
+export type ToWall = { do: "toWall"; answer: string };
+/** Answers that a pupil gave in a file: the text of the file that was saved there, or of its QR code. */
+export type Bring = { do: "bring"; text: string };
+/** Something is to be done with one seat. */
+export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
 /** Change the name and the description of the scene. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
 /** Change the frequency of the beat of all muscles, Hz. */
@@ -134,41 +168,23 @@ export type Unsent = { do: "unsent"; what: TextKind };
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
 /** A part of a text that is too long for one message. */
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
-/** One of the choices of a question. */
-export type GiveVote = { do: "giveVote"; id: string; turn: number; stop: number; round: number; twin: number; choice: number };
-/** Where each mass will be. */
-export type GivePrediction = { do: "givePrediction"; id: string; turn: number; stop: number; round: number; twin: number; points: [number, number][] };
-/** An explanation. */
-export type GiveLine = { do: "giveLine"; id: string; turn: number; stop: number; round: number; twin: number; text: string };
-/** Hand in what the page's body did since the step began; the server has it. */
-export type GiveWork = { do: "giveWork"; id: string; turn: number; stop: number; round: number; twin: number };
-/** A hand goes up or down. */
-export type RaiseHand = { do: "raiseHand"; up: boolean };
-/** Another name is wanted: one of the class's, or the one that was typed. */
-export type NewName = { do: "newName"; wanted?: string };
-/** Two pupils are at this page, or one. */
-export type SitTogether = { do: "sitTogether"; two: boolean };
-/** Another device is to take the seat over: two digits are wanted by which it finds it. */
-export type LeaveBy = { do: "leaveBy" };
-/** This page is to have the seat that offers itself by two digits. */
-export type TakeOver = { do: "takeOver"; digits: string };
-/** The page is to show the teacher's body where it could show its own, or its own again. */
-export type Follow = { do: "follow"; on: boolean };
-/** What a device found that tried whether it can take part in a class. */
-export type Checked = { do: "checked"; trip: number; rate: number; works: boolean; doubts: boolean };
-/** The class goes to a stop and a phase. */
-export type Stage = { do: "stage"; stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round?: number };
-/** Something that needs no place. */
-export type Arrange = { do: "arrange"; what: "again" | "asMine" | "close" | "end" | "gather" | "giveBack" | "givenNames" | "goOn" | "law" | "lessonFile" | "noLaw" | "open" | "ownNames" | "pause" | "reset" | "zip" };
-/** An answer is picked out, or no longer. */
-export type Star = { do: "star"; answer: string; on: boolean };
-/** An answer is to be shown alone on the wall; none for "". */
-export type ToWall = { do: "toWall"; answer: string };
-/** Answers that a pupil gave in a file: the text of the file that was saved there, or of its QR code. */
-export type Bring = { do: "bring"; text: string };
-/** Something is to be done with one seat. */
-export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
-export type FromPage = SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | Seen | PutMode | DriveMode | GoTo | Speed | Perform | Visit | Unread | Unsent | Who | Part | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat;
+export type FromPage = GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | Seen | PutMode | DriveMode | GoTo | Speed | Perform | Visit | Unread | Unsent | Who | Part;
+/** What a pupil's page has to know of the class. */
+export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; asking: Asking | null; given: Given[] };
+/** What the class sees in front; no name is in it. */
+export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; over: string; law: Law | null; doing: Record<string, number> };
+/** Where the class has said that the masses will be, in the page's world: one body a prediction, without names. */
+export type Predictions = { tell: "predictions"; bodies: [number, number][][] };
+/** Where the bodies of the seats are, by their numbers: thousandths of the scene's frame from its left and upper edge. */
+export type Posters = { tell: "posters"; places: Record<string, [number, number][]>; springs: [number, number][] };
+/** What the teacher's page has to know of the class. */
+export type Desk = { tell: "desk"; code: string; address: string; qr: string; check: string; check_qr: string; tried: DeskTried[]; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; over: string; law: Law | null; shows_law: boolean; on_wall: string; seat_on_wall: number; gathered: boolean; again: "no" | "now" | "yes"; open: boolean; own_names: boolean; paused: boolean; saved: boolean; trouble: string };
+/** The server has these answers, or has refused one: then it says why. */
+export type Taken = { tell: "taken"; ids: string[]; refused: string };
+/** What became of answers that the teacher brought, in a sentence. */
+export type Brought = { tell: "brought"; told: string; refused: boolean };
+/** The class is over: nothing of it is to be kept. */
+export type ClassEnded = { tell: "classEnded" };
 /** The selection. */
 export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
 /** Names of the changes that can be undone and redone; empty for none. */
@@ -227,22 +243,6 @@ export type PageState = { tell: "pageState"; page: string; scene: number; title:
 export type Hud = { tell: "hud"; html: string };
 /** The state that the browser stores and returns after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
-/** What a pupil's page has to know of the class. */
-export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; asking: Asking | null; given: Given[] };
-/** What the class sees in front; no name is in it. */
-export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; over: string; law: Law | null; doing: Record<string, number> };
-/** Where the class has said that the masses will be, in the page's world: one body a prediction, without names. */
-export type Predictions = { tell: "predictions"; bodies: [number, number][][] };
-/** Where the bodies of the seats are, by their numbers: thousandths of the scene's frame from its left and upper edge. */
-export type Posters = { tell: "posters"; places: Record<string, [number, number][]>; springs: [number, number][] };
-/** What the teacher's page has to know of the class. */
-export type Desk = { tell: "desk"; code: string; address: string; qr: string; check: string; check_qr: string; tried: DeskTried[]; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; over: string; law: Law | null; shows_law: boolean; on_wall: string; seat_on_wall: number; gathered: boolean; again: "no" | "now" | "yes"; open: boolean; own_names: boolean; paused: boolean; saved: boolean; trouble: string };
-/** The server has these answers, or has refused one: then it says why. */
-export type Taken = { tell: "taken"; ids: string[]; refused: string };
-/** What became of answers that the teacher brought, in a sentence. */
-export type Brought = { tell: "brought"; told: string; refused: boolean };
-/** The class is over: nothing of it is to be kept. */
-export type ClassEnded = { tell: "classEnded" };
 /** Execute a command of the page's script, see `app.ui.commands`. */
 export type Run = { tell: "run"; command: CommandName };
 /** The server has received the saved state. */
@@ -255,7 +255,7 @@ export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 /** Yielded and broken springs; sent only when that changes. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
-export type ToPage = Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Run | Resumed | Plan | SecondPlan | Frame | Damage;
+export type ToPage = Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | Run | Resumed | Plan | SecondPlan | Frame | Damage;
 /** What is in arrays of numbers, by the tags of their messages. */
 export type Layouts = {
   arrows: {
@@ -324,4 +324,4 @@ export type Layouts = {
   };
 };
 /** Messages to the page, by their tags. */
-export type Received = { selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };
+export type Received = { seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; keepsake: Keepsake; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };

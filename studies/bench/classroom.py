@@ -27,6 +27,7 @@ from websockets.exceptions import WebSocketException
 import sim
 from app.classroom import kept
 from app.classroom.room import Room, digest
+from app.features.classroom import messages as class_messages
 from app.wire import from_page
 from app.wire.messages import tag_of
 from sim.scene.lesson import Lesson, Question, Reading, Step
@@ -205,13 +206,13 @@ async def cost(host: Host, pupils: int, own: bool) -> Crowd:
         await _until(desk, "pageState", lambda _: True)
         await desk.say(from_page.Who(a_name(dice), "", host.key))
         await _until(desk, "desk", lambda _: True)
-        await desk.say(from_page.Stage(0, "show"))
+        await desk.say(class_messages.Stage(0, "show"))
         for number, visitor in enumerate(visitors):
             tasks.append(asyncio.create_task(_look_on(host, visitor, number, leads, stop)))
             await asyncio.sleep(0.1)
         await _until(desk, "desk", lambda told: sum(seat["here"] for seat in told["seats"]) == pupils)
         if own:
-            await desk.say(from_page.Stage(0, "try"))
+            await desk.say(class_messages.Stage(0, "try"))
             await asyncio.sleep(1.0)
             leads.set()
         else:
@@ -259,7 +260,7 @@ Place = tuple[int, int, str]
 """What an answer belongs to: stop, round, and kind of answer."""
 
 
-def _place(said: from_page.Give) -> Place:
+def _place(said: class_messages.Give) -> Place:
     return said.stop, said.round, tag_of(type(said).__name__)
 
 
@@ -303,7 +304,7 @@ class Teacher:
             if (asking.get("phase"), asking.get("round")) == (phase, round):
                 return
             if page is not None and asking:
-                await page.say(from_page.Stage(0, phase, round))
+                await page.say(class_messages.Stage(0, phase, round))
             await asyncio.sleep(0.2)
 
 
@@ -331,8 +332,8 @@ class Pupil:
         self.secret = a_name(dice)
         self._turn = 0
         self._asking: dict[str, Any] = {}
-        self.given: dict[str, from_page.Give] = {}
-        self.waiting: list[from_page.Give] = []
+        self.given: dict[str, class_messages.Give] = {}
+        self.waiting: list[class_messages.Give] = []
         self.accepted: set[str] = set()
         self.refused: set[str] = set()
         self.back: dict[str, float] = {}
@@ -410,14 +411,14 @@ class Pupil:
         head = f"{dice.getrandbits(64):016x}", self._turn, asking["stop"], asking["round"], 0
         match dice.choice(kinds):
             case "vote":
-                said = from_page.GiveVote(*head, dice.randrange(3))
+                said = class_messages.GiveVote(*head, dice.randrange(3))
             case "places":
                 points = tuple((dice.uniform(-3.0, 3.0), dice.uniform(-3.0, 3.0)) for _ in range(masses))
-                said = from_page.GivePrediction(*head, points)
+                said = class_messages.GivePrediction(*head, points)
             case "line":
-                said = from_page.GiveLine(*head, f"Because {self._turn}.")
+                said = class_messages.GiveLine(*head, f"Because {self._turn}.")
             case _:
-                said = from_page.GiveWork(*head)
+                said = class_messages.GiveWork(*head)
         self.given[said.id] = said
         self.waiting = [old for old in self.waiting if _place(old) != _place(said)] + [said]
         if page is not None:
@@ -465,7 +466,7 @@ def counted(pupils: list[Pupil], teacher: Teacher, room: Room) -> Outcome:
     once = twice = lost = replaced = 0
     for pupil in pupils:
         number = numbers.get(digest(pupil.secret))
-        places: dict[Place, list[from_page.Give]] = {}
+        places: dict[Place, list[class_messages.Give]] = {}
         for said in pupil.given.values():
             places.setdefault(_place(said), []).append(said)
         for place, all_said in places.items():

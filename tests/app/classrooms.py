@@ -7,6 +7,7 @@ from typing import TypeVar
 
 import sim
 from app.classroom.live import Class
+from app.features.classroom import messages as class_messages
 from app.features.classroom.desk import DeskRole
 from app.features.classroom.role import ClassRole
 from app.features.classroom.seat import SeatRole
@@ -24,8 +25,8 @@ def who(number: int, teacher: str = "") -> from_page.Who:
     return from_page.Who(f"{number:032x}", "", teacher)
 
 
-def a_vote(id: int, choice: int, turn: int = 0) -> from_page.GiveVote:
-    return from_page.GiveVote(f"{id:016x}", turn, 0, 0, 0, choice)
+def a_vote(id: int, choice: int, turn: int = 0) -> class_messages.GiveVote:
+    return class_messages.GiveVote(f"{id:016x}", turn, 0, 0, 0, choice)
 
 
 def no_download(name: str, data: bytes) -> None:
@@ -95,4 +96,4 @@ class Teacher(Somebody):
 
     def arrange(self, what: str, seat: int = 0) -> None:
         """Arrange something, or do something with one seat."""
-        self.say(from_page.OneSeat(seat, what) if seat else from_page.Arrange(what))  # type: ignore[arg-type]
+        self.say(class_messages.OneSeat(seat, what) if seat else class_messages.Arrange(what))  # type: ignore[arg-type]

@@ -31,6 +31,7 @@ from app.classroom.answers import (
 )
 from app.classroom.live import Class, Classes
 from app.classroom.room import MAX_ANSWERS, MAX_NAME_LENGTH, MAX_SEATS, Room, digest
+from app.features.classroom import messages as class_messages
 from app.features.classroom.desk import DeskRole
 from app.features.classroom.seat import SeatRole
 from app.features.classroom.wall import WallRole
@@ -206,7 +207,7 @@ def test_whatever_a_pupil_and_a_wall_say_the_others_answers_arrive(
     desk.say(who(4, room.key))
     assert eventually(lambda: desk.told("desk") and len(room.seats) == 2)
     for number, (phase, round) in enumerate(room.order(0)):
-        desk.say(msgspec.json.encode(from_page.Stage(0, phase.value, round)).decode())
+        desk.say(msgspec.json.encode(class_messages.Stage(0, phase.value, round)).decode())
         assert eventually(lambda: room.phase is phase)  # noqa: B023
         for kind in messages(FromPage):
             if kind is not from_page.Who:
@@ -214,13 +215,17 @@ def test_whatever_a_pupil_and_a_wall_say_the_others_answers_arrive(
                 wall.say(*(a_message(kind, dice) for _ in range(3)))
         if (phase, round) == (Phase.ASK, 0):
             votes = (
-                from_page.GiveVote(f"{n + 4096:016x}", n, 0, 0, 0, n % 3)
+                class_messages.GiveVote(f"{n + 4096:016x}", n, 0, 0, 0, n % 3)
                 for n in range(2500 if NIGHT else 300)
             )
             pupil.say(*(msgspec.json.encode(vote).decode() for vote in votes))
         if phase in (Phase.ASK, Phase.EXPLAIN):
             head = f"{number + 1:016x}", number, 0, round, 0
-            said = from_page.GiveVote(*head, 1) if phase is Phase.ASK else from_page.GiveLine(*head, "Hm.")
+            said = (
+                class_messages.GiveVote(*head, 1)
+                if phase is Phase.ASK
+                else class_messages.GiveLine(*head, "Hm.")
+            )
             honest.say(msgspec.json.encode(said).decode())
             assert eventually(lambda: any(head[0] in told["ids"] for told in honest.told("taken")))  # noqa: B023
         assert room.phase is phase
@@ -251,7 +256,7 @@ def test_a_hundred_forged_acts_of_a_teacher_and_none_is_done(classes: Classes, c
         lambda room, mail: WallRole(room, mail, "", ""),
         lambda room, mail: DeskRole(room, mail, "", "", no_download),
     )
-    for make, key, kind in itertools.product(makes, keys, messages(from_page.Lead)):
+    for make, key, kind in itertools.product(makes, keys, messages(class_messages.Lead)):
         role = make(classroom, Letters())  # a page is another role after every connection
         role.introduce(from_page.Who(f"{7:032x}", key, key), session)
         for _ in range(3):
@@ -269,7 +274,7 @@ def test_a_hundred_forged_acts_of_a_teacher_and_none_is_done(classes: Classes, c
 
 def test_what_is_handed_in_is_read_off_by_the_server_alone(classroom: Class) -> None:
     head = '{"do":"giveWork","id":"000000000000000a","turn":1,"stop":0,"round":0,"twin":0'
-    assert isinstance(read(head + "}"), from_page.GiveWork)
+    assert isinstance(read(head + "}"), class_messages.GiveWork)
     for more in (
         '"found":9000',
         '"reached":true',
@@ -282,7 +287,7 @@ def test_what_is_handed_in_is_read_off_by_the_server_alone(classroom: Class) -> 
     # Nor is there a run to hand in while all look at one body, or of another step.
     pupil = Pupil(classroom)
     classroom.room.go(0, Phase.COLLECT)
-    pupil.say(from_page.GiveWork("0" * 16, 1, 1, 0, 0))
+    pupil.say(class_messages.GiveWork("0" * 16, 1, 1, 0, 0))
     assert pupil.letters.sent[-1].refused == "There is no run to hand in now."
     assert not classroom.room.answers
 
@@ -291,10 +296,10 @@ def test_runs_are_handed_in_one_a_second_and_the_last_one_counts(classroom: Clas
     now = [100.0]
     pupil = Pupil(classroom, session=Session(sim.rope(4), clock=lambda: now[0], wait=False))
     classroom.room.go(0, Phase.COLLECT)
-    pupil.say(*(from_page.GiveWork(f"{number:016x}", number, 0, 0, 0) for number in range(200)))
+    pupil.say(*(class_messages.GiveWork(f"{number:016x}", number, 0, 0, 0) for number in range(200)))
     assert list(classroom.room.answers) == [f"{0:016x}"]
     now[0] += 1.1
-    pupil.say(from_page.GiveWork(f"{150:016x}", 150, 0, 0, 0))
+    pupil.say(class_messages.GiveWork(f"{150:016x}", 150, 0, 0, 0))
     assert list(classroom.room.answers) == [f"{150:016x}"]
     classroom.close()
     logs = list(kept.folder_of(classroom.room.code).rglob("*.jsonl"))
@@ -384,7 +389,7 @@ def test_nobody_finds_the_digits_of_a_seat_by_trying_all(classroom: Class) -> No
     classroom.room.offer_move(moving.number)
     moving.move = "77"
     pupil = Pupil(classroom, 9)
-    pupil.say(*(from_page.TakeOver(f"{number:02}") for number in range(100)))
+    pupil.say(*(class_messages.TakeOver(f"{number:02}") for number in range(100)))
     assert classroom.room.seats[moving.number].token == digest(SECRETS[0])
     assert "too many tries" in pupil.letters.sent[-1].refused
 

@@ -17,11 +17,11 @@ from msgspec.structs import replace as changed
 from PIL import Image
 
 import sim
+from app.background import BackgroundWorker
 from app.export import film, model, replay
 from app.export.bundle import BundleError, bundle
 from app.export.clip import Clip, ClipFrame
 from app.export.formats import FORMATS
-from app.background import BackgroundWorker
 from app.session import commands
 from app.session.session import Session
 from app.stage.plan import Picture

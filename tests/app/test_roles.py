@@ -11,15 +11,16 @@ import pytest
 import sim
 from app.classroom.answers import Line, Phase, Vote, Work
 from app.classroom.live import MAX_CHECKS, Class, Classes
+from app.features.classroom import messages as class_messages
 from app.features.classroom.check_role import CheckRole
 from app.features.classroom.desk import DeskRole
+from app.features.classroom.messages import Desk, Seat, Taken
 from app.features.classroom.role import ClassRole, asking
 from app.features.classroom.seat import SeatRole
 from app.features.classroom.wall import WallRole
 from app.session import commands
 from app.session.session import Session
-from app.wire import from_page, to_page
-from app.wire.to_page import Desk, Seat, Taken
+from app.wire import from_page
 from tests.app.classrooms import ADDRESS, Pupil, Somebody, Teacher, Wall, a_vote, no_download
 from tests.app.test_classes import until_written
 from tests.app.test_room import a_room, an_answer
@@ -27,15 +28,15 @@ from tests.app.test_room import a_room, an_answer
 LED = tuple(
     msgspec.json.decode(text, type=kind)
     for kind, text in (
-        (from_page.Stage, b'{"do":"stage","stop":0,"phase":"try"}'),
-        (from_page.Arrange, b'{"do":"arrange","what":"end"}'),
-        (from_page.Arrange, b'{"do":"arrange","what":"zip"}'),
-        (from_page.Star, b'{"do":"star","answer":"0000000000000001","on":true}'),
-        (from_page.ToWall, b'{"do":"toWall","answer":""}'),
-        (from_page.OneSeat, b'{"do":"oneSeat","seat":1,"what":"sendAway"}'),
-        (from_page.OneSeat, b'{"do":"oneSeat","seat":1,"what":"move"}'),
-        (from_page.Arrange, b'{"do":"arrange","what":"gather"}'),
-        (from_page.Arrange, b'{"do":"arrange","what":"again"}'),
+        (class_messages.Stage, b'{"do":"stage","stop":0,"phase":"try"}'),
+        (class_messages.Arrange, b'{"do":"arrange","what":"end"}'),
+        (class_messages.Arrange, b'{"do":"arrange","what":"zip"}'),
+        (class_messages.Star, b'{"do":"star","answer":"0000000000000001","on":true}'),
+        (class_messages.ToWall, b'{"do":"toWall","answer":""}'),
+        (class_messages.OneSeat, b'{"do":"oneSeat","seat":1,"what":"sendAway"}'),
+        (class_messages.OneSeat, b'{"do":"oneSeat","seat":1,"what":"move"}'),
+        (class_messages.Arrange, b'{"do":"arrange","what":"gather"}'),
+        (class_messages.Arrange, b'{"do":"arrange","what":"again"}'),
     )
 )
 
@@ -63,7 +64,9 @@ def test_no_page_has_the_right_answer_before_it_is_told() -> None:
         lambda room, mail: DeskRole(room, mail, "", "", no_download),
     ],
 )
-def test_only_a_teacher_leads(classroom: Class, make: Callable[..., ClassRole], said: from_page.Lead) -> None:
+def test_only_a_teacher_leads(
+    classroom: Class, make: Callable[..., ClassRole], said: class_messages.Lead
+) -> None:
     classroom.room.enter("0" * 32)
     page = Somebody(lambda mail: make(classroom, mail))
     before = msgspec.json.encode(classroom.room)
@@ -124,23 +127,23 @@ def test_the_last_page_of_a_browser_has_the_seat(classroom: Class) -> None:
 def test_the_wall_has_no_name_and_no_sealed_bar(classroom: Class) -> None:
     wall, pupil = Wall(classroom), Pupil(classroom)
     classroom.room.own_names = True
-    pupil.say(from_page.NewName("Zaphod"))
+    pupil.say(class_messages.NewName("Zaphod"))
     classroom.room.go(0, Phase.ASK)
     pupil.say(a_vote(1, 1))
     assert isinstance(classroom.room.answers[f"{1:016x}"].content, Vote)
-    told = wall.shown(to_page.Wall)
+    told = wall.shown(class_messages.Wall)
     assert (told.answered, told.bars) == (1, ())
     classroom.room.go(0, Phase.RESULTS)
-    assert wall.shown(to_page.Wall).bars == (0, 1, 0)
+    assert wall.shown(class_messages.Wall).bars == (0, 1, 0)
     assert all("Zaphod" not in str(message) for message in wall.letters.sent)
 
 
 def test_a_device_that_only_tries_is_told_to_the_teacher_and_to_nobody_else(classroom: Class) -> None:
-    teacher, found = Teacher(classroom), from_page.Checked(23, 58, True, False)
+    teacher, found = Teacher(classroom), class_messages.Checked(23, 58, True, False)
     for page in (Pupil(classroom), Wall(classroom)):
         assert not page.role.allows(found)
     check = CheckRole(classroom)
-    assert not any(check.allows(said) for said in (*LED, a_vote(1, 0), from_page.RaiseHand(True)))
+    assert not any(check.allows(said) for said in (*LED, a_vote(1, 0), class_messages.RaiseHand(True)))
     for _ in range(MAX_CHECKS + 3):
         check.hear(found, teacher.session)
     told = teacher.shown(Desk)
@@ -162,19 +165,19 @@ def test_a_seat_follows_the_teacher_and_comes_back_to_its_own_body(classroom: Cl
     own.do_steps(5)
     places, opened = own.simulation.positions.copy(), own.openings
     assert seat.shared_view is None
-    pupil.say(from_page.Follow(True))
+    pupil.say(class_messages.Follow(True))
     assert seat.shared_view is classroom.shared_view
     assert not seat.allows(from_page.Perform("reset"))
     pupil.frame()
     assert [one.follows for one in teacher.shown(Desk).seats] == [True]
-    pupil.say(from_page.Follow(False))
+    pupil.say(class_messages.Follow(False))
     pupil.frame()
     assert seat.shared_view is None
     assert own.openings == opened
     assert (own.simulation.positions == places).all()
     # The teacher has all look at one body, and nobody can help it; then each one has theirs back.
     teacher.arrange("gather")
-    pupil.say(from_page.Follow(False))
+    pupil.say(class_messages.Follow(False))
     assert seat.shared_view is classroom.shared_view
     teacher.arrange("giveBack")
     assert seat.shared_view is None
@@ -257,7 +260,7 @@ def test_the_wall_counts_every_seat_that_is_here_once(classroom: Class) -> None:
     now[0] = 1.0
     for pupil in pupils:
         pupil.frame()
-    told = wall.shown(to_page.Wall)
+    told = wall.shown(class_messages.Wall)
     assert told.doing == {"stable": 1, "exploded": 0, "not begun": 2}
     assert told.seats == 3
 
@@ -269,7 +272,7 @@ def test_who_left_is_not_waited_for_unless_they_answered(classroom: Class) -> No
     classroom.room.take(2, an_answer(2, Line("Why not.")))
     for pupil in pupils[1:]:
         pupil.role.leave()
-    told = wall.shown(to_page.Wall)
+    told = wall.shown(class_messages.Wall)
     assert (told.answered, told.seats) == (2, 2)
 
 
@@ -280,16 +283,16 @@ def test_the_law_is_on_the_wall_only_when_it_is_asked_for(classroom: Class) -> N
         seat = classroom.room.enter(f"{number:032x}")
         work = Work(setting=setting, found=2.0 * setting**0.5, points=((0.0, 0.0),) * 4)
         classroom.room.take(seat.number, an_answer(number, work))
-    assert wall.shown(to_page.Wall).law is None
+    assert wall.shown(class_messages.Wall).law is None
     teacher.arrange("law")
-    found = wall.shown(to_page.Wall).law
+    found = wall.shown(class_messages.Wall).law
     assert found is not None
     assert (found.factor, found.exponent) == (pytest.approx(2.0), pytest.approx(0.5))
     told = teacher.shown(Desk)
     assert told.shows_law
     assert [len(answer.places) for answer in told.answers] == [4, 4, 4]
     teacher.arrange("noLaw")
-    assert wall.shown(to_page.Wall).law is None
+    assert wall.shown(class_messages.Wall).law is None
     # What was handed in stands on the wall as it was.
     classroom.room.put_on_wall(f"{2:016x}")
     assert wall.role.shared_view is not None

@@ -16,11 +16,12 @@ from app.classroom.answers import Line, Phase, Prediction, Refused, Vote
 from app.classroom.live import Class
 from app.classroom.room import MAX_SEATS, Room
 from app.classroom.sheets import import_sheet
+from app.features.classroom import messages as class_messages
 from app.features.classroom.desk import DeskRole
+from app.features.classroom.messages import Brought
 from app.lessons import lesson_code
 from app.session.session import Session
 from app.wire import from_page
-from app.wire.to_page import Brought
 from sim.scene.lesson import Lesson, Question, Step
 from tests.app.letters import Letters
 from tests.page.check import FOLDER, NODE
@@ -197,13 +198,13 @@ def test_the_teachers_page_alone_brings_answers() -> None:
     classroom, session = Class(a_room()), Session(sim.rope(4), wait=False)
     letters = Letters()
     role = DeskRole(classroom, letters, "", "", lambda *_: None)
-    said = from_page.Bring(json.dumps(FULL))
+    said = class_messages.Bring(json.dumps(FULL))
     assert not role.allows(said)
     role.hear(said, session)
     assert not classroom.room.answers
     role.introduce(from_page.Who("0" * 32, "", "key"), session)
     role.hear(said, session)
-    role.hear(from_page.Bring("{}"), session)
+    role.hear(class_messages.Bring("{}"), session)
     told = [one for one in letters.sent if isinstance(one, Brought)]
     assert [one.refused for one in told] == [False, True]
     assert "Zoë: 5 answers" in told[0].told
@@ -217,7 +218,7 @@ def test_the_teachers_page_saves_the_lesson_as_a_file() -> None:
     role.introduce(from_page.Who("0" * 32, "", "key"), session)
     classroom.room.go(1, Phase.SHOW)
     made = classroom.lesson_file()
-    role.hear(from_page.Arrange("lessonFile"), session)
+    role.hear(class_messages.Arrange("lessonFile"), session)
     data = made.result(60.0)
     while not saved:
         role.frame(session)

@@ -7,6 +7,7 @@ from app.classroom.live import Class, DeviceCheck
 from ...gate.address import page_query
 from ...session.session import Session
 from ...wire import from_page
+from . import messages
 from .role import Role
 
 
@@ -26,8 +27,8 @@ class CheckRole(Role):
         self._classroom = classroom
 
     def allows(self, said: from_page.FromPage) -> bool:
-        return isinstance(said, from_page.Checked)
+        return isinstance(said, messages.Checked)
 
     def hear(self, said: from_page.FromPage, session: Session) -> None:
-        if self._classroom is not None and isinstance(said, from_page.Checked):
+        if self._classroom is not None and isinstance(said, messages.Checked):
             self._classroom.checks.append(DeviceCheck(said.trip, said.rate, said.works, said.doubts))

@@ -21,8 +21,9 @@ from ...session.session import Notice, Session
 from ...ui.controls import Controls
 from ...wire import from_page
 from ...wire.carrier import Mail
-from ...wire.to_page import Brought, Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
 from ..files.sharing import qr_code
+from . import messages
+from .messages import Brought, Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
 from .role import (
     MAX_PLACES,
     NOTHING,
@@ -93,23 +94,23 @@ class DeskRole(ClassRole):
             session.generation += 1  # it has controls from now on
 
     def hear(self, said: from_page.FromPage, session: Session) -> None:
-        if not self._is_teacher or not isinstance(said, from_page.Lead):
+        if not self._is_teacher or not isinstance(said, messages.Lead):
             return
         self.classroom.desk = self
         room = self.room
         try:
             match said:
-                case from_page.Stage(stop, phase, round):
+                case messages.Stage(stop, phase, round):
                     room.go(stop, Phase(phase), round)
-                case from_page.Star(answer, on):
+                case messages.Star(answer, on):
                     room.star(answer, on)
-                case from_page.ToWall(answer):
+                case messages.ToWall(answer):
                     room.put_on_wall(answer)
-                case from_page.Bring(text):
+                case messages.Bring(text):
                     self._import(text)
-                case from_page.OneSeat(seat, what):
+                case messages.OneSeat(seat, what):
                     self._do_with(seat, what)
-                case from_page.Arrange(what):
+                case messages.Arrange(what):
                     self._arrange(what, session)
         except Refused as error:
             session.notices.append(Notice("error", "That is not possible", str(error)))

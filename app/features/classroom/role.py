@@ -26,7 +26,7 @@ from ...ui.controls import Controls
 from ...ui.view import picture_of
 from ...wire import from_page
 from ...wire.carrier import Mail
-from ...wire.to_page import Asking, ClassEnded, Found, Law, Predictions, Seat
+from .messages import Asking, ClassEnded, Found, Law, Predictions, Seat
 from .shared_view import broadcast, same_view
 
 NOTHING = Controls(())

@@ -24,10 +24,11 @@ from ...ui.controls import Controls
 from ...wire import from_page
 from ...wire.carrier import Mail
 from ...wire.messages import OwnBody
-from ...wire.to_page import Given, Seat, Taken
+from . import messages
+from .messages import Given, Seat, Taken
 from .role import NOTHING, ClassRole, asking, places_of, predictions
 
-_ALWAYS = (from_page.InSeat, from_page.Who, from_page.Unread)
+_ALWAYS = (messages.InSeat, from_page.Who, from_page.Unread)
 
 MAX_TRIES = 5
 """Pairs of digits, of a hundred, that one page can try in order to take a seat over."""
@@ -100,27 +101,27 @@ class SeatRole(ClassRole):
     def hear(self, said: from_page.FromPage, session: Session) -> None:
         try:
             match said:
-                case from_page.TakeOver(digits):
+                case messages.TakeOver(digits):
                     self._tries += 1
                     if self._tries > MAX_TRIES:
                         raise Refused("These were too many tries; reload the page to go on.")
                     self._sit(self.room.move(self._secret, digits))
-                case from_page.Give():
+                case messages.Give():
                     self._give(said)
-                case from_page.RaiseHand(up):
+                case messages.RaiseHand(up):
                     self._own_seat().hand = up
                     self.room.version += 1
-                case from_page.NewName(wanted):
+                case messages.NewName(wanted):
                     self.room.rename(self._own_seat().number, wanted)
-                case from_page.SitTogether(two):
+                case messages.SitTogether(two):
                     self._own_seat().twins = two
                     self.room.version += 1
-                case from_page.LeaveBy():
+                case messages.LeaveBy():
                     self.room.offer_move(self._own_seat().number)
-                case from_page.Follow(on):
+                case messages.Follow(on):
                     self.room.follow(self._own_seat().number, on)
         except Refused as error:
-            ids = (said.id,) if isinstance(said, from_page.Give) else ()
+            ids = (said.id,) if isinstance(said, messages.Give) else ()
             self._mail.send(Taken(ids=ids, refused=str(error)))
 
     def _update(self, session: Session) -> None:
@@ -236,14 +237,14 @@ class SeatRole(ClassRole):
             raise Refused(self._problem or "Another page has this seat now.")
         return seat
 
-    def _give(self, said: from_page.Give) -> None:
+    def _give(self, said: messages.Give) -> None:
         seat = self._own_seat()
         match said:
-            case from_page.GiveVote(choice=choice):
+            case messages.GiveVote(choice=choice):
                 content: AnyContent | None = Vote(choice)
-            case from_page.GivePrediction(points=points):
+            case messages.GivePrediction(points=points):
                 content = self._prediction(points, said.stop)
-            case from_page.GiveLine(text=text):
+            case messages.GiveLine(text=text):
                 content = Line(text)
             case _:
                 content = self._work(said)
@@ -275,7 +276,7 @@ class SeatRole(ClassRole):
         mapping = Mapping.of(scene)
         return Prediction(tuple(mapping.to_scene(x, y) for x, y in points))
 
-    def _work(self, said: from_page.Give) -> Work | None:
+    def _work(self, said: messages.Give) -> Work | None:
         """Return what the pupil's body has done since it began; None so soon after the last one.
 
         Raises:

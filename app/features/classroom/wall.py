@@ -11,7 +11,7 @@ from sim.errors import SettingError
 from ...session.session import Session
 from ...stage.plan import Picture
 from ...wire.carrier import Mail
-from ...wire.to_page import Wall, WallLine
+from .messages import Wall, WallLine
 from .role import ClassRole, abscissa, asking, found_by, law_of, plan_numbers, predictions
 
 

@@ -13,9 +13,9 @@ import viser
 
 from sim.errors import InputError
 
+from ...background import YieldGil, file_worker
 from ...export.clip import ClipFrame
 from ...export.formats import FORMATS, Format, Options, Source
-from ...background import YieldGil, file_worker
 from ...session.notices import Notice
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_press

@@ -19,6 +19,7 @@ from app.classroom.live import SharedView
 from sim.compiling.compiler import Compiler
 from sim.scene.lesson import Lesson
 
+from ...features.classroom import messages as class_messages
 from ...features.classroom.role import Role
 from ...features.classroom.shared_view import Onlooker
 from ...features.gallery.feature import GalleryFeature
@@ -160,7 +161,7 @@ class Tab:
                 self._handler.ask(said)
                 if role is not None and isinstance(said, from_page.Who):
                     self._requests.add(lambda now: role.introduce(said, now))
-            case from_page.InSeat() | from_page.Lead() | from_page.Checked():
+            case class_messages.InSeat() | class_messages.Lead() | class_messages.Checked():
                 if role is not None:
                     self._requests.add(lambda now: role.hear(said, now))
             case _:
