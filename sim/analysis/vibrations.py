@@ -17,7 +17,10 @@ from .equilibrium import Resting
 
 MAX_MASSES = 1000
 """Largest number of masses for vibrations, which are computed with full matrices."""
-_NOT_HELD = "vibrations: the springs do not hold the body where it starts, so it does not vibrate there"
+_NOT_HELD = (
+    "vibrations: the springs do not hold the body where it starts, so it does not vibrate there; "
+    "sim.equilibrium finds where they do"
+)
 _BALANCED = 1e-6
 """Acceleration, as a part of the largest by gravity or loads, up to which a body rests."""
 _ROUNDED = 100.0

@@ -350,8 +350,8 @@ class Problem:
         )
         return (
             f"{table.measurement.name}: mass {mass} was measured on a circle with a radius of {measured:.4g} "
-            f"{unit}{own}, and the scene's is {run:.4g} {unit}.{stands} Set spring{spring}.rest_length to "
-            f"{measured:.4g}, or vary it."
+            f"{unit}{own}, and the scene's is {run:.4g} {unit}.{stands} Vary spring{spring}.rest_length, "
+            f"too, or give it {measured:.4g} {unit} in the scene."
         )
 
     def in_units_of_tables(self, values: Sequence[Estimate], u: Floats) -> list[Estimate]:

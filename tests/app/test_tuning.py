@@ -324,12 +324,24 @@ def test_its_buttons_make_it_stable_and_damp_it_as_far_as_its_step_bears() -> No
     assert session.stability.limit > 0.008
     page.frames(1, commands.Undo())
     assert session.scene.linear_springs == SCENE.linear_springs
-    assert press(damp, commands.SetValue("dt", 0.0025)) == "Damped as far as 2.5 ms bears"
+    assert press(damp, commands.SetValue("dt", 0.0025)) == "Damped as far as 2.5 ms allows"
     assert page.notices[-1].title == "Not critical yet"
     page.frames(1, commands.Undo())
     assert press(damp, commands.SetChoice("method", "auto")) == "Critically damped"
     assert stable not in page.made, "a method that needs no help"
     assert "damping ratio 1" in page.text
+
+
+def test_a_body_that_has_exploded_is_not_made_stable_in_the_pose_it_was_torn_into() -> None:
+    page = WishPage(SCENE)
+    page.frames(
+        1, commands.SetChoice("method", "symplectic_euler"), commands.SetValue("linear_stiffness", 1e9)
+    )
+    page.frames(60, commands.Play(True))
+    assert page.session.simulation.divergence is not None
+    page.wish("Make it stable at this time step", math.nan)
+    assert page.notices[-1].title == "It cannot be made stable"
+    assert "has exploded" in page.notices[-1].text
 
 
 def test_what_has_nothing_to_do_with_it_is_not_offered() -> None:

@@ -95,7 +95,8 @@ def test_a_length_that_is_not_the_scenes_is_told_with_what_gravity_stands_for(de
     parts = re.fullmatch(
         rf"swing\.csv: mass 1 was measured on a circle with a radius of {number} px \({number} m\), and the "
         rf"scene's is {number} px\. The gravity that is found stands for gravity over length: at {number} "
-        rf"px it would be {number} times as large\. Set spring0\.rest_length to {number}, or vary it\.",
+        rf"px it would be {number} times as large\. Vary spring0\.rest_length, too, or give it {number} px "
+        r"in the scene\.",
         told,
     )
     assert parts, told

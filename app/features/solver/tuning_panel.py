@@ -271,6 +271,13 @@ class TuningPanel:
         self._analysis = TuningAnalysis() if self._on.value else None
 
     def _make_stable(self) -> None:
+        if self._session.simulation.divergence is not None:
+            # What it looks like then says nothing of the body: it was torn apart.
+            text = (
+                "The body has exploded: go back to just before it, or press Reset, and then make it stable."
+            )
+            self._notify(Notice("warning", "It cannot be made stable", text))
+            return
         # In its present shape, which is what the meter shows.
         self._start("It cannot be made stable", self._stabilize, with_pose=True)
 
@@ -352,7 +359,7 @@ class TuningPanel:
             f": a damping ratio of {elastic.damping_ratio:.2g} instead of 1" if elastic is not None else ""
         )
         step = f"{1e3 * scene.integrator.dt:.3g} ms"
-        self._change(made, scene, f"Damped as far as {step} bears")
+        self._change(made, scene, f"Damped as far as {step} allows")
         text = f"It is damped as far as its time step of {step} bears{ratio}. The integrator Auto bears more."
         self._notify(Notice("info", "Not critical yet", text))
 
