@@ -241,9 +241,11 @@ class Desk:
         return state
 
     def is_kept(self) -> bool:
-        """Whether the browser was told to keep the session as it is."""
-        kept = self.tab.probe().kept
-        return kept is not None and kept.revision == self.session.revision
+        """Whether the browser has stored the session as it is."""
+        probe = self.tab.probe()
+        if probe.kept is None or probe.kept.revision != self.session.revision:
+            return False
+        return self.page.evaluate("sessionStorage.getItem('softrod')") == probe.saved
 
     @property
     def simulation(self) -> BetweenFrames:

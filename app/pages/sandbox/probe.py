@@ -23,6 +23,7 @@ class Probe:
         plots: the open plots.
         plots_seen: its user looks at them, as far as the server knows.
         kept: the state that was saved last; None before that.
+        saved: that state as the browser was sent it; empty before that.
         owned: it is the page of this computer's owner.
         requests: number of its requests that wait for the ticker.
         nodes: names of viser's nodes, such as `/body/masses`.
@@ -38,6 +39,7 @@ class Probe:
     plots: tuple[PlotSpec, ...]
     plots_seen: bool
     kept: KeptState | None
+    saved: str
     owned: bool
     requests: int
     nodes: tuple[str, ...]

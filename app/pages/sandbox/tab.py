@@ -41,7 +41,7 @@ from ...ui.view import Canvas
 from ...wire import from_page
 from ...wire.carrier import Mail, listen
 from ...wire.messages import Ask, FromPage, messages
-from ...wire.to_page import Hud, PageState, Run
+from ...wire.to_page import Hud, Keepsake, PageState, Run
 from .address import PageAddress
 from .features import COMMANDS, FEATURES
 from .page_panel import PagePanel
@@ -127,7 +127,7 @@ class Tab:
 
     def probe(self) -> Probe:
         """Describe the present state for a test; any thread may call once there is a session."""
-        page, hud = self._page, self._mail.last_sent(Hud)
+        page, hud, saved = self._page, self._mail.last_sent(Hud), self._mail.last_sent(Keepsake)
         return Probe(
             generation=self._shown.generation,
             state=self._mail.last_sent(PageState),
@@ -137,6 +137,7 @@ class Tab:
             plots=self._plots,
             plots_seen=(measure := page.find(MeasureFeature)) is not None and measure.is_seen,
             kept=self._keeper.kept,
+            saved=saved.kept if saved is not None else "",
             owned=self._shelf.owned,
             requests=len(self._requests),
             nodes=self._view.nodes,
