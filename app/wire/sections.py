@@ -44,10 +44,13 @@ def pack(layout: tuple[Section, ...], values: Mapping[str, ArrayLike]) -> NDArra
     flat = [np.asarray(values.get(section.name, ()), np.float32).ravel() for section in layout]
     while flat and not flat[-1].size:
         flat.pop()
-    return joined(*flat)
+    return _after_lengths(flat)
 
 
 def joined(*sections: ArrayLike) -> NDArray[np.float32]:
     """Join sections, each after its length."""
-    flat = [np.asarray(section, np.float32).ravel() for section in sections]
+    return _after_lengths([np.asarray(section, np.float32).ravel() for section in sections])
+
+
+def _after_lengths(flat: list[NDArray[np.float32]]) -> NDArray[np.float32]:
     return np.concatenate([part for section in flat for part in ([len(section)], section)], dtype=np.float32)
