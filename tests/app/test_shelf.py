@@ -12,6 +12,7 @@ from app.features.gallery.entries import FIRST, GROUPS, OTHERS
 from app.features.gallery.entries import entries as entries_of
 from app.ui import shelf
 from sim.store import files
+from sim.store.files import SceneInfo
 from sim.store.own_scenes import trash_user_scene
 
 
@@ -61,6 +62,18 @@ def test_scenes_are_grouped_by_what_they_are(home: Path) -> None:
     assert {"ring", "cloth", "bridge", "flag-pole"} <= set(groups["Bodies"])
     assert groups["Your own"] == ["mine"]
     assert all(name.startswith("study-") for name in groups["Studies"])
+
+
+def test_numbers_in_names_and_titles_go_by_their_values(home: Path) -> None:
+    for name in ("Lesson 10", "lesson 2", "Lesson 2b", "Lesson 1.12", "Lesson 1.5", "3 ropes", "Zip"):
+        files.save_user_scene(sim.rope(), name)
+    names = [entry.name for entry in entries_of(shelf.scenes()) if entry.own]
+    assert names == ["3 ropes", "Lesson 1.5", "Lesson 1.12", "lesson 2", "Lesson 2b", "Lesson 10", "Zip"]
+    titled = [
+        SceneInfo(name, "", home / name, built_in=True, group="lessons", title=title)
+        for name, title in (("a", "Lesson 10: modes"), ("b", "Lesson 2: rope"))
+    ]
+    assert [entry.name for entry in entries_of(titled)] == ["b", "a"]
 
 
 def test_a_card_has_one_line() -> None:

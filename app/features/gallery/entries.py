@@ -38,12 +38,18 @@ def entries(scenes: Iterable[SceneInfo]) -> list[Entry]:
     return sorted(found, key=_order)
 
 
-def _order(entry: Entry) -> tuple[int, str]:
+def _order(entry: Entry) -> tuple[int, tuple[str | int, ...]]:
     if entry.group == START:
-        name = f"{FIRST.index(entry.name):02}"
+        name = str(FIRST.index(entry.name))
     else:  # lessons have a number at the beginning of their titles
         name = entry.title if entry.group == "Lessons" else entry.name
-    return GROUPS.index(entry.group), name.casefold()
+    return GROUPS.index(entry.group), _natural(name)
+
+
+def _natural(name: str) -> tuple[str | int, ...]:
+    """The key by which "Lesson 10" comes after "Lesson 2": texts in turn with the numbers between them."""
+    parts = re.split(r"(\d+)", name.casefold())
+    return tuple(int(part) if i % 2 else part for i, part in enumerate(parts))
 
 
 def _group(info: SceneInfo) -> str:
