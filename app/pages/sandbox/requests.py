@@ -75,9 +75,8 @@ class RequestHandler:
             if saved := keeping.decode(letters):
                 self._resume(saved)
             else:
-                self._page.mail.send(
-                    Resumed()
-                )  # nothing can be restored, but the page need not send it again
+                # Nothing can be restored, but the page need not send it again.
+                self._page.mail.send(Resumed())
 
     def _verb(self, kind: str) -> str:
         """What is done with long texts of a kind, as `LongText.verb`."""
