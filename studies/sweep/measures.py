@@ -113,20 +113,18 @@ def values_of(
         found["sag"] = sag(np.array(scene.gravity), run.positions - start)
     if "period" in measures:
         free, weights = _free_masses(scene)
-        centres = [
-            (weights[:, None] * rows[:, free]).sum(1) / weights.sum() if free.size else rows[:0, 0]
-            for rows in (positions, velocities)
-        ]
-        found["period"] = period(times[: len(centres[0])], *centres)
+        found["period"] = (
+            period(times, *(_mean(rows[:, free], weights) for rows in (positions, velocities)))
+            if free.size
+            else None
+        )
     if "error" in measures:
         found["error"] = None if reference is None else distance(run.positions, reference)
     if "stretch" in measures:
         rest = column(scene.linear_springs, "rest_length") * scene.rest_length_scale
         of = np.flatnonzero(rest)
-        a, b = ends(scene.linear_springs)
-        ways = positions[:, b[of]] - positions[:, a[of]]
-        strain = np.abs(np.hypot(ways[..., 0], ways[..., 1]) / rest[of] - 1.0)
-        found["stretch"] = float(strain.max()) if of.size else None
+        a, b = (end[of] for end in ends(scene.linear_springs))
+        found["stretch"] = stretch(positions[:, b] - positions[:, a], rest[of]) if of.size else None
     return tuple(found[name] for name in measures)
 
 
@@ -135,6 +133,11 @@ def _free_masses(scene: sim.Scene) -> tuple[NDArray[np.int64], Floats]:
     held = {anchor.mass for anchor in scene.anchors}
     free = np.array([i for i in range(len(scene.masses)) if i not in held], np.int64)
     return free, np.array([scene.masses[i].mass for i in free])
+
+
+def _mean(rows: Floats, weights: Floats) -> Floats:
+    """Return the mean of (..., n, k) rows with n weights."""
+    return (weights[:, None] * rows).sum(-2) / weights.sum()
 
 
 class Track:
@@ -167,13 +170,12 @@ class Track:
         if "stretch" in self._wanted and self._springs.size:
             system, state = self._simulation.tables
             rest = rest_lengths(system.body, state)[self._rows]
-            strain = np.hypot(*(positions[self._b] - positions[self._a]).T) / rest - 1.0
-            self._stretch = max(self._stretch, float(np.abs(strain).max()))
+            self._stretch = max(self._stretch, stretch(positions[self._b] - positions[self._a], rest))
         if "period" in self._wanted and self._free.size:
             velocities = self._simulation.velocities
             rows = np.concatenate((positions[self._free], velocities[self._free]), axis=1)
             self._times.append(self._simulation.time)
-            self._centres.append((self._weights[:, None] * rows).sum(0) / self._weights.sum())
+            self._centres.append(_mean(rows, self._weights))
         if self._errors is not None:
             self._errors.look(self._simulation)
         if "energy_residual" in self._wanted:
@@ -224,6 +226,16 @@ def sag(gravity: Floats, displacements: Floats) -> float | None:
         return None
     x, y = displacements.T
     return float((x * gravity[0] + y * gravity[1]).max()) / size
+
+
+def stretch(springs: Floats, rest: Floats) -> float:
+    """Return the largest |L - rest length| / rest length of one or more springs.
+
+    Args:
+        springs: (..., m, 2) px, from end to end.
+        rest: (m) px.
+    """
+    return float(np.abs(np.hypot(springs[..., 0], springs[..., 1]) / rest - 1.0).max())
 
 
 def distance(one: Floats, other: Floats) -> float:
