@@ -33,7 +33,7 @@ from studies.compare.figures import front, study_figures
 from studies.compare.random_bodies import random_body
 from studies.compare.references import agreed_reference, path_by
 from studies.compare.results import SOLVERS, SceneResults, Study
-from studies.compare.runs import SOFTROD, Point, auto_at, best, distance, run
+from studies.compare.runs import SOFTROD, Failed, Point, auto_at, best, distance, run
 from studies.compare.study import explore, parse_errors, parse_integrators, repeats, study, study_scenes
 from studies.compare.study_report import points_csv, targets
 from studies.reporting.report import markdown
@@ -155,6 +155,18 @@ def test_attempts_are_counted_over_all_frames(monkeypatch: pytest.MonkeyPatch) -
     assert run(whole).path is not None
     monkeypatch.setattr(softrod, "MAX_ATTEMPTS", 100)
     assert run(whole).failure == "not done after 100 steps"
+
+
+def test_runs_of_very_many_fixed_steps_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(Failed, match="more than 300000 steps"):
+        run_at(ROPE, "velocity_verlet", 1.0 / 300_060.0)
+    monkeypatch.setattr(softrod, "MAX_STEPS", 240)
+    assert run(run_at(ROPE, "velocity_verlet", 1.0 / 240.0)).path is not None
+    monkeypatch.setattr(command, "repeats", lambda seconds: 1)
+    points = measured(ROPE, ("velocity_verlet",), (1e-9,)).points
+    for point in points:
+        assert (point.failure == "more than 240 steps") == (point.value < 1.0 / 241.0)
+    assert [point.failure for point in points].count("") == 2
 
 
 def test_the_reference_says_how_sure_it_is() -> None:

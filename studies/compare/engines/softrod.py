@@ -32,6 +32,9 @@ HEAP_RATES = (960.0, 1440.0, 1920.0, 3840.0, 7680.0)
 MAX_ATTEMPTS = 400_000
 """Steps of a method with error control, accepted or not, after which a run is given up."""
 
+MAX_STEPS = 300_000
+"""Steps of a method with a fixed step in a run of `softrod study`; with more, a run is refused."""
+
 LONGEST = 0.2
 """Seconds of a run beyond which `softrod study` tries no finer settings."""
 
@@ -88,9 +91,14 @@ def run_at(scene: Scene, method: str, value: float, frames: int = 1, duration: f
             of a page.
         frames: calls.
         duration: s.
+
+    Raises:
+        Failed: it would take more than `MAX_STEPS` fixed steps.
     """
     info = METHODS[method]
     per_frame = 1 if info.adaptive else max(1, round(FRAME / value))
+    if per_frame * round(duration / FRAME) > MAX_STEPS:
+        raise Failed(f"more than {MAX_STEPS} steps")
     tolerance = value if info.adaptive else sim.Integrator().tolerance
     integrator = sim.Integrator(method=info.name, dt=FRAME / per_frame, tolerance=tolerance)
     return SoftrodRun(scene, integrator, round(duration / FRAME) * per_frame // frames, frames)
