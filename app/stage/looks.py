@@ -16,14 +16,30 @@ from sim.store.link import PATH
 # ------------------------------------------------------------------------- colours
 COLORS = {
     "paper": ("ffffff", "141414"),
-    "grid": ("eef1f5", "1c2028"),
-    "line": ("dde3ea", "272d38"),
+    "panel": ("ffffff", "1a1e25"),
+    "float": ("ffffff", "20252e"),
+    "key": ("f3f6fa", "252b35"),
+    "key-over": ("e8edf4", "303846"),
+    "grid": ("eef1f5", "1f232b"),
+    "line": ("dde3ea", "2e3642"),
+    "edge": ("7c899d", "7686a0"),
     "ink": ("1e293b", "05070b"),
-    "text": ("334155", "cbd5e1"),
-    "brand": ("4263eb", "748ffc"),
+    "text": ("334155", "dbe2ec"),
+    "strong": ("1e293b", "f3f6fa"),
+    "quiet": ("56647a", "a3afc0"),
+    "brand": ("4263eb", "8098ff"),
+    "brand-over": ("3552d6", "98acff"),
+    "brand-word": ("3552d6", "9fb1ff"),
+    "brand-soft": ("e9edfd", "2a3355"),
     "on-brand": ("ffffff", "0b1020"),
-    "key": ("f6f8fb", "1a2230"),
-    "warn": ("c2410c", "ff922b"),
+    "good": ("1f7a3d", "5fd38d"),
+    "good-bar": ("2b954e", "3fb56e"),
+    "good-soft": ("e6f4ea", "16301f"),
+    "warn": ("b93f0b", "ffa463"),
+    "warn-soft": ("fdf0e7", "37251a"),
+    "bad": ("c92a2a", "ff8f8f"),
+    "call": ("7a4f00", "ffd479"),
+    "call-soft": ("fff4d6", "3a2f16"),
     "mass": ("fbbf24", "ffc947"),
     "held": ("475569", "94a3b8"),
     "rest": ("8592a6", "8b98ab"),
@@ -38,8 +54,12 @@ COLORS = {
     "torque": ("7c4a03", "ffe066"),
     "second": ("0ca678", "38d9a9"),
 }
-"""Colours on white and on dark paper, sRGB. `line` is for every fifth line of the grid, and edges; `brand`
-also for the driven mass, a ghost and gas; `second` for a second body."""
+"""Colours on white and on dark paper, sRGB.
+
+Surfaces from the paper up: `paper` is the canvas, `panel`, `key` a button and `key-over` one under the
+pointer, `float` a bar, a menu or a dialog. `line` divides, and is every fifth line of the grid; `edge` bounds
+what is pressed. `brand` means: press or drag this; also the driven mass, a ghost and gas. `good`, `warn` and
+`bad` judge, always with a word or a sign too; `call` is a raised hand. `second` is a second body."""
 
 TUTORIAL_COLORS = {
     "mass": ("ff2020", "ff2020"),
@@ -48,6 +68,50 @@ TUTORIAL_COLORS = {
 }
 """Other colours of the tutorial's scheme: green springs and red masses; a pulled spring must differ from
 both."""
+
+SHADES = {"veil": ("rgb(15 23 42 / 42%)", "rgb(0 0 0 / 60%)")}
+"""Colours that let something through."""
+
+# ------------------------------------------------------------------------- sizes and times
+FONT = '"Inter", system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'
+
+TYPE = ((12, 16), (14, 20), (16, 24), (20, 28), (28, 36), (40, 48))
+"""Sizes of letters and of their lines, px: notes, controls, what is read, titles, heads, what is shown."""
+
+GAPS = (4, 8, 12, 16, 20, 24, 32, 48)
+"""Distances, px."""
+
+RADII = (6, 8, 12, 16)
+"""Inside a control, a control, a bar or card, a dialog or sheet, px: the holder is rounder than the held."""
+
+HEIGHTS = (24, 32, 40, 48)
+"""Of what is pressed, px: at least, in the panel, in a bar, under a thumb."""
+
+TIMES = {"press": 80, "appear": 150, "move": 240}
+"""Milliseconds: of a press, of what appears, of sheet and view; 0 where less motion is wished."""
+
+CURVE = "cubic-bezier(.2, .8, .2, 1)"
+"""How what moves comes to rest."""
+
+SHADOWS = {
+    "bar": (
+        "0 1px 2px rgb(15 23 42 / 6%), 0 4px 12px rgb(15 23 42 / 6%)",
+        "0 1px 2px rgb(0 0 0 / 40%), 0 4px 12px rgb(0 0 0 / 30%)",
+    ),
+    "menu": (
+        "0 2px 4px rgb(15 23 42 / 6%), 0 8px 28px rgb(15 23 42 / 16%)",
+        "0 8px 28px rgb(0 0 0 / 55%), 0 0 0 1px #2e3642",
+    ),
+    "dialog": (
+        "0 24px 72px rgb(15 23 42 / 28%)",
+        "0 24px 72px rgb(0 0 0 / 65%), 0 0 0 1px #2e3642",
+    ),
+}
+"""Shadows, on white and on dark, where each has a line, since shadows vanish there."""
+
+OF_STYLES = ("COLORS", "TUTORIAL_COLORS", "SHADES", "FONT", "TYPE", "GAPS", "RADII", "HEIGHTS", "TIMES")
+OF_STYLES += ("CURVE", "SHADOWS", "OF_STYLES", "PATH")
+"""What scripts do not use."""
 
 
 # ------------------------------------------------------------------------- behind the body
@@ -198,17 +262,34 @@ LINK_PATH = PATH
 
 
 def style_rules(dark: str) -> str:
-    """The colours as variables of CSS, as in --softrod-text, and the layers as classes of SVG.
+    """All that styles use, as variables of CSS, and the layers as classes of SVG.
+
+    The variables are --softrod- and the name of a colour or shade, `font`; `type-1` and `line-1` to `type-6`
+    and `line-6`; `gap-`, `radius-` and `height-` with the pixels; `press`, `appear`, `move` and `curve`;
+    `shadow-bar`, `shadow-menu` and `shadow-dialog`.
 
     Args:
         dark: wraps a rule for dark paper, with * in place of the rule.
     """
     light, night = (
-        ":root{" + ";".join(f"--softrod-{name}:#{pair[k]}" for name, pair in COLORS.items()) + "}"
+        {name: f"#{pair[k]}" for name, pair in COLORS.items()}
+        | {name: pair[k] for name, pair in SHADES.items()}
+        | {f"shadow-{name}": pair[k] for name, pair in SHADOWS.items()}
         for k in (0, 1)
     )
-    arrow = f":root{{--softrod-arrow-width:{ARROW:g}px}}"
-    return "\n".join((light, dark.replace("*", night), arrow, *map(_layer_rule, LAYERS)))
+    sizes = {"arrow-width": f"{ARROW:g}px", "font": FONT, "curve": CURVE}
+    for i, (size, line) in enumerate(TYPE, start=1):
+        sizes |= {f"type-{i}": f"{size}px", f"line-{i}": f"{line}px"}
+    for name, pixels in (("gap", GAPS), ("radius", RADII), ("height", HEIGHTS)):
+        sizes |= {f"{name}-{size}": f"{size}px" for size in pixels}
+    times = {name: f"{milliseconds}ms" for name, milliseconds in TIMES.items()}
+    still = f"@media (prefers-reduced-motion: reduce){{{_root(dict.fromkeys(TIMES, '0s'))}}}"
+    rules = _root(light | sizes | times), dark.replace("*", _root(night)), still
+    return "\n".join((*rules, *map(_layer_rule, LAYERS)))
+
+
+def _root(variables: dict[str, str]) -> str:
+    return ":root{" + ";".join(f"--softrod-{name}:{value}" for name, value in variables.items()) + "}"
 
 
 def _layer_rule(name: str) -> str:
@@ -228,7 +309,7 @@ def script() -> str:
         "/** Written by `python -m app.stage.looks`; app/stage/looks.py says what each is. */",
     ]
     for name, value in globals().items():
-        if name.isupper() and name not in ("COLORS", "TUTORIAL_COLORS", "PATH"):
+        if name.isupper() and name not in OF_STYLES:
             lines.append(f"export const {name} = {_text(value)};")
     return "\n".join((*lines, ""))
 

@@ -7,7 +7,6 @@ import { pageState } from "../wire/channel.js";
 import { make } from "../ui/dialog.js";
 import { frameMarks } from "./sight.js";
 import { timeNow } from "../ui/clock.js";
-import { CHARTS } from "../ui/viser/widgets.js";
 
 /** The text of the lesson's present step, without its buttons. */
 function lessonWords() {
@@ -22,12 +21,10 @@ function lessonWords() {
 /** Pictures of the open plots, each with its title and readings. */
 function plots() {
   const all = make("div", "softrod-paper-plots");
-  const parts = document.querySelectorAll(`.softrod-plot-title, ${CHARTS}, svg.softrod-phase, .softrod-reading`);
+  const parts = document.querySelectorAll(".softrod-panel :is(.softrod-plot-title, svg.softrod-chart, svg.softrod-phase, .softrod-reading)");
   for (const part of parts) {
     if (part.matches(".softrod-plot-title")) all.append(make("figure", ""));
-    const copy = part instanceof HTMLCanvasElement ? make("img", "") : part.cloneNode(true);
-    if (part instanceof HTMLCanvasElement) /** @type {HTMLImageElement} */ (copy).src = part.toDataURL();
-    all.lastElementChild?.append(copy);
+    all.lastElementChild?.append(part.cloneNode(true));
   }
   return all;
 }

@@ -106,9 +106,11 @@ class Board:
             session.post(commands.SetValue(setting.key, round(value) if setting.integer else value))
 
         value = setting.read(session.scene)
-        slider_box = SliderBox(self._page.client, setting, value, post, self._page.notify, order)
+        opened = session.opened
+        own = setting.read(opened) if any(each.key == setting.key for each in settings_of(opened)) else None
+        slider_box = SliderBox(self._page.client, self._page.mail, setting, value, post, order, own)
         self._sliders.append(slider_box)
-        self._handles += [slider_box.slider, slider_box.box]
+        self._handles.append(slider_box.slider)
 
     def _add_templates(self, order: float) -> None:
         names = tuple(f"{angle}°" for angle in TEMPLATES)

@@ -1,7 +1,6 @@
 // @ts-check
 /** Projector mode, and room for words and lists of the buttons over the canvas. */
 import { kept, store } from "./kept/storage.js";
-import { markCanvas, panelAt } from "./viser/widgets.js";
 
 const NAME = "softrod-projector";
 /** Width of a window, px, in which everything has its usual size; in projector mode it grows with larger windows. */
@@ -10,8 +9,6 @@ const WIDTH = 800;
 const HEIGHT = 540;
 /** Largest factor of projector mode. */
 const MAX_FACTOR = 4;
-/** Milliseconds between two checks of the panel's width. */
-const CHECK_EVERY = 100;
 
 const root = () => document.documentElement;
 
@@ -37,7 +34,6 @@ export const isProjector = () => root().classList.contains(NAME);
 export function toggleProjector() {
   store(NAME, root().classList.toggle(NAME) ? "1" : "");
   enlarge();
-  keepRoom();
 }
 
 /** The factor by which the panel and the tools are enlarged. */
@@ -46,20 +42,9 @@ export const larger = () =>
 
 const enlarge = () => root().style.setProperty("--softrod-larger", larger().toFixed(3));
 
-/** Tells the styles the real width of the panel; viser leaves room for a panel that is not enlarged. */
-function keepRoom() {
-  if (!root().classList.contains(NAME)) return;
-  markCanvas();
-  for (const side of ["left", "right"]) {
-    const width = panelAt(side)?.getBoundingClientRect().width ?? 0;
-    root().style.setProperty(`--softrod-room-${side}`, `${width}px`);
-  }
-}
-
 /** Turns projector mode on if it was on before the page was reloaded, and keeps its sizes up to date. */
 export function restoreLooks() {
   root().classList.toggle(NAME, kept(NAME) === "1");
   enlarge();
   window.addEventListener("resize", enlarge);
-  setInterval(keepRoom, CHECK_EVERY);
 }

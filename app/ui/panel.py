@@ -1,5 +1,7 @@
 """One page's control panel: viser's handles, which belong to that page alone.
 
+The page's script draws them, see `app/ui/gui`.
+
 Handlers only post commands. Values from a page are checked and clamped where they are applied, since the
 limits of a slider exist in the browser only. Values that the server sets fire the same handlers; those events
 have no client and are ignored, which prevents loops."""
@@ -13,8 +15,6 @@ import viser
 from ..stage.colors import palette
 from .page import Page
 from .viser.handlers import add_command
-
-PANEL_WIDTH = 348
 
 
 def set_theme(gui: viser.GuiApi, dark: bool) -> None:
@@ -36,9 +36,6 @@ class Panel:
         self._page, self._gui = page, page.client.gui
         self._group: viser.GuiTabGroupHandle | None = None
         self._tabs: dict[str, viser.GuiTabHandle] = {}
-        self._gui.set_panel_label("softrod")
-        self._gui.main_panel.dock_right()
-        self._gui.main_panel.set_width(PANEL_WIDTH)
 
     def tab(self, name: str) -> viser.GuiTabHandle:
         """The tab of a name, created at the first call; tabs are in the order of these calls."""
@@ -51,18 +48,8 @@ class Panel:
         """The tab of a name; None if there is none."""
         return self._tabs.get(name)
 
-    @property
-    def is_empty(self) -> bool:
-        """True if it has no tabs."""
-        return not self._tabs
-
     def finish(self) -> None:
-        """Fold the panel if it has no controls, and fill the command palette.
-
-        The keys of commands are handled by the page's script.
-        """
-        if self.is_empty:
-            self._gui.main_panel.minimize()
+        """Tell the page which commands can be found; their keys are handled by the page's script."""
         for name, row in self._page.commands.items():
             if not row.listed or (row.needs and row.needs not in self._page.controls):
                 continue

@@ -8,15 +8,20 @@
  * @property {string} type
  * @property {string} [text]
  * @property {Float32Array} [numbers]
+ *
+ * @typedef {{type: string, [field: string]: any}} OfViser a message of viser's own kinds
  */
 /** The type of viser's messages that carry softrod's. */
 const CARRIER = "SoftrodMessage";
-/** Sends a message by the present connection. @type {(message: Message) => void} */
+/** Sends a message by the present connection. @type {(message: Message | OfViser) => void} */
 let post = () => {};
 /** @type {Partial<import("./wire.js").PageState>} */
 let state = {};
 /** @type {Map<string, ((message: any) => void)[]>} */
 const listeners = new Map();
+
+/** What handles viser's own messages in place of viser's page. @type {Map<string, (message: OfViser) => void>} */
+const takers = new Map();
 
 /** Sets how messages are sent. @param {typeof post} sender */
 export const sendBy = (sender) => void (post = sender);
@@ -39,13 +44,24 @@ export function onMessage(kind, listener) {
 }
 
 /**
- * Hands a message to the script's listeners, if it is softrod's.
+ * Handles messages of one of viser's kinds, which viser's page then never sees.
  *
- * @param {Message} message
+ * @param {string} type
+ * @param {(message: OfViser) => void} take
+ */
+export const takeOver = (type, take) => void takers.set(type, take);
+
+/**
+ * Hands a message to the script, if it is softrod's or of a kind that softrod has taken over.
+ *
+ * @param {Message} received
  * @returns {boolean} true if it was
  */
-export function receive({ type, text, numbers }) {
-  if (type !== CARRIER) return false;
+export function receive(received) {
+  const { type, text, numbers } = received;
+  const take = takers.get(type);
+  if (take) callAll([take], received);
+  if (type !== CARRIER) return take !== undefined;
   const message = { ...JSON.parse(text ?? "{}"), ...(numbers && { numbers }) };
   if (message.tell === "pageState") state = message;
   callAll(listeners.get(message.tell) ?? [], message);
@@ -70,6 +86,11 @@ export function callAll(callbacks, ...args) {
 
 /** Stops sending until the next `pageState`: the connection is lost. */
 export const stopSending = () => (state = { ...state, page: "" });
+
+/** Sends a message of one of viser's kinds, if there is a connection. @param {OfViser} message */
+export function answer(message) {
+  if (state.page) post(message);
+}
 
 /** Sends a message to the server, if there is a connection. @param {import("./wire.js").FromPage} message */
 export function send(message) {

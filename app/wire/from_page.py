@@ -46,12 +46,6 @@ class Part(FromPage, frozen=True):
 
 
 # ------------------------------------------------------------------------- questions
-class Unread(Ask, frozen=True):
-    """A text in a number box that is not a number, for a notice to the user."""
-
-    text: Annotated[str, Meta(min_length=1, max_length=40)]
-
-
 class Unsent(Ask, frozen=True):
     """A text was too long to be sent, for a notice to the user."""
 

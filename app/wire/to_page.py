@@ -170,6 +170,27 @@ class Damage(Numbers, frozen=True, kw_only=True):
 
 
 # ------------------------------------------------------------------------- events
+class ControlLook(Event, frozen=True, kw_only=True, omit_defaults=True):
+    """What viser's messages lack of a control of the panel.
+
+    Attributes:
+        id: of the control.
+        unit: of its number.
+        low, high: the numbers that its box allows; None for no bound.
+        logarithmic: equal steps of its slider are equal factors.
+        own: the scene's own value, which a double click on the slider restores; None without one.
+        place: "beside" for a button that stands beside the control above it, as an icon.
+    """
+
+    id: str
+    unit: str = ""
+    low: float | None = None
+    high: float | None = None
+    logarithmic: bool = False
+    own: float | None = None
+    place: str = ""
+
+
 class Run(Event, frozen=True, kw_only=True):
     """Execute a command of the page's script, see `app.ui.commands`."""
 

@@ -160,15 +160,13 @@ export type Speed = { do: "speed"; speed: number };
 export type Perform = { do: "perform"; command: CommandName };
 /** A slider or a number box was focused: later changes are another step of undo. */
 export type Visit = { do: "visit" };
-/** A text in a number box that is not a number, for a notice to the user. */
-export type Unread = { do: "unread"; text: string };
 /** A text was too long to be sent, for a notice to the user. */
 export type Unsent = { do: "unsent"; what: TextKind };
 /** Identifies the page's user: a secret of the browser, and the owner's key if it was opened with that. */
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
 /** A part of a text that is too long for one message. */
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
-export type FromPage = GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | Seen | PutMode | DriveMode | GoTo | Speed | Perform | Visit | Unread | Unsent | Who | Part;
+export type FromPage = GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | Seen | PutMode | DriveMode | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
 /** What a pupil's page has to know of the class. */
 export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; asking: Asking | null; given: Given[] };
 /** What the class sees in front; no name is in it. */
@@ -243,6 +241,8 @@ export type PageState = { tell: "pageState"; page: string; scene: number; title:
 export type Hud = { tell: "hud"; html: string };
 /** The state that the browser stores and returns after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
+/** What viser's messages lack of a control of the panel. */
+export type ControlLook = { tell: "controlLook"; id: string; unit?: string; low?: number | null; high?: number | null; logarithmic?: boolean; own?: number | null; place?: string };
 /** Execute a command of the page's script, see `app.ui.commands`. */
 export type Run = { tell: "run"; command: CommandName };
 /** The server has received the saved state. */
@@ -255,7 +255,7 @@ export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 /** Yielded and broken springs; sent only when that changes. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
-export type ToPage = Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | Run | Resumed | Plan | SecondPlan | Frame | Damage;
+export type ToPage = Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | ControlLook | Run | Resumed | Plan | SecondPlan | Frame | Damage;
 /** What is in arrays of numbers, by the tags of their messages. */
 export type Layouts = {
   arrows: {
@@ -324,4 +324,4 @@ export type Layouts = {
   };
 };
 /** Messages to the page, by their tags. */
-export type Received = { seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; keepsake: Keepsake; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };
+export type Received = { seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; keepsake: Keepsake; controlLook: ControlLook; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };

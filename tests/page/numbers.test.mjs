@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { plainText, readNumber } from "../../app/ui/viser/numbers.js";
+import { plainText, readNumber } from "../../app/ui/gui/numbers.js";
 
 const READ = {
   "9.81": 9.81, "9,81": 9.81, " -350 ": -350, "\u2212350": -350, "+7": 7, ".5": 0.5, ",5": 0.5, "5.": 5,

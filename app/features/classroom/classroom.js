@@ -1,13 +1,9 @@
 // @ts-check
 /** A class's part of the page, by what the page's address says that it is. */
 import { onMessage } from "../../wire/channel.js";
-import { markCanvas } from "../../ui/viser/widgets.js";
 import { addDesk } from "./desk.js";
 import { addSeat, OWN_BODY } from "./seat.js";
 import { addWall } from "./wall.js";
-
-/** Milliseconds between two checks whether viser has remade its canvas. */
-const LOOK_EVERY = 200;
 
 /** Makes it, for any page: a server without classes never tells it anything. */
 export function addClassroom() {
@@ -20,7 +16,4 @@ export function addClassroom() {
   onMessage("seat", ({ asking, follows }) => (dataset.softrodClass = OWN_BODY.has(asking?.phase ?? "") && !follows ? "seat" : "seat looks"));
   onMessage("wall", ({ asking }) => (dataset.softrodClass = asking.phase === "lobby" ? "wall lobby" : "wall"));
   onMessage("desk", () => (dataset.softrodClass = "desk"));
-  setInterval(() => {
-    if (dataset.softrodClass) markCanvas();
-  }, LOOK_EVERY);
 }

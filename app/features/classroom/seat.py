@@ -28,7 +28,7 @@ from . import messages
 from .messages import Given, Seat, Taken
 from .role import NOTHING, ClassRole, asking, places_of, predictions
 
-_ALWAYS = (messages.InSeat, from_page.Who, from_page.Unread)
+_ALWAYS = (messages.InSeat, from_page.Who)
 
 MAX_TRIES = 5
 """Pairs of digits, of a hundred, that one page can try in order to take a seat over."""

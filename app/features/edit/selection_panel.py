@@ -28,10 +28,10 @@ from sim.edit.values import (
 )
 
 from ...session import commands
-from ...session.notices import Notice
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change
-from ...ui.viser.slider_box import DECIMALS, TOUCHED, Limits, alike, rounded
+from ...ui.viser.look import describe_control
+from ...ui.viser.slider_box import TOUCHED, alike, allows, range_of, rounded
 
 EVERY = 0.1
 """Seconds between two updates of the numbers; held arrow keys change some of them continually."""
@@ -183,7 +183,7 @@ class SelectionPanel:
         return folder
 
     def _row(self, of: Number) -> _Row:
-        return _Row(self._client, of, self._set, self._page.notify, ORDER + _ALL.index(of))
+        return _Row(self._page, of, self._set, ORDER + _ALL.index(of))
 
     def _set(self, of: Number, value: float) -> None:
         """Set a number; consecutive values of one number of the same parts are one step of undo."""
@@ -193,28 +193,26 @@ class SelectionPanel:
 
 
 class _Row:
-    """A box for one number; values out of range are refused with a notice."""
+    """A box for one number."""
 
     def __init__(
         self,
-        client: viser.ClientHandle,
+        page: Page,
         of: Number,
         post: Callable[[Number, float], None],
-        tell: Callable[[Notice], None],
         order: float,
     ) -> None:
         self.of = of
-        self._limits = Limits(of, tell)
         self._shown: Shown | None = None
         self._touched = -math.inf
-        self._box = client.gui.add_number(
-            of.label, initial_value=0.0, step=0.1, hint=self._limits.range, visible=False, order=order
+        self._box = page.client.gui.add_number(
+            of.label, initial_value=0.0, step=0.1, hint=range_of(of), visible=False, order=order
         )
-        self._box.precision = DECIMALS
+        describe_control(page.mail, self._box, unit=of.unit, low=of.low, high=of.high)
 
         def enter() -> None:
             value = self._box.value
-            if self._limits.allow(value):
+            if allows(of, value):
                 self._touched = time.monotonic()
                 post(self.of, value)
             elif self._shown is not None:

@@ -5,12 +5,13 @@
  */
 import { send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
-import { OPEN } from "../../ui/viser/widgets.js";
 import { packed } from "../../ui/kept/keep.js";
 import { sendParts } from "../../ui/kept/links.js";
 
 /** Bytes of a file, at most: more than any scene or log may have. */
 const MAX_BYTES = 8_000_000;
+/** The icon of the button that opens a file. */
+const OPEN = ".icon-tabler-upload";
 const KINDS = "application/json,.json,.jsonl,.csv,.tsv,.txt,.dat";
 
 /** @param {File | undefined} file */

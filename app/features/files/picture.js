@@ -14,7 +14,6 @@ import { SVG } from "../../stage/svg.js";
 import { timeNow } from "../../ui/clock.js";
 import { download } from "../../ui/download.js";
 import { viser, viserCanvas } from "../../ui/viser/viser.js";
-import { PANEL } from "../../ui/viser/widgets.js";
 
 /** Pixels of a picture for a pixel of the page, at least. */
 const FINE = 2;
@@ -24,7 +23,7 @@ const SETTLED = 3;
 const LARGEST = 8192;
 const LAYERS = ':is(svg, canvas)[class*="softrod-"]';
 /** What is part of a control, not of the picture. */
-const CONTROLS = `button, [role=tabpanel], .softrod-dock, ${PANEL}`;
+const CONTROLS = "button, .softrod-dock, .softrod-panel";
 /** What of an element's style comes from style sheets, which a picture does not have. */
 const STYLES = [
   "display", "visibility", "opacity", "fill", "fill-opacity", "fill-rule", "stroke", "stroke-opacity", "stroke-width",

@@ -8,7 +8,7 @@
 import { onMessage, send } from "../../wire/channel.js";
 import { copied } from "../files/share.js";
 import { make, makeButton, makeDialog } from "../../ui/dialog.js";
-import { isDark } from "../../ui/viser/widgets.js";
+import { isDark } from "../../ui/viser/viser.js";
 import { focusCard, isFound, moveByKey } from "./finding.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);

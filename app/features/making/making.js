@@ -8,7 +8,6 @@ import { COMMANDS } from "../../wire/commands.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { beginNextAt } from "../lesson/lesson.js";
-import { markCanvas } from "../../ui/viser/widgets.js";
 import { box } from "./fields.js";
 import { StepForm } from "./step_form.js";
 import { MAX_STEPS, StepList } from "./step_list.js";
@@ -17,8 +16,6 @@ import { MAX_STEPS, StepList } from "./step_list.js";
 
 /** Key under which the tab stores that the form is open. */
 const STORED = "softrod-making";
-/** Milliseconds between two checks whether viser has replaced its canvas. */
-const CHECK_EVERY = 200;
 /** Size of a phone's page. */
 const PHONE = "width=390,height=844";
 const ABOUT =
@@ -182,9 +179,6 @@ class MakingForm {
       page = state.page;
       if (kept(STORED) === "1") send({ do: "makeLesson", on: true });
     });
-    setInterval(() => {
-      if (this.element.parentNode) markCanvas();
-    }, CHECK_EVERY);
   }
 }
 

@@ -5,7 +5,7 @@
  */
 import { send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
-import { readNumber } from "../../ui/viser/numbers.js";
+import { readNumber } from "../../ui/gui/numbers.js";
 import { Chooser } from "./chooser.js";
 import { box, labelled, makeArea, makeCheck, makeInput, makeSelect, refusal, setOptions } from "./fields.js";
 import { QuestionForm } from "./question_form.js";

@@ -1,11 +1,11 @@
 // @ts-check
 /**
- * Shows the Measure tab when the server asks for it, since viser cannot turn to a tab, and reports to the server whether
- * the plots are visible: they are not sent otherwise.
+ * Shows the Measure tab when the server asks for it, and reports to the server whether the plots are visible: they are
+ * not sent otherwise.
  */
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { readPhases } from "./phase.js";
-import { tabOf } from "../../ui/viser/widgets.js";
+import { showTab } from "../../ui/gui/gui.js";
 
 /** Milliseconds between two checks whether plots are visible. */
 const CHECK_EVERY = 250;
@@ -17,16 +17,11 @@ const titles = () => [...document.querySelectorAll(".softrod-plot-title")];
 
 function begin() {
   readPhases();
-  // Legends then read later values, too.
-  onMessage("pageState", ({ scrubbed = false }) => document.documentElement.toggleAttribute("data-softrod-past", scrubbed));
   onMessage("showMeasures", () => {
     const { measuring = "" } = pageState();
     const count = titles().length;
-    const tab = measuring && tabOf(measuring);
-    if (!(tab instanceof HTMLElement)) return;
-    // The panel beside the canvas reacts to the key only, that of a phone to the click only.
-    tab.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true, cancelable: true }));
-    tab.click();
+    if (!measuring) return;
+    showTab(measuring);
     scrollToNew(count);
   });
   reportVisibility();

@@ -12,6 +12,7 @@ from ...session import commands
 from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change
+from ...ui.viser.look import describe_control
 
 LAST = 1e6
 """Order of what stands below the sliders, which come and go."""
@@ -33,9 +34,11 @@ class PlayPanel:
             hint = "choose another scene (key O)"
             icon, press = viser.Icon.LAYOUT_GRID, partial(page.perform, "gallery")
             self._chooser = page.button("Scene", icon, press, hint=hint, order=1)
-            hint = "open this scene anew"  # it stands beside the chooser, see widgets.js
             press = partial(page.perform, "anew")
-            page.button("Open anew", viser.Icon.REFRESH, press, hint=hint, order=1.5)
+            again = page.button(
+                "Open anew", viser.Icon.REFRESH, press, hint="open this scene anew", order=1.5
+            )
+            describe_control(page.mail, again, place="beside")
         if "about" in controls:
             self._about = gui.add_html("", order=2)
         # Between them are the sliders that make most of the scene.

@@ -25,7 +25,8 @@ from ...session.session import Session
 from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_change
-from ...ui.viser.slider_box import DECIMALS, Limits, SliderBox, alike, rounded
+from ...ui.viser.look import describe_control
+from ...ui.viser.slider_box import SliderBox, alike, allows, rounded
 from .job import MAX_MASSES, Job, paragraph, sentence, worker
 
 APPLY_TIMEOUT = 1.0
@@ -95,33 +96,31 @@ class _TargetBox:
     """A number box that shows a property of a body, and takes a target for it.
 
     Args:
-        client: the page.
+        page: the page.
         of: the property.
         hint: what it means.
         aim: called with a target.
-        tell: shows a notice to the user.
         order: where it stands in its tab.
     """
 
     def __init__(
         self,
-        client: viser.ClientHandle,
+        page: Page,
         of: Setting,
         hint: str,
         aim: Callable[[float], None],
-        tell: Callable[[Notice], None],
         order: float,
     ) -> None:
-        self._of, self._limits = of, Limits(of, tell)
-        self._known, self._unit = 0.0, of.unit
-        self._box = client.gui.add_number(
-            f"{of.label} ({of.unit})", initial_value=0.0, step=0.1, hint=hint, visible=False, order=order
+        self._of, self._mail = of, page.mail
+        self._known, self._unit = 0.0, ""
+        self._box = page.client.gui.add_number(
+            of.label, initial_value=0.0, step=0.1, hint=hint, visible=False, order=order
         )
-        self._box.precision = DECIMALS
+        self._show_unit(of.unit)
 
         def enter() -> None:
             value = self._box.value
-            if self._limits.allow(value):
+            if allows(of, value):
                 aim(value)
             else:
                 self._box.value = rounded(self._known)
@@ -135,7 +134,7 @@ class _TargetBox:
         """
         self._box.visible = value is not None
         if unit != self._unit:
-            self._unit, self._box.label = unit, f"{self._of.label} ({unit})"
+            self._show_unit(unit)
         if value is None or working:
             return
         value = _digits(min(max(value, self._of.low), self._of.high))
@@ -144,6 +143,10 @@ class _TargetBox:
         self._known = value
         if not alike(value, self._box.value):
             self._box.value = rounded(value)
+
+    def _show_unit(self, unit: str) -> None:
+        self._unit = unit
+        describe_control(self._mail, self._box, unit=unit, low=self._of.low, high=self._of.high)
 
 
 class TuningPanel:
@@ -182,19 +185,19 @@ class TuningPanel:
             order=order + 0.22,
         )
         self._sliders = [
-            SliderBox(page.client, of, value, partial(self._aim, of.key), self._notify, order + place, 0.01)
+            SliderBox(page.client, page.mail, of, value, partial(self._aim, of.key), order + place)
             for of, value, place in (
                 (_target("frequency", "Soft – stiff", "Hz", (1e-3, 1e6), (0.1, 30.0)), 1.0, 0.1),
                 (_target("damping", "Bouncy – calm", "", (1e-4, 1.0), (0.005, 1.0)), 0.1, 0.12),
             )
         ]
         for one in self._sliders:
-            one.slider.visible = one.box.visible = False
+            one.slider.visible = False
         calm = "when the slowest elastic vibration is down to a tenth; type how long it is to take"
         sag = "how far the mass that sinks most is to sink; stiffness makes it less"
         step = "the largest stable time step; less stiffness and damping make it longer"
         self._boxes = {
-            of.key: _TargetBox(page.client, of, hint, partial(self._aim, of.key), self._notify, order + place)
+            of.key: _TargetBox(page, of, hint, partial(self._aim, of.key), order + place)
             for of, hint, place in (
                 (_target("calm_after", "Calm after", "s", (1e-6, 1e6)), calm, 0.15),
                 (_target("sag", "Sag", "px", (1e-6, 1e6)), sag, 0.16),
@@ -248,7 +251,7 @@ class TuningPanel:
         elastic = tuning.elastic if tuning is not None else None
         busy = busy or analysis is None or analysis.busy
         for one in self._sliders:
-            one.slider.visible = one.box.visible = elastic is not None
+            one.slider.visible = elastic is not None
             if elastic is not None and not busy:
                 ratio = min(max(elastic.damping_ratio, 1e-4), 1.0)
                 one.show_value(_digits(elastic.frequency if one.setting.key == "frequency" else ratio))

@@ -8,7 +8,7 @@ import { iconHtml, make, makeButton } from "../../ui/dialog.js";
 import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
-import { isDark } from "../../ui/viser/widgets.js";
+import { isDark } from "../../ui/viser/viser.js";
 
 const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z";
 

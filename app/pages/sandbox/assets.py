@@ -19,13 +19,13 @@ from .features import FEATURES
 _APP = Path(__file__).parents[2]
 _SCRIPTS = tuple(_APP / name for name in ("stage", "wire", "ui", "features", "pages"))
 """Folders with scripts, which have the same relative paths as on the disk."""
-_TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/webp"}
+_TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/webp", ".woff2": "font/woff2"}
 _COMMENT = re.compile(rb"^[ \t]*(?:/\*\*(?:(?!\*/).)*\*/|//[^\n]*)[ \t]*\n", re.MULTILINE | re.DOTALL)
 """A comment on lines of its own; a test checks that none is in a text of several lines."""
 _TYPE = re.compile(rb"/\*\* @[^\n]*?\*/ ?")
 """A type within a line of a script; a test checks that none is in a text."""
 _FOREVER = "public, max-age=31536000, immutable"
-_FIRST_SHEETS = ("ui/page.css", "ui/viser/viser.css", "ui/dialogs.css", "stage/stage.css")
+_FIRST_SHEETS = ("ui/page.css", "ui/viser/viser.css", "ui/dialogs.css", "ui/gui/gui.css", "stage/stage.css")
 _LAST_SHEETS = ("features/classroom/classroom.css", "ui/looks.css")
 """Style sheets of no feature, before and after those of features; later ones take precedence."""
 
@@ -90,8 +90,10 @@ def _index(folder: str, scripts: list[str]) -> str:
         script = page_script()
     except (OSError, ValueError) as error:
         raise GateError(f"viser's page cannot be used: {error}") from None
+    fonts = (_APP / "ui" / "fonts" / "fonts.css").read_text(encoding="utf-8")
     styles = "\n".join(
         (
+            fonts.replace('url("', f'url("{folder}ui/fonts/'),
             style_rules('html[data-mantine-color-scheme="dark"]*'),
             *(path.read_text(encoding="utf-8") for path in _sheets()),
         )
@@ -102,6 +104,7 @@ def _index(folder: str, scripts: list[str]) -> str:
             '<meta name="viewport" content="width=device-width, initial-scale=1" />',
             "<title>softrod</title>",
             f'<link rel="icon" href="{folder}pages/sandbox/icon.svg" />',
+            f'<link rel="preload" href="{folder}ui/fonts/inter-latin.woff2" as="font" crossorigin />',
             *(f'<link rel="modulepreload" href="{name}" />' for name in scripts),
             f"<style>{styles}</style></head><body>",
             (_APP / "ui" / "viser" / "loading.html").read_text(encoding="utf-8"),

@@ -1,22 +1,19 @@
 // @ts-check
 /** Starts softrod's part of the page; viser's page has the panel, the nodes and the connection. */
 import { watchConnectionLoss } from "../../ui/away.js";
-import { fixAxisLabels } from "../../ui/viser/axis_numbers.js";
 import { addClassroom } from "../../features/classroom/classroom.js";
 import { fitted, keepFlat } from "../../stage/camera.js";
 import { addChase } from "../../stage/chase.js";
 import { drawBody, shown } from "../../stage/canvas.js";
 import { askedScene, watchConnection } from "../../ui/viser/connection.js";
-import { closeDialogsByKey } from "../../ui/viser/dialogs.js";
 import { addEdgeArrow } from "../../stage/edge.js";
 import { addEmpty } from "../../stage/empty.js";
+import { drawPanel } from "../../ui/gui/gui.js";
 import { showHud } from "../../ui/hud.js";
 import { hasKept, keepOnlyOf, resume } from "../../ui/kept/keep.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "../../ui/kept/links.js";
 import { addLoads } from "../../stage/load_marks.js";
 import { beginViser, canDraw, showFault, endLoading, watchGraphics } from "../../ui/viser/loading.js";
-import { watchWidgets } from "../../ui/viser/widgets.js";
-import { listenToNumbers } from "../../ui/viser/numbers.js";
 import { addOverlay } from "../../stage/overlay.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { identify } from "../../ui/owner.js";
@@ -40,12 +37,10 @@ takeLink();
 keepAddress();
 keepOnlyOf(new URLSearchParams(location.search).get("room") || askedScene(location.search));
 watchConnection(watchConnectionLoss(), () => !hasKept());
-const plotsAreLoaded = fixAxisLabels();
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let late;
 whenViser((viser) => {
   clearTimeout(late);
-  plotsAreLoaded();
   if (!isKnown(viser)) {
     showFault(FAULT);
     return;
@@ -54,11 +49,10 @@ whenViser((viser) => {
   watchGraphics();
   drawBody(viser);
   showHud();
-  watchWidgets();
+  drawPanel();
   listenToCommands();
   keepFlat();
   addChase(); // before everything that is drawn where the camera looks
-  closeDialogsByKey();
   listenToPresses();
   addOverlay(); // before others, which stop the press that removes its hint
   const drawEdgeArrow = addEdgeArrow();
@@ -68,7 +62,6 @@ whenViser((viser) => {
     provide(commands);
     begin();
   }
-  listenToNumbers();
   resume(openLink);
   listenToLinks();
   addPaper();

@@ -41,15 +41,12 @@ class PagePanel:
         page = self._page
         if (wanted, page.has_lesson) == (page.controls, self.has_lesson):
             return
-        was_empty = self._panel.is_empty
         page.controls = wanted
         for feature in self._features:
             feature.detach()
         page.client.gui.reset()
         page.clear()
         self._make()
-        if was_empty and not self._panel.is_empty:
-            page.client.gui.main_panel.expand()
 
     @property
     def measure_tab(self) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
 from collections.abc import Callable, Collection, Iterable
 from typing import Any
@@ -23,7 +22,6 @@ TOO_LONG = "It is too large for a page to send: at most 4.7 MB, which is some 11
 VERBS = {"resume": "resumed"}
 """What is done with long texts of no feature, as `LongText.verb`."""
 
-_AMBIGUOUS_COMMA = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}", re.ASCII)
 """A comma that may be a decimal comma or separate thousands; the page's script does not read such numbers."""
 
 
@@ -87,16 +85,5 @@ class RequestHandler:
         match ask:
             case from_page.Who():
                 self._page.shelf.introduce(ask)
-            case from_page.Unread(text):
-                self._page.notify(not_a_number(text))
             case from_page.Unsent(what):
                 self._page.notify(Notice("error", f"That cannot be {self._verb(what)}", TOO_LONG))
-
-
-def not_a_number(text: str) -> Notice:
-    """Explain why a text in a number box is not a number, and how to write one."""
-    if _AMBIGUOUS_COMMA.fullmatch(text):
-        why = f"{text} could be {text.replace(',', '.')} or {text.replace(',', '')}. Write one of these."
-    else:
-        why = f"“{text}” is not a number. Write one as 20000, 2e4 or 0.05."
-    return Notice("warning", "That cannot be read", why)

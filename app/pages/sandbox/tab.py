@@ -158,7 +158,7 @@ class Tab:
                 self.perform(command)
             case from_page.Part():
                 self._handler.take(said)
-            case from_page.Who() | from_page.Unread() | from_page.Unsent():
+            case from_page.Who() | from_page.Unsent():
                 self._handler.ask(said)
                 if role is not None and isinstance(said, from_page.Who):
                     self._requests.add(lambda now: role.introduce(said, now))

@@ -6,19 +6,17 @@ import { listenToPad, releasePad } from "./arrow_pad.js";
 import { commandOf } from "./key_table.js";
 import { perform } from "../../wire/perform.js";
 import { nextStep } from "../clock.js";
-import { NUMBER_BOX } from "../viser/widgets.js";
+import { openFinder } from "../gui/finder.js";
 
 /** @typedef {import("../../wire/wire.js").Keys["held"][number]} Key */
 /** What Space presses, once it was reached by keys. */
 const PRESSED = "button, input, [role=tab], [role=button]";
 /** What Space is typed into, or opens. */
-const TEXTS = "textarea, select, [contenteditable], input:not([type]), input[type=text], input[type=search], input[type=url]";
+const TEXTS = "textarea, [contenteditable], input:not([type]), input[type=text], input[type=search], input[type=url]";
 /** What a key that is held down does again and again. */
 const REPEATED = new Set(["step", "steps", "back", "forward"]);
 /** With these viser would move the camera, wherever their letters are printed. */
 const CAMERA_KEYS = new Set(["KeyW", "KeyA", "KeyS", "KeyD", "KeyQ", "KeyE"]);
-/** What opens viser's palette, with Ctrl. */
-const PALETTE = "k";
 /** Milliseconds between two reports of keys that are held; the server forgets those of which it hears nothing. */
 const REPEAT = 150;
 
@@ -63,8 +61,8 @@ function isTaken({ target, code, key }) {
 function isSpaceFree({ target, ctrlKey, metaKey, altKey }) {
   if (ctrlKey || metaKey || altKey || dialogIsOpen() || menuIsOpen()) return false;
   if (!(target instanceof Element)) return true;
-  if (target.matches(`${NUMBER_BOX} input`)) return true; // no number has a space
-  if (target.matches('[aria-haspopup="listbox"]')) return byPointer && target.ariaExpanded !== "true";
+  if (target.matches(".softrod-number")) return true; // no number has a space
+  if (target.matches("select")) return byPointer;
   if (target.matches(TEXTS)) return false;
   return byPointer || !target.matches(PRESSED);
 }
@@ -99,27 +97,17 @@ const releaseAll = () => {
   }
 };
 
-/**
- * Ctrl K. viser's palette does not hear it while a control has the focus, so the key is pressed for it once more
- * on the page itself. The control gets the focus back from the palette.
- *
- * @param {KeyboardEvent} event
- * @returns {boolean} whether that was the key
- */
-function openPalette(event) {
+/** Ctrl K. @param {KeyboardEvent} event @returns {boolean} whether that was the key */
+function findAnything(event) {
   if (commandOf(event, "own") !== "palette" || event.altKey || event.shiftKey) return false;
-  if (event.target === document.body && event.key === PALETTE && event.code === "KeyK") return true; // viser hears it
   swallow(event);
-  const { ctrlKey, metaKey } = event;
-  const pressed = { key: PALETTE, code: "KeyK", ctrlKey, metaKey };
-  const again = new KeyboardEvent("keydown", { ...pressed, bubbles: true, cancelable: true });
-  if (!dialogIsOpen()) document.body.dispatchEvent(again);
+  if (!dialogIsOpen()) openFinder();
   return true;
 }
 
 /** @param {KeyboardEvent} event */
 function press(event) {
-  if (openPalette(event)) return;
+  if (findAnything(event)) return;
   const once = commandOf(event);
   if (once === "play") {
     if (!isSpaceFree(event) || isTaken(event)) return;
@@ -149,7 +137,7 @@ function leaveChooser() {
     if (pageState().scene === scene) return;
     scene = pageState().scene;
     const focused = document.activeElement;
-    if (focused instanceof HTMLElement && focused.matches('[aria-haspopup="listbox"]')) focused.blur();
+    if (focused instanceof HTMLElement && focused.matches("select")) focused.blur();
   });
 }
 

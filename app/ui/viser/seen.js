@@ -35,6 +35,3 @@ export function camera() {
   };
 }
 
-/** The charts of the panel, as the plotting library has them. @returns {any[]} */
-export const charts = () =>
-  Object.values(/** @type {any} */ (window).__viserTestpoints?.uplots ?? {}).map(({ chart }) => chart);

@@ -38,6 +38,9 @@ export const viser = () => /** @type {any} */ (window)[NAME];
 /** The canvas that viser draws in, once there is one. */
 export const viserCanvas = () => viser()?.canvas ?? null;
 
+/** True if the page is dark. */
+export const isDark = () => document.documentElement.dataset.mantineColorScheme === "dark";
+
 /** The place of the canvas in the window. */
 export const canvasBox = () => viserCanvas()?.getBoundingClientRect();
 

@@ -1,0 +1,44 @@
+// @ts-check
+/** Dialogs that the server opens. Their last button only closes, and so do Esc and a press beside them. */
+import { takeOver } from "../../wire/channel.js";
+import { make } from "../dialog.js";
+import { newId, Place } from "./control.js";
+
+/**
+ * Begins to show them.
+ *
+ * @param {Map<string, Place>} places where controls are, by their ids
+ */
+export function takeDialogs(places) {
+  /** @type {Map<string, HTMLDialogElement>} */
+  const open = new Map();
+  takeOver("GuiModalMessage", ({ uuid, title }) => {
+    const dialog = make("dialog", "softrod-dialog softrod-asked");
+    const heading = make("h2", "", title);
+    heading.id = newId();
+    dialog.setAttribute("aria-labelledby", heading.id);
+    const head = make("div", "softrod-dialog-head");
+    head.append(heading);
+    const body = make("div", "softrod-dialog-body softrod-controls");
+    dialog.append(head, body);
+    const close = () => [...body.querySelectorAll("button")].at(-1)?.click();
+    dialog.addEventListener("cancel", (event) => {
+      event.preventDefault();
+      close();
+    });
+    let outside = false;
+    dialog.addEventListener("pointerdown", ({ target }) => (outside = target === dialog));
+    dialog.addEventListener("click", ({ target }) => outside && target === dialog && close());
+    document.body.append(dialog);
+    open.set(uuid, dialog);
+    places.set(uuid, new Place(body));
+    dialog.showModal();
+  });
+  takeOver("GuiCloseModalMessage", ({ uuid }) => {
+    const dialog = open.get(uuid);
+    open.delete(uuid);
+    places.delete(uuid);
+    dialog?.close(); // gives the focus back
+    dialog?.remove();
+  });
+}

@@ -1,0 +1,52 @@
+// @ts-check
+/** Notices of the server, over the bar of time. One stays while the pointer or the focus is on it. */
+import { takeOver } from "../../wire/channel.js";
+import { make, makeButton } from "../dialog.js";
+
+/** Notices that are shown at a time; older ones go. */
+const MAX_SHOWN = 3;
+
+/** @typedef {{title: string, body: string, color: string | null, auto_close_seconds: number | null}} Props */
+
+/** Begins to show them. */
+export function takeNotices() {
+  const list = make("div", "softrod-notices");
+  list.setAttribute("role", "status");
+  document.body.append(list);
+  /** @type {Map<string, HTMLElement>} */
+  const shown = new Map();
+  /** @param {string} id */
+  const remove = (id) => {
+    shown.get(id)?.remove();
+    shown.delete(id);
+  };
+  /** @param {string} id @param {Props} props */
+  const show = (id, { title, body, color, auto_close_seconds: seconds }) => {
+    remove(id);
+    const notice = make("div", "softrod-notice");
+    notice.dataset.kind = color ?? "";
+    const text = make("div", "softrod-notice-text");
+    text.append(make("strong", "softrod-notice-title", title), make("p", "softrod-notice-body", body));
+    const close = makeButton("×", () => remove(id), "softrod-close");
+    close.ariaLabel = "Close";
+    notice.append(text, close);
+    list.append(notice);
+    shown.set(id, notice);
+    for (const old of [...shown.keys()].slice(0, -MAX_SHOWN)) remove(old);
+    if (seconds === null) return;
+    /** @type {ReturnType<typeof setTimeout>} */
+    let timer;
+    const wait = () => {
+      clearTimeout(timer);
+      timer = setTimeout(() => {
+        if (notice.matches(":hover, :focus-within")) wait();
+        else if (shown.get(id) === notice) remove(id);
+      }, 1e3 * seconds);
+    };
+    wait();
+  };
+  for (const kind of ["NotificationShowMessage", "NotificationUpdateMessage"]) {
+    takeOver(kind, ({ uuid, props }) => show(uuid, /** @type {any} */ (props)));
+  }
+  takeOver("RemoveNotificationMessage", ({ uuid }) => remove(uuid));
+}
