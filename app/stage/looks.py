@@ -69,8 +69,8 @@ TUTORIAL_COLORS = {
 """Other colours of the tutorial's scheme: green springs and red masses; a pulled spring must differ from
 both."""
 
-SHADES = {"veil": ("rgb(15 23 42 / 42%)", "rgb(0 0 0 / 60%)")}
-"""Colours that let something through."""
+SHADES = {"veil": ("rgb(15 23 42 / 42%)", "rgb(0 0 0 / 60%)"), "qr": ("#fff", "#fff")}
+"""Colours of styles alone: what a dialog is over; the ground of a QR code, which is white for every camera."""
 
 # ------------------------------------------------------------------------- sizes and times
 FONT = '"Inter", system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'

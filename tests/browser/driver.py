@@ -32,7 +32,7 @@ Point = tuple[float, float]
 ARTIFACTS = Path(__file__).resolve().parents[2] / "artifacts"
 """Where screenshots are left for a look; git ignores it."""
 
-LIMIT = 60.0
+LIMIT = 15.0
 """Seconds after which a condition is given up: generous, since a busy machine draws few frames a second."""
 
 BEAT_BYTES = 100
@@ -368,9 +368,9 @@ class Desk:
 
     def notices(self) -> list[tuple[str, str]]:
         """(title, text) of the notices that can be seen."""
-        script = """notices => notices.map(notice => ["title", "description"].map(
-            part => notice.querySelector(`.mantine-Notification-${part}`)?.innerText ?? ""))"""
-        found = self.page.locator(".mantine-Notification-root").locator("visible=true")
+        script = """notices => notices.map(notice => ["title", "body"].map(
+            part => notice.querySelector(`.softrod-notice-${part}`)?.innerText ?? ""))"""
+        found = self.page.locator(".softrod-notice").locator("visible=true")
         return [(title, text) for title, text in found.evaluate_all(script)]
 
     def notice(self, text: str) -> str:
@@ -383,7 +383,7 @@ class Desk:
 
     def dismiss(self, title: str) -> None:
         """Put away the notices with that title, if there are any."""
-        notice = self.page.locator(".mantine-Notification-root").filter(has_text=title)
+        notice = self.page.locator(".softrod-notice").filter(has_text=title)
         for _ in range(notice.count()):
             notice.first.locator("button").click()
         self.until(lambda: notice.count() == 0, f"the notice {title!r} goes away")
@@ -408,31 +408,35 @@ class Desk:
 
     def row(self, name: str) -> Locator:
         """The row of a control with that label, in the tab that is shown."""
-        flex = 'ancestor::div[contains(@class, "mantine-Flex-root")][1]'
-        return self.page.locator(f'//label[text()="{name}"]/{flex}').locator("visible=true").first
+        label = self.page.locator(".softrod-label").get_by_text(name, exact=True)
+        return self.page.locator(".softrod-field").filter(has=label).locator("visible=true").first
 
     def control(self, name: str) -> Locator:
-        """The control with that label: an input, or the root of a slider."""
-        return self.row(name).locator(".mantine-Slider-root, input:not([type=hidden]), textarea").first
+        """The control with that label; of a slider with a box, the slider."""
+        return (
+            self.row(name).locator("input[type=range], input[type=checkbox], select, textarea, input").first
+        )
 
     def thumb(self, name: str) -> Locator:
-        """The part of a slider that is moved, which has its value as `aria-valuenow`."""
-        return self.control(name).get_by_role("slider")
+        """The part of a slider that is moved."""
+        return self.row(name).get_by_role("slider")
 
     def slider_value(self, name: str) -> float:
         """Where a slider stands."""
-        return float(self.thumb(name).get_attribute("aria-valuenow") or "nan")
+        return float(self.thumb(name).input_value())
 
     def click_track(self, name: str, part: float) -> None:
         """Click on a slider's track, `part` of the way from its low to its high end."""
-        track = self.control(name).locator(".mantine-Slider-track")
+        track = self.thumb(name)
         track.scroll_into_view_if_needed()
         box = box_of(track)
-        self.page.mouse.click(box["x"] + part * box["width"], box["y"] + box["height"] / 2)
+        thumb = 16.0  # it does not go beyond the ends
+        x = box["x"] + thumb / 2 + part * (box["width"] - thumb)
+        self.page.mouse.click(x, box["y"] + box["height"] / 2)
 
     def box(self, name: str) -> Locator:
-        """The number box of a setting: the one without a label, after the setting's slider."""
-        return self.row(name).locator("xpath=../following-sibling::div[1]//input").first
+        """The number box of a setting."""
+        return self.row(name).locator(".softrod-number")
 
     def type_in(self, name: str, text: str) -> None:
         """Type a number into a setting's box."""
@@ -442,8 +446,7 @@ class Desk:
 
     def choose(self, name: str, option: str) -> None:
         """Choose from a dropdown."""
-        self.control(name).click()
-        self.page.get_by_role("option", name=option, exact=True).and_(self.page.locator(":visible")).click()
+        self.control(name).select_option(option)
 
     def gallery(self) -> Locator:
         """Open the gallery, and wait until its cards are there."""

@@ -172,9 +172,9 @@ async function picture() {
   }
   to.globalAlpha = 1;
   to.fillStyle = color("text");
-  to.font = "600 18px system-ui, sans-serif";
+  to.font = "600 18px Inter, system-ui, sans-serif";
   to.fillText(pageState().title ?? "", 18, 32);
-  to.font = "14px system-ui, sans-serif";
+  to.font = "14px Inter, system-ui, sans-serif";
   to.fillText(`t = ${time.toFixed(2)} s`, 18, 54);
   return result;
 }
