@@ -70,7 +70,7 @@ TUTORIAL_COLORS = {
 both."""
 
 SHADES = {"veil": ("rgb(15 23 42 / 42%)", "rgb(0 0 0 / 60%)"), "qr": ("#fff", "#fff")}
-"""Colours of styles alone: what a dialog is over; the ground of a QR code, which is white for every camera."""
+"""Colours of styles alone: over which a dialog stands; the ground of a QR code, white for every camera."""
 
 # ------------------------------------------------------------------------- sizes and times
 FONT = '"Inter", system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'

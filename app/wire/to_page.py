@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from .messages import CommandName, Event, Numbers, State
 from .sections import Section
 
@@ -179,7 +181,9 @@ class ControlLook(Event, frozen=True, kw_only=True, omit_defaults=True):
         low, high: the numbers that its box allows; None for no bound.
         logarithmic: equal steps of its slider are equal factors.
         own: the scene's own value, which a double click on the slider restores; None without one.
-        place: "beside" for a button that stands beside the control above it, as an icon.
+        place: "card" for a button with a note below its label; "beside" for one that stands beside the card
+            above it, as an icon.
+        note: what a button does, where its label is something else.
     """
 
     id: str
@@ -188,7 +192,8 @@ class ControlLook(Event, frozen=True, kw_only=True, omit_defaults=True):
     high: float | None = None
     logarithmic: bool = False
     own: float | None = None
-    place: str = ""
+    place: Literal["", "card", "beside"] = ""
+    note: str = ""
 
 
 class Run(Event, frozen=True, kw_only=True):

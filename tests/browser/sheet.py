@@ -54,7 +54,7 @@ QUALITY = 82
 """Of the WebP compression, 0 to 100."""
 
 _BARE = """.softrod-hud, .softrod-dock, .softrod-overlay, .softrod-edge, .softrod-box, .softrod-box-lid,
-.softrod-edit, .softrod-edit-bar, .softrod-menu, .mantine-Notification-root {
+.softrod-edit, .softrod-edit-bar, .softrod-menu, .softrod-notices, .softrod-panel {
   visibility: hidden !important; opacity: 0 !important;
 }"""
 

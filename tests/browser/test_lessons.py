@@ -193,7 +193,7 @@ def test_short_choices_stand_side_by_side_and_a_notice_beside_the_plots(open_pag
     for choice in desk.page.locator(".softrod-choice").all():
         assert choice.evaluate("it => it.scrollWidth <= it.clientWidth && it.scrollHeight <= it.clientHeight")
     desk.tab.notify(Notice("error", "Said", "Something went wrong."))
-    notice = desk.page.locator(".mantine-Notification-root")
+    notice = desk.page.locator(".softrod-notice")
     notice.wait_for()
     edge = float(desk.page.evaluate("document.querySelector('.softrod-lesson').getBoundingClientRect().left"))
     desk.until(

@@ -61,7 +61,7 @@ def test_a_step_is_written_ordered_tried_and_seen_as_pupils_see_it(open_page: Op
     """`tests/app/test_making.py` has what the form makes of what is written, what it refuses, and undo."""
     desk = open_page("rope", size=(1280, 720))
     desk.page.keyboard.press("g")  # a plot that a step can have; the page turns to it
-    desk.page.locator(".uplot").wait_for()
+    desk.page.locator(".softrod-chart").wait_for()
     begin(desk)
     write_a_step(desk)
     order(desk)

@@ -6,7 +6,8 @@ import { COMMANDS } from "../../app/wire/commands.js";
 import { commandOf, printed, withKey } from "../../app/ui/hands/key_table.js";
 import { listenToKeys } from "../../app/ui/hands/keys.js";
 
-listenToKeys();
+let found = 0;
+listenToKeys(() => (found += 1));
 beforeEach(() => {
   become();
   document.body.focus();
@@ -90,14 +91,11 @@ const HOLDS = [["keys up", "keys "], false];
 const NOT = [[], true];
 
 test("Space pauses after a click wherever the focus is, presses what the Tab key has reached, and is typed into texts", () => {
-  const number = put("div", { class: "mantine-NumberInput-root" });
   const cases = [
     ["button", { role: "tab" }, PLAYS, NOT],
     ["button", {}, PLAYS, NOT],
     ["input", { type: "checkbox" }, PLAYS, NOT],
-    ["input", { type: "text" }, PLAYS, PLAYS, number],
-    ["input", { type: "text", "aria-haspopup": "listbox" }, PLAYS, NOT],
-    ["input", { type: "text", "aria-haspopup": "listbox", "aria-expanded": "true" }, NOT, NOT],
+    ["input", { type: "text", class: "softrod-number" }, PLAYS, PLAYS],
     ["input", { type: "text" }, NOT, NOT],
     ["input", {}, NOT, NOT],
     ["textarea", {}, NOT, NOT],
@@ -105,8 +103,8 @@ test("Space pauses after a click wherever the focus is, presses what the Tab key
     ["canvas", {}, PLAYS, PLAYS],
     ...["body", "grip", "muscle", "mode"].map((name) => ["div", { class: `softrod-${name}` }, NOT, NOT]),
   ];
-  for (const [tag, attributes, afterClick, byTab, parent = document.body] of cases) {
-    const element = put(tag, attributes, parent);
+  for (const [tag, attributes, afterClick, byTab] of cases) {
+    const element = put(tag, attributes);
     assert.deepEqual(pressed(element, " "), afterClick, `${tag} ${JSON.stringify(attributes)}, clicked`);
     assert.deepEqual(pressed(element, " ", { clicked: false }), byTab, `${tag} ${JSON.stringify(attributes)}, by Tab`);
     element.remove();
@@ -201,31 +199,19 @@ test("viser hears no key with which it would move the camera, wherever its lette
   assert.equal(moved, 1);
 });
 
-test("the palette opens from wherever the focus is, by the key that is printed or by its place", () => {
+test("what finds anything opens from wherever the focus is, by the key that is printed or by its place", () => {
   const input = put("input", { type: "text" });
-  const got = [];
-  document.body.addEventListener("keydown", ({ target, key: name, code, ctrlKey }) => target === document.body && got.push([name, code, ctrlKey]));
-  for (const [on, name, code, is] of [[input, "k", "KeyK", true], [document.body, "л", "KeyK", true], [document.body, "k", "KeyV", true], [document.body, "k", "KeyK", false]]) {
+  const before = found;
+  for (const [on, name, code] of [[input, "k", "KeyK"], [document.body, "л", "KeyK"], [document.body, "k", "KeyV"]]) {
     on.focus();
-    got.length = 0;
-    assert.equal(key(name, { code, ctrlKey: true }).defaultPrevented, is, "viser hears the one on its own page itself");
-    assert.deepEqual(got, [["k", "KeyK", true]], `${name} ${code}`);
+    assert.ok(key(name, { code, ctrlKey: true }).defaultPrevented);
   }
+  assert.equal(found, before + 3);
   const dialog = put("dialog", { open: "" });
   dialog.focus();
-  got.length = 0;
   key("k", { ctrlKey: true });
-  assert.deepEqual(got, [], "not over a dialog");
+  assert.equal(found, before + 3, "not over a dialog");
   dialog.remove();
-});
-
-test("once another scene is chosen from a box the keys are the body's", () => {
-  for (const [attributes, leaves] of [[{ "aria-haspopup": "listbox" }, true], [{}, false]]) {
-    const input = put("input", attributes);
-    input.focus();
-    become({ scene: leaves ? 7 : 8 });
-    assert.equal(document.activeElement, leaves ? document.body : input);
-  }
 });
 
 test("the arrow pad holds a key while it is pressed, wherever the pointer is then, by several fingers and by Space", () => {

@@ -34,6 +34,7 @@ class PlayPanel:
             hint = "choose another scene (key O)"
             icon, press = viser.Icon.LAYOUT_GRID, partial(page.perform, "gallery")
             self._chooser = page.button("Scene", icon, press, hint=hint, order=1)
+            describe_control(page.mail, self._chooser, place="card", note="Choose another scene")
             press = partial(page.perform, "anew")
             again = page.button(
                 "Open anew", viser.Icon.REFRESH, press, hint="open this scene anew", order=1.5

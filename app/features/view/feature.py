@@ -45,6 +45,6 @@ class ViewFeature(Feature):
         "gizmos": Row(
             "Arrows at held masses", _toggle("gizmos"), hint="to drag them along one axis", needs="view"
         ),
-        "palette": Row("All commands", "own", ("Ctrl K",), "all commands"),
+        "palette": Row("Find anything", "own", ("Ctrl K",), "find anything: commands and controls"),
         "help": Row("Help", _show_help, needs="help"),
     }  # fmt: skip

@@ -8,7 +8,7 @@ import { drawBody, shown } from "../../stage/canvas.js";
 import { askedScene, watchConnection } from "../../ui/viser/connection.js";
 import { addEdgeArrow } from "../../stage/edge.js";
 import { addEmpty } from "../../stage/empty.js";
-import { drawPanel } from "../../ui/gui/gui.js";
+import { charts, drawPanel } from "../../ui/gui/gui.js";
 import { showHud } from "../../ui/hud.js";
 import { hasKept, keepOnlyOf, resume } from "../../ui/kept/keep.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "../../ui/kept/links.js";
@@ -69,7 +69,7 @@ whenViser((viser) => {
   addEmpty();
   onMarksRedraw(drawEdgeArrow); // last: it stands where nothing else does
   // For the browser tests.
-  Object.assign(window, { __softrod: { shown, fitted, send, ...seen } });
+  Object.assign(window, { __softrod: { shown, fitted, send, charts, ...seen } });
 });
 if (canDraw()) {
   late = setTimeout(() => showFault(FAULT), 1e3 * PATIENCE);

@@ -103,9 +103,14 @@ export class Control {
 /** Begins another step of undo. */
 export const visit = () => send({ do: "visit" });
 
-/** Sets a text if it differs. @param {HTMLElement} element @param {string} text */
+/** The texts of elements; those in the page may have been translated. @type {WeakMap<HTMLElement, string>} */
+const texts = new WeakMap();
+
+/** Sets a text if it differs from the one before. @param {HTMLElement} element @param {string} text */
 export function setText(element, text) {
-  if (element.textContent !== text) element.textContent = text;
+  if (texts.get(element) === text) return;
+  texts.set(element, text);
+  element.textContent = text;
 }
 
 let count = 0;

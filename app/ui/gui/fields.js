@@ -171,7 +171,11 @@ class List extends Field {
     this.select = make("select", "");
     this.label.setAttribute("for", (this.select.id = newId()));
     this.element.append(this.label, this.select);
-    this.select.addEventListener("change", () => this.set(this.select.value));
+    this.select.addEventListener("change", () => {
+      this.set(this.select.value);
+      // Keys act on the body again, unless the user goes by keys.
+      if (!this.select.matches(":focus-visible")) this.select.blur();
+    });
   }
 
   /** @param {boolean} valued */
@@ -215,7 +219,10 @@ class Button extends Control {
     super(declared, "softrod-press");
     this.button = makeButton("", () => this.set(true), BUTTONS[declared.props.color] ?? "softrod-button softrod-first");
     this.icon = make("span", "softrod-icon");
-    this.text = make("span", "");
+    this.text = make("span", "softrod-press-text");
+    this.word = make("span", "");
+    this.note = make("small", "");
+    this.text.append(this.word, this.note);
     this.button.append(this.icon, this.text);
     this.element.append(this.button);
   }
@@ -224,9 +231,11 @@ class Button extends Control {
   show(valued) {
     super.show(valued);
     const { label, hint, disabled, _icon_html: icon } = this.props;
-    const { place = "" } = this.look;
+    const { place = "", note = "" } = this.look;
     this.element.dataset.place = place;
-    setText(this.text, label);
+    setText(this.word, label);
+    setText(this.note, note);
+    if (note) this.button.ariaLabel = label;
     if (this.icon.innerHTML === "" && icon) this.icon.innerHTML = icon;
     this.button.title = hint ?? (place === "beside" ? label : "");
     this.button.disabled = disabled === true;

@@ -77,6 +77,9 @@ export function showTab(id) {
   panel.unfold();
 }
 
+/** The plots over time, for the browser tests. */
+export const charts = () => [...controls.values()].filter((control) => control instanceof Plot);
+
 /** The controls that can be found by their names. */
 export const named = () => [...controls.values()].filter((control) => control.name && !control.element.hidden);
 

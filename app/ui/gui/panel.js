@@ -2,8 +2,16 @@
 /**
  * The panel: beside the canvas, or a sheet over its lower part on a phone, with three heights that a finger sets.
  */
+import { has, onMessage } from "../../wire/channel.js";
+import { perform } from "../../wire/perform.js";
 import { kept, store } from "../kept/storage.js";
-import { make, makeButton } from "../dialog.js";
+import { iconHtml, make, makeButton } from "../dialog.js";
+import { openFinder } from "./finder.js";
+
+const FIND = "M11 4a7 7 0 1 1 0 14a7 7 0 0 1 0-14zM16 16l4.5 4.5";
+const HELP = "M12 3a9 9 0 1 1 0 18a9 9 0 0 1 0-18zM9.6 9.2a2.5 2.5 0 1 1 3.4 2.4q-1 .5-1 1.7v.4M12 16.6v.1";
+const FOLD = "M9 6l6 6l-6 6";
+const UNFOLD = "M15 6l-6 6l6 6";
 
 /** Windows in which the panel is a sheet. */
 const SHEET = matchMedia("(max-width: 576px)");
@@ -16,6 +24,14 @@ const THROW = 40;
 /** @type {Height[]} */
 const HEIGHTS = ["closed", "half", "full"];
 
+/** A button that is only an icon. @param {string} icon @param {string} name @param {() => void} press */
+function iconButton(icon, name, press) {
+  const button = makeButton("", press, "softrod-icon-button");
+  button.innerHTML = iconHtml(icon);
+  button.ariaLabel = button.title = name;
+  return button;
+}
+
 /** @param {string} property @param {string} value */
 const setRoot = (property, value) => document.documentElement.style.setProperty(property, value);
 
@@ -26,15 +42,21 @@ class Panel {
     this.element.hidden = true;
     this.controls = make("div", "softrod-controls softrod-root");
     this.handle = makeButton("", () => this.go(this.height === "closed" ? "half" : "closed"), "softrod-handle");
-    this.fold = makeButton("", () => this.setFolded(!this.isFolded), "softrod-fold");
-    this.element.append(this.handle, this.controls);
+    this.help = iconButton(HELP, "Help", () => perform("help"));
+    this.fold = iconButton(FOLD, "Hide the panel", () => this.setFolded(true));
+    this.unfolds = iconButton(UNFOLD, "Show the panel", () => this.setFolded(false));
+    this.unfolds.classList.add("softrod-unfold");
+    const head = make("div", "softrod-panel-head");
+    head.append(make("span", "softrod-brand", "softrod"), iconButton(FIND, "Find anything (Ctrl K)", openFinder), this.help, this.fold);
+    this.element.append(this.handle, head, this.controls);
     /** @type {Height} */
     this.height = "half";
     this.isFolded = kept(FOLDED) === "1";
   }
 
   begin() {
-    document.body.append(this.element, this.fold);
+    document.body.append(this.element, this.unfolds);
+    onMessage("pageState", () => (this.help.hidden = !has("help")));
     SHEET.addEventListener("change", () => this.show());
     // A tab that is pressed is wanted in sight.
     this.controls.addEventListener("click", ({ target }) => {
@@ -58,7 +80,11 @@ class Panel {
 
   /** Opens it, for a tab or a control that was asked for. */
   unfold() {
-    if (this.isFolded) this.setFolded(false);
+    if (this.isFolded) {
+      this.isFolded = false;
+      store(FOLDED, "");
+      this.show();
+    }
     if (this.height === "closed") this.go("half");
   }
 
@@ -67,6 +93,7 @@ class Panel {
     this.isFolded = on;
     store(FOLDED, on ? "1" : "");
     this.show();
+    (on ? this.unfolds : this.fold).focus();
   }
 
   /** Moves the sheet. @param {Height} height */
@@ -82,11 +109,7 @@ class Panel {
     else dataset.softrodPanel = isSheet ? this.height : this.isFolded ? "folded" : "open";
     this.handle.ariaLabel = this.height === "closed" ? "Show the controls" : "Hide the controls";
     this.handle.ariaExpanded = String(this.height !== "closed");
-    this.fold.hidden = isSheet || this.isEmpty;
-    this.fold.ariaLabel = this.isFolded ? "Show the panel" : "Hide the panel";
-    this.fold.title = this.fold.ariaLabel;
-    this.fold.ariaExpanded = String(!this.isFolded);
-    this.fold.textContent = this.isFolded ? "«" : "»";
+    this.unfolds.hidden = isSheet || this.isEmpty || !this.isFolded;
   }
 
   /** Lets a finger drag the sheet by its handle; it goes on to the height at which it was thrown. */

@@ -37,7 +37,7 @@ export function ticks(low, high) {
 }
 
 /** A mark's text. @param {number} value */
-const markText = (value) => String(Number(value.toPrecision(DIGITS))).replace("-", "−");
+export const markText = (value) => String(Number(value.toPrecision(DIGITS))).replace("-", "−");
 
 /** A little more than the range of numbers; some range where there is none. @param {Iterable<number>} values */
 export function rangeOf(values) {
@@ -73,6 +73,8 @@ export class Plot extends Control {
     /** Where the pointer is, px; null outside. @type {number | null} */
     this.at = null;
     this.inside = { left: 0, right: 1, low: 0, high: 1 };
+    /** The ranges of the vertical axes, from the bottom to the top. @type {number[][]} */
+    this.ranges = [];
     this.width = 0;
     this.svg.addEventListener("pointermove", ({ offsetX }) => this.point(offsetX));
     this.svg.addEventListener("pointerleave", () => this.point(null));
@@ -130,6 +132,7 @@ export class Plot extends Control {
     const [low, high] = this.zoom ?? [times[0], times[times.length - 1]];
     const axes = /** @type {{scale: string, label: string, side?: number}[]} */ (this.props.axes ?? []);
     const upwards = axes.slice(1).map((axis) => ({ ...axis, range: this.range(axis.scale, low, high) }));
+    this.ranges = upwards.map(({ range }) => range);
     /** @param {{range: number[]}} axis */
     const marksOf = ({ range: [a, b] }) => ticks(Math.min(a, b), Math.max(a, b));
     /** @param {{range: number[]} | undefined} axis */

@@ -1,18 +1,17 @@
 // @ts-check
 /** Keys and the arrow pad: what is held, and what is pressed once. */
-import { onMessage, pageState, send } from "../../wire/channel.js";
+import { send } from "../../wire/channel.js";
 import { ARROWS, heldArrow } from "./arrow_keys.js";
 import { listenToPad, releasePad } from "./arrow_pad.js";
 import { commandOf } from "./key_table.js";
 import { perform } from "../../wire/perform.js";
 import { nextStep } from "../clock.js";
-import { openFinder } from "../gui/finder.js";
 
 /** @typedef {import("../../wire/wire.js").Keys["held"][number]} Key */
 /** What Space presses, once it was reached by keys. */
 const PRESSED = "button, input, [role=tab], [role=button]";
 /** What Space is typed into, or opens. */
-const TEXTS = "textarea, [contenteditable], input:not([type]), input[type=text], input[type=search], input[type=url]";
+const TEXTS = "textarea, select, [contenteditable], input:not([type]), input[type=text], input[type=search], input[type=url]";
 /** What a key that is held down does again and again. */
 const REPEATED = new Set(["step", "steps", "back", "forward"]);
 /** With these viser would move the camera, wherever their letters are printed. */
@@ -62,7 +61,6 @@ function isSpaceFree({ target, ctrlKey, metaKey, altKey }) {
   if (ctrlKey || metaKey || altKey || dialogIsOpen() || menuIsOpen()) return false;
   if (!(target instanceof Element)) return true;
   if (target.matches(".softrod-number")) return true; // no number has a space
-  if (target.matches("select")) return byPointer;
   if (target.matches(TEXTS)) return false;
   return byPointer || !target.matches(PRESSED);
 }
@@ -97,6 +95,9 @@ const releaseAll = () => {
   }
 };
 
+/** Opens what finds anything. */
+let openFinder = () => {};
+
 /** Ctrl K. @param {KeyboardEvent} event @returns {boolean} whether that was the key */
 function findAnything(event) {
   if (commandOf(event, "own") !== "palette" || event.altKey || event.shiftKey) return false;
@@ -130,20 +131,9 @@ function press(event) {
   perform(once === "step" ? nextStep() : once);
 }
 
-/** Once something is chosen from a box, keys act on the scene and not on the box. */
-function leaveChooser() {
-  let scene = pageState().scene;
-  onMessage("pageState", () => {
-    if (pageState().scene === scene) return;
-    scene = pageState().scene;
-    const focused = document.activeElement;
-    if (focused instanceof HTMLElement && focused.matches("select")) focused.blur();
-  });
-}
-
-/** Begins to listen. */
-export function listenToKeys() {
-  leaveChooser();
+/** Begins to listen. @param {() => void} find opens what finds anything */
+export function listenToKeys(find) {
+  openFinder = find;
   window.addEventListener("pointerdown", () => (byPointer = true), true);
   window.addEventListener("keydown", ({ key }) => key === "Tab" && (byPointer = false), true);
   window.addEventListener("keydown", press, true);
