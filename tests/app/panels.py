@@ -109,7 +109,15 @@ class Gui:
             **rest,
         }
         place = place or (self.inside[-1] if self.inside else None)
-        self.there.append(Handle(gui=self, kind=kind, place=place, _impl=SimpleNamespace(uuid=""), **fields))
+        self.there.append(
+            Handle(
+                gui=self,
+                kind=kind,
+                place=place,
+                _impl=SimpleNamespace(uuid=f"{len(self.there)}-{kind}"),
+                **fields,
+            )
+        )
         return self.there[-1]
 
     def reset(self) -> None:
@@ -130,10 +138,6 @@ class Gui:
         """Of the controls of some kinds that can be seen, in the order in which they were added."""
         seen = [one for one in self.there if one.kind in kinds and one.is_shown]
         return [one.label for one in seen if not tab or one.is_in(self[tab])]
-
-    def box(self, label: str) -> Handle:
-        """The number box that comes after a setting's slider."""
-        return self.there[self.there.index(self[label]) + 1]
 
     def text(self, tab: str = "") -> str:
         """The texts that can be seen."""

@@ -238,11 +238,11 @@ def served(installed: Installed) -> Iterator[str]:
 
 
 def test_its_page_comes_and_moves(served: str) -> None:
-    def read(address: str) -> str:
+    def read(address: str) -> bytes:
         with urllib.request.urlopen(address, timeout=30) as answer:
-            return answer.read().decode()
+            return answer.read()
 
-    page = read(f"{served}/")
+    page = read(f"{served}/").decode()
     scripts = re.findall(r'(?:src|href)="(softrod/[^"]+)"', page)
     assert any(script.endswith("/pages/sandbox/main.js") for script in scripts)
     for script in scripts:

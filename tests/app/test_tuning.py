@@ -228,9 +228,9 @@ def frequency_of(scene: sim.Scene) -> float:
 @pytest.mark.parametrize(
     ("label", "factor", "does"),
     [
-        ("Calm after (s)", 0.6, calm_after),
-        ("Sag (px)", 0.7, lambda scene: sim.tuning(scene).sag),
-        ("Stable step (s)", 1.3, lambda scene: sim.tuning(scene).stable_steps["symplectic_euler"]),
+        ("Calm after", 0.6, calm_after),
+        ("Sag", 0.7, lambda scene: sim.tuning(scene).sag),
+        ("Stable step", 1.3, lambda scene: sim.tuning(scene).stable_steps["symplectic_euler"]),
     ],
 )
 def test_a_typed_number_is_what_the_body_then_does(
@@ -258,7 +258,6 @@ def test_a_typed_number_is_what_the_body_then_does(
     page.settle()
     assert box.value == float(f"{told:.3g}")
     page.made[label].enter(-1.0)
-    assert page.notices[-1].title == "Out of range"
     assert box.value == float(f"{told:.3g}")
 
 
@@ -267,18 +266,18 @@ def test_sliders_make_it_stiff_and_calm() -> None:
     page = WishPage(scene)
     session, before = page.session, sim.tuning(scene).elastic
     assert before is not None
-    assert page.made["Sag (px)"].visible
-    assert not page.made["Stable step (s)"].visible  # its method has no limit
-    page.wish("Soft – stiff", math.log10(2.0 * before.frequency))
+    assert page.made["Sag"].visible
+    assert not page.made["Stable step"].visible  # its method has no limit
+    page.wish("Soft – stiff", 2.0 * before.frequency)
     after = sim.tuning(session.scene).elastic
     assert after is not None
     assert after.frequency == pytest.approx(2.0 * before.frequency, rel=0.01)
     assert after.damping_ratio == pytest.approx(before.damping_ratio, rel=0.05)  # as bouncy as before
     # What is dragged through is one step.
-    page.wish("Soft – stiff", math.log10(3.0 * before.frequency))
+    page.wish("Soft – stiff", 3.0 * before.frequency)
     assert frequency_of(session.scene) == pytest.approx(3.0 * before.frequency, rel=0.01)
     assert len(session.versions) == 1
-    page.wish("Bouncy – calm", math.log10(0.3))
+    page.wish("Bouncy – calm", 0.3)
     calm = sim.tuning(session.scene).elastic
     assert calm is not None
     assert calm.damping_ratio == pytest.approx(0.3, rel=0.05)
@@ -291,9 +290,9 @@ def test_what_cannot_be_had_is_said_until_the_body_changes() -> None:
     page = WishPage(sim.rope(masses=8, driven=0, gravity=(1000.0, 0.0)))
     sag = sim.tuning(page.session.scene).sag
     assert sag is not None
-    page.wish("Sag (px)", 0.2 * sag)
+    page.wish("Sag", 0.2 * sag)
     assert f"A sag of {0.2 * sag:.3g} px cannot be had by stiffness and damping; the nearest is" in page.text
-    assert page.made["Sag (px)"].value == pytest.approx(sag, rel=0.1)
+    assert page.made["Sag"].value == pytest.approx(sag, rel=0.1)
     page.frames(2, commands.Undo())
     page.settle()
     assert "cannot be had" not in page.text
@@ -301,7 +300,7 @@ def test_what_cannot_be_had_is_said_until_the_body_changes() -> None:
 
 def test_a_step_that_is_borne_anyhow_changes_nothing() -> None:
     page = WishPage(SCENE)
-    page.wish("Stable step (s)", 0.004)
+    page.wish("Stable step", 0.004)
     assert "It is stable at 4 ms as it is, so nothing was changed." in page.text
     assert page.session.versions.undoable == ""
 
@@ -346,11 +345,11 @@ def test_a_body_that_has_exploded_is_not_made_stable_in_the_pose_it_was_torn_int
 
 def test_what_has_nothing_to_do_with_it_is_not_offered() -> None:
     page = WishPage(replace(ROD, gravity=(0.0, 0.0)))
-    assert not page.made["Sag (px)"].visible
-    assert page.made["Calm after (s)"].visible
+    assert not page.made["Sag"].visible
+    assert page.made["Calm after"].visible
     page.made["Tuning"].enter(False)
     page.settle()
-    assert not page.made["Calm after (s)"].visible
+    assert not page.made["Calm after"].visible
     assert page.text == ""
 
 

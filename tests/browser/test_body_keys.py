@@ -66,7 +66,8 @@ def test_everything_is_reached_with_the_tab_key_and_can_be_seen_to_be(open_page:
 def test_every_control_has_a_name(open_page: OpenPage) -> None:
     desk = open_page()
     unnamed = """() => {
-      const named = e => e.ariaLabel || e.innerText || e.labels?.[0]?.innerText || e.title;
+      const named = e => e.ariaLabel || e.innerText || e.labels?.[0]?.innerText || e.title
+        || document.getElementById(e.getAttribute("aria-labelledby"))?.innerText;
       return [...document.querySelectorAll("button, input:not([type=hidden]), select, [role=slider]")]
         .filter(e => e.checkVisibility() && e.tabIndex >= 0 && !named(e)).map(e => e.outerHTML.slice(0, 300));
     }"""
@@ -76,4 +77,4 @@ def test_every_control_has_a_name(open_page: OpenPage) -> None:
         assert desk.page.evaluate(unnamed) == [], tab
     desk.show("Play")
     thumb = desk.page.get_by_role("slider", name="Linear stiffness")
-    desk.until(lambda: thumb.get_attribute("aria-valuetext") == "10000", "not the power of ten")
+    desk.until(lambda: thumb.get_attribute("aria-valuetext") == "10000 kg/s²", "not the power of ten")

@@ -105,7 +105,7 @@ def test_every_text_stands_out(
     desk = open_page(size=(1280, 760))
     put_on(desk, look)
     desk.page.keyboard.press("g")
-    desk.page.locator(".u-legend").wait_for()
+    desk.page.locator(".softrod-chart").wait_for()
     pale: list[tuple[str, dict[str, Any]]] = []
     for name, go in places:
         go(desk)

@@ -24,7 +24,7 @@ def test_what_the_solver_tab_tells_is_there_while_it_is_wanted(open_page: OpenPa
     # It is among the commands, too, and the switch shows it.
     desk.control("Energy").blur()
     desk.page.keyboard.press("Control+k")
-    desk.page.get_by_placeholder("Search").fill("energy")
+    desk.page.get_by_placeholder("Find anything").fill("energy")
     desk.page.get_by_text("Energy: follow it, or stop").click()
     desk.until(desk.control("Energy").is_checked, "the energy is followed again")
 

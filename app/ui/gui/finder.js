@@ -3,9 +3,6 @@
 import { answer, takeOver } from "../../wire/channel.js";
 import { make } from "../dialog.js";
 
-/** Entries that are shown at most. */
-const MAX_SHOWN = 12;
-
 /**
  * @typedef {object} Found
  * @property {string} name
@@ -68,7 +65,7 @@ class Finder {
   }
 
   search() {
-    this.found = matching(this.entries(), this.input.value).slice(0, MAX_SHOWN);
+    this.found = matching(this.entries(), this.input.value);
     this.none.hidden = this.found.length > 0;
     this.list.replaceChildren(
       ...this.found.map(({ name, about }, i) => {

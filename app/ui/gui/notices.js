@@ -5,6 +5,10 @@ import { make, makeButton } from "../dialog.js";
 
 /** Notices that are shown at a time; older ones go. */
 const MAX_SHOWN = 3;
+/** What stands at the lower edge of the canvas, which notices do not cover. */
+const BELOW = ".softrod-dock, .softrod-menu-lid, .softrod-edit-bar";
+/** Pixels between it and a notice. */
+const GAP = 12;
 
 /** @typedef {{title: string, body: string, color: string | null, auto_close_seconds: number | null}} Props */
 
@@ -30,6 +34,8 @@ export function takeNotices() {
     const close = makeButton("×", () => remove(id), "softrod-close");
     close.ariaLabel = "Close";
     notice.append(text, close);
+    const tops = [...document.querySelectorAll(BELOW)].map((element) => element.getBoundingClientRect()).filter(({ height }) => height);
+    list.style.setProperty("--softrod-above", `${innerHeight - Math.min(innerHeight, ...tops.map(({ top }) => top)) + GAP}px`);
     list.append(notice);
     shown.set(id, notice);
     for (const old of [...shown.keys()].slice(0, -MAX_SHOWN)) remove(old);
