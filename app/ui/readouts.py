@@ -381,22 +381,6 @@ def mass_of_joint(scene: sim.Scene, joint: int) -> int:
     return min({a.a, a.b} & {b.a, b.b}, default=a.a)
 
 
-PAD = (
-    '<div class="softrod-pad">'
-    + "".join(
-        f'<button type="button" data-softrod-key="{key}" aria-label="{name}" '
-        f'style="grid-area:{place}">{sign}</button>'
-        for key, name, place, sign in (
-            ("up", "longer", "1 / 2", "▲"),
-            ("left", "rest angle down", "2 / 1", "◀"),
-            ("down", "shorter", "2 / 2", "▼"),
-            ("right", "rest angle up", "2 / 3", "▶"),
-        )
-    )
-    + "</div>"
-)
-"""The arrow keys as buttons, for touch screens; handled by the page's script."""
-
 HELP_PICTURES = (
     (
         "Drag",

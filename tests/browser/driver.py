@@ -38,6 +38,10 @@ LIMIT = 15.0
 BEAT_BYTES = 100
 """Size of a sign of life at most; whatever else the server sends is larger."""
 
+OPEN_FOLDERS = """() => {
+  for (const folder of document.querySelectorAll(".softrod-panel details")) folder.open = true;
+}"""
+
 VISERS_ERRORS = (
     # At every press on a node that can be dragged.
     "inside passive event listener",
@@ -407,7 +411,8 @@ class Desk:
         return on
 
     def row(self, name: str) -> Locator:
-        """The row of a control with that label, in the tab that is shown."""
+        """The row of a control with that label, in the tab that is shown; its folder is opened."""
+        self.page.evaluate(OPEN_FOLDERS)
         label = self.page.locator(".softrod-label").get_by_text(name, exact=True)
         return self.page.locator(".softrod-field").filter(has=label).locator("visible=true").first
 

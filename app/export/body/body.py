@@ -42,7 +42,7 @@ class Loop:
 
 @dataclass(frozen=True)
 class Body:
-    """All numbers in the order of the scene's parts. What is broken has no stiffness and no damping.
+    """More numbers in the order of the scene's parts. What is broken has no stiffness and no damping.
 
     Attributes:
         moment: what it was made of.

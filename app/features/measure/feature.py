@@ -97,6 +97,10 @@ class MeasureFeature(Feature):
         if self.panel is not None:
             self.panel.tick()
 
+    def refresh(self) -> None:
+        if self.panel is not None:
+            self.panel.refresh()
+
     # --------------------------------------------------------------------- inside
     def _choose(self, mass: int) -> None:
         if self.panel is not None and mass < len(self.session.scene.masses):

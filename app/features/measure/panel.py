@@ -17,6 +17,9 @@ from ...ui.viser.handlers import on_change, on_press
 from .messages import ShowMeasures
 from .plot_list import SPANS, PlotList
 
+LAST = 1e6
+"""Order of what stands below the plots."""
+
 MAX_PARTS = 24
 """Joints, and springs, of the chosen mass in the list, at most."""
 
@@ -58,6 +61,7 @@ class MeasurePanel:
             self._comma_switch = page.commas.add(gui, order=7)
             self._comma_switch.visible = False
             self._hint = gui.add_html("", order=8)
+            self._joint_table = gui.add_html("", order=LAST) if "angle" in page.controls else None
         self.plots = PlotList(page, tab, lambda: self._chosen, self._changed)
         for chosen in (self._part, self._what):
             on_change(chosen, lambda: page.later(self._offer))
@@ -76,6 +80,11 @@ class MeasurePanel:
         if self._mass is not None and self._mass >= len(self._session.scene.masses):
             self._mass = None
         self.plots.build()
+
+    def refresh(self) -> None:
+        """Show the present angle."""
+        if self._joint_table is not None:
+            self._joint_table.content = readouts.joint_table(self._session)
 
     def tick(self) -> None:
         """Update the lists and the plots."""

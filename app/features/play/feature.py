@@ -43,8 +43,8 @@ class PlayFeature(Feature):
     controls: ClassVar = {
         "about": "what the scene shows, in words",
         "follow": "the switch that has the ringed mass follow the pointer",
-        "angle": "the table of the joint's angle",
-        "keys": "the arrow pad",
+        "angle": "the table of the joint's angle, in the Measure tab if there is one",
+        "keys": "the arrow pad over the canvas of a touch screen",
         "body": "the sliders of all other numbers of the body",
     }
 
@@ -100,7 +100,7 @@ class PlayFeature(Feature):
                     gui.add_html(f'<div class="softrod-text">{nothing}</div>', order=LAST + 3)
                 )
                 return
-            folder = gui.add_folder("All numbers", order=LAST + 3)
+            folder = gui.add_folder("More numbers", order=LAST + 3)
         self._board.add_sliders(folder, others)
         self._board.add_choices(folder, touching, LAST - 2)
         with folder:

@@ -1,4 +1,4 @@
-"""The Play tab except for its sliders: scene, switch to follow the pointer, a joint's angle, arrow pad."""
+"""The Play tab except for its sliders: scene, switch to follow the pointer, a joint's angle."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class PlayPanel:
         self._session = session = page.session
         controls, gui = page.controls, page.client.gui
         self._edits_texts = "edit" in controls
-        self._chooser = self._about = self._follow = self._readout = self._pad = None
+        self._chooser = self._about = self._follow = self._readout = None
         if "chooser" in controls:
             hint = "choose another scene (key O)"
             icon, press = viser.Icon.LAYOUT_GRID, partial(page.perform, "gallery")
@@ -44,13 +44,11 @@ class PlayPanel:
             self._about = gui.add_html("", order=2)
         # Between them are the sliders that make most of the scene.
         if "follow" in controls:
-            follow = gui.add_checkbox("Follow pointer", initial_value=False, hint="key F", order=LAST)
+            follow = gui.add_checkbox("Follow the pointer", initial_value=False, hint="key F", order=LAST)
             on_change(follow, lambda: session.post(commands.Follow(follow.value)))
             self._follow = follow
-        if "angle" in controls:
+        if "angle" in controls and "measure" not in controls:  # it stands in the Measure tab
             self._readout = gui.add_html("", order=LAST + 1)
-        if "keys" in controls:
-            self._pad = gui.add_html(readouts.PAD, visible=False, order=LAST + 2)
 
     def build(self, scene: Scene) -> None:
         """Show what the scene has."""
@@ -58,8 +56,6 @@ class PlayPanel:
             self._chooser.label = shown_name(scene)
         if self._about is not None:
             self._about.content = readouts.description(scene, self._edits_texts)
-        if self._pad is not None:
-            self._pad.visible = scene.arrow_keys is not None
         if self._follow is not None:
             self._follow.visible = self._session.driven is not None
 

@@ -44,7 +44,7 @@ FEATURES: tuple[type[Feature], ...] = (
 )
 
 COMMANDS: Mapping[str, Row] = {name: row for feature in FEATURES for name, row in feature.commands.items()}
-"""All commands by their names, in the order of the palette and the help."""
+"""Find anything by their names, in the order of the palette and the help."""
 
 CONTROLS: Mapping[str, str] = {name: text for feature in FEATURES for name, text in feature.controls.items()}
 """All controls by their names, with descriptions."""

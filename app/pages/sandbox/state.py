@@ -47,6 +47,7 @@ def page_state(
         offer=session.offer_back,
         future=session.abandoned_future is not None,
         follow=session.follow,
+        arrows=session.scene.arrow_keys is not None and "keys" in page.controls,
         broken=broken,
         controls=tuple(name for name in CONTROLS if name in page.controls),
         gizmos=page.looks.gizmos,

@@ -1,7 +1,35 @@
 // @ts-check
 /** Buttons that hold the arrow keys, for touch screens: each has the name of its key in `data-softrod-key`. */
 
+import { onMessage } from "../../wire/channel.js";
+import { make, makeButton } from "../dialog.js";
+
 /** @typedef {"up" | "down" | "left" | "right"} Key */
+
+/** Each key with its name, its place and its sign. @type {[Key, string, string, string][]} */
+const KEYS = [
+  ["up", "longer", "1 / 2", "▲"],
+  ["left", "rest angle down", "2 / 1", "◀"],
+  ["down", "shorter", "2 / 2", "▼"],
+  ["right", "rest angle up", "2 / 3", "▶"],
+];
+
+/** Adds the pad to the page; it is shown on touch screens, where the scene has arrow keys. */
+export function addPad() {
+  const pad = make("div", "softrod-pad");
+  pad.setAttribute("role", "group");
+  pad.ariaLabel = "Arrow keys";
+  pad.hidden = true;
+  for (const [key, name, place, sign] of KEYS) {
+    const button = makeButton(sign, () => {}, "");
+    button.dataset.softrodKey = key;
+    button.ariaLabel = name;
+    button.style.gridArea = place;
+    pad.append(button);
+  }
+  document.body.append(pad);
+  onMessage("pageState", ({ arrows = false }) => (pad.hidden = !arrows));
+}
 
 /** @param {Event} event @returns {HTMLElement | null} */
 const padKey = (event) =>

@@ -101,7 +101,7 @@ typedef struct {
 # endif
 # endif
 // A body. There may be as many as one likes; a copy by `=` is a body of its own, with the same before_step
-// and data. What its arrays hold is in the order of the scene. All numbers in here may be changed
+// and data. What its arrays hold is in the order of the scene. More numbers in here may be changed
 // between steps.
 typedef struct softbody softbody;
 struct softbody {
