@@ -32,7 +32,7 @@ Point = tuple[float, float]
 ARTIFACTS = Path(__file__).resolve().parents[2] / "artifacts"
 """Where screenshots are left for a look; git ignores it."""
 
-LIMIT = 15.0
+LIMIT = 60.0
 """Seconds after which a condition is given up: generous, since a busy machine draws few frames a second."""
 
 BEAT_BYTES = 100

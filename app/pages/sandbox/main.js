@@ -8,7 +8,7 @@ import { drawBody, shown } from "../../stage/canvas.js";
 import { askedScene, watchConnection } from "../../ui/viser/connection.js";
 import { addEdgeArrow } from "../../stage/edge.js";
 import { addEmpty } from "../../stage/empty.js";
-import { charts, drawPanel } from "../../ui/gui/gui.js";
+import { charts, clearPanel, drawPanel } from "../../ui/gui/gui.js";
 import { showHud } from "../../ui/hud.js";
 import { hasKept, keepOnlyOf, resume } from "../../ui/kept/keep.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "../../ui/kept/links.js";
@@ -36,7 +36,17 @@ identify();
 takeLink();
 keepAddress();
 keepOnlyOf(new URLSearchParams(location.search).get("room") || askedScene(location.search));
-watchConnection(watchConnectionLoss(), () => !hasKept());
+const lineChanged = watchConnectionLoss();
+let isSilent = false;
+watchConnection(
+  (line) => {
+    lineChanged(line);
+    // A connection that was only silent goes on; a new one declares its own controls.
+    if (line === "connected" && !isSilent) clearPanel();
+    isSilent = line === "silent";
+  },
+  () => !hasKept(),
+);
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let late;
 whenViser((viser) => {

@@ -121,10 +121,14 @@ export function openFinder() {
   finder.open();
 }
 
+/** The commands of the server. @type {Map<string, {label: string, description: string | null, disabled: boolean}>} */
+const commands = new Map();
+
+/** Forgets the commands of a connection that is over. */
+export const forgetCommands = () => commands.clear();
+
 /** Begins to receive the commands of the server. @param {() => Found[]} controls those of the panel */
 export function takeCommands(controls) {
-  /** @type {Map<string, {label: string, description: string | null, disabled: boolean}>} */
-  const commands = new Map();
   takeOver("RegisterCommandMessage", ({ uuid, props }) => commands.set(uuid, /** @type {any} */ (props)));
   takeOver("CommandUpdateMessage", ({ uuid, updates }) => Object.assign(commands.get(uuid) ?? {}, updates));
   takeOver("RemoveCommandMessage", ({ uuid }) => commands.delete(uuid));

@@ -5,8 +5,8 @@ import { CONTAINERS, isFolder, isTabs } from "./containers.js";
 import { Control, Place } from "./control.js";
 import { FIELDS } from "./fields.js";
 import { takeFiles } from "./files.js";
-import { takeCommands } from "./finder.js";
-import { takeDialogs } from "./modal.js";
+import { forgetCommands, takeCommands } from "./finder.js";
+import { closeDialogs, takeDialogs } from "./modal.js";
 import { takeNotices } from "./notices.js";
 import { panel } from "./panel.js";
 import { Plot } from "./plot.js";
@@ -97,6 +97,13 @@ export function reveal(control) {
   panel.unfold();
   control.element.scrollIntoView({ block: "nearest" });
   control.focus();
+}
+
+/** Removes all that a connection has declared. */
+export function clearPanel() {
+  for (const id of [...controls.keys()]) remove(id);
+  forgetCommands();
+  closeDialogs();
 }
 
 /** Begins to draw the panel. */

@@ -4,14 +4,21 @@ import { takeOver } from "../../wire/channel.js";
 import { make } from "../dialog.js";
 import { newId, Place } from "./control.js";
 
+/** The open dialogs, by their ids. @type {Map<string, HTMLDialogElement>} */
+const open = new Map();
+
+/** Closes the dialogs of a connection that is over. */
+export function closeDialogs() {
+  for (const dialog of open.values()) dialog.remove();
+  open.clear();
+}
+
 /**
  * Begins to show them.
  *
  * @param {Map<string, Place>} places where controls are, by their ids
  */
 export function takeDialogs(places) {
-  /** @type {Map<string, HTMLDialogElement>} */
-  const open = new Map();
   takeOver("GuiModalMessage", ({ uuid, title }) => {
     const dialog = make("dialog", "softrod-dialog softrod-asked");
     const heading = make("h2", "", title);
