@@ -1,6 +1,9 @@
 // @ts-check
-/** The camera: it looks from the front, and is moved and zoomed but never turned. */
-import { shown } from "./canvas.js";
+/**
+ * The camera: it looks from the front, and is moved and zoomed but never turned. It shows where the body moves in the first
+ * seconds, which the server tells, and goes after a body that leaves the view, unless the user has chosen another one.
+ */
+import { onPicture, shown } from "./canvas.js";
 import { onMessage, pageState } from "../wire/channel.js";
 import { toWorld } from "./draw.js";
 import { MARGIN, NEAR, STRIP } from "./looks.js";
@@ -22,10 +25,24 @@ const HUD_HEIGHT = 66;
 const WIDE = 0.75;
 /** Milliseconds between two checks of the canvas's size, and of whether viser has changed how the camera moves. */
 const CHECK_EVERY = 100;
+/** Part of the body's motion that is free around it at each side. */
+const AROUND = 1 / 8;
+/** Size of a view, in that of the scene's frame, below which the frame is shown: it would be of a mass by itself. */
+const LEAST_VIEW = 0.15;
+/** Milliseconds for which a new scene waits to be told where its body moves. */
+const WAIT = 1500;
+/** Milliseconds between two looks whether the body has left the view. */
+const LOOK_EVERY = 400;
+/** Milliseconds of a glide. */
+const GLIDE = 240;
 
 let fits = 0;
 /** The camera after the last fit. @type {number[]} */
 let fittedEye = [];
+/** The end of the glide that is under way, ms; 0 without one. */
+let glidesUntil = 0;
+/** What the last fit showed, in the page's world. @type {{left: number, right: number, low: number, high: number} | null} */
+let inSight = null;
 /** @type {(() => void)[]} */
 const listeners = [];
 
@@ -43,6 +60,11 @@ function untouched() {
 
 /** The number of times that the scene was fitted to the window. */
 export const fitted = () => fits;
+
+/** True if the view is where the last fit has put it, and shows the motion of the body, where that is known. */
+export const isSettled = () => glidesUntil === 0 && fits > 0 && (pageState().view ?? []).join() === fittedView;
+/** The motion that the last fit showed. */
+let fittedView = "";
 
 /** Calls back after every fit. @param {() => void} listener */
 export const onFit = (listener) => listeners.push(listener);
@@ -130,56 +152,103 @@ export function showWalls(seen, { walls, scale, x, y, flip }) {
   }
 }
 
-/**
- * What a fit shows, in the page's world.
- *
- * @param {number} width of the scene's frame, whose middle is the origin
- * @param {number} height
- * @param {boolean} withBody include the body, wherever it is
- */
-function bounds(width, height, withBody) {
+/** @typedef {{left: number, right: number, low: number, high: number}} View a box in the page's world */
+
+/** The box of the bodies as they are drawn now; null without any. @returns {View | null} */
+function bodyBox() {
   const { plan, frame } = shown();
-  const all = { left: -width / 2, right: width / 2, low: -height / 2, high: height / 2 };
-  if (plan) showWalls(all, plan);
-  if (!withBody || !plan || !frame) return all;
+  if (!plan || !frame) return null;
   const { second } = frame;
   const world = [...toWorld(plan, frame.positions), ...(second ? toWorld(plan, second.positions) : [])];
-  const whole = { ...all };
+  const box = { left: Infinity, right: -Infinity, low: Infinity, high: -Infinity };
   for (let i = 0; i < world.length; i += 2) {
     const radius = plan.radius[i / 2] ?? 0;
-    whole.left = Math.min(whole.left, world[i] - radius);
-    whole.right = Math.max(whole.right, world[i] + radius);
-    whole.low = Math.min(whole.low, world[i + 1] - radius);
-    whole.high = Math.max(whole.high, world[i + 1] + radius);
+    box.left = Math.min(box.left, world[i] - radius);
+    box.right = Math.max(box.right, world[i] + radius);
+    box.low = Math.min(box.low, world[i + 1] - radius);
+    box.high = Math.max(box.high, world[i + 1] + radius);
   }
-  const size = Math.max((whole.right - whole.left) / width, (whole.high - whole.low) / height);
-  return size <= MAX_VIEW ? whole : all;
+  return Number.isFinite(box.left + box.right + box.low + box.high) ? box : null;
+}
+
+/** @param {View} view */
+const sizeOf = ({ left, right, low, high }) => Math.max(right - left, high - low);
+
+/** A box with room around it. @param {View} view */
+function withRoom({ left, right, low, high }) {
+  const room = AROUND * Math.max(right - left, high - low);
+  return { left: left - room, right: right + room, low: low - room, high: high + room };
+}
+
+/** What a new scene shows: where its body moves, or its frame. @returns {View} */
+function motion() {
+  const { width = 0, height = 0, view = [] } = pageState();
+  const [w, h] = [(MARGIN * width) / 2, (MARGIN * height) / 2];
+  const frame = { left: -w, right: w, low: -h, high: h };
+  if (view.length < 4) return frame;
+  const [left, right, low, high] = view;
+  const moved = { left, right, low, high };
+  return sizeOf(moved) < LEAST_VIEW * sizeOf(frame) ? frame : withRoom(moved);
 }
 
 /**
- * Shows the scene's frame, whole, in the part of the canvas that can be seen.
+ * What a fit shows.
+ *
+ * @param {boolean} withBody include the body, wherever it is
+ * @returns {View}
+ */
+function bounds(withBody) {
+  const all = motion();
+  const { plan } = shown();
+  if (plan) showWalls(all, plan);
+  const body = withBody ? bodyBox() : null;
+  if (!body) return all;
+  const whole = {
+    left: Math.min(all.left, body.left),
+    right: Math.max(all.right, body.right),
+    low: Math.min(all.low, body.low),
+    high: Math.max(all.high, body.high),
+  };
+  const { width = 1, height = 1 } = pageState();
+  return sizeOf(whole) <= MAX_VIEW * Math.max(width, height) ? whole : all;
+}
+
+/**
+ * Shows where the body moves, whole, in the part of the canvas that can be seen.
  *
  * @param {boolean} [withBody] also the body, wherever it is
  * @returns {boolean} false while there is nothing to show
  */
-export function fit(withBody = false) {
+export const fit = (withBody = false) => {
+  const { width = 0, height = 0, view = [] } = pageState();
+  if (!(width > 0 && height > 0) || !show(bounds(withBody), false)) return false;
+  fittedView = view.join();
+  return true;
+};
+
+/** The camera that shows a box in the free part of the canvas; null while there is none. @param {View} view */
+function cameraFor({ left, right, low, high }) {
   const [canvas, seen] = [viserCanvas(), viserCamera()];
-  const { width = 0, height = 0 } = pageState();
-  if (!canvas || !seen?.controls || !(width > 0 && height > 0)) return false;
-  const { camera, controls, place } = seen;
+  if (!canvas || !seen?.controls) return null;
   const box = canvas.getBoundingClientRect();
   const sheet = covered(canvas, box);
   const dock = sheet + placeTransport(box, sheet);
   const { above, below } = besideTools(box);
   const hidden = dock + below;
   const free = box.height - hidden - above;
-  if (!(box.width > 0 && free > 0)) return false;
-  const { left, right, low, high } = bounds(width, height, withBody);
-  const perPixel = MARGIN * Math.max((right - left) / box.width, (high - low) / free);
-  const distance = (perPixel * box.height) / (2 * Math.tan((camera.fov * Math.PI) / 360));
+  if (!(box.width > 0 && free > 0)) return null;
+  const perPixel = Math.max((right - left) / box.width, (high - low) / free);
+  const distance = (perPixel * box.height) / (2 * Math.tan((seen.camera.fov * Math.PI) / 360));
   const spare = (free - (high - low) / perPixel) / 2;
   const lowered = box.width < PHONE ? Math.max(0, Math.min(spare, HUD_HEIGHT - spare)) : 0;
-  const [x, y] = [(left + right) / 2, (low + high) / 2 + perPixel * (lowered - (hidden - above) / 2)];
+  return { x: (left + right) / 2, y: (low + high) / 2 + perPixel * (lowered - (hidden - above) / 2), distance };
+}
+
+/** @param {{x: number, y: number, distance: number}} to */
+function put({ x, y, distance }) {
+  const seen = viserCamera();
+  if (!seen?.controls) return;
+  const { controls, place } = seen;
   controls.minAzimuthAngle = -Infinity;
   controls.maxAzimuthAngle = Infinity;
   const [from, target] = [place(x, y, distance), place(x, y, 0)];
@@ -188,10 +257,59 @@ export function fit(withBody = false) {
   controls.minDistance = distance / 200;
   controls.update(0);
   flatten(controls);
-  fits += 1;
   fittedEye = eye();
   for (const listener of listeners) listener();
+}
+
+/** Where the camera was put last. @type {{x: number, y: number, distance: number} | null} */
+let standing = null;
+
+/**
+ * Shows a box.
+ *
+ * @param {View} view @param {boolean} glides
+ * @returns {boolean} false while that is impossible
+ */
+function show(view, glides) {
+  const to = cameraFor(view);
+  if (!to) return false;
+  inSight = view;
+  fits += 1;
+  const from = standing;
+  standing = to;
+  const lasts = glides && from && !matchMedia("(prefers-reduced-motion: reduce)").matches ? GLIDE : 0;
+  const begun = performance.now();
+  const end = (glidesUntil = lasts ? begun + lasts : 0);
+  if (!lasts || !from) {
+    put(to);
+    return true;
+  }
+  const step = () => {
+    // Another fit, or a hand, has taken over.
+    if (glidesUntil !== end || !untouched()) return;
+    const part = Math.min((performance.now() - begun) / lasts, 1);
+    const eased = 1 - (1 - part) ** 3;
+    /** @param {"x" | "y" | "distance"} key */
+    const between = (key) => from[key] + (to[key] - from[key]) * eased;
+    if (part === 1) glidesUntil = 0;
+    put({ x: between("x"), y: between("y"), distance: between("distance") });
+    if (part < 1) requestAnimationFrame(step);
+  };
+  step();
   return true;
+}
+
+/** Goes after a body that has left the view: as large a view as before, unless the body has grown. */
+function follow() {
+  const body = bodyBox();
+  if (!body || !inSight || glidesUntil || !untouched()) return;
+  const { left, right, low, high } = inSight;
+  if (body.left >= left && body.right <= right && body.low >= low && body.high <= high) return;
+  const [width, height] = [Math.max(right - left, (1 + 2 * AROUND) * (body.right - body.left)), Math.max(high - low, (1 + 2 * AROUND) * (body.high - body.low))];
+  const { width: w = 1, height: h = 1 } = pageState();
+  if (Math.max(width, height) > MAX_VIEW * Math.max(w, h)) return; // it has exploded
+  const [x, y] = [(body.left + body.right) / 2, (body.low + body.high) / 2];
+  show({ left: x - width / 2, right: x + width / 2, low: y - height / 2, high: y + height / 2 }, true);
 }
 
 /**
@@ -205,6 +323,8 @@ export function shift(dx, dy) {
   const { camera, controls, place } = seen;
   const [from, to] = [place(0, 0, 0), place(dx, dy, 0)];
   const fitted = untouched();
+  if (standing) standing = { ...standing, x: standing.x + dx, y: standing.y + dy };
+  if (inSight) inSight = { left: inSight.left + dx, right: inSight.right + dx, low: inSight.low + dy, high: inSight.high + dy };
   const end = controls.getTarget(camera.position.clone(), true);
   controls.moveTo(end.x + to.x - from.x, end.y + to.y - from.y, end.z + to.z - from.z, false);
   controls.update(0);
@@ -220,6 +340,9 @@ export function keepFlat() {
   let size = "";
   let covers = "";
   const paper = matchMedia("print");
+  /** When the scene was first told of. */
+  let since = 0;
+  let known = "";
   const look = () => {
     const [canvas, controls] = [viserCanvas(), viserCamera()?.controls];
     // In print the canvas has another size, but not what is drawn in it.
@@ -240,12 +363,31 @@ export function keepFlat() {
     const cover = [sheet, above, below, ...strips].join(" ");
     // A view that the user has chosen stays when the panel's sheet, the tools or a strip change their size.
     const grown = cover !== covers && untouched();
-    if ((pageState().scene !== scene || size !== now || grown) && fit()) {
-      scene = pageState().scene;
+    const { scene: opened = -1, view = [] } = pageState();
+    const isNew = opened !== scene;
+    if (isNew && since === 0) since = performance.now();
+    // Only a body of the page's own is told of.
+    if (isNew && !view.length && opened >= 0 && performance.now() - since < WAIT) return;
+    const toldLater = !isNew && view.join() !== known && view.length > 0 && untouched();
+    const isSame = !isNew && !toldLater && inSight !== null && untouched();
+    if ((isNew || toldLater || size !== now || grown) && (isSame && inSight ? show(inSight, false) : fit())) {
+      scene = opened;
+      known = view.join();
+      since = 0;
       size = now;
       covers = cover;
     }
   };
+  let pressed = false;
+  window.addEventListener("pointerdown", () => (pressed = true), true);
+  for (const kind of ["pointerup", "pointercancel"]) window.addEventListener(kind, () => (pressed = false), true);
+  let looked = 0;
+  onPicture(() => {
+    const time = performance.now();
+    if (pressed || time - looked < LOOK_EVERY) return;
+    looked = time;
+    follow();
+  });
   onMessage("pageState", look);
   setInterval(look, CHECK_EVERY);
 }

@@ -17,6 +17,8 @@ class PageState(State, frozen=True, kw_only=True, omit_defaults=True):
         scene: number of the opened scene.
         title: the scene's title.
         width, height: size of the scene's frame, in the page's world.
+        view: left, right, low and high end of the body's first motion, in the page's world; empty while they
+            are not known.
         unit: unit of lengths.
         joint: index of the joint that is read out; -1 for none.
         playing: the clock runs, or will as soon as a heavy step is done.
@@ -40,6 +42,7 @@ class PageState(State, frozen=True, kw_only=True, omit_defaults=True):
     title: str
     width: float
     height: float
+    view: tuple[float, ...] = ()
     unit: str
     joint: int = -1
     playing: bool = False

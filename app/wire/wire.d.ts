@@ -236,7 +236,7 @@ export type Race = { tell: "race"; on?: boolean; names?: [string, string]; ways?
 /** Whether a race begins: why not, in a sentence, or an empty text. */
 export type RaceAnswer = { tell: "raceAnswer"; problem: string };
 /** The state of the session and of the page. */
-export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; arrows?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };
+export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; view?: number[]; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; arrows?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };
 /** The head-up display over the canvas, HTML. */
 export type Hud = { tell: "hud"; html: string };
 /** The state that the browser stores and returns after a reload or an outage, see `keeping`: JSON. */

@@ -191,6 +191,7 @@ class Desk:
         self.client = new[0]
         self.until(lambda: self.tab.session is not None, "the tab has its session")
         self.page.wait_for_function("window.__softrod?.fitted() > 0", timeout=LIMIT * 1e3)
+        self.settle()
         self.wait_drawn()
 
     def leave(self) -> None:
@@ -282,6 +283,10 @@ class Desk:
         """Wait until the page has looked twice, each tenth of a second, whether the view needs other room."""
         # The page's own clock: its looks come first, however late it is.
         self.page.evaluate("() => new Promise((done) => setTimeout(done, 220))")
+
+    def settle(self) -> None:
+        """Wait until the view shows where the body moves, and stands still."""
+        self.page.wait_for_function("window.__softrod.isSettled()", timeout=LIMIT * 1e3)
 
     def settled(self) -> None:
         """Wait until the body is at rest, as the page says."""

@@ -2,7 +2,7 @@
 /** Starts softrod's part of the page; viser's page has the panel, the nodes and the connection. */
 import { watchConnectionLoss } from "../../ui/away.js";
 import { addClassroom } from "../../features/classroom/classroom.js";
-import { fitted, keepFlat } from "../../stage/camera.js";
+import { fitted, isSettled, keepFlat } from "../../stage/camera.js";
 import { addChase } from "../../stage/chase.js";
 import { drawBody, shown } from "../../stage/canvas.js";
 import { askedScene, watchConnection } from "../../ui/viser/connection.js";
@@ -79,7 +79,7 @@ whenViser((viser) => {
   addEmpty();
   onMarksRedraw(drawEdgeArrow); // last: it stands where nothing else does
   // For the browser tests.
-  Object.assign(window, { __softrod: { shown, fitted, send, charts, ...seen } });
+  Object.assign(window, { __softrod: { shown, fitted, isSettled, send, charts, ...seen } });
 });
 if (canDraw()) {
   late = setTimeout(() => showFault(FAULT), 1e3 * PATIENCE);

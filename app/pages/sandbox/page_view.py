@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from sim.scene.types import Scene
 
+from ...session.framing import Framing
 from ...stage.colors import palette
 from ...stage.plan import broken_of, own_rest_angles
 from ...stage.sketch import Mapping
@@ -57,11 +58,12 @@ class PageView:
         self._at_rest = False
         self._broken = 0
         self._looks = DEFAULT_LOOKS
+        self._framing = Framing()
 
     @property
     def unsettled(self) -> bool:
         """True if a control shows a value that is not set yet, or will have more to show."""
-        return any(feature.unsettled for feature in self._features)
+        return not self._framing.is_done or any(feature.unsettled for feature in self._features)
 
     def apply_looks(self) -> None:
         """Switch theme and gizmos if they have been changed."""
@@ -129,5 +131,9 @@ class PageView:
 
     def send_state(self, playing: bool) -> None:
         """Send the state of the page if it has changed; `playing`: the clock runs, or is about to."""
-        state = page_state(self._page, self._panel, self._number, playing, self._at_rest, self._broken)
+        session = self._session
+        bounds = self._framing.bounds(session.openings, session.opened)
+        state = page_state(
+            self._page, self._panel, self._number, playing, self._at_rest, self._broken, bounds
+        )
         self._page.mail.send(state)

@@ -6,7 +6,8 @@ import math
 
 from sim.scene.types import shown_name
 
-from ...stage.sketch import world_size
+from ...session.framing import Bounds
+from ...stage.sketch import Mapping, world_size
 from ...ui.page import Page
 from ...wire.to_page import PageState
 from .features import CONTROLS
@@ -14,7 +15,13 @@ from .page_panel import PagePanel
 
 
 def page_state(
-    page: Page, panel: PagePanel, number: str, playing: bool, at_rest: bool, broken: int
+    page: Page,
+    panel: PagePanel,
+    number: str,
+    playing: bool,
+    at_rest: bool,
+    broken: int,
+    bounds: Bounds | None,
 ) -> PageState:
     """Collect the state of a page.
 
@@ -25,6 +32,7 @@ def page_state(
         playing: the clock runs, or will as soon as a heavy step is done.
         at_rest: the body stands while the clock runs.
         broken: number of broken springs.
+        bounds: (2, 2) px, of the body's motion; None while they are not known.
     """
     session = page.session
     history, scrubbed = session.history, session.history.scrubbed
@@ -35,6 +43,7 @@ def page_state(
         title=shown_name(session.scene),
         width=width,
         height=height,
+        view=() if bounds is None else _view(page.mapping, bounds),
         unit=session.scene.view.unit,
         joint=session.joint if session.scene.angular_springs else -1,
         playing=playing,
@@ -55,3 +64,8 @@ def page_state(
         measuring=panel.measure_tab,
         lesson=session.lesson_begun if panel.has_lesson else None,
     )
+
+
+def _view(mapping: Mapping, bounds: Bounds) -> tuple[float, float, float, float]:
+    (left, low, _), (right, high, _) = mapping.to_world(bounds).tolist()
+    return left, right, min(low, high), max(low, high)
