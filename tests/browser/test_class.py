@@ -379,7 +379,7 @@ def test_answers_from_the_lessons_file_by_code_and_as_a_file(
     page.get_by_role("button", name="Play").click()
     expect(page.locator(".softrod-goal")).to_contain_text("Reached")
     page.get_by_label("In your own words").fill("<b>Energy</b> stays")
-    page.get_by_role("button", name="What is right?").click()
+    page.get_by_role("button", name="Check my answer").click()
     expect(page.locator(".softrod-verdict")).to_have_text("That is right. Energy.")
     # All of it is there again after a reload.
     page.reload()

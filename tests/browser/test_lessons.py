@@ -29,7 +29,7 @@ def words(desk: Desk) -> str:
 
 
 def press(desk: Desk, text: str) -> None:
-    desk.page.locator(f"{CARD} button").filter(has_text=text).first.click()
+    desk.page.locator(".softrod-lesson-page button").filter(has_text=text).first.click()
 
 
 def label_of(desk: Desk, key: str) -> str:
@@ -70,22 +70,25 @@ def follow(desk: Desk, name: str) -> None:
     desk.tell(commands.Open(sim.load_scene(name)))
     for i, step in enumerate(steps(name)):
         begins(desk, step)
-        assert f"{i + 1} / {len(steps(name))}" in words(desk)
+        assert f"{i + 1} of {len(steps(name))}" in words(desk)
         if step.question is not None:
             assert desk.page.locator(".softrod-lesson-next").is_disabled()
             press(desk, step.question.choices[step.question.answer])
             desk.until(lambda: desk.session.playing, "the body moves")
             assert step.question.because not in words(desk), "it is tried first"
-            press(desk, "What is right?")
+            assert step.do in words(desk)
+            assert step.watch in words(desk)
+            press(desk, "Check my answer")
             desk.until(lambda: "That is right." in words(desk), "the answer is right")
-        assert step.do in words(desk)
-        assert step.watch in words(desk)
+        else:
+            assert step.do in words(desk)
+            assert step.watch in words(desk)
         labels = [label_of(desk, key) for key in step.controls]
         desk.until(lambda labels=labels: sliders(desk) == labels, f"its sliders are {labels}")
         titles = [text.replace(",", "") for text in step.plots or ()]
         desk.until(lambda titles=titles: plots(desk) == titles, f"its plots are {titles}")
         desk.until(lambda: desk.simulation.time > 0.1, "time goes on")
-        press(desk, "Next" if i + 1 < len(steps(name)) else "Start over")
+        press(desk, "Next step" if i + 1 < len(steps(name)) else "Back to step 1")
     begins(desk, steps(name)[0])
     assert not desk.notices()
 
@@ -103,15 +106,15 @@ def test_what_was_answered_is_told_and_known_after_a_reload_and_another_scene(op
     desk.until(lambda: pressed.all_inner_texts() == ["71 px"], "it is the choice")
     desk.rest(2)
     assert not desk.session.playing
-    press(desk, "What is right?")
+    press(desk, "Check my answer")
     desk.until(lambda: "The answer is: 100 px." in words(desk), "the right answer is told")
     # Again is anew: the question can be answered again.
-    press(desk, "Again")
+    press(desk, "Start again")
     begins(desk, first)
     assert "The answer is" not in words(desk)
     press(desk, "71 px")
-    press(desk, "What is right?")
-    press(desk, "Next")
+    press(desk, "Check my answer")
+    press(desk, "Next step")
     begins(desk, second)
     desk.tell(commands.SetValue("gravity", 1234.0))
     desk.until(lambda: "1234" in (desk.page.evaluate("sessionStorage.softrod") or ""), "the page keeps it")

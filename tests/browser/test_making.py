@@ -69,7 +69,7 @@ def test_a_step_is_written_ordered_tried_and_seen_as_pupils_see_it(open_page: Op
     see_as_phone(desk)
     press(desk, "Done")
     desk.until(lambda: not form_of(desk).is_visible(), "the form goes")
-    desk.until(lambda: "1 / 2" in desk.page.locator(".softrod-lesson").inner_text(), "there is its lesson")
+    desk.until(lambda: "1 of 2" in desk.page.locator(".softrod-lesson").inner_text(), "there is its lesson")
     assert desk.page.evaluate("window.evil") is None
     assert not desk.notices()
 

@@ -30,53 +30,76 @@ function asked({ text, choices, answer: right }, run) {
   return box;
 }
 
-/** The right answer and why it is right, or the button that reveals it. @param {Question} question @param {Run} run */
+/** The right answer and why it is right. @param {Question} question @param {Run} run */
 function answered({ choices, answer: right, because }, run) {
-  const { choice, known } = run.present;
-  if (!known) return makeButton("What is right?", () => run.reveal(), "softrod-button softrod-first softrod-lesson-reveal");
+  const { choice } = run.present;
   const verdict = paragraph(choice === right ? "That is right." : `The answer is: ${choices[right]}.`, because);
   verdict.className = "softrod-verdict";
   verdict.tabIndex = -1;
   return verdict;
 }
 
+/** How far the lesson is, as dashes and in words. @param {Run} run */
+function progress({ at, steps }) {
+  const count = make("span", "softrod-lesson-count");
+  const dashes = make("span", "softrod-lesson-dashes");
+  dashes.ariaHidden = "true";
+  dashes.append(...steps.map((_, i) => make("i", i <= at ? "softrod-done" : "")));
+  count.append(dashes, make("span", "", `${at + 1} of ${steps.length}`));
+  return count;
+}
+
+/** The one thing to press next: first what is right, then the next step. @param {Run} run */
+function primary(run) {
+  const { at, steps, step, present, waits } = run;
+  const button = "softrod-button softrod-first softrod-lesson-next";
+  if (step.question && !present.known) {
+    const check = makeButton("Check my answer", () => run.reveal(), `${button} softrod-lesson-reveal`);
+    check.disabled = waits;
+    return check;
+  }
+  const isLast = at + 1 === steps.length;
+  const next = makeButton(isLast ? "Back to step 1" : "Next step", () => (isLast ? run.startOver() : run.enter(at + 1)), button);
+  next.disabled = waits;
+  return next;
+}
+
 /**
- * The parts of the card for the present step.
+ * The parts of the card for the present step, and its foot.
  *
  * @param {Run} run @param {{asked?: HTMLElement[], done?: HTMLElement[]}} more what else stands below the question, and below
  *   what is to be done
- * @returns {HTMLElement[]}
+ * @returns {{parts: HTMLElement[], foot: HTMLElement}}
  */
 export function lessonCard(run, more) {
-  const { step, at, steps, waits } = run;
+  const { step, at, waits } = run;
   const { question } = step;
   const title = make("h2", "", step.title);
   title.tabIndex = -1;
   const head = make("div", "softrod-lesson-head");
-  head.append(title, make("span", "softrod-lesson-count", `${at + 1} / ${steps.length}`));
+  head.append(title, progress(run));
   const text = make("div", "");
   // The choice stays above what follows from it.
   if (question) text.append(asked(question, run));
   text.append(...(more.asked ?? []));
   if (!waits) {
-    const task = paragraph("Do:", step.do);
-    task.className = "softrod-lesson-do";
-    task.tabIndex = -1;
-    text.append(task);
-    if (step.watch) text.append(paragraph("Watch:", step.watch));
+    const told = question !== null && run.present.known;
+    // What was to be done makes room for what is right.
+    if (!told) {
+      const task = paragraph("Do:", step.do);
+      task.className = "softrod-lesson-do";
+      task.tabIndex = -1;
+      text.append(task);
+      if (step.watch) text.append(paragraph("Watch:", step.watch));
+    }
     text.append(...(more.done ?? []));
-    if (question) text.append(answered(question, run));
+    if (told) text.append(answered(question, run));
   }
   const foot = make("div", "softrod-lesson-foot");
   const back = makeButton("Back", () => run.enter(at - 1));
   back.disabled = at === 0;
-  const again = makeButton("Again", () => run.again());
+  const again = makeButton("Start again", () => run.again());
   again.title = "begin this step again";
-  const isLast = at + 1 === steps.length;
-  const next = makeButton(isLast ? "Start over" : "Next", () => (isLast ? run.startOver() : run.enter(at + 1)), "softrod-button softrod-lesson-next");
-  next.disabled = waits;
-  // One thing to press next: first what is right.
-  next.classList.toggle("softrod-first", question === null || run.present.known);
-  foot.append(back, again, next);
-  return [head, text, foot];
+  foot.append(back, again, primary(run));
+  return { parts: [head, text], foot };
 }

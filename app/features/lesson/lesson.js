@@ -18,6 +18,8 @@ const LOOK_EVERY = 100;
 
 /** @type {HTMLElement} */
 let card;
+/** The buttons, which stay at the lower end of the panel. @type {HTMLElement | null} */
+let foot = null;
 /** @type {Run | null} */
 let run = null;
 /** The opening of the lesson's scene, as the server counts them, in which a step was begun. */
@@ -54,6 +56,10 @@ function take({ steps }) {
     blank,
     begin: (waits) => send({ do: "beginStep", step: taken.at, how: waits ? "wait" : "run" }),
     run: () => perform("run"),
+    placeFoot(next) {
+      foot?.replaceWith(next);
+      foot = next;
+    },
     store() {
       const answers = taken.given.map(({ choice }) => choice);
       store(NAME, JSON.stringify({ lesson: name, at: taken.at, answers, told: taken.given.map(({ known }) => known) }));
@@ -96,6 +102,9 @@ function begin() {
   setInterval(() => {
     const place = document.getElementById("softrod-lesson");
     if (place && card.parentElement !== place) place.replaceChildren(card);
+    const page = place?.closest("[role=tabpanel]");
+    page?.classList.add("softrod-lesson-page");
+    if (page && foot && page.lastElementChild !== foot) page.append(foot);
     document.documentElement.toggleAttribute("data-softrod-lesson", place !== null);
   }, LOOK_EVERY);
 }

@@ -22,6 +22,7 @@ import { lessonCard } from "./card.js";
  * @property {(isAnswer: boolean) => void} store stores how far the lesson is, after an answer or after a change of the step
  * @property {() => {asked?: HTMLElement[], done?: HTMLElement[]}} [more] what the card has below its question, and below what
  *   is to be done
+ * @property {(foot: HTMLElement) => void} [placeFoot] places the buttons; without it they are at the end of the card
  */
 
 /** @template {Step} S @template {Given} G */
@@ -58,7 +59,10 @@ export class LessonRun {
   }
 
   show() {
-    this.card.replaceChildren(...lessonCard(this, this.host.more?.() ?? {}));
+    const { parts, foot } = lessonCard(this, this.host.more?.() ?? {});
+    this.card.replaceChildren(...parts);
+    if (this.host.placeFoot) this.host.placeFoot(foot);
+    else this.card.append(foot);
   }
 
   begin() {

@@ -7,7 +7,6 @@ import { makeSvg } from "../../stage/svg.js";
 import { make } from "../dialog.js";
 import { Control, newId } from "./control.js";
 
-const HEIGHT = 220;
 const TOP = 8;
 const BOTTOM = 40;
 const BESIDE = 24;
@@ -76,6 +75,7 @@ export class Plot extends Control {
     /** The ranges of the vertical axes, from the bottom to the top. @type {number[][]} */
     this.ranges = [];
     this.width = 0;
+    this.height = 0;
     this.svg.addEventListener("pointermove", ({ offsetX }) => this.point(offsetX));
     this.svg.addEventListener("pointerleave", () => this.point(null));
     this.svg.addEventListener("pointerdown", (event) => {
@@ -86,7 +86,7 @@ export class Plot extends Control {
     this.svg.addEventListener("pointerup", ({ offsetX }) => this.release(offsetX));
     this.svg.addEventListener("pointercancel", () => (this.from = null));
     this.svg.addEventListener("dblclick", () => this.show(true, null));
-    new ResizeObserver(() => this.svg.clientWidth !== this.width && this.draw()).observe(this.svg);
+    new ResizeObserver(() => this.draw()).observe(this.svg);
   }
 
   get name() {
@@ -125,10 +125,9 @@ export class Plot extends Control {
   }
 
   draw() {
-    this.width = this.svg.clientWidth;
-    const { times, width } = this;
-    if (!(width > 0) || !times.length) return;
-    const height = this.props.height ?? HEIGHT;
+    [this.width, this.height] = [this.svg.clientWidth, this.svg.clientHeight];
+    const { times, width, height } = this;
+    if (!(width > 0 && height > BOTTOM + TOP) || !times.length) return;
     const [low, high] = this.zoom ?? [times[0], times[times.length - 1]];
     const axes = /** @type {{scale: string, label: string, side?: number}[]} */ (this.props.axes ?? []);
     const upwards = axes.slice(1).map((axis) => ({ ...axis, range: this.range(axis.scale, low, high) }));
@@ -146,7 +145,6 @@ export class Plot extends Control {
     const up = ([from, to], value) => bottom - ((bottom - TOP) * (value - from)) / (to - from);
 
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    this.svg.style.height = `${height}px`;
     const grid = [];
     /** @type {Element[]} */
     const parts = [];
@@ -205,7 +203,7 @@ export class Plot extends Control {
     const { at, from, times } = this;
     const inside = at !== null && at >= left && at <= right;
     const time = inside ? low + ((high - low) * (at - left)) / (right - left) : null;
-    const bottom = (this.props.height ?? HEIGHT) - BOTTOM;
+    const bottom = this.height - BOTTOM;
     this.mark?.setAttribute("d", inside ? `M${at} ${TOP}V${bottom}${from === null ? "" : `M${from} ${TOP}V${bottom}`}` : "");
     const i = time === null ? -1 : nearest(times, time);
     // A line that ends at the moment that is shown goes on as a pale one.
