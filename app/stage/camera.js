@@ -41,7 +41,9 @@ let fits = 0;
 let fittedEye = [];
 /** The end of the glide that is under way, ms; 0 without one. */
 let glidesUntil = 0;
-/** What the last fit showed, in the page's world. @type {{left: number, right: number, low: number, high: number} | null} */
+/** What the last fit was to show. @type {View | null} */
+let asked = null;
+/** What is in sight since then: that, and what else the canvas has room for. @type {View | null} */
 let inSight = null;
 /** @type {(() => void)[]} */
 const listeners = [];
@@ -171,6 +173,9 @@ function bodyBox() {
   return Number.isFinite(box.left + box.right + box.low + box.high) ? box : null;
 }
 
+/** @param {View} view @param {number} dx @param {number} dy */
+const moved = ({ left, right, low, high }, dx, dy) => ({ left: left + dx, right: right + dx, low: low + dy, high: high + dy });
+
 /** @param {View} view */
 const sizeOf = ({ left, right, low, high }) => Math.max(right - left, high - low);
 
@@ -187,8 +192,8 @@ function motion() {
   const frame = { left: -w, right: w, low: -h, high: h };
   if (view.length < 4) return frame;
   const [left, right, low, high] = view;
-  const moved = { left, right, low, high };
-  return sizeOf(moved) < LEAST_VIEW * sizeOf(frame) ? frame : withRoom(moved);
+  const path = { left, right, low, high };
+  return sizeOf(path) < LEAST_VIEW * sizeOf(frame) ? frame : withRoom(path);
 }
 
 /**
@@ -241,7 +246,10 @@ function cameraFor({ left, right, low, high }) {
   const distance = (perPixel * box.height) / (2 * Math.tan((seen.camera.fov * Math.PI) / 360));
   const spare = (free - (high - low) / perPixel) / 2;
   const lowered = box.width < PHONE ? Math.max(0, Math.min(spare, HUD_HEIGHT - spare)) : 0;
-  return { x: (left + right) / 2, y: (low + high) / 2 + perPixel * (lowered - (hidden - above) / 2), distance };
+  const [x, y] = [(left + right) / 2, (low + high) / 2 + perPixel * lowered];
+  const [w, h] = [(perPixel * box.width) / 2, (perPixel * free) / 2];
+  const sight = { left: x - w, right: x + w, low: y - h, high: y + h };
+  return { at: { x, y: y - (perPixel * (hidden - above)) / 2, distance }, sight };
 }
 
 /** @param {{x: number, y: number, distance: number}} to */
@@ -271,9 +279,11 @@ let standing = null;
  * @returns {boolean} false while that is impossible
  */
 function show(view, glides) {
-  const to = cameraFor(view);
-  if (!to) return false;
-  inSight = view;
+  const found = cameraFor(view);
+  if (!found) return false;
+  const to = found.at;
+  asked = view;
+  inSight = found.sight;
   fits += 1;
   const from = standing;
   standing = to;
@@ -302,10 +312,11 @@ function show(view, glides) {
 /** Goes after a body that has left the view: as large a view as before, unless the body has grown. */
 function follow() {
   const body = bodyBox();
-  if (!body || !inSight || glidesUntil || !untouched()) return;
+  if (!body || !asked || !inSight || glidesUntil || !untouched()) return;
   const { left, right, low, high } = inSight;
   if (body.left >= left && body.right <= right && body.low >= low && body.high <= high) return;
-  const [width, height] = [Math.max(right - left, (1 + 2 * AROUND) * (body.right - body.left)), Math.max(high - low, (1 + 2 * AROUND) * (body.high - body.low))];
+  const width = Math.max(asked.right - asked.left, (1 + 2 * AROUND) * (body.right - body.left));
+  const height = Math.max(asked.high - asked.low, (1 + 2 * AROUND) * (body.high - body.low));
   const { width: w = 1, height: h = 1 } = pageState();
   if (Math.max(width, height) > MAX_VIEW * Math.max(w, h)) return; // it has exploded
   const [x, y] = [(body.left + body.right) / 2, (body.low + body.high) / 2];
@@ -324,7 +335,8 @@ export function shift(dx, dy) {
   const [from, to] = [place(0, 0, 0), place(dx, dy, 0)];
   const fitted = untouched();
   if (standing) standing = { ...standing, x: standing.x + dx, y: standing.y + dy };
-  if (inSight) inSight = { left: inSight.left + dx, right: inSight.right + dx, low: inSight.low + dy, high: inSight.high + dy };
+  if (asked) asked = moved(asked, dx, dy);
+  if (inSight) inSight = moved(inSight, dx, dy);
   const end = controls.getTarget(camera.position.clone(), true);
   controls.moveTo(end.x + to.x - from.x, end.y + to.y - from.y, end.z + to.z - from.z, false);
   controls.update(0);
@@ -369,8 +381,8 @@ export function keepFlat() {
     // Only a body of the page's own is told of.
     if (isNew && !view.length && opened >= 0 && performance.now() - since < WAIT) return;
     const toldLater = !isNew && view.join() !== known && view.length > 0 && untouched();
-    const isSame = !isNew && !toldLater && inSight !== null && untouched();
-    if ((isNew || toldLater || size !== now || grown) && (isSame && inSight ? show(inSight, false) : fit())) {
+    const same = isNew || toldLater || !untouched() ? null : asked;
+    if ((isNew || toldLater || size !== now || grown) && (same ? show(same, false) : fit())) {
       scene = opened;
       known = view.join();
       since = 0;
