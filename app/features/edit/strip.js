@@ -186,6 +186,7 @@ export function addEditStrip(tracing) {
   let shown = "";
   let { selected } = editing;
   onEditing(() => {
+    document.documentElement.toggleAttribute("data-softrod-editing", editing.on);
     // Not at every move of the pointer.
     const { on, tool, undo, redo, stiffen } = editing;
     const now = [on, tool, undo, redo, stiffen, takesNewLengths()].join("|");

@@ -100,7 +100,7 @@ class PlayFeature(Feature):
                     gui.add_html(f'<div class="softrod-text">{nothing}</div>', order=LAST + 3)
                 )
                 return
-            folder = gui.add_folder("More numbers", order=LAST + 3)
+            folder = gui.add_folder("More numbers", order=LAST + 3, expand_by_default=False)
         self._board.add_sliders(folder, others)
         self._board.add_choices(folder, touching, LAST - 2)
         with folder:

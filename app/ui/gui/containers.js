@@ -5,7 +5,7 @@ import { Control, newId, Place, setText } from "./control.js";
 
 /** @typedef {import("./control.js").Declared} Declared */
 
-/** Pixels of a window in which folders begin open; in others what they hold would push the rest out of sight. */
+/** Pixels of a window in which all folders begin open. */
 const ROOMY = 900;
 
 /** Folders that the user has opened or closed, by their labels: they are made again with each scene. @type {Map<string, boolean>} */
@@ -23,7 +23,7 @@ class Folder extends Control {
     this.element.append(this.details);
     this.inside = new Map([[declared.uuid, new Place(inside)]]);
     const { label = "", expand_by_default: open } = declared.props;
-    this.details.open = opened.get(label) ?? (open !== false && (label === "" || innerHeight >= ROOMY));
+    this.details.open = opened.get(label) ?? (open || innerHeight >= ROOMY);
     this.summary.addEventListener("click", () => opened.set(this.props.label, !this.details.open));
   }
 
