@@ -118,21 +118,20 @@ function covered(canvas, box) {
 }
 
 /**
- * Height that the tools take at the top and at the bottom if their row is nearly as wide as the canvas, or else the
- * buttons over the bar of time if a narrow canvas has no room beside them.
+ * Height that the tools take at the top, if their row is nearly as wide as the canvas, and at the bottom; or the buttons
+ * over the bar of time if a narrow canvas has no room beside them.
  *
  * @param {DOMRect} box of the canvas
  */
 function besideTools(box) {
-  const [strip, bar] = document.querySelectorAll(".softrod-edit.softrod-edit-row, .softrod-edit-bar.softrod-edit-row");
-  const row = strip?.getBoundingClientRect();
   if (!editing.on) {
     const buttons = [...document.querySelectorAll(".softrod-menu-lid, .softrod-box-lid")];
     const height = Math.max(0, ...buttons.map((button) => button.getBoundingClientRect().height));
     return { above: 0, below: box.width < NARROW && height ? height + BUTTON_MARGIN : 0 };
   }
-  if (!row || !bar || row.width < WIDE * box.width) return { above: 0, below: 0 };
-  return { above: Math.max(0, row.bottom - box.top), below: bar.getBoundingClientRect().height };
+  const [row, bar] = [".softrod-edit.softrod-edit-row", ".softrod-edit-bar"].map((name) => document.querySelector(name)?.getBoundingClientRect());
+  const above = row && row.width >= WIDE * box.width ? Math.max(0, row.bottom - box.top) : 0;
+  return { above, below: bar?.height ?? 0 };
 }
 
 /**
