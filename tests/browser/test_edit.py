@@ -390,6 +390,8 @@ def test_a_picture_to_draw_over_stays_in_the_browser(open_page: OpenPage, tmp_pa
     assert wide == pytest.approx(2.0 * high, rel=1e-3)
     # It moves by the pointer and by keys, and not the mass that is under the pointer.
     page.get_by_role("button", name="Move it").click()
+    desk.made_room()
+    x, y, wide, high = box()
     before = desk.simulation.positions
     drag(desk, desk.place(5), beside(desk, 5, 40.0, 30.0))
     desk.until(lambda: box()[0] == pytest.approx(x + 40.0, abs=1.0), "it is moved")
