@@ -8,7 +8,7 @@ import { onMessage, pageState } from "../wire/channel.js";
 import { toWorld } from "./draw.js";
 import { MARGIN, NEAR, STRIP } from "./looks.js";
 import { editing } from "../features/edit/editing.js";
-import { placeTransport } from "./dock.js";
+import { floorOf, placeTransport } from "./dock.js";
 import { viserCamera, viserCanvas } from "../ui/viser/viser.js";
 
 /** Largest size of a view, in that of the scene's frame; a body farther away is left out. */
@@ -100,7 +100,7 @@ function visibleTop(element, canvas) {
 }
 
 /**
- * Height of what covers the canvas at the bottom: the sheet of the panel on a phone.
+ * Height of what covers the canvas at the bottom, below the bar of time: a pupil's card or a form on a phone.
  *
  * @param {HTMLCanvasElement} canvas
  * @param {DOMRect} box
@@ -109,7 +109,7 @@ function covered(canvas, box) {
   let top = box.bottom;
   for (const element of document.elementsFromPoint(box.left + box.width / 2, box.bottom - 4)) {
     if (element === canvas || element.contains(canvas)) break;
-    if (element.closest(".softrod-dock, .softrod-edit-bar")) continue;
+    if (element.closest(".softrod-dock, .softrod-edit-bar, .softrod-panel")) continue;
     const { width } = element.getBoundingClientRect();
     const edge = visibleTop(element, canvas);
     if (width > 0.9 * box.width && edge > box.top + 0.2 * box.height) top = Math.min(top, edge);
@@ -236,7 +236,8 @@ function cameraFor({ left, right, low, high }) {
   if (!canvas || !seen?.controls) return null;
   const box = canvas.getBoundingClientRect();
   const sheet = covered(canvas, box);
-  const dock = sheet + placeTransport(box, sheet);
+  placeTransport(box, sheet);
+  const dock = box.bottom - floorOf(box);
   const { above, below } = besideTools(box);
   const hidden = dock + below;
   const free = box.height - hidden - above;
@@ -371,7 +372,7 @@ export function keepFlat() {
     const strips = [...document.querySelectorAll(".softrod-strip")].map(
       (strip) => /** @type {HTMLElement} */ (strip).offsetHeight,
     );
-    const cover = [sheet, above, below, ...strips].join(" ");
+    const cover = [floorOf(box), above, below, ...strips].join(" ");
     // A view that the user has chosen stays when the panel's sheet, the tools or a strip change their size.
     const grown = cover !== covers && untouched();
     const { scene: opened = -1, view = [] } = pageState();

@@ -2,6 +2,7 @@
 /** The picture that is shown and its place on the screen, and the marks that are drawn over it. */
 import { onFit } from "./camera.js";
 import { onPicture, shown } from "./canvas.js";
+import { floorOf } from "./dock.js";
 import { callAll, onMessage } from "../wire/channel.js";
 import { onScreen } from "./screen.js";
 import { screen } from "../ui/viser/screen.js";
@@ -53,12 +54,6 @@ export function frameMarks(on) {
     } else svg.removeAttribute("viewBox");
   }
   if (!on) redrawMarks();
-}
-
-/** The lower end of the visible part of the canvas. @param {DOMRect} box of the canvas */
-export function floorOf(box) {
-  const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
-  return Math.min(box.bottom, dock?.top ?? Infinity);
 }
 
 /**

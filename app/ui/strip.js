@@ -2,6 +2,20 @@
 /** Strips over the bar of time: a head with words and buttons, and below it the contents of a feature. */
 import { make } from "./dialog.js";
 
+/** Strips that are spread out. On a phone the panel's sheet makes room for them, and only the latest one is shown. @type {Set<HTMLElement>} */
+const spread = new Set();
+
+/** @param {HTMLElement} strip @param {boolean} on */
+function setSpread(strip, on) {
+  if (spread.has(strip) !== on) {
+    spread.delete(strip);
+    if (on) spread.add(strip);
+  }
+  const latest = [...spread].at(-1);
+  for (const one of document.querySelectorAll(".softrod-strip")) one.toggleAttribute("data-latest", one === latest);
+  document.documentElement.toggleAttribute("data-softrod-strip", spread.size > 0);
+}
+
 /**
  * Makes a strip, hidden at first.
  *
@@ -28,8 +42,11 @@ export function makeStrip(name, label) {
     live,
     /** Shows or hides it, and sets an attribute of the page's root element accordingly. @param {boolean} on */
     show: (on) => {
+      if (strip.hidden === on) setSpread(strip, on);
       strip.hidden = !on;
       document.documentElement.toggleAttribute(`data-softrod-${name}`, on);
     },
+    /** Tells whether it is spread out, or only its head is there. @param {boolean} on */
+    spread: (on) => setSpread(strip, on && !strip.hidden),
   };
 }

@@ -69,7 +69,7 @@ export const COMMANDS = {
   dark: {"label": "Dark", "keys": [], "needs": "view"},
   meter: {"label": "Stability bar", "keys": [], "hint": "always, not only where the time step is near its limit", "needs": "view"},
   gizmos: {"label": "Arrows at held masses", "keys": [], "hint": "to drag them along one axis", "needs": "view"},
-  palette: {"label": "Find anything", "keys": ["ctrl k"], "shown": "Ctrl K", "where": "own"},
+  palette: {"label": "Find anything", "keys": ["ctrl k"], "shown": "Ctrl K", "page": true},
   help: {"label": "Help", "keys": [], "needs": "help"},
   body: {"label": "The body by keys", "keys": ["Tab"], "shown": "Tab", "where": "own"},
   lengths: {"label": "Every spring longer, shorter", "keys": ["↑ ↓"], "shown": "↑ ↓", "where": "held"},

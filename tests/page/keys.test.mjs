@@ -5,9 +5,11 @@ import { become, heard, key, pass, point, put } from "./page.mjs";
 import { COMMANDS } from "../../app/wire/commands.js";
 import { commandOf, printed, withKey } from "../../app/ui/hands/key_table.js";
 import { listenToKeys } from "../../app/ui/hands/keys.js";
+import { provide } from "../../app/wire/perform.js";
 
 let found = 0;
-listenToKeys(() => (found += 1));
+provide({ palette: () => (found += 1) });
+listenToKeys();
 beforeEach(() => {
   become();
   document.body.focus();

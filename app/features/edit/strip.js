@@ -9,7 +9,8 @@ import { change, countSelected, editing, isEditable, onEditing, setEditing, setT
 import { withKey } from "../../ui/hands/key_table.js";
 import { hasWords, larger } from "../../ui/looks.js";
 import { setTakesNewLengths, takesNewLengths } from "./move.js";
-import { floorOf, onMarksRedraw } from "../../stage/sight.js";
+import { floorOf } from "../../stage/dock.js";
+import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { canvasBox } from "../../ui/viser/viser.js";
 

@@ -3,7 +3,7 @@
 import { NAMES } from "./faces.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { hasWords, keepInView } from "../../ui/looks.js";
-import { floorOf } from "../../stage/sight.js";
+import { floorOf } from "../../stage/dock.js";
 
 /** @typedef {import("./shapes.js").Kind} Kind */
 

@@ -10,7 +10,8 @@ import { change, editing, onEditing } from "../edit/editing.js";
 import { beatsAt, countMuscles } from "../../stage/swing.js";
 import { makeButton } from "../../ui/dialog.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
-import { floorOf } from "../../stage/sight.js";
+import { isSheet } from "../../ui/gui/panel.js";
+import { floorOf } from "../../stage/dock.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { makeStrip } from "../../ui/strip.js";
 import { across, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf, stepOf, wayOf, waveOf } from "./marks.js";
@@ -129,9 +130,11 @@ class MuscleStrip {
     this.marks = marksOf(plan);
     const isShown = this.marks.length > 0 && has("edit");
     this.strip.show(isShown);
+    this.strip.spread(isShown && this.isOpen);
     if (!this.fold.ariaExpanded) {
       const canvas = canvasBox();
-      this.setOpen(!canvas || floorOf(canvas) - canvas.top + this.strip.strip.offsetHeight >= MIN_ROOM);
+      const isRoomy = !canvas || floorOf(canvas) - canvas.top + this.strip.strip.offsetHeight >= MIN_ROOM;
+      this.setOpen(isRoomy && !isSheet());
     }
     const keys = new Set(this.marks.map(({ key }) => key));
     for (const [key, element] of this.elements) {
@@ -153,6 +156,7 @@ class MuscleStrip {
   setOpen(open) {
     this.wave.toggleAttribute("hidden", !open);
     this.fold.ariaExpanded = String(open);
+    this.strip.spread(open);
     this.drawMarks();
   }
 

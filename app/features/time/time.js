@@ -9,6 +9,8 @@ import { iconHtml, make, makeButton } from "../../ui/dialog.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { perform } from "../../wire/perform.js";
 
+/** Three dots: on a phone they show the rest of the bar. */
+const MORE = "M5 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6zM12 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6zM19 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6z";
 /** Milliseconds between two updates of the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
 
@@ -144,7 +146,11 @@ function begin() {
   const clock = make("output", "softrod-clock");
   clock.translate = false;
   const [time, speed, line] = [timeSlider(), speedBox(), offers()];
-  bar.append(reset, second, back, play, forward, time.element, clock, speed.element);
+  const more = makeButton("", () => (more.ariaExpanded = String(bar.toggleAttribute("data-more"))), "softrod-more");
+  more.innerHTML = iconHtml(MORE);
+  more.ariaLabel = more.title = "More of time";
+  more.ariaExpanded = "false";
+  bar.append(reset, second, back, play, forward, time.element, clock, speed.element, more);
   const dock = make("div", "softrod-dock");
   dock.append(line.element, bar);
   document.body.append(dock);

@@ -45,6 +45,8 @@ class ViewFeature(Feature):
         "gizmos": Row(
             "Arrows at held masses", _toggle("gizmos"), hint="to drag them along one axis", needs="view"
         ),
-        "palette": Row("Find anything", "own", ("Ctrl K",), "find anything: commands and controls"),
+        "palette": Row(
+            "Find anything", "page", ("Ctrl K",), "find anything: commands and controls", palette=False
+        ),
         "help": Row("Help", _show_help, needs="help"),
     }  # fmt: skip

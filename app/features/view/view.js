@@ -5,6 +5,7 @@ import { isChasing, toggleChase } from "../../stage/chase.js";
 import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { iconHtml, make, makeButton } from "../../ui/dialog.js";
+import { openFinder } from "../../ui/gui/finder.js";
 import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
@@ -28,6 +29,7 @@ const ENTRIES = [
   { name: "modes", part: "modes", on: () => document.documentElement.hasAttribute("data-softrod-modes") },
   { name: "chase", part: "view", on: isChasing },
   { name: "fit", part: "view" },
+  { name: "palette", part: "view" },
   { name: "help", part: "help" },
 ];
 
@@ -123,4 +125,4 @@ function begin() {
 }
 
 /** @type {import("../../ui/feature.js").Feature<"view">} */
-export default { commands: { fit: () => void fit(true), chase: toggleChase, larger: toggleProjector }, begin };
+export default { commands: { palette: openFinder, fit: () => void fit(true), chase: toggleChase, larger: toggleProjector }, begin };

@@ -20,6 +20,9 @@ const FOLDED = "softrod-folded";
 /** Pixels of a drag that moves the sheet to the next height. */
 const THROW = 40;
 
+/** True if the panel is a sheet over the lower part of the window. */
+export const isSheet = () => SHEET.matches;
+
 /** @typedef {"closed" | "half" | "full"} Height */
 /** @type {Height[]} */
 const HEIGHTS = ["closed", "half", "full"];

@@ -95,14 +95,11 @@ const releaseAll = () => {
   }
 };
 
-/** Opens what finds anything. */
-let openFinder = () => {};
-
 /** Ctrl K. @param {KeyboardEvent} event @returns {boolean} whether that was the key */
 function findAnything(event) {
-  if (commandOf(event, "own") !== "palette" || event.altKey || event.shiftKey) return false;
+  if (event.altKey || commandOf(event) !== "palette") return false;
   swallow(event);
-  if (!dialogIsOpen()) openFinder();
+  if (!dialogIsOpen()) perform("palette");
   return true;
 }
 
@@ -131,9 +128,8 @@ function press(event) {
   perform(once === "step" ? nextStep() : once);
 }
 
-/** Begins to listen. @param {() => void} find opens what finds anything */
-export function listenToKeys(find) {
-  openFinder = find;
+/** Begins to listen. */
+export function listenToKeys() {
   window.addEventListener("pointerdown", () => (byPointer = true), true);
   window.addEventListener("keydown", ({ key }) => key === "Tab" && (byPointer = false), true);
   window.addEventListener("keydown", press, true);
