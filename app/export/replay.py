@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from sim.scene.types import shown_name
 
-from ..stage.looks import ICONS, style_rules
+from ..stage.looks import BY_SYSTEM, ICONS, style_rules
 from ..stage.plan import encode_damage, encode_frame
 from ..stage.sketch import Floats
 from ..wire.sections import joined
@@ -53,7 +53,7 @@ def replay_html(clip: Clip) -> bytes:
 def _looks() -> tuple[str, str]:
     """The styles and the script."""
     script = bundle(_FOLDER / "replay.js")
-    colors = style_rules("@media (prefers-color-scheme: dark){*}")
+    colors = style_rules(BY_SYSTEM)
     return colors + compact_style(_FOLDER / "file.css", _FOLDER / "replay.css"), script
 
 

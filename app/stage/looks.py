@@ -40,6 +40,7 @@ COLORS = {
     "bad": ("c92a2a", "ff8f8f"),
     "call": ("7a4f00", "ffd479"),
     "call-soft": ("fff4d6", "3a2f16"),
+    "call-edge": ("b7791f", "c8922f"),
     "mass": ("fbbf24", "ffc947"),
     "held": ("475569", "94a3b8"),
     "rest": ("8592a6", "8b98ab"),
@@ -69,11 +70,22 @@ TUTORIAL_COLORS = {
 """Other colours of the tutorial's scheme: green springs and red masses; a pulled spring must differ from
 both."""
 
-SHADES = {"veil": ("rgb(15 23 42 / 42%)", "rgb(0 0 0 / 60%)"), "qr": ("#fff", "#fff")}
-"""Colours of styles alone: over which a dialog stands; the ground of a QR code, white for every camera."""
+SHADES = {
+    "veil": ("rgb(15 23 42 / 42%)", "rgb(0 0 0 / 60%)"),
+    "qr": ("#fff", "#fff"),
+    "sheet": ("#fff", "#fff"),
+    "sheet-text": ("#000", "#000"),
+    "sheet-line": ("#ddd", "#ddd"),
+}
+"""Colours of styles alone: over which a dialog stands; the ground of a QR code, white for every camera; what
+is printed, on white paper even where the page is dark."""
 
 # ------------------------------------------------------------------------- sizes and times
 FONT = '"Inter", system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'
+"""Of all words; a file that is saved carries no Inter, and has the system's letters."""
+
+CODE_FONT = "ui-monospace, Menlo, Consolas, monospace"
+"""Of links and commands, which are copied."""
 
 TYPE = ((12, 16), (14, 20), (16, 24), (20, 28), (28, 36), (40, 48))
 """Sizes of letters and of their lines, px: notes, controls, what is read, titles, heads, what is shown."""
@@ -87,6 +99,9 @@ RADII = (6, 8, 12, 16)
 HEIGHTS = (24, 32, 40, 48)
 """Of what is pressed, px: at least, in the panel, in a bar, under a thumb."""
 
+TOUCHED = {32: 44, 40: 48}
+"""What such heights are under a finger, px; the names of their variables stay."""
+
 TIMES = {"press": 80, "appear": 150, "move": 240}
 """Milliseconds: of a press, of what appears, of sheet and view; 0 where less motion is wished."""
 
@@ -96,21 +111,21 @@ CURVE = "cubic-bezier(.2, .8, .2, 1)"
 SHADOWS = {
     "bar": (
         "0 1px 2px rgb(15 23 42 / 6%), 0 4px 12px rgb(15 23 42 / 6%)",
-        "0 1px 2px rgb(0 0 0 / 40%), 0 4px 12px rgb(0 0 0 / 30%)",
+        "0 1px 2px rgb(0 0 0 / 40%), 0 4px 12px rgb(0 0 0 / 30%), 0 0 0 1px var(--softrod-line)",
     ),
     "menu": (
         "0 2px 4px rgb(15 23 42 / 6%), 0 8px 28px rgb(15 23 42 / 16%)",
-        "0 8px 28px rgb(0 0 0 / 55%), 0 0 0 1px #2e3642",
+        "0 8px 28px rgb(0 0 0 / 55%), 0 0 0 1px var(--softrod-line)",
     ),
     "dialog": (
         "0 24px 72px rgb(15 23 42 / 28%)",
-        "0 24px 72px rgb(0 0 0 / 65%), 0 0 0 1px #2e3642",
+        "0 24px 72px rgb(0 0 0 / 65%), 0 0 0 1px var(--softrod-line)",
     ),
 }
 """Shadows, on white and on dark, where each has a line, since shadows vanish there."""
 
-OF_STYLES = ("COLORS", "TUTORIAL_COLORS", "SHADES", "FONT", "TYPE", "GAPS", "RADII", "HEIGHTS", "TIMES")
-OF_STYLES += ("CURVE", "SHADOWS", "OF_STYLES", "PATH")
+OF_STYLES = ("COLORS", "TUTORIAL_COLORS", "SHADES", "FONT", "CODE_FONT", "TYPE", "GAPS", "RADII", "HEIGHTS")
+OF_STYLES += ("TOUCHED", "TIMES", "CURVE", "SHADOWS", "BY_SYSTEM", "OF_STYLES", "PATH")
 """What scripts do not use."""
 
 
@@ -261,12 +276,26 @@ LINK_PATH = PATH
 """End of the path of a link to a scene."""
 
 
+BY_SYSTEM = "@media (prefers-color-scheme: dark){*}"
+"""For `style_rules`, on a page that is dark where its system is."""
+
+
 def style_rules(dark: str) -> str:
     """All that styles use, as variables of CSS, and the layers as classes of SVG.
 
-    The variables are --softrod- and the name of a colour or shade, `font`; `type-1` and `line-1` to `type-6`
-    and `line-6`; `gap-`, `radius-` and `height-` with the pixels; `press`, `appear`, `move` and `curve`;
-    `shadow-bar`, `shadow-menu` and `shadow-dialog`.
+    The variables begin with --softrod-:
+
+        paper, text, brand, ...     each of `COLORS` and of `SHADES`, light and dark
+        font, font-code             families
+        type-1 ... type-6           sizes of letters: 12, 14, 16, 20, 28, 40 px
+        line-1 ... line-6           heights of their lines: 16, 20, 24, 28, 36, 48 px
+        gap-4, -8, -12, -16, -20, -24, -32, -48
+        radius-6, -8, -12, -16
+        height-24, -32, -40, -48    -32 and -40 are 44 and 48 px under a finger
+        press, appear, move         times; 0 where less motion is wished
+        curve                       how what moves comes to rest
+        shadow-bar, -menu, -dialog  in the dark with a line
+        arrow-width                 of the shafts on the canvas
 
     Args:
         dark: wraps a rule for dark paper, with * in place of the rule.
@@ -277,14 +306,19 @@ def style_rules(dark: str) -> str:
         | {f"shadow-{name}": pair[k] for name, pair in SHADOWS.items()}
         for k in (0, 1)
     )
-    sizes = {"arrow-width": f"{ARROW:g}px", "font": FONT, "curve": CURVE}
+    sizes = {"arrow-width": f"{ARROW:g}px", "font": FONT, "font-code": CODE_FONT, "curve": CURVE}
     for i, (size, line) in enumerate(TYPE, start=1):
         sizes |= {f"type-{i}": f"{size}px", f"line-{i}": f"{line}px"}
     for name, pixels in (("gap", GAPS), ("radius", RADII), ("height", HEIGHTS)):
         sizes |= {f"{name}-{size}": f"{size}px" for size in pixels}
+    touched = {f"height-{size}": f"{pixels}px" for size, pixels in TOUCHED.items()}
     times = {name: f"{milliseconds}ms" for name, milliseconds in TIMES.items()}
-    still = f"@media (prefers-reduced-motion: reduce){{{_root(dict.fromkeys(TIMES, '0s'))}}}"
-    rules = _root(light | sizes | times), dark.replace("*", _root(night)), still
+    rules = (
+        _root(light | sizes | times),
+        dark.replace("*", _root(night)),
+        f"@media (pointer: coarse){{{_root(touched)}}}",
+        f"@media (prefers-reduced-motion: reduce){{{_root(dict.fromkeys(TIMES, '0s'))}}}",
+    )
     return "\n".join((*rules, *map(_layer_rule, LAYERS)))
 
 

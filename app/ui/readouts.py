@@ -117,12 +117,13 @@ def _meter(dt: float, limit: float, at_rest: bool) -> str:
     Below the limit nothing is guaranteed: the limit is that of the body's present shape.
     """
     ratio = dt / limit
-    color = "#2f9e44" if ratio < 0.7 else "#e8a000" if ratio < 1.0 else "#e03131"
+    color = "good-bar" if ratio < 0.7 else "call-edge" if ratio < 1.0 else "bad"
     width = min(100.0, 100.0 * ratio)
     words = f"time step {1e3 * dt:.3g} ms, {100.0 * ratio:.0f} % of the limit"
     if ratio >= 1.0:
         words += ": unstable, explodes when touched" if at_rest else ": unstable"
-    return f'<span class="softrod-meter"><i style="width:{width:.0f}%;background:{color}"></i></span>{words}'
+    bar = f"width:{width:.0f}%;background:var(--softrod-{color})"
+    return f'<span class="softrod-meter"><i style="{bar}"></i></span>{words}'
 
 
 def joint_table(session: Session) -> str:

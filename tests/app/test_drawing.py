@@ -219,19 +219,9 @@ def test_the_scripts_have_the_looks_of_python() -> None:
 def test_looks_stand_in_one_file_only() -> None:
     """No style, script or module has a colour of the body or its paper of its own."""
     root = Path(looks.__file__).parents[1]
-    own = {"ffffff", "141414", "c2410c"}  # also of other things: white, nearly black, a trail
+    own = {"ffffff", "141414"}  # also of other things: white, nearly black
     colors = {color for pair in looks.COLORS.values() for color in pair} - own
     for kind in ("py", "js", "css"):
         for path in root.rglob(f"*.{kind}"):
             found = set(re.findall(r"\b[0-9a-f]{6}\b", path.read_text(encoding="utf-8")))
             assert path.name == "looks.py" or not found & colors, path
-
-
-def test_every_color_that_a_style_asks_for_is_there() -> None:
-    root = Path(looks.__file__).parents[1]
-    rules = looks.style_rules("@media print{*}")
-    texts = [path.read_text(encoding="utf-8") for path in root.rglob("*.css")]
-    made = set(re.findall(r"(--softrod-[\w-]+) *:", "".join([rules, *texts])))
-    scripts = "".join(path.read_text(encoding="utf-8") for path in root.rglob("*.js"))
-    for name in set(re.findall(r"var\((--softrod-[\w-]+)\)", "".join([rules, *texts]))):
-        assert name in made or name in scripts, name

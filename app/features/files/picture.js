@@ -160,9 +160,9 @@ async function picture() {
   if (!to) throw new Error("there is no canvas");
   const styles = getComputedStyle(document.documentElement);
   /** @param {string} name */
-  const color = (name) => styles.getPropertyValue(`--softrod-${name}`);
+  const styled = (name) => styles.getPropertyValue(`--softrod-${name}`);
   to.scale(fine, fine);
-  to.fillStyle = color("paper");
+  to.fillStyle = styled("paper");
   to.fillRect(0, 0, box.width, box.height);
   for (const { source, opacity, place } of layers) {
     const look = source instanceof Blob ? await image(source) : source;
@@ -171,10 +171,10 @@ async function picture() {
     to.drawImage(look, place.left - box.left, place.top - box.top, place.width, place.height);
   }
   to.globalAlpha = 1;
-  to.fillStyle = color("text");
-  to.font = "600 18px Inter, system-ui, sans-serif";
+  to.fillStyle = styled("text");
+  to.font = `600 18px ${styled("font")}`;
   to.fillText(pageState().title ?? "", 18, 32);
-  to.font = "14px Inter, system-ui, sans-serif";
+  to.font = `14px ${styled("font")}`;
   to.fillText(`t = ${time.toFixed(2)} s`, 18, 54);
   return result;
 }

@@ -16,6 +16,7 @@ from sim.analysis.swings import swings
 
 from ...session.plots import Plot, PlotWindow
 from ...stage.colors import Palette
+from ...stage.looks import FONT
 from ...ui import readouts
 from .phase import phase_svg
 
@@ -23,7 +24,7 @@ _COLORS = ("brand", "pulled", "torque_plus", "torque_minus", "held")
 _COLOR_OF = {"joint": "torque_plus", "spring": "pulled", "mass": "brand", "ghost": "held"}
 """Colours by kind of part, as on the canvas; a second part of a kind gets the next free one of `_COLORS`."""
 
-_FONT = "12px system-ui, sans-serif"
+_FONT = f"12px {FONT}"
 
 _MAX_LABEL = 26
 """Letters of an axis label that fit."""

@@ -7,6 +7,7 @@ from pathlib import Path
 import viser
 
 from ...gate.gate import CHECK
+from ...stage.looks import BY_SYSTEM, style_rules
 
 SCRIPT = "pages/check/check.js"
 """Place of its script, which no other page has."""
@@ -30,4 +31,5 @@ def check_page(folder: str) -> str:
     """
     text = (Path(__file__).parent / "check.html").read_text(encoding="utf-8")
     # The connection is the one of viser's page, which names its version.
-    return text.replace("{folder}", folder).replace("{protocol}", f"viser-v{viser.__version__}")
+    text = text.replace("{looks}", style_rules(BY_SYSTEM)).replace("{folder}", folder)
+    return text.replace("{protocol}", f"viser-v{viser.__version__}")

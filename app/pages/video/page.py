@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ...stage.looks import BY_SYSTEM, style_rules
+
 SCRIPTS = tuple(f"pages/video/{name}.js" for name in ("video", "follow", "rate", "table"))
 """Places of its scripts, which no other page has."""
 
@@ -15,4 +17,4 @@ def video_page(folder: str) -> str:
         folder: where the page's scripts are, with a slash at its end.
     """
     text = (Path(__file__).parent / "video.html").read_text(encoding="utf-8")
-    return text.replace("{folder}", folder)
+    return text.replace("{looks}", style_rules(BY_SYSTEM)).replace("{folder}", folder)

@@ -56,7 +56,7 @@ export function makeChart(plot) {
     to.clearRect(0, 0, width, height);
     const styles = getComputedStyle(document.documentElement);
     /** @param {string} name */
-    const color = (name) => styles.getPropertyValue(`--softrod-${name}`);
+    const styled = (name) => styles.getPropertyValue(`--softrod-${name}`);
     const end = record.times[record.times.length - 1] ?? 0;
     const first = over ? 0 : Math.max(0, record.times.findIndex((time) => time >= end - SPAN));
     const curves = names.map((name) => (record.values.get(name) ?? []).slice(first));
@@ -68,7 +68,7 @@ export function makeChart(plot) {
       const part = (value - low) / (high - low);
       return TOP + (turned ? part : 1 - part) * (height - TOP - BOTTOM);
     };
-    Object.assign(to, { lineWidth: 1, strokeStyle: color("line"), fillStyle: color("text"), font: "12px system-ui, sans-serif" });
+    Object.assign(to, { lineWidth: 1, strokeStyle: styled("line"), fillStyle: styled("text"), font: `12px ${styled("font")}` });
     to.beginPath();
     to.textAlign = "right";
     to.textBaseline = "middle";
@@ -87,7 +87,7 @@ export function makeChart(plot) {
     to.stroke();
     Object.assign(to, { lineWidth: 2, lineJoin: "round" });
     curves.forEach((values, i) => {
-      to.strokeStyle = color(COLORS[i % COLORS.length]);
+      to.strokeStyle = styled(COLORS[i % COLORS.length]);
       to.beginPath();
       values.forEach((value, k) => (k ? to.lineTo(x(along[k]), y(value)) : to.moveTo(x(along[k]), y(value))));
       to.stroke();
