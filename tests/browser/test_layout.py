@@ -20,6 +20,8 @@ RIGHT = """<style>
 <p>A link <a href="#there">in a sentence</a>.</p>
 <span class="spoken">words for screen readers alone, which nobody sees</span>
 <div class="long">a line that can be scrolled to its end, however long it is</div>
+<div style="overflow: hidden; height: 30px"><div style="overflow-y: auto; height: 60px">
+  <p>one</p><p>two</p><p>three</p></div></div>
 <button inert style="width: 9px; height: 9px"></button>
 """
 

@@ -15,18 +15,23 @@
   };
 
   // The part of the window in which an element can be seen: what each ancestor that clips leaves of it. With
-  // `scrolls`, an ancestor that scrolls clips, too: what can be scrolled to is there, but not now.
+  // `scrolls`, an ancestor that scrolls clips, too: what can be scrolled to is there, but not now. Without, nothing
+  // outside of it clips: whoever scrolls sees the whole.
   const room = (element, scrolls) => {
     const box = { left: -1e6, top: -1e6, right: 1e6, bottom: 1e6, scroller: false };
+    let [across, down] = [true, true];
     if (scrolls) Object.assign(box, { left: 0, top: 0, right: innerWidth, bottom: innerHeight });
     for (let at = element; at && at !== document.documentElement && at !== document.body; at = at.parentElement) {
       const style = getComputedStyle(at);
       const { left, top, right, bottom } = at.getBoundingClientRect();
       const clips = (value) => value === "hidden" || value === "clip" || (scrolls && value !== "visible");
-      if (style.overflowX === "auto" || style.overflowX === "scroll") box.scroller = true;
       if (style.display === "inline" || style.display === "contents" || at instanceof SVGElement) continue;
-      if (clips(style.overflowX)) (box.left = Math.max(box.left, left)), (box.right = Math.min(box.right, right));
-      if (clips(style.overflowY)) (box.top = Math.max(box.top, top)), (box.bottom = Math.min(box.bottom, bottom));
+      if (across && clips(style.overflowX)) (box.left = Math.max(box.left, left)), (box.right = Math.min(box.right, right));
+      if (down && clips(style.overflowY)) (box.top = Math.max(box.top, top)), (box.bottom = Math.min(box.bottom, bottom));
+      const scrollable = (value) => value === "auto" || value === "scroll";
+      if (scrollable(style.overflowX)) box.scroller = true;
+      across &&= scrolls || !scrollable(style.overflowX);
+      down &&= scrolls || !scrollable(style.overflowY);
       if (style.position === "fixed") break;
     }
     return box;
