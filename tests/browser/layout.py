@@ -3,7 +3,8 @@ another, and words that are cut.
 
 `uv run python -m tests.browser.layout URL` looks at five sizes, two of them touched, and in each at the first
 view, every tab, the View menu, the gallery, the help, the tools that edit, and a lesson; `--dark` at the dark
-page, and `--all` prints every finding instead of the first five of a kind. A target is 24 px, under a finger 48.
+page, and `--all` prints every finding instead of the first five of a kind. A target is 24 px, and 48 under a
+finger.
 """
 
 from __future__ import annotations

@@ -5,7 +5,6 @@ It knows no class and no id, so that pages with different panels are measured by
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -33,15 +32,20 @@ def open_browser(playwright: Playwright) -> Browser:
 
 @contextmanager
 def opened(
-    browser: Browser, url: str, size: tuple[int, int], touch: bool = False, dark: bool = False
+    browser: Browser,
+    url: str,
+    size: tuple[int, int],
+    touch: bool = False,
+    dark: bool = False,
+    first: str = "",
 ) -> Iterator[Page]:
-    """A page in a profile of its own, once its body is drawn."""
+    """A page in a profile of its own, once its body is drawn; the script `first` runs before its own."""
     viewport: ViewportSize = {"width": size[0], "height": size[1]}
     context = browser.new_context(
         viewport=viewport, has_touch=touch, color_scheme="dark" if dark else "light", accept_downloads=True
     )
     context.set_default_timeout(LIMIT * 1e3)
-    context.add_init_script(HARDWARE)
+    context.add_init_script(f"{{{HARDWARE}}} {{{first}}}")
     page = context.new_page()
     try:
         page.goto(url)
@@ -89,8 +93,3 @@ def table(titles: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
         for row in cells
     ]
     return "\n".join((lines[0], f"|{'|'.join('-' * (width + 2) for width in widths)}|", *lines[1:]))
-
-
-def default_browser() -> str:
-    """The name of the browser that is used, for the report."""
-    return os.environ.get("SOFTROD_BROWSER", "Chromium")

@@ -89,6 +89,13 @@
     ["aria-pressed", "aria-checked", "aria-selected", "aria-expanded"].map((name) => element.getAttribute(name)).find(Boolean) ??
     (element.type === "checkbox" || element.type === "radio" ? String(element.checked) : null);
 
+  // Whether it says, to eyes or to screen readers, that there is more behind it.
+  const opens = (element) =>
+    element.ariaExpanded === "false" ||
+    (element.hasAttribute("aria-haspopup") && element.ariaHasPopup !== "false") ||
+    element.matches("summary") ||
+    !element.matches(PRESSABLE);
+
   const pressables = () => {
     const list = all();
     api.elements = list;
@@ -109,8 +116,8 @@
         free: inView && owns(element, document.elementFromPoint(x, y)),
         disabled: element.matches(":disabled, [aria-disabled=true]"),
         state: state(element),
+        opens: opens(element),
         value: element.value ?? element.getAttribute("aria-valuenow") ?? "",
-        options: element.localName === "select" ? [...element.options].map((option) => tidy(option.text)) : [],
       };
     });
   };
