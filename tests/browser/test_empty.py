@@ -28,15 +28,19 @@ def test_an_empty_canvas_a_tab_without_plots_and_a_gallery_without_own_scenes(
     desk.until(lambda: not note.is_visible(), "there is something now")
     desk.page.keyboard.press("e")
 
-    # What a new plot would show is a mass that moves.
+    # The Measure tab begins with a plot of a mass that moves, and so would a new one.
     desk.show("Measure")
-    hint = desk.page.get_by_text("No plot is open.")
-    assert "mass1.x" in hint.inner_text()
-    desk.button("New plot").click()
     desk.page.get_by_text("Move the pointer over a plot to read values").wait_for()
-    desk.until(lambda: hint.count() == 0, "one is open")
+    assert "mass1.x" in desk.page.locator(".softrod-plot-title").inner_text()
     desk.button("Remove").click()
+    hint = desk.page.get_by_text("No plot is open.")
     hint.wait_for()
+    assert "mass1.x" in hint.inner_text()
+    desk.show("Play")
+    desk.show("Measure")
+    desk.button("New plot").click()
+    desk.until(lambda: hint.count() == 0, "one is open, and only that one")
+    assert desk.page.locator(".softrod-plot-title").count() == 1
 
     dialog = desk.gallery()
     own = dialog.get_by_text("You have saved no scene yet")

@@ -122,14 +122,14 @@ def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(ope
     bar = ".softrod-transport :is(button, input, .softrod-clock, select)"
     for width, height in sizes:
         desk.page.set_viewport_size({"width": width, "height": height})
-        desk.until(lambda: seen(bar, 6), "the bar of time is whole")
+        desk.until(lambda: seen(bar, 5), "the bar of time is whole")
         assert desk.page.locator(".softrod-transport").evaluate("bar => bar.offsetHeight") < 90
         desk.until(body, "the body is in view")
         desk.button("Edit").click()
         desk.until(lambda: seen(".softrod-edit button", 8), "the tools are whole")
         desk.until(body, "so is the body beside them")
         assert abs(desk.place(11)[1] - desk.place(0)[1]) > 70.0
-        assert seen(bar, 6)
+        assert seen(bar, 5)
         desk.button("Done").scroll_into_view_if_needed()
         desk.until(
             lambda: seen(".softrod-edit-bar > button:last-of-type", 1), "nothing is over the last button"
@@ -210,19 +210,36 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
     desk.until(lambda: overlay.get_attribute("viewBox") is None, "the marks are as before")
 
 
-def test_the_bar_of_time_stays_above_the_panel_of_a_phone_while_that_is_scrolled(open_page: OpenPage) -> None:
+def test_on_a_phone_the_bar_of_time_is_the_foot_and_never_moves_while_the_sheet_does(
+    open_page: OpenPage,
+) -> None:
     desk = open_page(size=(390, 844), phone=True)
-    if not desk.page.get_by_role("tab", name="Share", exact=True).is_visible():
-        desk.page.get_by_text("softrod", exact=True).last.tap()
+    bar, sheet = desk.page.locator(".softrod-transport"), desk.page.locator(".softrod-panel")
+
+    def stands() -> bool:
+        box = box_of(bar)
+        return box["y"] + box["height"] == pytest.approx(844.0, abs=1.0)
+
+    def is_high(least: float, most: float) -> None:
+        desk.until(lambda: least <= 844.0 - box_of(sheet)["y"] <= most, f"it takes {least} to {most} px")
+        assert stands()
+
+    is_high(300.0, 0.45 * 844.0 + 2.0)
     desk.show("Share")
-    last = desk.button("3D model")
-    last.wait_for()
-    bottom = "() => document.querySelector('.softrod-dock').getBoundingClientRect().bottom"
-    desk.until(lambda: desk.page.evaluate(bottom) < 700.0, "the bar is above the panel")
-    before = desk.page.evaluate(bottom)
-    last.scroll_into_view_if_needed()
-    desk.pause(1.0)
-    assert abs(desk.page.evaluate(bottom) - before) < 1.0
+    desk.button("3D model").scroll_into_view_if_needed()
+    assert stands()
+    # A finger drags it by its handle, and it goes on to the height at which it was thrown.
+    x, y = middle_of(desk.page.locator(".softrod-handle"))
+    for way, least, most in ((-120.0, 780.0, 806.0), (120.0, 300.0, 400.0), (120.0, 120.0, 150.0)):
+        x, y = middle_of(desk.page.locator(".softrod-handle"))
+        desk.drag((x, y), (x, y + way))
+        is_high(least, most)
+    # A tab that is pressed is wanted in sight.
+    desk.show("Play")
+    is_high(300.0, 400.0)
+    desk.button("More of time").click()
+    desk.until(lambda: desk.button("1 step").is_visible(), "the rest of the bar is there")
+    assert stands()
 
 
 def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: OpenPage) -> None:

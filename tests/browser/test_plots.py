@@ -123,7 +123,7 @@ def test_a_plot_over_another_quantity_reads_values_under_the_pointer(open_page: 
     desk.button("New plot").click()
     phase = desk.page.get_by_role("img", name="joint0.rate over joint0.angle")
     phase.wait_for()
-    desk.page.locator(".softrod-plot-title").scroll_into_view_if_needed()
+    desk.page.locator(".softrod-plot-title").last.scroll_into_view_if_needed()
     box = desk.until(phase.bounding_box, "it has its place")
     assert box is not None
     desk.page.mouse.move(box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"])

@@ -53,6 +53,10 @@ def test_what_breaks_and_is_whole_again_is_told_to_screen_readers(open_page: Ope
     desk.until(lambda: "No springs broken" in live(), "back in time none is")
 
 
+CORNER = (40.0, 300.0)
+"""A place on the screen where there is no body, and nothing over the canvas."""
+
+
 def test_floor_and_filling_are_behind_the_body_at_any_zoom(open_page: OpenPage) -> None:
     desk = open_page(pixels=True)
     desk.tell(commands.Play(False), commands.Open(balloon(liquid=True)))
@@ -74,11 +78,14 @@ def test_floor_and_filling_are_behind_the_body_at_any_zoom(open_page: OpenPage) 
     desk.tell(commands.Open(sim.load_scene("ring")))
     desk.until(lambda: not path(desk, "wall") + path(desk, "liquid"), "a ring has nothing around it")
     assert path(desk, "grid")
-    paper = color(desk, (500.0, 450.0))
+    desk.settle()
+    desk.wait_drawn()
+    paper = color(desk, tuple(desk.scene_at(CORNER)))
     desk.tell(commands.Open(sim.load_scene("swimmer")))
     desk.until(lambda: path(desk, "medium") and path(desk, "ripple"), "a swimmer is in water")
+    desk.settle()
     desk.wait_drawn()
-    water = color(desk, (500.0, 450.0))
+    water = color(desk, tuple(desk.scene_at(CORNER)))
     assert water[2] - water[0] > paper[2] - paper[0] + 10.0
     desk.tell(commands.Open(sim.load_scene("ring")))
     desk.until(lambda: not path(desk, "medium") + path(desk, "ripple"), "a ring is in none")

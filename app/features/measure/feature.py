@@ -11,7 +11,7 @@ from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
 from ...wire.messages import FromPage
 from ..hands.messages import Pick
-from .messages import Seen
+from .messages import FirstPlot, Seen
 from .panel import MeasurePanel
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ class MeasureFeature(Feature):
         panel: the Measure tab, or None without that control.
     """
 
-    messages: ClassVar = {Pick: "", Seen: ""}
+    messages: ClassVar = {Pick: "", Seen: "", FirstPlot: "measure"}
     commands: ClassVar = {
         "plot": Row(
             "Plot the joint's angle", _plot_angle, ("G",), "plot the angle of the joint", needs="measure"
@@ -75,6 +75,8 @@ class MeasureFeature(Feature):
         match said:
             case Pick(mass):
                 self.page.soon(lambda: self._choose(mass))
+            case FirstPlot():
+                self.page.soon(lambda: self.panel is not None and self.panel.begin())
             case Seen(tab):
                 self.page.soon(lambda: self._see(tab == "measure"))
 

@@ -25,6 +25,17 @@ function begin() {
     scrollToNew(count);
   });
   reportVisibility();
+  beginWithPlot();
+}
+
+/** Asks for a plot when the tab is shown for the first time. */
+function beginWithPlot() {
+  let asked = false;
+  document.addEventListener("softrod-tab", (event) => {
+    if (asked || /** @type {CustomEvent} */ (event).detail !== pageState().measuring) return;
+    asked = true;
+    send({ do: "firstPlot" });
+  });
 }
 
 /** Scrolls to the newest plot, once it exists. @param {number} count of plots before */

@@ -25,6 +25,10 @@ class Melody(Event, frozen=True, kw_only=True):
     values: tuple[float | None, ...]
 
 
+class FirstPlot(OwnBody, frozen=True):
+    """The Measure tab is shown for the first time: it is to begin with a plot."""
+
+
 class Seen(OwnBody, frozen=True):
     """In which tab somebody sees plots now; they are not sent otherwise."""
 

@@ -17,8 +17,8 @@ from ...ui.viser.handlers import on_change, on_press
 from .messages import ShowMeasures
 from .plot_list import SPANS, PlotList
 
-LAST = 1e6
-"""Order of what stands below the plots."""
+BELOW, LAST = 1e5, 1e6
+"""Orders of what stands below the plots."""
 
 MAX_PARTS = 24
 """Joints, and springs, of the chosen mass in the list, at most."""
@@ -51,16 +51,17 @@ class MeasurePanel:
         self._joint = -1
         gui = page.client.gui
         with tab:
-            gui.add_html(ABOUT, order=1)
-            self._part = gui.add_dropdown("Part", FIRST_PART, order=2)
-            self._what = gui.add_dropdown("Quantity", OFFERED["mass"], order=3)
-            self._over = gui.add_dropdown("Over", TIME, order=4)
-            self.new = gui.add_button("New plot", icon=viser.Icon.CHART_LINE, order=5)
-            self._span = gui.add_dropdown("Plots show", tuple(SPANS), initial_value="10 s", order=6)
+            self._span = gui.add_dropdown("Plots show", tuple(SPANS), initial_value="10 s", order=BELOW)
             self._span.visible = False
-            self._comma_switch = page.commas.add(gui, order=7)
+            gui.add_divider(order=BELOW + 1)
+            gui.add_html(ABOUT, order=BELOW + 2)
+            self._part = gui.add_dropdown("Part", FIRST_PART, order=BELOW + 3)
+            self._what = gui.add_dropdown("Quantity", OFFERED["mass"], order=BELOW + 4)
+            self._over = gui.add_dropdown("Over", TIME, order=BELOW + 5)
+            self.new = gui.add_button("New plot", icon=viser.Icon.CHART_LINE, order=BELOW + 6)
+            self._hint = gui.add_html("", order=BELOW + 7)
+            self._comma_switch = page.commas.add(gui, order=BELOW + 8)
             self._comma_switch.visible = False
-            self._hint = gui.add_html("", order=8)
             self._joint_table = gui.add_html("", order=LAST) if "angle" in page.controls else None
         self.plots = PlotList(page, tab, lambda: self._chosen, self._changed)
         for chosen in (self._part, self._what):
@@ -135,6 +136,12 @@ class MeasurePanel:
         over = self._over.value
         self._page.mail.send(ShowMeasures())
         self.plots.add(PlotSpec((self._chosen,), "" if over in TIME else over))
+
+    def begin(self) -> None:
+        """Open the first plot, of what is offered first, if there is none."""
+        if not self.plots.specs:
+            self._offer()
+            self.plots.add(PlotSpec((self._chosen,)))
 
     def plot_angle(self) -> None:
         """Plot the angle of the joint whose readout is shown, and show the tab."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import viser
 
 from sim.methods.registry import METHODS
+from sim.scene.types import Scene
 from sim.settings import CHOICES
 
 from ...session import commands
@@ -36,6 +37,7 @@ class SolverPanel:
         self._session = session = page.session
         gui = page.client.gui
         methods, laws = CHOICES["method"].options, CHOICES["force_law"].options
+        self._sentence = gui.add_html("", order=0.1)
         self._method = ChoiceBox(page, "method", 1)
         self._about = gui.add_html("", order=2)
         self._law = ChoiceBox(page, "force_law", 3)
@@ -56,7 +58,7 @@ class SolverPanel:
             order=LAST + 1.2,
         )
         self._growth = gui.add_html("", order=LAST + 1.4)
-        self._advice = MethodPanel(page, LAST - 0.9)
+        self._advice = MethodPanel(page, 0.2)
         self._tuning = TuningPanel(page, LAST + 1.5)
         self._other = gui.add_dropdown(
             "Compare with", (NO_GHOST, REFERENCE_LABEL, *methods.values()), order=LAST + 2
@@ -82,7 +84,8 @@ class SolverPanel:
         moving = CHOICES["method"].applies(scene)
         self._law.handle.visible = jointed
         for handle in (
-            self._method.handle, self._about, self._own_values, self._energy, self._foretell, self._other
+            self._sentence, self._method.handle, self._about, self._own_values, self._energy, self._foretell,
+            self._other,
         ):  # fmt: skip
             handle.visible = moving
         self._advice.build(moving)
@@ -108,6 +111,7 @@ class SolverPanel:
         self._finer.value = FINER_LABELS[ghost.finer if ghost is not None else 1]
         self._energy.value = self._session.follows_energy
         self._foretell.value = self._session.predictability is not None
+        self._sentence.content = f'<div class="softrod-text softrod-lead">{_sentence(scene)}</div>'
         self._about.content = f'<div class="softrod-text softrod-about">{method.summary}</div>'
 
     @property
@@ -134,6 +138,17 @@ class SolverPanel:
         else:
             method = _key_of(CHOICES["method"].options, self._other.value)
         self._session.post(commands.Compare(method, law, finer))
+
+
+def _sentence(scene: Scene) -> str:
+    """What the method of a scene does, in one sentence."""
+    solver = scene.integrator
+    method = METHODS[solver.method]
+    if method.adaptive:
+        return f"<b>{method.label}</b> keeps to {solver.tolerance:g} px, with steps as long as that allows."
+    return (
+        f"<b>{method.label}</b> takes {1.0 / solver.dt:.0f} equal steps a second, of {1e3 * solver.dt:g} ms."
+    )
 
 
 def _key_of(options: dict[str, str], label: str) -> str:

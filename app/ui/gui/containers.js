@@ -127,7 +127,7 @@ class Tabs extends Control {
       page.hidden = !on;
       if (on) chosen = tab.textContent ?? "";
     }
-    this.element.dispatchEvent(new CustomEvent("softrod-tab", { bubbles: true }));
+    this.element.dispatchEvent(new CustomEvent("softrod-tab", { bubbles: true, detail: id }));
   }
 
   /** @param {KeyboardEvent} event */
