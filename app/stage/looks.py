@@ -84,8 +84,9 @@ GAPS = (4, 8, 12, 16, 20, 24, 32, 48)
 RADII = (6, 8, 12, 16)
 """Inside a control, a control, a bar or card, a dialog or sheet, px: the holder is rounder than the held."""
 
-HEIGHTS = (24, 32, 40, 48)
-"""Of what is pressed, px: at least, in the panel, in a bar, under a thumb."""
+HEIGHTS = {"least": 24, "panel": 32, "bar": 40, "thumb": 48}
+"""Of what is pressed, px: at least, in the panel, in a bar, under a thumb; on a touch screen all but the least
+have the last."""
 
 TIMES = {"press": 80, "appear": 150, "move": 240}
 """Milliseconds: of a press, of what appears, of sheet and view; 0 where less motion is wished."""
@@ -265,8 +266,8 @@ def style_rules(dark: str) -> str:
     """All that styles use, as variables of CSS, and the layers as classes of SVG.
 
     The variables are --softrod- and the name of a colour or shade, `font`; `type-1` and `line-1` to `type-6`
-    and `line-6`; `gap-`, `radius-` and `height-` with the pixels; `press`, `appear`, `move` and `curve`;
-    `shadow-bar`, `shadow-menu` and `shadow-dialog`.
+    and `line-6`; `gap-` and `radius-` with the pixels; `height-` and its name; `press`, `appear`, `move` and
+    `curve`; `shadow-bar`, `shadow-menu` and `shadow-dialog`.
 
     Args:
         dark: wraps a rule for dark paper, with * in place of the rule.
@@ -280,11 +281,14 @@ def style_rules(dark: str) -> str:
     sizes = {"arrow-width": f"{ARROW:g}px", "font": FONT, "curve": CURVE}
     for i, (size, line) in enumerate(TYPE, start=1):
         sizes |= {f"type-{i}": f"{size}px", f"line-{i}": f"{line}px"}
-    for name, pixels in (("gap", GAPS), ("radius", RADII), ("height", HEIGHTS)):
+    for name, pixels in (("gap", GAPS), ("radius", RADII)):
         sizes |= {f"{name}-{size}": f"{size}px" for size in pixels}
+    sizes |= {f"height-{name}": f"{size}px" for name, size in HEIGHTS.items()}
+    thumb = f"{HEIGHTS['thumb']}px"
+    touch = f"@media (pointer: coarse){{{_root({'height-panel': thumb, 'height-bar': thumb})}}}"
     times = {name: f"{milliseconds}ms" for name, milliseconds in TIMES.items()}
     still = f"@media (prefers-reduced-motion: reduce){{{_root(dict.fromkeys(TIMES, '0s'))}}}"
-    rules = _root(light | sizes | times), dark.replace("*", _root(night)), still
+    rules = _root(light | sizes | times), dark.replace("*", _root(night)), still, touch
     return "\n".join((*rules, *map(_layer_rule, LAYERS)))
 
 
