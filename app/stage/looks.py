@@ -96,11 +96,9 @@ GAPS = (4, 8, 12, 16, 20, 24, 32, 48)
 RADII = (6, 8, 12, 16)
 """Inside a control, a control, a bar or card, a dialog or sheet, px: the holder is rounder than the held."""
 
-HEIGHTS = (24, 32, 40, 48)
-"""Of what is pressed, px: at least, in the panel, in a bar, under a thumb."""
-
-TOUCHED = {32: 44, 40: 48}
-"""What such heights are under a finger, px; the names of their variables stay."""
+HEIGHTS = {"least": 24, "panel": 32, "bar": 40, "thumb": 48}
+"""Of what is pressed, px: at least, in the panel, in a bar, and under a thumb, which rules on touch
+screens."""
 
 TIMES = {"press": 80, "appear": 150, "move": 240}
 """Milliseconds: of a press, of what appears, of sheet and view; 0 where less motion is wished."""
@@ -125,7 +123,7 @@ SHADOWS = {
 """Shadows, on white and on dark, where each has a line, since shadows vanish there."""
 
 OF_STYLES = ("COLORS", "TUTORIAL_COLORS", "SHADES", "FONT", "CODE_FONT", "TYPE", "GAPS", "RADII", "HEIGHTS")
-OF_STYLES += ("TOUCHED", "TIMES", "CURVE", "SHADOWS", "BY_SYSTEM", "OF_STYLES", "PATH")
+OF_STYLES += ("TIMES", "CURVE", "SHADOWS", "BY_SYSTEM", "OF_STYLES", "PATH")
 """What scripts do not use."""
 
 
@@ -291,7 +289,7 @@ def style_rules(dark: str) -> str:
         line-1 ... line-6           heights of their lines: 16, 20, 24, 28, 36, 48 px
         gap-4, -8, -12, -16, -20, -24, -32, -48
         radius-6, -8, -12, -16
-        height-24, -32, -40, -48    -32 and -40 are 44 and 48 px under a finger
+        height-least, -panel, -bar, -thumb    24, 32, 40, 48 px; -panel and -bar 48 on touch screens
         press, appear, move         times; 0 where less motion is wished
         curve                       how what moves comes to rest
         shadow-bar, -menu, -dialog  in the dark with a line
@@ -309,16 +307,14 @@ def style_rules(dark: str) -> str:
     sizes = {"arrow-width": f"{ARROW:g}px", "font": FONT, "font-code": CODE_FONT, "curve": CURVE}
     for i, (size, line) in enumerate(TYPE, start=1):
         sizes |= {f"type-{i}": f"{size}px", f"line-{i}": f"{line}px"}
-    for name, pixels in (("gap", GAPS), ("radius", RADII), ("height", HEIGHTS)):
+    for name, pixels in (("gap", GAPS), ("radius", RADII)):
         sizes |= {f"{name}-{size}": f"{size}px" for size in pixels}
-    touched = {f"height-{size}": f"{pixels}px" for size, pixels in TOUCHED.items()}
+    sizes |= {f"height-{name}": f"{size}px" for name, size in HEIGHTS.items()}
+    thumb = f"{HEIGHTS['thumb']}px"
+    touch = f"@media (pointer: coarse){{{_root({'height-panel': thumb, 'height-bar': thumb})}}}"
     times = {name: f"{milliseconds}ms" for name, milliseconds in TIMES.items()}
-    rules = (
-        _root(light | sizes | times),
-        dark.replace("*", _root(night)),
-        f"@media (pointer: coarse){{{_root(touched)}}}",
-        f"@media (prefers-reduced-motion: reduce){{{_root(dict.fromkeys(TIMES, '0s'))}}}",
-    )
+    still = f"@media (prefers-reduced-motion: reduce){{{_root(dict.fromkeys(TIMES, '0s'))}}}"
+    rules = _root(light | sizes | times), dark.replace("*", _root(night)), still, touch
     return "\n".join((*rules, *map(_layer_rule, LAYERS)))
 
 

@@ -324,31 +324,36 @@ def _setting(
 
 _ALL = (
     _setting(
-        "linear_stiffness", "Linear stiffness", (100.0, 1e6),
+        "linear_stiffness", "Stretching stiffness", (100.0, 1e6),
         largest(LinearSpring, "linear_springs", "stiffness"), _has_springs, logarithmic=True,
+        term="linear stiffness",
     ),
     _setting(
-        "linear_damping", "Linear damping", (0.0, 200.0),
+        "linear_damping", "Stretching damping", (0.0, 200.0),
         largest(LinearSpring, "linear_springs", "damping"), _has_springs,
+        term="linear damping",
     ),
     _setting(
-        "angular_stiffness", "Angular stiffness", (10.0, 1e6),
+        "angular_stiffness", "Bending stiffness", (10.0, 1e6),
         largest(AngularSpring, "angular_springs", "stiffness"), _has_joints, logarithmic=True,
+        term="angular stiffness",
     ),
     _setting(
-        "angular_damping", "Angular damping", (0.0, 200.0),
+        "angular_damping", "Bending damping", (0.0, 200.0),
         largest(AngularSpring, "angular_springs", "damping"), _has_joints,
+        term="angular damping",
     ),
     _setting(
         "rest_length_scale", "Rest length", (0.1, 4.0), at(Scene, "rest_length_scale"), _has_springs,
         logarithmic=True,
     ),
     _setting(
-        "rest_angle", "Rest angle", (-180.0, 180.0),
+        "rest_angle", "Curl of every joint", (-180.0, 180.0),
         largest(AngularSpring, "angular_springs", "rest_angle")._replace(
             read=_read_rest_angle, write=_write_rest_angle
         ),
         _has_rest_angle,
+        term="rest angle",
     ),
     _setting(
         "template", "Template", (-180.0, 180.0),

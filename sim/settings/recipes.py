@@ -36,6 +36,7 @@ class Setting:
         differs: whether the parts that it sets have different numbers. Then it reads the largest and scales
             the others in proportion; of rest angles it reads the first, and turns the others by as much.
         remark: what whoever sets it in a scene has to know; empty where there is nothing.
+        term: the field's own word, where the label is a plainer one.
     """
 
     key: str
@@ -51,6 +52,7 @@ class Setting:
     integer: bool = False
     differs: Callable[[Scene], bool] = lambda _: False
     remark: Callable[[Scene], str] = lambda _: ""
+    term: str = ""
 
 
 def recipe_settings(scene: Scene) -> list[Setting]:

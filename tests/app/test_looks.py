@@ -133,7 +133,7 @@ def test_lines_of_letters_share_one_rhythm() -> None:
 def test_under_a_finger_what_is_pressed_is_higher_and_with_less_motion_nothing_takes_time() -> None:
     rules = looks.style_rules("[data-dark]*")
     (touched,) = re.findall(r"@media \(pointer: coarse\)\{(.*)\}", rules)
-    heights = {int(name): int(size) for name, size in re.findall(r"--softrod-height-(\d+):(\d+)px", touched)}
-    assert heights and all(size >= 44 > name for name, size in heights.items())
+    heights = {name: int(size) for name, size in re.findall(r"--softrod-height-(\w+):(\d+)px", touched)}
+    assert heights and all(size == 48 > looks.HEIGHTS[name] for name, size in heights.items())
     (still,) = re.findall(r"@media \(prefers-reduced-motion: reduce\)\{(.*)\}", rules)
     assert dict(re.findall(r"--softrod-(\w+):(\w+)", still)) == dict.fromkeys(looks.TIMES, "0s")

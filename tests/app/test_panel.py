@@ -21,8 +21,8 @@ from tests.app.whole import WholePage
 from tests.app.worlds import GUSTS, balloon
 
 ALL = [
-    "Rest angle", "Angular stiffness", "Linear stiffness", "Linear damping", "Angular damping", "Rest length",
-    "Gravity", "Air friction", "Number of masses",
+    "Curl of every joint", "Bending stiffness", "Stretching stiffness", "Stretching damping", "Bending damping",
+    "Rest length", "Gravity", "Air friction", "Number of masses",
 ]  # fmt: skip
 TOUCHING = ["Friction of walls", "Bounciness of walls"]
 
@@ -38,8 +38,8 @@ TOUCHING = ["Friction of walls", "Bounciness of walls"]
         ("ring", ALL[:-1], [], True),
         (
             balloon(wind=GUSTS, air_friction=0.01),
-            ["Wind speed", "Gas pressure", "Linear stiffness", "Linear damping", "Rest length", "Gravity",
-             "Air friction", "Wind direction", "Turbulence", *TOUCHING],
+            ["Wind speed", "Gas pressure", "Stretching stiffness", "Stretching damping", "Rest length",
+             "Gravity", "Air friction", "Wind direction", "Turbulence", *TOUCHING],
             ["Bounces", "Friction at rest"], False,
         ),
     ],
@@ -58,9 +58,9 @@ def test_only_controls_that_the_scene_can_use_are_there(
 
 def test_a_slider_sets_the_solver_and_shows_what_it_has() -> None:
     page = WholePage()
-    page.enter("Angular stiffness", 2500.0)
+    page.enter("Bending stiffness", 2500.0)
     assert {joint.stiffness for joint in page.scene.angular_springs} == {2500.0}
-    assert page.gui["Angular stiffness"].value == 2500.0
+    assert page.gui["Bending stiffness"].value == 2500.0
     # Its box goes beyond the slider's end, up to what is allowed.
     page.enter("Gravity", -800.0)
     assert page.scene.gravity == (0.0, -800.0)
@@ -69,7 +69,7 @@ def test_a_slider_sets_the_solver_and_shows_what_it_has() -> None:
 
 def test_the_page_is_told_what_a_slider_s_box_allows_and_the_scene_s_own_value() -> None:
     page = WholePage()
-    slider: Any = page.gui["Angular stiffness"]
+    slider: Any = page.gui["Bending stiffness"]
     told = (one for one in page.client.mail.sent if isinstance(one, ControlLook))
     (look,) = (look for look in told if look.id == element_id(slider))
     of = setting_of(page.scene, "angular_stiffness")
@@ -80,7 +80,7 @@ def test_the_page_is_told_what_a_slider_s_box_allows_and_the_scene_s_own_value()
 def test_a_number_out_of_range_is_not_taken() -> None:
     """The page says why (`tests/browser/test_numbers.py`)."""
     page = WholePage()
-    slider = page.gui["Linear damping"]
+    slider = page.gui["Stretching damping"]
     for wrong in (99_999_999_999.0, -5.0):
         slider.enter(wrong)
         page.shown()
@@ -108,15 +108,15 @@ def test_a_slider_of_parts_that_differ_says_so_and_what_it_does() -> None:
     assert note not in page.gui.text()
     stiffness = number("linear_springs", "stiffness")
     page.shown(commands.Change(lambda moment, _: set_number(moment.scene, stiffness, [3], 20.0)))
-    assert "Linear stiffness" not in page.gui
+    assert "Stretching stiffness" not in page.gui
     assert note in page.gui.text()
-    box = page.gui["Linear stiffness (mixed)"]
+    box = page.gui["Stretching stiffness (mixed)"]
     assert box.value == 10_000.0, "the largest"
     box.enter(20_000.0)
     page.shown()
     assert [spring.stiffness for spring in page.scene.linear_springs[2:5]] == [20_000.0, 40.0, 20_000.0]
     page.shown(commands.Undo(), commands.Undo())
-    assert "Linear stiffness" in page.gui
+    assert "Stretching stiffness" in page.gui
     assert note not in page.gui.text()
 
 
@@ -192,7 +192,7 @@ def test_the_meter_tells_of_a_change_while_the_clock_stands() -> None:
     page.shown(commands.Play(False), Perform("meter"))
     assert "of the limit" in page.hud
     assert "unstable" not in page.hud
-    page.gui["Angular stiffness"].enter(1e8)
+    page.gui["Bending stiffness"].enter(1e8)
     page.shown()
     assert "unstable" in page.hud
 

@@ -124,8 +124,8 @@ def test_a_scene_pays_only_for_what_it_has(stage: Stage) -> None:
         eventually(lambda: session_of(tab).generation == 1 and tab.probe().generation == 1)
         assert set(tab.probe().nodes) == {"/body/springs", "/body/masses"}
         labels = {slider["props"]["label"] for slider in sliders(page).values()}
-        assert "Angular stiffness" not in labels
-        assert "Linear stiffness" in labels
+        assert "Bending stiffness" not in labels
+        assert "Stretching stiffness" in labels
 
 
 def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:

@@ -1,9 +1,9 @@
 """Counts how many presses and wrong turns somebody needs who sees the page for the first time.
 
-`uv run python -m tests.browser.tasks` does twelve tasks on a page of this softrod, with an address behind it on
-the one that runs there; `--size 390x844` with a finger. Whoever does them knows a few everyday words for each,
-and what can be seen (`novice.py`). A wrong turn is a press that neither did it nor brought up anything that
-promises more.
+`uv run python -m tests.browser.tasks` does twelve tasks on a page of this softrod, with an address behind it
+on the one that runs there; `--size 390x844` does them with a finger. Whoever does them knows a few everyday
+words for each, and what can be seen (`novice.py`). A wrong turn is a press that neither did it nor brought up
+anything that promises more.
 """
 
 from __future__ import annotations

@@ -76,5 +76,5 @@ def test_every_control_has_a_name(open_page: OpenPage) -> None:
         desk.rest(5)
         assert desk.page.evaluate(unnamed) == [], tab
     desk.show("Play")
-    thumb = desk.thumb("Linear stiffness")
+    thumb = desk.thumb("Stretching stiffness")
     desk.until(lambda: thumb.get_attribute("aria-valuetext") == "10000 kg/s²", "not the power of ten")

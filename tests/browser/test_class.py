@@ -335,7 +335,7 @@ def test_on_a_phone_a_pupil_comes_in_by_letters_and_answers_by_touch(school: Sch
     # The sliders of the step stand below the card.
     go(Phase.TRY)
     expect(phone.locator("#softrod-class-place .softrod-goal")).to_be_visible()
-    expect(phone.get_by_text("Linear stiffness", exact=True)).to_be_visible()
+    expect(phone.get_by_text("Stretching stiffness", exact=True)).to_be_visible()
     go(Phase.COLLECT)
     phone.locator("[data-focus=handin]").tap()
     expect(phone.locator(".softrod-verdict").last).to_contain_text("Handed in")

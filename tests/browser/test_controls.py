@@ -23,16 +23,16 @@ def test_sliders_boxes_and_lists_reach_the_solver_and_each_other(open_page: Open
     desk = open_page("tutorial-3.2")
     desk.tell(commands.Play(False))
     desk.show("Play")
-    desk.click_track("Angular stiffness", 0.4)
-    box = desk.box("Angular stiffness")
+    desk.click_track("Bending stiffness", 0.4)
+    box = desk.box("Bending stiffness")
     desk.until(
         lambda: value(desk, "angular_stiffness") == float(box.input_value()) < 9_000.0, "the box shows it"
     )
     assert value(desk, "angular_stiffness") == pytest.approx(10.0 ** (1.0 + 0.4 * 5.0), rel=0.25)
-    desk.type_in("Angular stiffness", "2500")
+    desk.type_in("Bending stiffness", "2500")
     desk.until(lambda: value(desk, "angular_stiffness") == 2500.0, "the box reaches the solver")
     desk.until(
-        lambda: abs(desk.slider_value("Angular stiffness") - np.log10(2500.0)) < 0.02, "the slider shows it"
+        lambda: abs(desk.slider_value("Bending stiffness") - np.log10(2500.0)) < 0.02, "the slider shows it"
     )
     desk.choose("Angle template", "90°")
     desk.until(lambda: desk.session.scene.template == 90, "the template reaches the solver")
@@ -92,7 +92,7 @@ def test_a_body_that_runs_away_is_stopped_explained_and_taken_back(open_page: Op
     # A straight rope with nothing to straighten would stand on its tip, as a pencil does.
     desk.tell(commands.SetValue("rest_angle", 10.0))
     desk.until(lambda: desk.simulation.time > 1.0, "it runs for a while")
-    desk.type_in("Angular stiffness", "100000000")
+    desk.type_in("Bending stiffness", "100000000")
     desk.until(lambda: desk.notices(), "it explodes")
     (notice,) = desk.notices()
     assert "stability limit" in notice[1]

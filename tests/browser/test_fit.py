@@ -44,7 +44,7 @@ def test_a_table_is_dropped_seen_over_the_body_and_fitted_as_one_step_of_undo(op
     # The first row is where the mass is.
     where = points(desk)[0]
     assert np.hypot(*(np.array(where) - desk.place(1))) < 4.0
-    for name, on in (("Linear stiffness", False), ("Linear damping", False), ("Gravity", True)):
+    for name, on in (("Stretching stiffness", False), ("Stretching damping", False), ("Gravity", True)):
         switch = desk.page.get_by_role("switch", name=name, exact=True)
         switch.check() if on else switch.uncheck()
     before = desk.session.scene

@@ -43,8 +43,10 @@ def test_held_arrows_change_rest_angle_and_length_until_released(open_page: Open
     assert_stays(desk)
     angle = float(desk.simulation.rest_angles[0])
     desk.until(lambda: desk.readout("rest angle") == f"{angle:+.2f}°", "the readout shows the rest angle")
-    desk.until(lambda: abs(desk.slider_value("Rest angle") - angle) < 1.0, "the slider shows it")
-    desk.until(lambda: abs(float(desk.box("Rest angle").input_value()) - angle) < 1e-3, "so does its box")
+    desk.until(lambda: abs(desk.slider_value("Curl of every joint") - angle) < 1.0, "the slider shows it")
+    desk.until(
+        lambda: abs(float(desk.box("Curl of every joint").input_value()) - angle) < 1e-3, "so does its box"
+    )
 
     before = desk.simulation.rest_length_scale
     hold(desk, "ArrowUp", "up")
@@ -113,7 +115,7 @@ def test_space_pauses_after_a_click_wherever_the_focus_is(open_page: OpenPage) -
 
     desk.show("Play")
     plays("a tab")
-    box = desk.box("Linear damping")
+    box = desk.box("Stretching damping")
     box.click()
     plays("a number's box")
     assert box.input_value() == "40"

@@ -19,7 +19,7 @@ def test_what_an_address_leaves_out_is_neither_there_nor_reached_by_keys(open_pa
     desk = open_page(path="/?controls=keys,gravity,rest_angle,view")
     assert tabs(desk) == ["Play"]
     labels = [text for text in desk.page.locator("label:visible").all_inner_texts() if text]
-    assert labels == ["Gravity", "Rest angle"]
+    assert labels == ["Gravity", "Curl of every joint"]
     assert desk.page.locator(".softrod-pad:not([hidden])").count() == 1
     for left_out in (".softrod-transport", ".softrod-edit"):
         assert not desk.page.locator(left_out).is_visible()

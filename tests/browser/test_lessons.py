@@ -29,7 +29,9 @@ def words(desk: Desk) -> str:
 
 
 def press(desk: Desk, text: str) -> None:
-    desk.page.locator(".softrod-lesson-page button").filter(has_text=text).first.click()
+    desk.page.locator(".softrod-panel :is(.softrod-lesson, .softrod-lesson-foot) button").filter(
+        has_text=text
+    ).first.click()
 
 
 def label_of(desk: Desk, key: str) -> str:

@@ -67,7 +67,7 @@ def test_a_mass_is_dragged_and_the_body_follows(open_file: Open) -> None:
 
 def test_sliders_keys_and_buttons_do_what_they_say(open_file: Open) -> None:
     page = open_file("tutorial-3.3")
-    slider = page.get_by_label("Linear stiffness")
+    slider = page.get_by_label("Stretching stiffness")
     slider.focus()
     page.keyboard.press("End")
     assert number(page, "stiffness[3]") == 1e6
@@ -175,7 +175,7 @@ def test_by_touch_on_a_phone_and_nothing_lies_over_another(open_file: Open) -> N
 
 def test_a_body_that_runs_away_is_stopped_and_begins_anew(open_file: Open) -> None:
     page = open_file("tutorial-3.3")
-    page.get_by_label("Linear stiffness").focus()
+    page.get_by_label("Stretching stiffness").focus()
     page.keyboard.press("End")
     x, y = place(page, 0)
     page.mouse.move(x, y)
@@ -186,7 +186,7 @@ def test_a_body_that_runs_away_is_stopped_and_begins_anew(open_file: Open) -> No
     page.mouse.up()
     assert "which the linear springs set" in stopped.inner_text()
     assert page.evaluate("__softrod.now().body.positions.every(Number.isFinite)")
-    page.get_by_label("Linear stiffness").focus()
+    page.get_by_label("Stretching stiffness").focus()
     page.keyboard.press("Home")
     page.get_by_role("button", name="Go back").click()
     until(page, lambda: not stopped.is_visible(), "it is as it was before")

@@ -51,25 +51,25 @@ def test_a_number_is_set_whole_however_it_is_typed(
         take(command)
 
     desk.session.post = note  # type: ignore[method-assign]
-    begin(desk, "Linear stiffness")
+    begin(desk, "Stretching stiffness")
     desk.page.keyboard.type("150000", delay=120)
     assert value(desk, setting) == old
-    assert desk.box("Linear stiffness").input_value() == "150000"
+    assert desk.box("Stretching stiffness").input_value() == "150000"
     desk.page.keyboard.press("Enter")
     desk.until(lambda: value(desk, setting) == 150_000.0, "Enter sets it")
     assert desk.session.simulation.damage is None or not desk.session.simulation.damage.broken
     # Left for another control.
-    begin(desk, "Linear stiffness")
+    begin(desk, "Stretching stiffness")
     desk.page.keyboard.type("2e5", delay=100)
     desk.page.keyboard.press("Tab")
     desk.until(lambda: value(desk, setting) == 200_000.0, "leaving the box sets it")
-    desk.until(lambda: desk.box("Linear stiffness").input_value() == "200000", "the box shows it")
+    desk.until(lambda: desk.box("Stretching stiffness").input_value() == "200000", "the box shows it")
     # Left for the canvas, which does not take the focus.
-    begin(desk, "Linear stiffness")
+    begin(desk, "Stretching stiffness")
     desk.page.keyboard.type("1.234.567,5", delay=50)
     desk.page.mouse.click(*desk.at([(10.0, 10.0)])[0])
     desk.until(lambda: value(desk, setting) == 1_234_567.5, "so does a press elsewhere")
-    begin(desk, "Linear stiffness")
+    begin(desk, "Stretching stiffness")
     desk.page.keyboard.type("160000")
     desk.until(lambda: value(desk, setting) == 160_000.0, "and so does a pause")
     desk.page.keyboard.type("0")
@@ -173,26 +173,26 @@ def test_the_number_of_a_slider_runs_with_it_and_its_ends_are_seen_while_it_is_h
     desk.tell(commands.Play(False))
     desk.show("Play")
     before = value(desk, "angular_stiffness")
-    x, y = middle_of(desk.thumb("Angular stiffness"))
+    x, y = middle_of(desk.thumb("Bending stiffness"))
     desk.page.mouse.move(x, y)
     desk.page.mouse.down()
     desk.page.mouse.move(x - 30.0, y, steps=4)
     desk.until(
         lambda: (
             value(desk, "angular_stiffness")
-            == pytest.approx(10.0 ** desk.slider_value("Angular stiffness"), rel=0.02)
+            == pytest.approx(10.0 ** desk.slider_value("Bending stiffness"), rel=0.02)
             != pytest.approx(before, rel=0.02)
         ),
         "the value is where the thumb is",
     )
     desk.until(
-        lambda: float(desk.box("Angular stiffness").input_value()) == value(desk, "angular_stiffness"),
+        lambda: float(desk.box("Bending stiffness").input_value()) == value(desk, "angular_stiffness"),
         "the number is the value",
     )
-    ends = desk.row("Angular stiffness").locator(".softrod-ends span").first
+    ends = desk.row("Bending stiffness").locator(".softrod-ends span").first
     assert ends.is_visible()
     desk.page.mouse.up()
     desk.until(lambda: not ends.is_visible(), "the ends go")
     # A double click brings the scene's own number back.
-    desk.thumb("Angular stiffness").dblclick()
+    desk.thumb("Bending stiffness").dblclick()
     desk.until(lambda: value(desk, "angular_stiffness") == before, "it is as the scene has it")

@@ -104,7 +104,7 @@ function begin() {
     if (place && card.parentElement !== place) place.replaceChildren(card);
     const page = place?.closest("[role=tabpanel]");
     page?.classList.add("softrod-lesson-page");
-    if (page && foot && page.lastElementChild !== foot) page.append(foot);
+    if (page && foot && page.nextElementSibling !== foot) page.after(foot);
     document.documentElement.toggleAttribute("data-softrod-lesson", place !== null);
   }, LOOK_EVERY);
 }

@@ -70,7 +70,7 @@ class SliderBox:
             step=step,
             initial_value=low,
             marks=((low, readouts.short(low)), (high, readouts.short(high))),
-            hint=range_of(setting),
+            hint="; ".join(filter(None, (setting.term, range_of(setting)))),
             order=order,
         )
         self.slider.value = rounded(value)  # which may be beyond the slider
@@ -108,7 +108,12 @@ class SliderBox:
     def _show_hint(self, scene: Scene) -> None:
         setting = self.setting
         mixed = setting.differs(scene)
-        parts = (range_of(setting), mixed_words(setting) if mixed else "", setting.remark(scene))
+        parts = (
+            setting.term,
+            range_of(setting),
+            mixed_words(setting) if mixed else "",
+            setting.remark(scene),
+        )
         hint = "; ".join(part for part in parts if part)
         if mixed != self.mixed or hint != self.slider.hint:
             self.mixed, self.slider.hint = mixed, hint
