@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from unittest.mock import MagicMock
 
 import msgspec
@@ -11,16 +10,14 @@ import pytest
 
 import sim
 from app.features.race.feature import BeginRace, LeaveRace, RaceFeature
-from app.features.race.messages import Race, RaceAnswer
+from app.features.race.messages import RaceAnswer
 from app.features.race.rival import Rival
 from app.session import commands
-from app.ui.feature import Drawn
 from app.ui.shelf import Shelf
 from sim.edit.terrain import on_terrain
 from sim.store.link import pack_scene
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage, answered, in_one_piece
-from tests.app.panels import page_of
 
 REPLACE = msgspec.structs.replace
 
@@ -103,48 +100,6 @@ def test_going_back_in_time_takes_both_along() -> None:
     assert rival.seconds == pytest.approx(at)
     page.frames(1, commands.GoTo(0.0))
     assert rival.simulation.time == rival.seconds == 0.0
-
-
-def test_who_arrives_is_noted_to_the_moment_and_a_new_start_forgets_it() -> None:
-    page, rival = racing()
-    assert rival.finish == 250.0  # the worm is nearly so long
-    seen = [(0.0, 0.0)]
-    for _ in range(240):
-        page.frames(1, commands.Play(True))
-        seen.append((rival.seconds, abs(rival.ways(page.simulation)[1])))
-    mine, theirs = rival.arrivals
-    assert mine == math.inf
-    after = next(i for i, (_, way) in enumerate(seen) if way >= 250.0)
-    (since, less), (until, more) = seen[after - 1 : after + 1]
-    assert since < theirs <= until
-    assert less + (more - less) * (theirs - since) / (until - since) == pytest.approx(250.0)
-    at = page.simulation.time
-    page.frames(1, commands.GoTo(theirs - 0.5))
-    assert rival.arrivals == (math.inf, math.inf)
-    page.frames(60, commands.Play(True))
-    assert page.simulation.time < at
-    assert rival.arrivals[1] == pytest.approx(theirs, abs=1e-3)
-    page.frames(1, commands.Reset())
-    assert rival.arrivals == (math.inf, math.inf)
-
-
-def test_the_page_is_told_of_the_finish_and_of_who_is_there() -> None:
-    page, rival = racing("walker", "worm")
-    letters = Letters()
-    race = RaceFeature(page_of(page.session, None, letters))
-    drawn = Drawn(0, 0.0, exactly=False)
-    race.frame(drawn)
-    told = letters.last(Race)
-    assert (told.finish, told.arrivals) == (rival.finish, (None, None))
-    page.frames(330, commands.Play(True))
-    race.frame(drawn)
-    told = letters.last(Race)
-    assert told.arrivals == (pytest.approx(rival.arrivals[0], abs=0.01), None)
-    # Its line is where its middle was when it arrived.
-    began = sim.load_scene("walker")
-    mass = np.array([one.mass for one in began.masses])
-    middle = mass @ np.array([one.position[0] for one in began.masses]) / mass.sum()
-    assert abs(told.lines[0] - middle) == pytest.approx(rival.finish)
 
 
 def test_another_scene_ends_the_race() -> None:

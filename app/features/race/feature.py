@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 import urllib.parse
 from typing import ClassVar
@@ -129,16 +128,12 @@ class RaceFeature(Feature):
             return
         self._on, self._due = True, now + READ_EVERY
         one, other = rival.ways(session.simulation)
-        first, second = (round(at, 2) if math.isfinite(at) else None for at in rival.arrivals)
         self.page.mail.send(
             Race(
                 on=True,
                 names=(shown_name(session.scene), shown_name(rival.scene)),
                 ways=(round(one, 1), round(other, 1)),
                 seconds=round(rival.seconds, 1),
-                finish=rival.finish,
-                lines=rival.lines,
-                arrivals=(first, second),
                 fair=rival.fair,
                 out=rival.out,
             )

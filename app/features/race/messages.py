@@ -13,9 +13,6 @@ class Race(State, frozen=True, kw_only=True, omit_defaults=True):
         names: of the body and of the other one.
         ways: distance of each along x since the start, px.
         seconds: simulated, since then.
-        finish: distance of the finish from the start, px.
-        lines: where it is for each, px along x.
-        arrivals: seconds after which each has arrived; None before that.
         fair: whether nobody has moved or changed the body since then.
         out: why the other one is out of the race; empty while it is not.
     """
@@ -24,9 +21,6 @@ class Race(State, frozen=True, kw_only=True, omit_defaults=True):
     names: tuple[str, str] = ("", "")
     ways: tuple[float, float] = (0.0, 0.0)
     seconds: float = 0.0
-    finish: float = 0.0
-    lines: tuple[float, float] = (0.0, 0.0)
-    arrivals: tuple[float | None, float | None] = (None, None)
     fair: bool = True
     out: str = ""
 

@@ -7,16 +7,11 @@ import time
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy as np
-
 import sim
 from sim.edit.terrain import center, on_terrain
 from sim.errors import SceneError
 
 from ...session.companions import Companion
-
-ROUND = 50.0
-"""The finish is a multiple of so many px from the start, about a length of the longer body."""
 
 _ROUNDING = 1e-6
 """Part of a time step by which a step may be incomplete and still counts as whole."""
@@ -29,8 +24,6 @@ class RivalMoment(NamedTuple):
     owed: float
     seconds: float
     starts: tuple[float, float]
-    arrivals: tuple[float, float]
-    before: tuple[float, float, float]
     fair: bool
     out: str
 
@@ -49,8 +42,6 @@ class Rival(Companion):
         scene: as above.
         simulation: the other body.
         seconds: simulated, since the start.
-        finish: distance along x from its start, in either direction, at which a body has arrived, px.
-        arrivals: when the session's body and the other one have, s since the start; infinite before that.
         fair: whether nobody has moved or changed the session's body since then.
         out: why the other body is out of the race; empty while it is not.
 
@@ -70,9 +61,6 @@ class Rival(Companion):
         self._owed = self.seconds = 0.0
         self.fair, self.out = True, ""
         self._starts = self._centers(simulation)
-        self.finish = max(1, round(max(map(_length, (simulation, self.simulation))) / ROUND)) * ROUND
-        self.arrivals = (math.inf, math.inf)
-        self._before = (0.0, 0.0, 0.0)  # seconds and distances at the last look
 
     def _centers(self, simulation: sim.Simulation) -> tuple[float, float]:
         one, other = (center(body.scene, body.positions) for body in (simulation, self.simulation))
@@ -82,28 +70,6 @@ class Rival(Companion):
         """Return how far the session's body and the other one have come along x since the start, px."""
         (one, other), (a, b) = self._centers(simulation), self._starts
         return one - a, other - b
-
-    @property
-    def lines(self) -> tuple[float, float]:
-        """Where the finish of each body is if it goes on as it has come, px along x."""
-        _, *ways = self._before
-        one, other = (
-            start + math.copysign(self.finish, way) for start, way in zip(self._starts, ways, strict=True)
-        )
-        return one, other
-
-    def _look(self, simulation: sim.Simulation) -> None:
-        """Note when a body has arrived: in proportion between two looks."""
-        since, *before = self._before
-        ways = self.ways(simulation)
-        found = []
-        for arrival, a, b in zip(self.arrivals, before, ways, strict=True):
-            if math.isinf(arrival) and abs(b) >= self.finish:
-                part = (self.finish - abs(a)) / max(abs(b) - abs(a), 1e-12)
-                arrival = since + min(max(part, 0.0), 1.0) * (self.seconds - since)
-            found.append(arrival)
-        self.arrivals = found[0], found[1]
-        self._before = self.seconds, *ways
 
     @property
     def is_late(self) -> bool:
@@ -135,19 +101,15 @@ class Rival(Companion):
     def capture(self) -> RivalMoment:
         """See `Companion`."""
         moment = self.simulation.capture()
-        return RivalMoment(
-            moment, self._owed, self.seconds, self._starts, self.arrivals, self._before, self.fair, self.out
-        )
+        return RivalMoment(moment, self._owed, self.seconds, self._starts, self.fair, self.out)
 
     def go_back(self, past: Sequence[tuple[float, RivalMoment]], simulation: sim.Simulation) -> None:
         """See `Companion`."""
         if not past:
             self.begin(simulation)
             return
-        then: RivalMoment = past[-1][1]
-        self._owed, self.seconds, self._starts = then.owed, then.seconds, then.starts
-        self.arrivals, self._before, self.fair, self.out = then.arrivals, then.before, then.fair, then.out
-        self.simulation.restore(then.moment)
+        moment, self._owed, self.seconds, self._starts, self.fair, self.out = past[-1][1]
+        self.simulation.restore(moment)
 
     def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
         """Advance by as much time as the session's body just has, and by what is still owed."""
@@ -156,17 +118,10 @@ class Rival(Companion):
         self._owed += steps * simulation.dt
         if self.out:
             self._owed = 0.0
-            self._look(simulation)
             return
         began = time.perf_counter()
         done = self.costs.move(own, math.floor(self._owed / own.dt + _ROUNDING), budget)
         self._count(time.perf_counter() - began)
         self._owed -= done * own.dt
-        self._look(simulation)
         if own.divergence is not None:
             self.out = "it exploded"
-
-
-def _length(body: sim.Simulation) -> float:
-    """Size of a body along x, px."""
-    return float(np.ptp(body.positions[:, 0]))
