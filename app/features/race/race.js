@@ -1,14 +1,16 @@
 // @ts-check
 /**
- * The strip of a race over the bar of time: how far each body has come, which is ahead, and a start after a count-down.
- * It is made at the first race.
+ * The strip of a race over the bar of time: how far each body has come, which is ahead or was first, and a start after a
+ * count-down. It is made at the first race.
  */
 import { canvasBox } from "../../ui/viser/viser.js";
 import { onMessage, pageState } from "../../wire/channel.js";
 import { sendParts } from "../../ui/kept/links.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { make, makeButton } from "../../ui/dialog.js";
-import { roundUp } from "../../stage/axes.js";
+import { distance, fullRace, isOver, namesOf, verdict } from "./words.js";
+import { addRaceMarks } from "./marks.js";
+import { redrawMarks } from "../../stage/sight.js";
 import { gallery } from "../gallery/gallery.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
@@ -19,39 +21,12 @@ import { perform } from "../../wire/perform.js";
 const COUNT = 700;
 /** Milliseconds between two readings for a screen reader. */
 const READ_EVERY = 3000;
-/** Distance below which neither is ahead, px. */
-const CLOSE = 0.5;
-/** Shortest distance that fills a bar, px. */
-const MIN_FULL = 100;
-
 /** The group of presets that move by themselves. */
 const MOVING = "Muscles";
 const RULE =
-  "Both start together, on this body's terrain. Changes of this body and of the terrain are allowed, and are noted here; Start again makes it fair.";
+  "Both start together, on this body's terrain; the middle of each counts at the finish. Changes of this body and of the terrain are allowed, and are noted here; Race again makes it fair.";
 
-/** @type {Race} */
-let race = { tell: "race" };
-
-/** A distance in words. @param {number} way */
-const inPx = (way) => {
-  const size = Math.abs(way) < 10 ? Number(Math.abs(way).toPrecision(2)) : Math.round(Math.abs(way));
-  return `${way < 0 && size ? "−" : ""}${size} ${pageState().unit ?? ""}`;
-};
-
-/** The names of both, which are made different if they are the same. @param {Race} race @returns {[string, string]} */
-export function namesOf({ names: [one, other] = ["", ""] }) {
-  return one === other ? [one, `${other} (the other)`] : [one, other];
-}
-
-/** Which is ahead: the one that has come farther, in either direction. @param {Race} race */
-export function verdict(race) {
-  const { ways: [one, other] = [0, 0], out } = race;
-  const [mine, theirs] = namesOf(race);
-  if (out) return `${theirs} is out: ${out}`;
-  const ahead = Math.abs(one) - Math.abs(other);
-  if (Math.abs(ahead) < CLOSE) return "Neither is ahead";
-  return `${ahead > 0 ? mine : theirs} is ahead by ${inPx(Math.abs(ahead))}`;
-}
+let race = fullRace({ tell: "race" });
 
 /** Begins a race against a scene, by its link or its name. @param {string} text */
 const raceAgainst = (text) => void sendParts("rival", encodeURIComponent(text.trim()));
@@ -70,7 +45,7 @@ function makeLine() {
   return line;
 }
 
-/** Chooses a rival; or in a race, starts it anew. */
+/** Chooses a rival; or in a race, starts it again. */
 function openRace() {
   if (race.on) start();
   else gallery.open({ title: "Race against", line: makeLine(), first: MOVING, pick: raceAgainst });
@@ -124,29 +99,33 @@ function makeRace() {
   };
   window.addEventListener("keydown", ({ key }) => key === "Escape" && stopCount(), true);
   onMessage("pageState", ({ playing }) => playing && counting && count.textContent !== "Go!" && stopCount());
-  return (/** @type {Race} */ now) => {
-    const on = now.on ?? false;
+  return (/** @type {Required<Race>} */ now) => {
+    const { on, ways, seconds, fair, finish, arrived } = now;
     if (strip.hidden === on) live.textContent = on ? `A race against ${namesOf(now)[1]}. ${withKey("Start", "race")}.` : "The race is left";
     show(on);
     if (!on) stopCount();
-    const { ways = [0, 0], seconds = 0, fair = true } = now;
-    const full = roundUp(Math.max(MIN_FULL, ...ways.map(Math.abs)));
     rows.forEach(({ who, bar, way }, i) => {
       const name = namesOf(now)[i];
       if (who.textContent !== name) who.textContent = name;
-      bar.style.transform = `scaleX(${(Math.abs(ways[i]) / full).toFixed(4)})`;
-      way.textContent = inPx(ways[i]);
+      const part = finish ? Math.max(0, Math.min(1, ways[i] / finish)) : 0;
+      bar.style.transform = `scaleX(${(arrived[i] === null ? part : 1).toFixed(4)})`;
+      way.textContent = arrived[i] === null ? distance(ways[i] * Math.sign(finish)) : `${arrived[i]?.toFixed(2)} s`;
     });
     const begun = seconds > 0;
-    const text = begun ? `${verdict(now)}, after ${seconds.toFixed(1)} s${fair ? "" : "; changed or moved on the way"}` : "";
+    const someoneIsThere = arrived.some((time) => time !== null);
+    const after = someoneIsThere || isOver(now) ? "" : `, after ${seconds.toFixed(1)} s`;
+    const text = begun ? `${verdict(now)}${after}${fair ? "" : "; changed or moved on the way"}` : "";
     if (says.textContent !== (text || "At the start")) says.textContent = text || "At the start";
-    begin.textContent = begun ? "Start again" : "Start";
+    begin.textContent = begun ? "Race again" : "Start";
     rule.hidden = begun && fair;
-    if (begun && on && performance.now() - read > READ_EVERY && pageState().playing) {
+    if (!begun || !on) return;
+    /** @param {string} words */
+    const tell = (words) => live.textContent !== words && (live.textContent = words);
+    if (isOver(now) || !pageState().playing) tell(text);
+    else if (!someoneIsThere && performance.now() - read > READ_EVERY) {
       read = performance.now();
-      const short = verdict(now).replace(/ by .*/, "");
-      if (live.textContent !== short) live.textContent = short;
-    } else if (begun && on && !pageState().playing && live.textContent !== text) live.textContent = text;
+      tell(verdict(now).replace(/ by .*/, ""));
+    }
   };
 }
 
@@ -155,10 +134,12 @@ function begin() {
   /** @type {ReturnType<typeof makeRace> | null} */
   let show = null;
   onMessage("race", (now) => {
-    race = now;
-    if (!show && !now.on) return;
+    race = fullRace(now);
+    if (!show && !race.on) return;
+    if (!show) addRaceMarks(() => race);
     show ??= makeRace();
-    show(now);
+    show(race);
+    redrawMarks();
   });
   onMessage("raceAnswer", ({ problem }) => (problem ? gallery.say(problem) : gallery.close()));
 }

@@ -1,0 +1,107 @@
+// @ts-check
+/** The finish of a race over the bodies, and arrows towards what is out of view. */
+import { insertMarksLayer, onMarksRedraw } from "../../stage/sight.js";
+import { distance, lead } from "./words.js";
+import { makeSvg, set } from "../../stage/svg.js";
+import { edgeArrow } from "../../stage/edge.js";
+import { onScreen } from "../../stage/screen.js";
+import { secondIn } from "../../stage/canvas.js";
+
+/** @typedef {import("../../wire/wire.js").Race} Race */
+/** @typedef {import("../../stage/sight.js").Sight} Sight */
+
+/** Pixels between the finishes of both bodies below which they are one. */
+const APART = 8;
+/** Part of the height of the canvas above a flag. */
+const ABOVE = 0.24;
+/** Side of a square of a flag, px. */
+const SQUARE = 6;
+/** The dark squares of a flag, from the top of its pole. */
+const CHEQUERED = [0, 1, 2, 3, 4, 5, 6, 7].filter((i) => (i + (i >> 2)) % 2 === 0)
+  .map((i) => `M${(i % 4) * SQUARE} ${(i >> 2) * SQUARE}h${SQUARE}v${SQUARE}h${-SQUARE}z`)
+  .join("");
+/** Pixels between an arrow and its words, and between these and the edge. */
+const [BELOW, MARGIN] = [34, 8];
+
+/** How far a body is ahead of the other one, in words. @param {number} way px towards the finish */
+export const aheadText = (way) => `${distance(Math.abs(way))} ${way < 0 ? "behind" : "ahead"}`;
+
+/**
+ * Where the words of an arrow at the edge are: on its inner side.
+ *
+ * @param {{x: number, y: number}} arrow
+ * @param {{left: number, right: number}} view
+ * @param {number} floor lower end of the view
+ */
+export function besideArrow({ x, y }, { left, right }, floor) {
+  const at = { y: y + BELOW > floor - MARGIN ? y - BELOW : y + BELOW };
+  if (x < left + 2 * BELOW) return { ...at, x: left + MARGIN, side: "start" };
+  if (x > right - 2 * BELOW) return { ...at, x: right - MARGIN, side: "end" };
+  return { ...at, x, side: "middle" };
+}
+
+/** A line with a flag, and its distance from the start. @param {SVGSVGElement} svg @param {string} name */
+function finishMark(svg, name) {
+  const all = makeSvg("g", `softrod-finish ${name}`, svg);
+  const line = makeSvg("path", "softrod-finish-line", all);
+  const flag = makeSvg("g", "softrod-finish-flag", all);
+  set(makeSvg("rect", "", flag), { width: 4 * SQUARE, height: 2 * SQUARE });
+  set(makeSvg("path", "", flag), { d: CHEQUERED });
+  const words = makeSvg("text", "", all);
+  /** @param {number | null} x null while it is not shown @param {string} text @param {Sight} seen */
+  return (x, text, { box, floor }) => {
+    all.style.display = x === null ? "none" : "";
+    if (x === null) return;
+    const top = box.top + ABOVE * (floor - box.top);
+    set(line, { d: `M${x.toFixed(1)} ${top.toFixed(1)}V${floor.toFixed(1)}` });
+    set(flag, { transform: `translate(${x.toFixed(1)} ${top.toFixed(1)})` });
+    set(words, { x: x.toFixed(1), y: (top - 12).toFixed(1) });
+    if (words.textContent !== text) words.textContent = text;
+  };
+}
+
+/** An arrow at the edge with words. @param {SVGSVGElement} svg @param {string} name */
+function awayMark(svg, name) {
+  const all = makeSvg("g", `softrod-away ${name}`, svg);
+  const arrow = makeSvg("path", "", all);
+  set(arrow, { d: "M-12 -11L13 0L-12 11L-7 0z" });
+  const words = makeSvg("text", "", all);
+  /** @param {ArrayLike<number>} places of its masses, px of the window @param {string} text @param {Sight} seen */
+  return (places, text, { box, floor }) => {
+    const { left, right, top } = box;
+    const at = edgeArrow(places, { left, right, top, bottom: floor });
+    all.style.display = at ? "" : "none";
+    if (!at) return;
+    set(arrow, { transform: `translate(${at.x.toFixed(1)} ${at.y.toFixed(1)}) rotate(${at.turn.toFixed(0)})` });
+    const { x, y, side } = besideArrow(at, box, floor);
+    set(words, { x: x.toFixed(1), y: y.toFixed(1) });
+    words.style.textAnchor = side;
+    if (words.textContent !== text) words.textContent = text;
+  };
+}
+
+/** Adds the marks to the page, which are shown in a race. @param {() => Required<Race>} read */
+export function addRaceMarks(read) {
+  const svg = makeSvg("svg", "softrod-marks softrod-race-marks");
+  const finishes = ["softrod-race-mine", "softrod-race-theirs"].map((name) => finishMark(svg, name));
+  const [toFinish, toMine, toTheirs] = ["finish", "mine", "theirs"].map((name) => awayMark(svg, `softrod-race-${name}`));
+  onMarksRedraw((seen) => {
+    const race = read();
+    if (race.on === (svg.parentNode === null)) race.on ? insertMarksLayer(svg) : svg.remove();
+    if (!race.on) return;
+    const { plan, frame, on, places, box, floor } = seen;
+    const xs = race.lines.map((line) => on.x + (line - plan.x) * plan.scale * on.step);
+    const isOne = Math.abs(xs[0] - xs[1]) < APART;
+    svg.classList.toggle("softrod-race-apart", !isOne);
+    finishes.forEach((mark, i) => {
+      const isShown = xs[i] > box.left && xs[i] < box.right && !(i && isOne);
+      mark(isShown ? xs[i] : null, `Finish, ${distance(Math.abs(race.finish))}`, seen);
+    });
+    const left = Math.abs(race.finish) - race.ways[0] * Math.sign(race.finish);
+    toFinish([xs[0], box.top + ABOVE * (floor - box.top)], `Finish, ${aheadText(left)}`, seen);
+    toMine(places, aheadText(lead(race)), seen);
+    const second = secondIn(frame);
+    const theirs = second ? onScreen(second.plan, second.frame.positions, on) : [];
+    toTheirs(theirs, aheadText(-lead(race)), seen);
+  });
+}
