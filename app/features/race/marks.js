@@ -7,13 +7,15 @@ import { edgeArrow } from "../../stage/edge.js";
 import { onScreen } from "../../stage/screen.js";
 import { secondIn } from "../../stage/canvas.js";
 
-/** @typedef {import("../../wire/wire.js").Race} Race */
-/** @typedef {import("../../stage/sight.js").Sight} Sight */
+/**
+ * @typedef {import("../../wire/wire.js").Race} Race
+ * @typedef {import("../../stage/sight.js").Sight} Sight
+ */
 
 /** Pixels between the finishes of both bodies below which they are one. */
 const APART = 8;
-/** Part of the height of the canvas above a flag. */
-const ABOVE = 0.24;
+/** Pixels above a flag, for the words over it and the head-up display. */
+const ABOVE = 92;
 /** Side of a square of a flag, px. */
 const SQUARE = 6;
 /** The dark squares of a flag, from the top of its pole. */
@@ -21,22 +23,21 @@ const CHEQUERED = [0, 1, 2, 3, 4, 5, 6, 7].filter((i) => (i + (i >> 2)) % 2 === 
   .map((i) => `M${(i % 4) * SQUARE} ${(i >> 2) * SQUARE}h${SQUARE}v${SQUARE}h${-SQUARE}z`)
   .join("");
 /** Pixels between an arrow and its words, and between these and the edge. */
-const [BELOW, MARGIN] = [34, 8];
+const [OVER, MARGIN] = [32, 8];
 
 /** How far a body is ahead of the other one, in words. @param {number} way px towards the finish */
 export const aheadText = (way) => `${distance(Math.abs(way))} ${way < 0 ? "behind" : "ahead"}`;
 
 /**
- * Where the words of an arrow at the edge are: on its inner side.
+ * Where the words of an arrow at the edge are: over it, or under it where that is too high, and not beyond the edge.
  *
  * @param {{x: number, y: number}} arrow
- * @param {{left: number, right: number}} view
- * @param {number} floor lower end of the view
+ * @param {{left: number, right: number, top: number}} view
  */
-export function besideArrow({ x, y }, { left, right }, floor) {
-  const at = { y: y + BELOW > floor - MARGIN ? y - BELOW : y + BELOW };
-  if (x < left + 2 * BELOW) return { ...at, x: left + MARGIN, side: "start" };
-  if (x > right - 2 * BELOW) return { ...at, x: right - MARGIN, side: "end" };
+export function besideArrow({ x, y }, { left, right, top }) {
+  const at = { y: y - OVER < top + ABOVE / 2 ? y + OVER : y - OVER };
+  if (x < left + 2 * OVER) return { ...at, x: left + MARGIN, side: "start" };
+  if (x > right - 2 * OVER) return { ...at, x: right - MARGIN, side: "end" };
   return { ...at, x, side: "middle" };
 }
 
@@ -52,7 +53,7 @@ function finishMark(svg, name) {
   return (x, text, { box, floor }) => {
     all.style.display = x === null ? "none" : "";
     if (x === null) return;
-    const top = box.top + ABOVE * (floor - box.top);
+    const top = box.top + ABOVE;
     set(line, { d: `M${x.toFixed(1)} ${top.toFixed(1)}V${floor.toFixed(1)}` });
     set(flag, { transform: `translate(${x.toFixed(1)} ${top.toFixed(1)})` });
     set(words, { x: x.toFixed(1), y: (top - 12).toFixed(1) });
@@ -73,7 +74,7 @@ function awayMark(svg, name) {
     all.style.display = at ? "" : "none";
     if (!at) return;
     set(arrow, { transform: `translate(${at.x.toFixed(1)} ${at.y.toFixed(1)}) rotate(${at.turn.toFixed(0)})` });
-    const { x, y, side } = besideArrow(at, box, floor);
+    const { x, y, side } = besideArrow(at, box);
     set(words, { x: x.toFixed(1), y: y.toFixed(1) });
     words.style.textAnchor = side;
     if (words.textContent !== text) words.textContent = text;
@@ -87,9 +88,9 @@ export function addRaceMarks(read) {
   const [toFinish, toMine, toTheirs] = ["finish", "mine", "theirs"].map((name) => awayMark(svg, `softrod-race-${name}`));
   onMarksRedraw((seen) => {
     const race = read();
-    if (race.on === (svg.parentNode === null)) race.on ? insertMarksLayer(svg) : svg.remove();
+    if (race.on !== svg.isConnected) race.on ? insertMarksLayer(svg) : svg.remove();
     if (!race.on) return;
-    const { plan, frame, on, places, box, floor } = seen;
+    const { plan, frame, on, places, box } = seen;
     const xs = race.lines.map((line) => on.x + (line - plan.x) * plan.scale * on.step);
     const isOne = Math.abs(xs[0] - xs[1]) < APART;
     svg.classList.toggle("softrod-race-apart", !isOne);
@@ -98,7 +99,7 @@ export function addRaceMarks(read) {
       mark(isShown ? xs[i] : null, `Finish, ${distance(Math.abs(race.finish))}`, seen);
     });
     const left = Math.abs(race.finish) - race.ways[0] * Math.sign(race.finish);
-    toFinish([xs[0], box.top + ABOVE * (floor - box.top)], `Finish, ${aheadText(left)}`, seen);
+    toFinish([xs[0], box.top + ABOVE], `Finish, ${aheadText(left)}`, seen);
     toMine(places, aheadText(lead(race)), seen);
     const second = secondIn(frame);
     const theirs = second ? onScreen(second.plan, second.frame.positions, on) : [];

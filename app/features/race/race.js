@@ -24,7 +24,7 @@ const READ_EVERY = 3000;
 /** The group of presets that move by themselves. */
 const MOVING = "Muscles";
 const RULE =
-  "Both start together, on this body's terrain; the middle of each counts at the finish. Changes of this body and of the terrain are allowed, and are noted here; Race again makes it fair.";
+  "Both start together, on this body's terrain, and the middle of each counts at the finish. Changes of this body and of the terrain are allowed, and are noted here; Race again makes it fair.";
 
 let race = fullRace({ tell: "race" });
 
@@ -75,7 +75,7 @@ function makeRace() {
   count.hidden = true;
   document.body.append(count);
 
-  let [counting, read] = [0, 0];
+  let [counting, read, before] = [0, 0, 0];
   const stopCount = () => {
     clearTimeout(counting);
     counting = 0;
@@ -102,6 +102,8 @@ function makeRace() {
   return (/** @type {Required<Race>} */ now) => {
     const { on, ways, seconds, fair, finish, arrived } = now;
     if (strip.hidden === on) live.textContent = on ? `A race against ${namesOf(now)[1]}. ${withKey("Start", "race")}.` : "The race is left";
+    else if (seconds < before) live.textContent = ""; // so that the same result is read out again
+    before = seconds;
     show(on);
     if (!on) stopCount();
     rows.forEach(({ who, bar, way }, i) => {
