@@ -11,9 +11,10 @@ import pytest
 import sim
 from app.features.race.feature import BeginRace, LeaveRace, RaceFeature
 from app.features.race.finish import finish_of
-from app.features.race.messages import RaceAnswer
+from app.features.race.messages import Race, RaceAnswer
 from app.features.race.rival import Rival
 from app.session import commands
+from app.ui.feature import Drawn
 from app.ui.shelf import Shelf
 from sim.edit.terrain import center, on_terrain
 from sim.store.link import pack_scene
@@ -163,7 +164,7 @@ def test_what_never_arrives_ends_the_race_as_well(
     page.frames(round(60 * seconds), commands.Play(True))
     mine, theirs = rival.runners
     assert mine.arrived == pytest.approx(1.5)
-    assert theirs.out == why
+    assert (mine.out, theirs.out) == ("", why)
     assert theirs.arrived == (None if why else pytest.approx(2.0))
     assert rival.is_over
     page.frames(1, commands.DragStart(0, 0.0, 0.0))
@@ -183,6 +184,20 @@ def test_racing_again_starts_both_over() -> None:
     assert [runner.is_done for runner in rival.runners] == [False, False]
     page.frames(60, commands.Play(True))
     assert [runner.arrived for runner in rival.runners] == [pytest.approx(0.5), pytest.approx(0.25)]
+
+
+def test_the_page_is_told_of_finish_and_times() -> None:
+    page, _ = racing(flying(100.0, 0.0), flying(-200.0, 0.0), 50.0)
+    letters = Letters()
+    races = RaceFeature(MagicMock(session=page.session, mail=letters))
+    page.frames(60, commands.Play(True))
+    races.frame(Drawn(plan=1, now=page.wall(), exactly=False))
+    said = letters.last(Race)
+    assert (said.finish, said.lines, said.arrived) == (50.0, (50.0, 50.0), (0.5, None))
+    assert said.outs == ("", "went the other way")
+    page.frames(1, LeaveRace())
+    races.frame(Drawn(plan=1, now=page.wall(), exactly=False))
+    assert letters.last(Race) == Race()
 
 
 def test_a_body_that_is_led_over_the_line_is_there_in_that_frame() -> None:
@@ -258,4 +273,7 @@ def test_a_rival_is_found_by_a_link_or_a_name(text: str, problem: str) -> None:
     page.frames(1)
     said = letters.last(RaceAnswer).problem
     assert said.startswith(problem) if problem else not said
-    assert (page.session.companions.get(Rival) is None) == bool(problem)
+    rival = page.session.companions.get(Rival)
+    assert (rival is None) == bool(problem)
+    if rival is not None:
+        assert rival.finish == finish_of(page.session.scene, rival.simulation.scene)
