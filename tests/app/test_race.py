@@ -233,6 +233,11 @@ def test_the_finish_is_on_the_side_to_which_the_faster_goes() -> None:
     assert finish_of(heart, heart) == 250.0
 
 
+def test_what_would_take_too_long_is_not_tried_out() -> None:
+    slow = REPLACE(flying(70.0, 0.0), integrator=sim.Integrator(dt=1e-6))
+    assert finish_of(slow, slow) == 300.0  # half of the view, as a mass has no length
+
+
 def test_a_rival_that_explodes_is_out_and_the_other_goes_on() -> None:
     wild = REPLACE(sim.load_scene("walker").integrator, method="symplectic_euler", dt=0.05)
     page, rival = racing(integrator=wild)

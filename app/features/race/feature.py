@@ -97,7 +97,7 @@ class RaceFeature(Feature):
         try:
             rival = self._find(urllib.parse.unquote(letters).strip())
             own = session.snapshot(session.scene.name, with_pose=False)
-            finish = finish_of(own, on_terrain(rival, own))
+            finish = finish_of(own, on_terrain(rival, own), session.can_wait)
         except (SceneError, InputError) as error:
             text = str(error)
             self.page.mail.send(RaceAnswer(problem=f"{text[:1].upper()}{text[1:]}."))

@@ -9,25 +9,27 @@ import numpy as np
 import sim
 from sim.edit.terrain import center
 
-from ...session.pacing import is_large
-
 TRIAL = 6.0
 """Simulated seconds after which the faster body, left to itself, is about at the finish."""
 
-MAX_STEPS = 20_000
-"""Time steps of a trial; a scene that needs more has none."""
+MAX_WORK = 2_000_000
+"""Time steps times masses, springs and joints of a trial: a second or two. Larger ones are not tried out."""
 
 TRAVELS = 0.1
 """Part of its length by which a body that travels comes in a trial; others only swing."""
 
 
-def finish_of(one: sim.Scene, other: sim.Scene) -> float:
+def finish_of(one: sim.Scene, other: sim.Scene, wait: bool = True) -> float:
     """Return the way to the finish along x, a round number of px; negative to the left.
 
-    It is what the faster of two bodies comes in `TRIAL` seconds. Where neither travels by itself, it is the
-    length of the longer one, to the right.
+    It is what the faster of two bodies comes in `TRIAL` seconds. Where neither travels by itself, or that
+    would take too long to find out, it is the length of the longer one, to the right.
+
+    Args:
+        one, other: their scenes.
+        wait: whether the trial may wait for the compiler.
     """
-    bodies = [sim.Simulation(scene) for scene in (one, other)]
+    bodies = [sim.Simulation(scene, wait=wait) for scene in (one, other)]
     length = max(float(np.ptp(body.positions, axis=0).max(initial=0.0)) for body in bodies)
     if length == 0.0:
         left, _, right, _ = one.view.frame
@@ -66,12 +68,13 @@ def arrival(before: sim.Moment, steps: int, line: float, wait: bool) -> float | 
 
 def _way(body: sim.Simulation) -> float:
     """How far a body comes along x in a trial, px; 0 if that would take too long to find out."""
-    steps = round(TRIAL / body.dt)
-    if steps > MAX_STEPS or is_large(body.scene):
+    scene, steps = body.scene, round(TRIAL / body.dt)
+    parts = len(scene.masses) + len(scene.linear_springs) + len(scene.angular_springs)
+    if body.plain or steps * parts > MAX_WORK:
         return 0.0
-    start = center(body.scene, body.positions)
+    start = center(scene, body.positions)
     body.step(steps)
-    return center(body.scene, body.positions) - start if body.divergence is None else 0.0
+    return center(scene, body.positions) - start if body.divergence is None else 0.0
 
 
 def _rounded(way: float) -> float:
