@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { become, pass, put, show, tell } from "./page.mjs";
 put("div", { class: "softrod-transport" });
 import race from "../../app/features/race/race.js";
-import { aheadText, besideArrow } from "../../app/features/race/marks.js";
+import { aheadText, middleOfWords } from "../../app/features/race/marks.js";
 import { fullRace, lead, namesOf, verdict } from "../../app/features/race/words.js";
 
 /** A race of a worm against a walker, to a finish that is 300 px away. */
@@ -36,11 +36,12 @@ test("until then the one that is nearer to the finish is ahead, to whichever sid
   assert.deepEqual(namesOf(fullRace(racing({ names: ["Worm", "Worm"] }))), ["Worm (yours)", "Worm (the other)"]);
 });
 
-test("an arrow's words are over it and inside the view", () => {
-  const view = { left: 0, right: 400, top: 0 };
-  assert.deepEqual(besideArrow({ x: 366, y: 200 }, view), { x: 392, y: 168, side: "end" });
-  assert.deepEqual(besideArrow({ x: 34, y: 40 }, view), { x: 8, y: 72, side: "start" });
-  assert.equal(besideArrow({ x: 200, y: 200 }, view).side, "middle");
+test("words do not go beyond the edges", () => {
+  const view = { left: 0, right: 400 };
+  assert.equal(middleOfWords(200, "120 px ahead", view), 200);
+  const [first, last] = [0, 400].map((x) => middleOfWords(x, "120 px ahead", view));
+  assert.ok(first > 50 && first < 70, `from ${first}`);
+  assert.equal(last, 400 - first);
   assert.equal(aheadText(-120.4), "120 px behind");
 });
 

@@ -22,23 +22,24 @@ const SQUARE = 6;
 const CHEQUERED = [0, 1, 2, 3, 4, 5, 6, 7].filter((i) => (i + (i >> 2)) % 2 === 0)
   .map((i) => `M${(i % 4) * SQUARE} ${(i >> 2) * SQUARE}h${SQUARE}v${SQUARE}h${-SQUARE}z`)
   .join("");
-/** Pixels between an arrow and its words, and between these and the edge. */
-const [OVER, MARGIN] = [32, 8];
+/** Pixels between an arrow and its words. */
+const OVER = 32;
+/** Half the width of a letter, and pixels between words and the edge. */
+const [HALF, MARGIN] = [4.4, 6];
 
 /** How far a body is ahead of the other one, in words. @param {number} way px towards the finish */
 export const aheadText = (way) => `${distance(Math.abs(way))} ${way < 0 ? "behind" : "ahead"}`;
 
 /**
- * Where the words of an arrow at the edge are: over it, or under it where that is too high, and not beyond the edge.
+ * Where the middle of words is that belong to a place, but do not go beyond the edges.
  *
- * @param {{x: number, y: number}} arrow
- * @param {{left: number, right: number, top: number}} view
+ * @param {number} x of the place
+ * @param {string} text
+ * @param {{left: number, right: number}} view
  */
-export function besideArrow({ x, y }, { left, right, top }) {
-  const at = { y: y - OVER < top + ABOVE / 2 ? y + OVER : y - OVER };
-  if (x < left + 2 * OVER) return { ...at, x: left + MARGIN, side: "start" };
-  if (x > right - 2 * OVER) return { ...at, x: right - MARGIN, side: "end" };
-  return { ...at, x, side: "middle" };
+export function middleOfWords(x, text, { left, right }) {
+  const room = HALF * text.length + MARGIN;
+  return Math.max(left + room, Math.min(right - room, x));
 }
 
 /** A line with a flag, and its distance from the start. @param {SVGSVGElement} svg @param {string} name */
@@ -56,7 +57,7 @@ function finishMark(svg, name) {
     const top = box.top + ABOVE;
     set(line, { d: `M${x.toFixed(1)} ${top.toFixed(1)}V${floor.toFixed(1)}` });
     set(flag, { transform: `translate(${x.toFixed(1)} ${top.toFixed(1)})` });
-    set(words, { x: x.toFixed(1), y: (top - 12).toFixed(1) });
+    set(words, { x: middleOfWords(x, text, box).toFixed(1), y: (top - 12).toFixed(1) });
     if (words.textContent !== text) words.textContent = text;
   };
 }
@@ -74,9 +75,8 @@ function awayMark(svg, name) {
     all.style.display = at ? "" : "none";
     if (!at) return;
     set(arrow, { transform: `translate(${at.x.toFixed(1)} ${at.y.toFixed(1)}) rotate(${at.turn.toFixed(0)})` });
-    const { x, y, side } = besideArrow(at, box);
-    set(words, { x: x.toFixed(1), y: y.toFixed(1) });
-    words.style.textAnchor = side;
+    const y = at.y - OVER < top + ABOVE / 2 ? at.y + OVER : at.y - OVER;
+    set(words, { x: middleOfWords(at.x, text, box).toFixed(1), y: y.toFixed(1) });
     if (words.textContent !== text) words.textContent = text;
   };
 }
