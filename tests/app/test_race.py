@@ -10,10 +10,10 @@ import pytest
 
 import sim
 from app.features.race.feature import BeginRace, LeaveRace, RaceFeature
-from app.features.race.finish import finish_of
 from app.features.race.messages import Race, RaceAnswer
 from app.features.race.rival import Rival
 from app.session import commands
+from app.session.finish import finish_of
 from app.ui.feature import Drawn
 from app.ui.shelf import Shelf
 from sim.edit.terrain import center, on_terrain

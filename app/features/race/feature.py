@@ -15,13 +15,13 @@ from sim.scene.types import shown_name
 from sim.store import files
 from sim.store.files import read_scene
 
+from ...session.finish import finish_of
 from ...session.pacing import is_large
 from ...session.session import Command, Refresh, Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature, LongText
 from ...ui.opening import asked_scene
 from ...ui.page import Page
-from .finish import finish_of
 from .messages import Race, RaceAnswer
 from .rival import Rival
 

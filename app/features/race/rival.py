@@ -12,7 +12,7 @@ from sim.edit.terrain import center, on_terrain
 from sim.errors import SceneError
 
 from ...session.companions import Companion
-from .finish import arrival
+from ...session.finish import arrival
 
 _ROUNDING = 1e-6
 """Part of a time step by which a step may be incomplete and still counts as whole."""

@@ -38,7 +38,7 @@ def finish_of(one: sim.Scene, other: sim.Scene, wait: bool = True) -> float:
     return _rounded(way if abs(way) >= TRAVELS * length else length)
 
 
-def arrival(before: sim.Moment, steps: int, line: float, wait: bool) -> float | None:
+def arrival(before: sim.Moment, steps: int, line: float, wait: bool = True) -> float | None:
     """Return the seconds after a moment at which the centre of mass crosses a line.
 
     The steps are done once more, one at a time, so that the result does not depend on how many a frame has.
