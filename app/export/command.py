@@ -158,10 +158,12 @@ class Export(_Files):
         from sim.edit.terrain import on_terrain
 
         from .making import simulated
-        from .race import race, result
+        from .race import race, result, winner
 
         rival = on_terrain(sim.load_scene(self.race), moments[-1].scene)
         others = simulated(rival, self.seconds, self.after, Console(stderr=True))
         for each in (moments, others):
             print(result(each))
+        if self.seconds:
+            print(winner(moments, others))
         return race(moments, others)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, pairwise
 
 import msgspec
 import numpy as np
@@ -13,6 +14,7 @@ import sim
 from sim.edit.terrain import center
 from sim.scene.types import Damage, shown_name
 
+from ..session.finish import arrival, finish_of
 from ..stage.plan import Picture
 from .clip import ClipFrame
 
@@ -47,6 +49,35 @@ def result(moments: list[sim.Moment]) -> str:
     first, last = (center(scene, moment.positions) for moment in (moments[0], moments[-1]))
     seconds = moments[-1].time - moments[0].time
     return f"{shown_name(scene)}: {last - first:.0f} {scene.view.unit} in {seconds:g} s"
+
+
+def winner(moments: list[sim.Moment], others: list[sim.Moment]) -> str:
+    """Which body was first at the finish of a race in the page, measured from where each begins."""
+    one, other = moments[0].scene, others[0].scene
+    finish = finish_of(one, other)
+    mine, theirs = _arrived(moments, finish), _arrived(others, finish)
+    line = f"the finish at {abs(finish):g} {one.view.unit}"
+    if mine is None and theirs is None:
+        return f"Nobody came to {line}"
+    times = [math.inf if seconds is None else round(seconds, 2) for seconds in (mine, theirs)]
+    lead = abs(times[0] - times[1])
+    if lead == 0.0:
+        return f"Both came to {line} at once, after {times[0]:.2f} s"
+    first = shown_name(one if times[0] < times[1] else other)
+    return f"{first} was first at {line}, after {min(times):.2f} s" + (
+        f", by {lead:.2f} s" if math.isfinite(lead) else ""
+    )
+
+
+def _arrived(moments: list[sim.Moment], finish: float) -> float | None:
+    """Seconds from the first moment until the centre of mass has come to the finish; None if it does not."""
+    scene, began = moments[0].scene, moments[0].time
+    line = center(scene, moments[0].positions) + finish
+    for before, after in pairwise(moments):
+        if (center(scene, after.positions) - line) * finish >= 0.0:
+            seconds = arrival(before, after.step_count - before.step_count, line)
+            return (after.time if seconds is None else before.time + seconds) - began
+    return None
 
 
 def _together(one: sim.Scene, other: sim.Scene) -> sim.Scene:

@@ -23,15 +23,21 @@ function distance(word, a, b) {
  * @param {Point[]} places of the word's middle, the best first
  * @param {ArrayLike<number>} springs two masses each
  * @param {ArrayLike<number>} masses x and y of each, pixels
+ * @param {ArrayLike<number>} radii of the masses, pixels
  * @param {Box[]} taken by other words
  * @returns {number} its index
  */
-export function freePlace(places, springs, masses, taken) {
+export function freePlace(places, springs, masses, radii, taken) {
   /** @param {number} mass */
   const at = (mass) => ({ x: masses[2 * mass], y: masses[2 * mass + 1] });
   const found = places.findIndex((word) => {
     for (const { left, right, top, bottom } of taken) {
       if (word.x + HALF.x > left && word.x - HALF.x < right && word.y + HALF.y > top && word.y - HALF.y < bottom) return false;
+    }
+    for (let i = 0; i < radii.length; i += 1) {
+      const { x, y } = at(i);
+      const [dx, dy] = [Math.max(Math.abs(x - word.x) - HALF.x, 0), Math.max(Math.abs(y - word.y) - HALF.y, 0)];
+      if (Math.hypot(dx, dy) < radii[i]) return false;
     }
     for (let i = 0; i < springs.length; i += 2) if (distance(word, at(springs[i]), at(springs[i + 1])) < 1) return false;
     return true;

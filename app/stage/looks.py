@@ -97,8 +97,7 @@ RADII = (6, 8, 12, 16)
 """Inside a control, a control, a bar or card, a dialog or sheet, px: the holder is rounder than the held."""
 
 HEIGHTS = {"least": 24, "panel": 32, "bar": 40, "thumb": 48}
-"""Of what is pressed, px: at least, in the panel, in a bar, and under a thumb, which rules on touch
-screens."""
+"""Of what is pressed, px: at least, in the panel, in a bar, and under a thumb, as on all touch screens."""
 
 TIMES = {"press": 80, "appear": 150, "move": 240}
 """Milliseconds: of a press, of what appears, of sheet and view; 0 where less motion is wished."""

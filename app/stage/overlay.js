@@ -2,6 +2,7 @@
 /** Thin marks over the body: the joint that is read out, the chosen mass, a hint, and a scale bar. */
 import { pageState } from "../wire/channel.js";
 import { roundDown, roundUp } from "./axes.js";
+import { RING } from "./looks.js";
 import { degrees, jointAngles, lengthText } from "./measures.js";
 import { freePlace } from "./label.js";
 import { keepMarksDrawn, onMarksRedraw, redrawMarks } from "./sight.js";
@@ -16,6 +17,8 @@ const ARC = 26;
 const LABEL = 22;
 /** Places of the text, as degrees around the mass. */
 const AROUND = [0, 180, 40, -40, 80, -80, 120, -120];
+/** Half the height of the hint, and the room beside its words, px. */
+const PILL = 14;
 /** Least length of the scale bar, px. */
 const BAR = 70;
 /** Least length where there is little room, px. */
@@ -71,7 +74,8 @@ function jointMark(add) {
     const order = [place, ...AROUND.filter((turned) => turned !== place)];
     const texts = order.map((turned) => at(outside + turned, radius + LABEL));
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
-    const free = freePlace(texts.map(({ x, y }) => ({ x: Number(x), y: Number(y) })), plan.springs, places, hud ? [hud] : []);
+    const radii = plan.radius.map((size) => size * on.step);
+    const free = freePlace(texts.map(({ x, y }) => ({ x: Number(x), y: Number(y) })), plan.springs, places, radii, hud ? [hud] : []);
     place = order[free];
     set(angle, texts[free]);
     // As in the panel: positive is anticlockwise where y grows upwards.
@@ -92,8 +96,9 @@ function chosenMark(add) {
 
 /** A hint for newcomers; it fades, and is removed at the first press on the canvas. @param {Add} add */
 function hintMark(add) {
-  const hint = add("text", "softrod-hint");
-  hint.textContent = "drag me";
+  const hint = add("g", "softrod-hint");
+  const [pill, text] = [makeSvg("rect", "", hint), makeSvg("text", "", hint)];
+  text.textContent = "drag me";
   /** @param {Event} event */
   const pressed = (event) => event.target === viserCanvas() && done();
   const done = () => {
@@ -103,11 +108,17 @@ function hintMark(add) {
   window.addEventListener("pointerdown", pressed, true);
   hint.addEventListener("animationend", done);
   /** @param {Sight} seen */
-  return ({ plan, on, places }) => {
+  return ({ plan, on, places, box }) => {
     const { driven } = plan;
     hint.style.display = driven >= 0 && !plan.many ? "" : "none";
     if (driven < 0) return;
-    set(hint, { x: places[2 * driven], y: places[2 * driven + 1] - 2.2 * plan.radius[driven] * on.step - 14 });
+    const [width, height] = [text.getComputedTextLength() + 2 * PILL, 2 * PILL];
+    // Beside the mass, at the side where there is room.
+    const reach = RING * plan.radius[driven] * on.step + PILL;
+    const [x, y] = [places[2 * driven], places[2 * driven + 1]];
+    const left = x + reach + width < box.right ? x + reach : x - reach - width;
+    set(pill, { x: left, y: y - height / 2, width, height, rx: height / 2 });
+    set(text, { x: left + width / 2, y });
   };
 }
 

@@ -234,7 +234,7 @@ export type ModeShapes = { tell: "modeShapes"; numbers: Float32Array };
 /** How much of each mode is in the present motion, see `modes.feature.encode_levels`. */
 export type ModeLevels = { tell: "modeLevels"; numbers: Float32Array };
 /** The race of the body against another one, if there is one. */
-export type Race = { tell: "race"; on?: boolean; names?: [string, string]; ways?: [number, number]; seconds?: number; finish?: number; lines?: [number, number]; arrivals?: [number | null, number | null]; fair?: boolean; out?: string };
+export type Race = { tell: "race"; on?: boolean; names?: [string, string]; ways?: [number, number]; seconds?: number; fair?: boolean; finish?: number; lines?: [number, number]; arrived?: [number | null, number | null]; outs?: [string, string] };
 /** Whether a race begins: why not, in a sentence, or an empty text. */
 export type RaceAnswer = { tell: "raceAnswer"; problem: string };
 /** The state of the session and of the page. */

@@ -13,7 +13,7 @@ from rich.console import Console
 import sim
 from app.export.clip import Clip
 from app.export.making import simulated
-from app.export.race import race, result
+from app.export.race import race, result, winner
 from app.export.replay import replay_html
 from sim.edit.terrain import on_terrain
 from sim.errors import SceneError
@@ -85,6 +85,7 @@ def test_the_command_writes_a_race_and_says_how_far_each_went(tmp_path: Path, so
     said = softrod("export", "rope", "--race", link, "--seconds", 0.4, "--html", out).stdout
     assert "A rod: " in said
     assert " px in 0.4 s" in said
+    assert "the finish at " in said
     assert out.stat().st_size > 10_000
 
 
@@ -98,6 +99,25 @@ def test_how_far_is_that_of_the_centre_of_mass() -> None:
     )
     moments = simulated(scene, 2.0, 0.0, Console(quiet=True))
     assert result(moments) == "flying: 140 px in 2 s"
+
+
+@pytest.mark.parametrize(
+    ("speed", "seconds", "said"),
+    [
+        (20.0, 3.0, "flying was first at the finish at 240 px, after 2.40 s"),
+        (20.0, 13.0, "flying was first at the finish at 240 px, after 2.40 s, by 9.60 s"),
+        (100.0, 3.0, "Both came to the finish at 240 px at once, after 2.40 s"),
+        (-100.0, 1.0, "Nobody came to the finish at 240 px"),
+    ],
+)
+def test_who_was_first_is_said(
+    monkeypatch: pytest.MonkeyPatch, speed: float, seconds: float, said: str
+) -> None:
+    monkeypatch.setattr("app.export.race.finish_of", lambda one, other: 240.0)
+    one = sim.Scene(name="flying", masses=(sim.Mass(position=(0.0, 0.0), velocity=(100.0, 0.0)),))
+    other = REPLACE(one, name="slow", masses=(sim.Mass(position=(50.0, 0.0), velocity=(speed, 0.0)),))
+    console = Console(quiet=True)
+    assert winner(simulated(one, seconds, 0.5, console), simulated(other, seconds, 0.5, console)) == said
 
 
 @pytest.mark.parametrize(

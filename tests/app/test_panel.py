@@ -21,8 +21,8 @@ from tests.app.whole import WholePage
 from tests.app.worlds import GUSTS, balloon
 
 ALL = [
-    "Curl of every joint", "Bending stiffness", "Stretching stiffness", "Stretching damping", "Bending damping",
-    "Rest length", "Gravity", "Air friction", "Number of masses",
+    "Curl of every joint", "Bending stiffness", "Stretching stiffness", "Stretching damping",
+    "Bending damping", "Rest length", "Gravity", "Air friction", "Number of masses",
 ]  # fmt: skip
 TOUCHING = ["Friction of walls", "Bounciness of walls"]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from unittest.mock import MagicMock
 
 import msgspec
@@ -14,22 +13,25 @@ from app.features.race.feature import BeginRace, LeaveRace, RaceFeature
 from app.features.race.messages import Race, RaceAnswer
 from app.features.race.rival import Rival
 from app.session import commands
+from app.session.finish import finish_of
 from app.ui.feature import Drawn
 from app.ui.shelf import Shelf
-from sim.edit.terrain import on_terrain
+from sim.edit.terrain import center, on_terrain
 from sim.store.link import pack_scene
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage, answered, in_one_piece
-from tests.app.panels import page_of
 
 REPLACE = msgspec.structs.replace
 
 
-def racing(one: str = "worm", other: str = "walker", **changes: object) -> tuple[SessionPage, Rival]:
-    """A page with a race that has not begun."""
-    page = SessionPage(sim.load_scene(one))
+def racing(
+    one: str | sim.Scene = "worm", other: str | sim.Scene = "walker", finish: float = 150.0, **changes: object
+) -> tuple[SessionPage, Rival]:
+    """A page with a race that has not begun; the changes are those of the other scene."""
+    page = SessionPage(one)
     page.frames(20)
-    page.frames(1, BeginRace(REPLACE(sim.load_scene(other), **changes)))
+    scene = sim.load_scene(other) if isinstance(other, str) else other
+    page.frames(1, BeginRace(REPLACE(scene, **changes), finish))
     rival = page.session.companions.get(Rival)
     assert rival is not None
     return page, rival
@@ -105,61 +107,155 @@ def test_going_back_in_time_takes_both_along() -> None:
     assert rival.simulation.time == rival.seconds == 0.0
 
 
-def test_who_arrives_is_noted_to_the_moment_and_a_new_start_forgets_it() -> None:
-    page, rival = racing()
-    assert rival.finish == 250.0  # the worm is nearly so long
-    seen = [(0.0, 0.0)]
-    for _ in range(240):
-        page.frames(1, commands.Play(True))
-        seen.append((rival.seconds, abs(rival.ways(page.simulation)[1])))
-    mine, theirs = rival.arrivals
-    assert mine == math.inf
-    after = next(i for i, (_, way) in enumerate(seen) if way >= 250.0)
-    (since, less), (until, more) = seen[after - 1 : after + 1]
-    assert since < theirs <= until
-    assert less + (more - less) * (theirs - since) / (until - since) == pytest.approx(250.0)
-    at = page.simulation.time
-    page.frames(1, commands.GoTo(theirs - 0.5))
-    assert rival.arrivals == (math.inf, math.inf)
-    page.frames(60, commands.Play(True))
-    assert page.simulation.time < at
-    assert rival.arrivals[1] == pytest.approx(theirs, abs=1e-3)
-    page.frames(1, commands.Reset())
-    assert rival.arrivals == (math.inf, math.inf)
-
-
-def test_the_page_is_told_of_the_finish_and_of_who_is_there() -> None:
-    page, rival = racing("walker", "worm")
-    letters = Letters()
-    race = RaceFeature(page_of(page.session, None, letters))
-    drawn = Drawn(0, 0.0, exactly=False)
-    race.frame(drawn)
-    told = letters.last(Race)
-    assert (told.finish, told.arrivals) == (rival.finish, (None, None))
-    page.frames(330, commands.Play(True))
-    race.frame(drawn)
-    told = letters.last(Race)
-    assert told.arrivals == (pytest.approx(rival.arrivals[0], abs=0.01), None)
-    # Its line is where its middle was when it arrived.
-    began = sim.load_scene("walker")
-    mass = np.array([one.mass for one in began.masses])
-    middle = mass @ np.array([one.position[0] for one in began.masses]) / mass.sum()
-    assert abs(told.lines[0] - middle) == pytest.approx(rival.finish)
-
-
 def test_another_scene_ends_the_race() -> None:
     page, _ = racing()
     page.frames(1, commands.Open(sim.load_scene("rope")))
     assert page.session.companions.get(Rival) is None
 
 
+def arrival_alone(scene: sim.Scene, way: float) -> float:
+    """Seconds that a body by itself needs for a way, interpolated within the step in which it gets there."""
+    body = sim.Simulation(scene)
+    start = last = x = center(scene, body.positions)
+    while x - start < way:
+        last = x
+        body.step(1)
+        x = center(scene, body.positions)
+    return body.time - body.dt * (x - start - way) / (x - last)
+
+
+@pytest.mark.parametrize("speed", [1.0, 8.0])
+def test_arrival_is_where_a_step_crosses_the_line_however_many_a_frame_has(speed: float) -> None:
+    step = REPLACE(sim.load_scene("worm").integrator, dt=0.004)
+    page, rival = racing("worm", "lesson-worm", 50.0, integrator=step)
+    terrain = page.session.scene
+    page.frames(1, commands.Speed(speed), commands.Play(True))
+    while not rival.is_over:
+        page.frames(1)
+    mine, theirs = rival.runners
+    assert mine.arrived == pytest.approx(arrival_alone(terrain, 50.0), abs=1e-3)
+    other = on_terrain(rival.scene, terrain)
+    assert theirs.arrived == pytest.approx(arrival_alone(other, 50.0), abs=1e-3)
+    start = sim.Simulation(terrain).positions
+    assert rival.lines[0] == pytest.approx(center(terrain, start) + 50.0)
+
+
+def flying(x: float, y: float) -> sim.Scene:
+    """A mass that flies by itself."""
+    return sim.Scene(
+        name="flying", gravity=(0.0, 0.0), masses=(sim.Mass(position=(0.0, 0.0), velocity=(x, y)),)
+    )
+
+
+@pytest.mark.parametrize(
+    ("velocity", "gravity", "seconds", "why"),
+    [
+        ((-60.0, 0.0), 0.0, 2.6, "went the other way"),
+        ((10.0, 0.0), 1000.0, 2.0, "fell"),
+        ((3.0, 0.0), 0.0, 31.0, "needed more than 30 s"),
+        ((75.0, 0.0), 0.0, 2.1, ""),
+    ],
+)
+def test_what_never_arrives_ends_the_race_as_well(
+    velocity: tuple[float, float], gravity: float, seconds: float, why: str
+) -> None:
+    one = REPLACE(flying(100.0, 0.0), gravity=(0.0, gravity))
+    page, rival = racing(one, flying(*velocity))
+    page.frames(round(60 * seconds), commands.Play(True))
+    mine, theirs = rival.runners
+    assert mine.arrived == pytest.approx(1.5)
+    assert (mine.out, theirs.out) == ("", why)
+    assert theirs.arrived == (None if why else pytest.approx(2.0))
+    assert rival.is_over
+    page.frames(1, commands.DragStart(0, 0.0, 0.0))
+    assert rival.fair  # the result stands
+
+
+def test_racing_again_starts_both_over() -> None:
+    page, rival = racing(flying(100.0, 0.0), flying(200.0, 0.0), 50.0)
+    page.frames(60, commands.Play(True))
+    assert rival.is_over
+    over = page.simulation.time
+    page.frames(1, commands.GoTo(0.3))
+    assert [runner.is_done for runner in rival.runners] == [False, True]  # as it was at that moment
+    page.frames(1, commands.GoTo(over))
+    assert rival.is_over
+    page.frames(1, commands.Reset())
+    assert [runner.is_done for runner in rival.runners] == [False, False]
+    page.frames(60, commands.Play(True))
+    assert [runner.arrived for runner in rival.runners] == [pytest.approx(0.5), pytest.approx(0.25)]
+
+
+def test_the_page_is_told_of_finish_and_times() -> None:
+    page, _ = racing(flying(100.0, 0.0), flying(-200.0, 0.0), 50.0)
+    letters = Letters()
+    races = RaceFeature(MagicMock(session=page.session, mail=letters))
+    page.frames(60, commands.Play(True))
+    races.frame(Drawn(plan=1, now=page.wall(), exactly=False))
+    said = letters.last(Race)
+    assert (said.finish, said.lines, said.arrived) == (50.0, (50.0, 50.0), (0.5, None))
+    assert said.outs == ("", "went the other way")
+    page.frames(1, LeaveRace())
+    races.frame(Drawn(plan=1, now=page.wall(), exactly=False))
+    assert letters.last(Race) == Race()
+
+
+def test_a_body_that_is_led_over_the_line_is_there_in_that_frame() -> None:
+    page, rival = racing(flying(0.0, 0.0), flying(0.0, 0.0), 50.0)
+    page.frames(10, commands.Play(True))
+    page.frames(2, commands.DragStart(0, 0.0, 0.0), commands.Point(60.0, 0.0))
+    page.frames(30)
+    arrived = rival.runners[0].arrived
+    assert arrived is not None
+    assert 0.1 < arrived < page.simulation.time
+    assert not rival.fair
+
+
+@pytest.mark.parametrize(("one", "other"), [("worm", "lesson-worm"), ("swimmer", "worm"), ("worm", "heart")])
+def test_the_faster_reaches_the_finish_in_five_to_ten_seconds(one: str, other: str) -> None:
+    bodies = sim.load_scene(one), on_terrain(sim.load_scene(other), sim.load_scene(one))
+    finish = finish_of(*bodies)
+    assert finish == float(f"{finish:.2g}")
+    times = []
+    for scene in bodies:
+        body = sim.Simulation(scene)
+        start = center(scene, body.positions)
+        while body.time < 10.0 and center(scene, body.positions) - start < finish:
+            body.step(20)
+        times.append(body.time)
+    assert 5.0 < min(times) < 10.0
+
+
+def test_the_finish_is_on_the_side_to_which_the_faster_goes() -> None:
+    assert finish_of(flying(-70.0, 0.0), flying(20.0, 0.0)) == -400.0
+    # What does not travel has as far to go as it is long.
+    heart = sim.load_scene("heart")
+    assert finish_of(heart, heart) == 250.0
+
+
+def test_what_would_take_too_long_is_not_tried_out() -> None:
+    slow = REPLACE(flying(70.0, 0.0), integrator=sim.Integrator(dt=1e-6))
+    assert finish_of(slow, slow) == 300.0  # half of the view, as a mass has no length
+
+
 def test_a_rival_that_explodes_is_out_and_the_other_goes_on() -> None:
     wild = REPLACE(sim.load_scene("walker").integrator, method="symplectic_euler", dt=0.05)
     page, rival = racing(integrator=wild)
     page.frames(120, commands.Play(True))
-    assert rival.out == "it exploded"
+    assert rival.runners[1].out == "exploded"
     assert not rival.is_late
     assert page.simulation.time > 1.8
+    assert not rival.is_over
+
+
+def test_a_body_that_explodes_is_out_until_it_is_taken_back() -> None:
+    wild = REPLACE(sim.load_scene("walker").integrator, method="symplectic_euler", dt=0.05)
+    page, rival = racing(REPLACE(sim.load_scene("walker"), integrator=wild), "worm")
+    page.frames(60, commands.Play(True))
+    assert rival.runners[0].out == "exploded"
+    assert not page.session.playing
+    page.frames(1, commands.BackBeforeDivergence())
+    assert not rival.runners[0].out
 
 
 @pytest.mark.parametrize(
@@ -182,4 +278,7 @@ def test_a_rival_is_found_by_a_link_or_a_name(text: str, problem: str) -> None:
     page.frames(1)
     said = letters.last(RaceAnswer).problem
     assert said.startswith(problem) if problem else not said
-    assert (page.session.companions.get(Rival) is None) == bool(problem)
+    rival = page.session.companions.get(Rival)
+    assert (rival is None) == bool(problem)
+    if rival is not None:
+        assert rival.finish == finish_of(page.session.scene, rival.simulation.scene)

@@ -38,7 +38,7 @@
     element.checkVisibility({ opacityProperty: true, visibilityProperty: true }) &&
     element.getBoundingClientRect().width > 2 &&
     parseFloat(getComputedStyle(element).fontSize) > 0 &&
-    !element.matches(":disabled, :disabled *, .softrod-hint, option, style, script");
+    !element.matches(":disabled, :disabled *, .softrod-hint *, option, style, script");
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (walker.nextNode()) {
     const { parentElement, textContent } = walker.currentNode;

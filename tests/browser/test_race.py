@@ -1,7 +1,9 @@
-"""A race in the page: a rival is chosen, both run after a count-down, and the camera goes with them."""
+"""A race in the page: a rival is chosen, both run after a count-down with the camera, and one is first."""
 
 from __future__ import annotations
 
+import sim
+from app.features.race.feature import BeginRace
 from app.features.race.rival import Rival
 from tests.browser.conftest import OpenPage
 
@@ -26,8 +28,6 @@ def test_a_worm_races_against_a_walker(open_page: OpenPage) -> None:
     desk.until(lambda: page.locator(".softrod-race").is_visible(), "the strip is there")
     desk.until(lambda: len(desk.instances("/second/masses")) > 30, "the walker is drawn, too")
     assert page.locator(".softrod-gallery").is_hidden()
-    assert "to the finish" in page.locator(".softrod-race-says").inner_text()
-    desk.until(lambda: page.locator(".softrod-finish-flag").is_visible(), "the finish is on the canvas")
     assert "Changes of this body" in page.locator(".softrod-race-rule").inner_text()
 
     def floor() -> float:
@@ -58,3 +58,27 @@ def test_a_worm_races_against_a_walker(open_page: OpenPage) -> None:
     desk.until(lambda: rival() is None, "the race is over")
     desk.until(lambda: page.locator(".softrod-race").is_hidden(), "so is its strip")
     desk.until(lambda: len(desk.instances("/second/masses")) == 0, "and the rival")
+
+
+def test_a_race_ends_with_a_sentence_and_race_again_starts_both_over(open_page: OpenPage) -> None:
+    desk = open_page("worm")
+    page, session = desk.page, desk.session
+    session.post(BeginRace(sim.load_scene("worm"), 8.0))
+    desk.until(lambda: page.locator(".softrod-race").is_visible(), "the strip is there")
+    rival = session.companions.get(Rival)
+    assert rival is not None
+    flag = page.locator(".softrod-finish text").first
+    desk.until(lambda: flag.text_content() == "Finish, 8 px", "the finish is on the canvas")
+    line = page.locator(".softrod-finish-line").first.bounding_box()
+    assert line is not None
+    assert abs(line["x"] - desk.at([(rival.lines[0], 300.0)])[0, 0]) < 2.0
+    page.get_by_role("button", name="Play", exact=True).click()
+    says, heard = page.locator(".softrod-race-says"), page.locator(".softrod-race .softrod-tell")
+    both = "Both at once, after"
+    desk.until(lambda: says.inner_text().startswith(both), "both are there")
+    assert heard.inner_text() == says.inner_text()
+    page.get_by_role("button", name="Race again").click()
+    desk.until(lambda: says.inner_text() == "At the start", "both are back")
+    assert not any(runner.is_done for runner in rival.runners)
+    desk.until(lambda: session.playing, "they run after the count-down")
+    desk.until(lambda: says.inner_text().startswith(both), "and are there again")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 import urllib.parse
 from typing import ClassVar
@@ -16,6 +15,7 @@ from sim.scene.types import shown_name
 from sim.store import files
 from sim.store.files import read_scene
 
+from ...session.finish import finish_of
 from ...session.pacing import is_large
 from ...session.session import Command, Refresh, Session
 from ...ui.commands import Row
@@ -32,14 +32,20 @@ _ADDRESS = re.compile(r"\S+\?(\S+)")
 
 
 class BeginRace(Command):
-    """Race against the body of another scene: both are put at their starts, and wait."""
+    """Race against the body of another scene: both are put at their starts, and wait.
+
+    Attributes:
+        scene: the other one.
+        finish: way from the start to the finish along x, px.
+    """
 
     scene: sim.Scene
+    finish: float
     acts = True
     refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
-        rival = Rival(session.simulation, self.scene, session.can_wait)
+        rival = Rival(session.simulation, self.scene, self.finish, session.can_wait)
         session.play(False)
         session.companions.add(rival, session.history)
         session.reset()
@@ -68,7 +74,7 @@ class RaceFeature(Feature):
     commands: ClassVar = {
         "race": Row(
             "Race against another body", "page", ("A",),
-            "race against another body; in a race, start it anew",
+            "race against another body; in a race, start again",
             hint="both on this terrain, started together", needs="chooser",
             share=("Race against …", viser.Icon.FLAG),
         ),
@@ -90,12 +96,13 @@ class RaceFeature(Feature):
         session = self.session
         try:
             rival = self._find(urllib.parse.unquote(letters).strip())
-            on_terrain(rival, session.snapshot(session.scene.name, with_pose=False))
+            own = session.snapshot(session.scene.name, with_pose=False)
+            finish = finish_of(own, on_terrain(rival, own), session.can_wait)
         except (SceneError, InputError) as error:
             text = str(error)
             self.page.mail.send(RaceAnswer(problem=f"{text[:1].upper()}{text[1:]}."))
             return
-        session.post(BeginRace(rival))
+        session.post(BeginRace(rival, finish))
         self.page.mail.send(RaceAnswer(problem=""))
 
     def _find(self, text: str) -> sim.Scene:
@@ -129,17 +136,22 @@ class RaceFeature(Feature):
             return
         self._on, self._due = True, now + READ_EVERY
         one, other = rival.ways(session.simulation)
-        first, second = (round(at, 2) if math.isfinite(at) else None for at in rival.arrivals)
+        mine, theirs = rival.runners
         self.page.mail.send(
             Race(
                 on=True,
                 names=(shown_name(session.scene), shown_name(rival.scene)),
-                ways=(round(one, 1), round(other, 1)),
+                ways=(float(f"{one:.4g}"), float(f"{other:.4g}")),
                 seconds=round(rival.seconds, 1),
+                fair=rival.fair,
                 finish=rival.finish,
                 lines=rival.lines,
-                arrivals=(first, second),
-                fair=rival.fair,
-                out=rival.out,
+                arrived=(_hundredths(mine.arrived), _hundredths(theirs.arrived)),
+                outs=(mine.out, theirs.out),
             )
         )
+
+
+def _hundredths(seconds: float | None) -> float | None:
+    """A time as it is shown."""
+    return None if seconds is None else round(seconds, 2)

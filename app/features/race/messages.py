@@ -13,22 +13,22 @@ class Race(State, frozen=True, kw_only=True, omit_defaults=True):
         names: of the body and of the other one.
         ways: distance of each along x since the start, px.
         seconds: simulated, since then.
-        finish: distance of the finish from the start, px.
-        lines: where it is for each, px along x.
-        arrivals: seconds after which each has arrived; None before that.
-        fair: whether nobody has moved or changed the body since then.
-        out: why the other one is out of the race; empty while it is not.
+        fair: whether nobody has moved or changed the body between start and end.
+        finish: way of each from the start to the finish along x, px; negative to the left.
+        lines: x of the finish of each, px.
+        arrived: seconds that each took to the finish; null while it is on its way.
+        outs: what has kept each from the finish, such as "exploded"; empty while nothing has.
     """
 
     on: bool = False
     names: tuple[str, str] = ("", "")
     ways: tuple[float, float] = (0.0, 0.0)
     seconds: float = 0.0
+    fair: bool = True
     finish: float = 0.0
     lines: tuple[float, float] = (0.0, 0.0)
-    arrivals: tuple[float | None, float | None] = (None, None)
-    fair: bool = True
-    out: str = ""
+    arrived: tuple[float | None, float | None] = (None, None)
+    outs: tuple[str, str] = ("", "")
 
 
 class RaceAnswer(Event, frozen=True, kw_only=True):
