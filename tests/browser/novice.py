@@ -49,24 +49,24 @@ def key_of(thing: Thing) -> Key:
 
 
 def score(words: Sequence[str], thing: Thing, touched: bool = False) -> float:
-    """How much a thing promises somebody who looks for these words, 0 to 1.
+    """How much a thing promises somebody who looks for these words: 1 if it says the first of them alone.
 
     Args:
         words: theirs, the most likely first.
         thing: what they look at.
         touched: with a finger, which sees no tooltips.
     """
-    fields = {thing["seen"]: 1.0, thing["name"]: 0.9 if thing["seen"] else 1.0}
-    if not touched:
-        fields.setdefault(thing["tip"], 0.5)
-    best = 0.0
+    fields = {thing["tip"]: 0.0 if touched else 0.5}
+    fields[thing["name"]] = 0.9 if thing["seen"] else 1.0
+    fields[thing["seen"]] = 1.0
+    points: dict[str, float] = {}
     for text, weight in fields.items():
         found = re.findall(r"[^\W\d_]+", text.casefold())
-        for i, word in enumerate(words):
-            fits = max((_fit(word, other) for other in found), default=0.0)
+        for other in found:
+            fits = max(_fit(word, other) / (1.0 + 0.5 * i) for i, word in enumerate(words))
             # One word among many says less than one that stands alone.
-            best = max(best, weight * fits * (0.6 + 0.4 / max(1, len(found))) / (1.0 + 0.5 * i))
-    return best if thing["inView"] else 0.9 * best
+            points[other] = max(points.get(other, 0.0), weight * fits * (0.6 + 0.4 / len(found)))
+    return sum(points.values()) * (1.0 if thing["inView"] else 0.9)
 
 
 def _fit(word: str, other: str) -> float:
@@ -78,17 +78,13 @@ def _fit(word: str, other: str) -> float:
 def promising(
     things: Iterable[Thing], words: Sequence[str], tried: set[Key], touched: bool = False
 ) -> list[tuple[float, Thing]]:
-    """What promises anything, the best first; of equals, what comes first on the page."""
+    """What promises anything and is not on already, the best first; of equals, the first of the page."""
     found = [
         (score(words, thing, touched), thing)
         for thing in things
         if not thing["disabled"] and key_of(thing) not in tried
     ]
-    fitting = [
-        (points, thing)
-        for points, thing in found
-        if points > 0.0 and not (thing["kind"] == "tab" and thing["state"] == "true")
-    ]
+    fitting = [(points, thing) for points, thing in found if points > 0.0 and thing["state"] != "true"]
     return sorted(fitting, key=lambda pair: -pair[0])
 
 
@@ -109,7 +105,7 @@ def revealing(things: Iterable[Thing], tried: set[Key]) -> list[Thing]:
         if not thing["disabled"]
         and thing["kind"] not in _CHOSEN
         and (thing["seen"] or thing["name"] or thing["tip"])
-        and not (thing["kind"] == "tab" and thing["state"] == "true")
+        and thing["state"] != "true"
         and key_of(thing) not in tried
     ]
     return sorted(worth, key=rank)
