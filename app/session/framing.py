@@ -82,11 +82,6 @@ class Framing:
             _worker.submit(lambda: _compute(scene, found))
         return self._found.result() if self._found.done() and self._found.exception() is None else None
 
-    @property
-    def is_done(self) -> bool:
-        """True unless bounds are being computed."""
-        return self._found.done()
-
 
 def _compute(scene: Scene, found: Future[Bounds]) -> None:
     try:

@@ -203,7 +203,7 @@ class Noted:
             handle = add(*arguments, **options)
             if isinstance(handle, viser.GuiUplotHandle):
                 self.charts.append(handle)
-            elif name != "add_html":
+            elif arguments and name != "add_html":
                 self.made[arguments[0]] = handle
             return handle
 

@@ -14,6 +14,7 @@ import zlib
 from base64 import b64encode
 from pathlib import Path
 
+import msgspec
 import pytest
 
 import sim
@@ -68,7 +69,10 @@ def test_every_option_of_the_command_line_is_known(
 
 @pytest.mark.parametrize("name", LINKS)
 def test_links_lead_to_their_scenes(name: str) -> None:
-    assert sim.load_scene(LINKS[name]) == sim.load_scene(name)
+    was, now = sim.load_scene(LINKS[name]), sim.load_scene(name)
+    # A lesson may be worded in another way since.
+    assert msgspec.structs.replace(was, lesson=None) == msgspec.structs.replace(now, lesson=None)
+    assert (was.lesson is None) == (now.lesson is None)
 
 
 def test_a_saved_pose_goes_on() -> None:

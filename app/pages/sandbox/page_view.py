@@ -63,7 +63,7 @@ class PageView:
     @property
     def unsettled(self) -> bool:
         """True if a control shows a value that is not set yet, or will have more to show."""
-        return not self._framing.is_done or any(feature.unsettled for feature in self._features)
+        return any(feature.unsettled for feature in self._features)
 
     def apply_looks(self) -> None:
         """Switch theme and gizmos if they have been changed."""
