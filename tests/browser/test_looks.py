@@ -56,6 +56,11 @@ def test_an_arrow_at_the_edge_leads_back_to_a_body_that_is_out_of_view(open_page
 def test_show_all_shows_a_body_that_has_left_the_scene_s_frame(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Play(False))
+    # The view is the user's, and goes after nobody.
+    seen = desk.camera()
+    desk.page.mouse.move(300.0, 300.0)
+    desk.page.mouse.wheel(0.0, -100.0)
+    desk.until(lambda: not desk.camera().same(seen), "it is zoomed")
     x, y = desk.simulation.positions[0]
     desk.tell(commands.DragStart(0, x, y), commands.Point(x + 1500.0, y, late=True), commands.DragEnd())
     desk.wait_drawn()
