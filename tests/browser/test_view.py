@@ -1,0 +1,54 @@
+"""The view: the body is large in its canvas, and is not lost when it goes away."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import sim
+from app.session import commands
+from tests.amount import part_of
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import box_of
+
+SIZES = ((1280, 720), (390, 844))
+
+
+@pytest.mark.parametrize("size", part_of(SIZES, 1))
+def test_the_motion_of_a_body_fills_the_free_canvas_with_an_eighth_around_it(
+    open_page: OpenPage, size: tuple[int, int]
+) -> None:
+    desk = open_page("bridge", size=size, phone=size[0] < 600)
+    desk.tell(commands.Play(False))
+    left, right, low, high = desk.state.view
+    corners = np.array(
+        [desk.tab.probe().mapping.to_scene(*corner) for corner in ((left, low), (right, high))]
+    )
+    (x0, y0), (x1, y1) = desk.at(corners)
+    canvas, dock = box_of(desk.page.locator("canvas").first), box_of(desk.page.locator(".softrod-dock"))
+    parts = (abs(x1 - x0) / canvas["width"], abs(y1 - y0) / dock["y"])
+    assert 0.7 < max(parts) < 0.85
+    assert min(x0, x1) >= 0.0 and max(y0, y1) <= dock["y"]
+
+
+def test_the_view_goes_after_a_body_that_leaves_it_unless_its_user_has_chosen_another(
+    open_page: OpenPage,
+) -> None:
+    desk = open_page("ring")
+    seen = desk.camera()
+    x, y = desk.simulation.positions[0]
+    desk.tell(commands.DragStart(0, x, y), commands.Point(x + 1500.0, y, late=True), commands.DragEnd())
+    desk.until(lambda: not desk.camera().same(seen), "the view moves")
+    desk.until(lambda: desk.uncovered(desk.place(0)), "the body is in view again")
+    desk.settle()
+    desk.page.mouse.move(300.0, 300.0)
+    seen = desk.camera()
+    desk.page.mouse.wheel(0.0, -100.0)
+    desk.until(lambda: not desk.camera().same(seen), "its user zooms")
+    desk.pause(0.5)
+    chosen = desk.camera()
+    desk.tell(commands.DragStart(0, x, y), commands.Point(x - 1500.0, y, late=True), commands.DragEnd())
+    desk.pause(0.6)
+    assert desk.camera().same(chosen)
+    desk.tell(commands.Open(sim.load_scene("rope")))
+    desk.until(lambda: desk.uncovered(desk.place(0)), "another scene is shown whole")
