@@ -312,7 +312,9 @@ function show(view, glides) {
 /** Goes after a body that has left the view: as large a view as before, unless the body has grown. */
 function follow() {
   const body = bodyBox();
-  if (!body || !asked || !inSight || glidesUntil || !untouched()) return;
+  // Who leads or edits the body needs a view that stands.
+  if (editing.on || pageState().follow || glidesUntil || !untouched()) return;
+  if (!body || !asked || !inSight) return;
   const { left, right, low, high } = inSight;
   if (body.left >= left && body.right <= right && body.low >= low && body.high <= high) return;
   const width = Math.max(asked.right - asked.left, (1 + 2 * AROUND) * (body.right - body.left));
