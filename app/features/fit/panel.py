@@ -38,8 +38,8 @@ ABOUT = (
 FIRST = -10.0
 """Order of the first control: before all others of the tab, which was opened for it."""
 
-LAST = 9.0
-"""Order of the line about tables: before the plots."""
+LAST = 5e5
+"""Order of the line about tables: below the plots and what they are chosen with."""
 
 MAX_COLUMNS = 8
 """Columns that a page can match; the command `softrod fit` takes more."""
