@@ -20,15 +20,17 @@ def test_the_motion_of_a_body_fills_the_free_canvas_with_an_eighth_around_it(
 ) -> None:
     desk = open_page("bridge", size=size, phone=size[0] < 600)
     desk.tell(commands.Play(False))
-    left, right, low, high = desk.state.view
-    corners = np.array(
-        [desk.tab.probe().mapping.to_scene(*corner) for corner in ((left, low), (right, high))]
-    )
-    (x0, y0), (x1, y1) = desk.at(corners)
-    canvas, dock = box_of(desk.page.locator("canvas").first), box_of(desk.page.locator(".softrod-dock"))
-    parts = (abs(x1 - x0) / canvas["width"], abs(y1 - y0) / dock["y"])
-    assert 0.7 < max(parts) < 0.85
-    assert min(x0, x1) >= 0.0 and max(y0, y1) <= dock["y"]
+    canvas, dock = desk.page.locator("canvas").first, desk.page.locator(".softrod-dock")
+
+    def fills() -> bool:
+        left, right, low, high = desk.state.view
+        corners = [desk.tab.probe().mapping.to_scene(*corner) for corner in ((left, low), (right, high))]
+        (x0, y0), (x1, y1) = desk.at(np.array(corners))
+        width, bottom = box_of(canvas)["width"], box_of(dock)["y"]
+        inside = min(x0, x1) >= 0.0 and max(y0, y1) <= bottom
+        return inside and 0.7 < max(abs(x1 - x0) / width, abs(y1 - y0) / bottom) < 0.85
+
+    desk.until(fills, "the motion fills three quarters of the canvas")
 
 
 def test_the_view_goes_after_a_body_that_leaves_it_unless_its_user_has_chosen_another(
