@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from sim.scene.types import shown_name
 
+from ..bundle import bundle, compact_style
 from ..stage.looks import BY_SYSTEM, ICONS, style_rules
 from ..stage.plan import encode_damage, encode_frame
 from ..stage.sketch import Floats
 from ..wire.sections import joined
-from .bundle import bundle, compact_style
 from .clip import Clip, ClipFrame
 from .html_file import html_file, icon, packed, plans, speed_options, stage
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import sim
 from sim.errors import InputError
 
-from ..export.bundle import bundle, compact_style
+from ..bundle import bundle, compact_style
 from ..export.html_file import Bar, document
 from ..export.live.live import DARK, early_script, live_html
 from ..features.gallery import thumbnails

@@ -18,8 +18,8 @@ from PIL import Image
 
 import sim
 from app.background import BackgroundWorker
+from app.bundle import BundleError, bundle
 from app.export import film, model, replay
-from app.export.bundle import BundleError, bundle
 from app.export.clip import Clip, ClipFrame
 from app.export.formats import FORMATS
 from app.session import commands
@@ -171,10 +171,15 @@ def test_a_large_body_has_fewer_frames_in_a_replay(monkeypatch: pytest.MonkeyPat
 
 
 def test_the_bundler_refuses_what_it_does_not_know(tmp_path: Path) -> None:
-    (tmp_path / "a.js").write_text('import b from "./b.js";\n')
+    (tmp_path / "a.js").write_text('import "./b.js";\n')
     (tmp_path / "b.js").write_text("export const b = 1;\n")
     with pytest.raises(BundleError, match="is not known"):
         bundle(tmp_path / "a.js")
+    (tmp_path / "b.js").write_text('import { c } from "./c.js";\nexport const b = c;\n')
+    (tmp_path / "c.js").write_text('import { b } from "./b.js";\nexport const c = b;\n')
+    with pytest.raises(BundleError, match="imports it"):
+        bundle(tmp_path / "b.js")
+    (tmp_path / "b.js").write_text("export const b = 1;\n")
     (tmp_path / "a.js").write_text(
         'import { b as c } from "./b.js";\nimport * as all from "./b.js";\nc + all.b;\n'
     )
@@ -182,6 +187,12 @@ def test_the_bundler_refuses_what_it_does_not_know(tmp_path: Path) -> None:
     assert text.count("const b = 1;") == 1
     assert "const { b: c } = module_b;" in text
     assert "import" not in text
+    (tmp_path / "within").mkdir()
+    (tmp_path / "within" / "b.js").write_text("export default import.meta.url;\n")
+    (tmp_path / "a.js").write_text('import { b } from "./b.js";\nimport other from "./within/b.js";\n')
+    text = bundle(tmp_path / "a.js")
+    assert 'const exported_ = new URL("within/b.js", import.meta.url).href;' in text
+    assert "const other = module_b_2.default;" in text
     (tmp_path / "a.js").write_text("const text = `\n  two lines`;\n")
     with pytest.raises(BundleError, match="several lines"):
         bundle(tmp_path / "a.js")

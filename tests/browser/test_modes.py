@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+from app.bundle import bundle
+from app.features import modes
 from app.session import commands
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, until
 
+MODES = Path(modes.__file__).parent
+
 # Renders what the page would play after one stroke, with the very voices that it has.
-RENDERED = """async ([frequencies, dampings]) => {
-  const script = document.querySelector('script[src$="pages/sandbox/main.js"]').src;
-  const from = (name) => import(new URL(`../../features/modes/${name}`, script).href);
-  const [{ Voices }, { tonesOf }] = await Promise.all([from("sound.js"), from("tones.js")]);
+RENDERED = (
+    f"""async ([frequencies, dampings]) => {{
+  const {{ Voices }} = (() => {{ {bundle(MODES / "sound.js")}; return {{ Voices }}; }})();
+  const {{ tonesOf }} = (() => {{ {bundle(MODES / "tones.js")}; return {{ tonesOf }}; }})();
+"""
+    + """
   const found = [];
   for (let i = 0; i < frequencies.length; i++) {
     const context = new OfflineAudioContext(1, 3 * 24000, 24000);
@@ -34,6 +41,7 @@ RENDERED = """async ([frequencies, dampings]) => {
   }
   return found;
 }"""
+)
 
 
 def told(desk: Desk) -> str:

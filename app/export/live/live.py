@@ -15,8 +15,8 @@ from sim.motion.quantities import ENERGY_UNIT, unit_in
 from sim.motion.stepping import presses_of
 from sim.scene.types import shown_name
 
+from ...bundle import bundle, compact_style
 from ...stage.looks import ICONS, style_rules
-from ..bundle import bundle, compact_style
 from ..html_file import Bar, html_file, icon, packed, plans, speed_options, stage
 from .data import body_data
 from .lesson import lesson_data, lesson_notes, listed, scenes_of_steps

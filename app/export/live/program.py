@@ -12,9 +12,9 @@ from msgspec.structs import replace
 import sim
 from sim.scene.types import shown_name
 
+from ...bundle import joined
 from ..body.body import Body
 from ..body.program import LICENCE, check_law, counted, plain, time_step, wrapped
-from ..bundle import joined
 from .data import body_data
 
 _START = Path(__file__).parent / "static" / "game.js"

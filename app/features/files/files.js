@@ -2,11 +2,13 @@
 /** Files that are opened, pictures that are saved, and links. */
 import { listenToOpenFile } from "./open_file.js";
 import { takePicture } from "./picture.js";
-import { addShareDialog, openShareDialog } from "./share.js";
+import { makeShareDialog } from "./share.js";
+
+let openShareDialog = () => {};
 
 function begin() {
   listenToOpenFile();
-  addShareDialog();
+  openShareDialog = makeShareDialog();
 }
 
 /** @type {import("../../ui/feature.js").Feature<"files">} */

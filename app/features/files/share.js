@@ -65,11 +65,8 @@ function kindChoice(changed) {
   return { element, isShort: () => element.querySelector("input:checked")?.getAttribute("value") === "short" };
 }
 
-/** Opens the dialog, once it is there. */
-export let openShareDialog = () => {};
-
-/** Puts up the dialog. */
-export function addShareDialog() {
+/** Makes the dialog; what is returned opens it. */
+export function makeShareDialog() {
   const { dialog, body } = makeDialog("Share this scene", "softrod-share");
   const renew = () => {
     said.textContent = "";
@@ -103,11 +100,6 @@ export function addShareDialog() {
   withPose.addEventListener("change", renew);
   controls.addEventListener("change", renew);
   field.addEventListener("focus", () => field.select());
-  openShareDialog = () => {
-    if (!dialog.open) dialog.showModal();
-    copy.focus();
-    renew();
-  };
   onMessage("link", ({ link, qr, problem }) => {
     field.value = link;
     field.rows = kind.isShort() ? 2 : 4;
@@ -118,4 +110,9 @@ export function addShareDialog() {
     if (qr) code.src = qr;
     code.hidden = !qr;
   });
+  return () => {
+    if (!dialog.open) dialog.showModal();
+    copy.focus();
+    renew();
+  };
 }

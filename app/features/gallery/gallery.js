@@ -292,7 +292,10 @@ class Gallery {
 }
 
 /** @type {Gallery} */
-export let gallery;
+let gallery;
+
+/** The dialog, for features that ask for a scene in it. */
+export const theGallery = () => gallery;
 
 /** Makes the dialog, which opens when the server says so. */
 function begin() {

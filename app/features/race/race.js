@@ -11,7 +11,7 @@ import { make, makeButton } from "../../ui/dialog.js";
 import { distance, fullRace, isOver, namesOf, verdict } from "./words.js";
 import { addRaceMarks } from "./marks.js";
 import { redrawMarks } from "../../stage/sight.js";
-import { gallery } from "../gallery/gallery.js";
+import { theGallery } from "../gallery/gallery.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
 
@@ -48,7 +48,7 @@ function makeLine() {
 /** Chooses a rival; or in a race, starts it again. */
 function openRace() {
   if (race.on) start();
-  else gallery.open({ title: "Race against", line: makeLine(), first: MOVING, pick: raceAgainst });
+  else theGallery().open({ title: "Race against", line: makeLine(), first: MOVING, pick: raceAgainst });
 }
 
 let start = () => {};
@@ -143,7 +143,7 @@ function begin() {
     show(race);
     redrawMarks();
   });
-  onMessage("raceAnswer", ({ problem }) => (problem ? gallery.say(problem) : gallery.close()));
+  onMessage("raceAnswer", ({ problem }) => (problem ? theGallery().say(problem) : theGallery().close()));
 }
 
 /** @type {import("../../ui/feature.js").Feature<"race">} */

@@ -9,9 +9,6 @@ import viser
 from ...gate.gate import CHECK
 from ...stage.looks import BY_SYSTEM, style_rules
 
-SCRIPT = "pages/check/check.js"
-"""Place of its script, which no other page has."""
-
 
 def check_address(base: str, code: str) -> str:
     """The address of the page, for a class.

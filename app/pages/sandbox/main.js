@@ -22,7 +22,7 @@ import { addPaper } from "../../stage/paper.js";
 import { listenToPresses } from "../../ui/hands/presses.js";
 import { addUnderlay } from "../../stage/underlay.js";
 import * as seen from "../../ui/viser/seen.js";
-import { isKnown, whenViser } from "../../ui/viser/viser.js";
+import { isKnown, project, render, viserCanvas, whenViser } from "../../ui/viser/viser.js";
 import { send } from "../../wire/channel.js";
 import { FEATURES } from "./features.js";
 
@@ -79,7 +79,8 @@ whenViser((viser) => {
   addEmpty();
   onMarksRedraw(drawEdgeArrow); // last: it stands where nothing else does
   // For the browser tests.
-  Object.assign(window, { __softrod: { shown, fitted, isSettled, send, charts, ...seen } });
+  const tested = { shown, fitted, isSettled, send, charts, canvas: viserCanvas, project, render, ...seen };
+  Object.assign(window, { __softrod: tested });
 });
 if (canDraw()) {
   late = setTimeout(() => showFault(FAULT), 1e3 * PATIENCE);

@@ -6,9 +6,6 @@ from pathlib import Path
 
 from ...stage.looks import BY_SYSTEM, style_rules
 
-SCRIPTS = tuple(f"pages/video/{name}.js" for name in ("video", "follow", "rate", "table"))
-"""Places of its scripts, which no other page has."""
-
 
 def video_page(folder: str) -> str:
     """The page's text.

@@ -2,8 +2,6 @@
 /** What viser's page shows, for browser tests, which then need not know viser or the library that draws. */
 import { viser } from "./viser.js";
 
-export { viserCanvas as canvas, project, render } from "./viser.js";
-
 /**
  * The matrices of a node's instances in the page's world, as the graphics card gets them, 16 numbers each; null without
  * such a node.

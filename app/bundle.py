@@ -1,0 +1,135 @@
+"""Modules of a script as one script: for a page that fetches one, a file that fetches none, or to be read.
+
+It knows the forms of import and export that softrod's own modules use, and refuses others; it is no bundler
+for scripts in general.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+_NAMED = re.compile(r'^import \{([\w\s,]+)\} from "(\.[\w./-]+)";$', re.MULTILINE)
+_WHOLE = re.compile(r'^import \* as (\w+) from "(\.[\w./-]+)";$', re.MULTILINE)
+_DEFAULT = re.compile(r'^import (\w+) from "(\.[\w./-]+)";$', re.MULTILINE)
+_AS = re.compile(r"(\w+) as (\w+)")
+_EXPORT = re.compile(r"^export ((?:async )?function|const|class) (\w+)", re.MULTILINE)
+_EXPORT_DEFAULT = re.compile(r"^export default ", re.MULTILINE)
+_PLACE = re.compile(r"\bimport\.meta\.url\b")
+_COMMENT = re.compile(r"[ \t]*/\*\*.*?\*/\n?|^[ \t]*//[^\n]*\n", re.DOTALL | re.MULTILINE)
+_STYLE_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_INDENT = re.compile(r"\n\s+")
+_LEFT = re.compile(r"^(import|export)\b.*", re.MULTILINE)
+_TYPE = re.compile(r'^ \* @typedef \{import\("\./[\w.]+"\)\.(\w+)\} \1\n', re.MULTILINE)
+_HEAD = re.compile(r"^// @ts-check\n", re.MULTILINE)
+_BLANK = re.compile(r"\n \*(?=\n \*/)")
+_TOP = re.compile(
+    r"^(?:async )?(?:const|let|class|function) (\w+|\[[\w, ]+\])|@typedef .*\} (\w+)", re.MULTILINE
+)
+
+
+class BundleError(ValueError):
+    """A module has a form that is not known here."""
+
+
+def bundle(start: Path) -> str:
+    """A module and all that it imports, as the text of one module without comments and indentation.
+
+    Each of them becomes a function that returns what it exports. A module's own address is where it would be
+    beside the first one.
+
+    Raises:
+        BundleError: a module imports or exports in another form, or two import each other.
+    """
+    return _Bundle(start.resolve()).text()
+
+
+class _Bundle:
+    """The modules that one imports, each once, after those that it needs."""
+
+    def __init__(self, start: Path) -> None:
+        self._start = start
+        self._names = {start: "exported_by_none"}
+        self._parts: dict[str, str] = {}
+
+    def text(self) -> str:
+        text = self._included(self._start)[0]
+        return _INDENT.sub("\n", "\n".join((*self._parts.values(), text)))
+
+    def _name(self, path: Path) -> str:
+        """The variable that holds what a module exports; it is defined where it returns."""
+        name = self._names.get(path)
+        if name is None:
+            plain = f"module_{path.stem}"
+            same = sum(path.stem == other.stem for other in self._names)
+            name = self._names[path] = f"{plain}_{same + 1}" if same else plain
+            body, exported = self._included(path)
+            self._parts[name] = (
+                f"const {name} = (() => {{\n{body}\nreturn {{ {', '.join(exported)} }};\n}})();"
+            )
+        elif name not in self._parts:
+            raise BundleError(f"{path}: it imports a module that imports it")
+        return name
+
+    def _included(self, path: Path) -> tuple[str, list[str]]:
+        """The text of a module without its imports and exports, and what it exports."""
+        text = _COMMENT.sub("", path.read_text(encoding="utf-8"))
+        if any(line.replace(r"\`", "").count("`") % 2 for line in text.splitlines()):
+            raise BundleError(f"{path}: a template of several lines is not known to the bundler")
+
+        def other(where: str) -> str:
+            return self._name((path.parent / where).resolve())
+
+        text = _NAMED.sub(
+            lambda match: "const {" + _AS.sub(r"\1: \2", match[1]) + f"}} = {other(match[2])};", text
+        )
+        text = _WHOLE.sub(lambda match: f"const {match[1]} = {other(match[2])};", text)
+        text = _DEFAULT.sub(lambda match: f"const {match[1]} = {other(match[2])}.default;", text)
+        exported = [match[2] for match in _EXPORT.finditer(text)]
+        text = _EXPORT.sub(r"\1 \2", text)
+        if _EXPORT_DEFAULT.search(text):
+            text = _EXPORT_DEFAULT.sub("const exported_ = ", text)
+            exported.append("default: exported_")
+        if left := _LEFT.search(text):
+            raise BundleError(f"{path}: {left[0]!r} is not known to the bundler")
+        place = Path(os.path.relpath(path, self._start.parent)).as_posix()
+        return _PLACE.sub(f'new URL("{place}", import.meta.url).href', text), exported
+
+
+def compact_style(*paths: Path) -> str:
+    """The text of style sheets without comments and indentation."""
+    text = "\n".join(path.read_text(encoding="utf-8") for path in paths)
+    return _INDENT.sub("\n", _STYLE_COMMENT.sub("", text))
+
+
+def joined(start: Path) -> str:
+    """A module and all that it imports, as the text of one module to be read: with comments and their types.
+
+    It exports what the first one does.
+
+    Raises:
+        BundleError: a module imports or exports in another form, or two have the same name at their top.
+    """
+    parts: dict[Path, str] = {}
+    start = start.resolve()
+    _join(start, parts)
+    parts = {path: _EXPORT.sub(r"\1 \2", text) if path != start else text for path, text in parts.items()}
+    text = "\n".join(parts.values())
+    if left := re.search(r'^import\b.*|.*\bimport\(".*', text, re.MULTILINE):
+        raise BundleError(f"{start}: {left[0]!r} is not known to the bundler")
+    plain = _EXPORT.sub(r"\1 \2", text)
+    names = [name for match in _TOP.finditer(plain) for name in re.findall(r"\w+", match[1] or match[2])]
+    if twice := {name for name in names if names.count(name) > 1}:
+        raise BundleError(f"{start}: more than one module has {', '.join(sorted(twice))}")
+    return re.sub(r"\n{3,}", "\n\n", text)
+
+
+def _join(path: Path, parts: dict[Path, str]) -> None:
+    """Adds the text of a module without its imports, after all that it needs."""
+    text = _HEAD.sub("", path.read_text(encoding="utf-8"))
+    for match in _NAMED.finditer(text):
+        other = (path.parent / match[2]).resolve()
+        if other not in parts:
+            _join(other, parts)
+    parts[path] = _BLANK.sub("", _TYPE.sub("", _NAMED.sub("", text))).strip() + "\n"
