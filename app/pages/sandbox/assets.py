@@ -66,6 +66,20 @@ def _sheets() -> list[Path]:
     ]
 
 
+def page_styles(fonts: str) -> str:
+    """The style sheet of the page.
+
+    Args:
+        fonts: where the page's fonts are, with a slash at its end.
+    """
+    faces = (
+        (_APP / "ui" / "fonts" / "fonts.css").read_text(encoding="utf-8").replace('url("', f'url("{fonts}')
+    )
+    return "\n".join(
+        (faces, style_rules('html[data-mantine-color-scheme="dark"]*'), compact_style(*_sheets()))
+    )
+
+
 def _html(page: str) -> StaticFile:
     return StaticFile(gzip.compress(page.encode(), mtime=0), "text/html", "no-cache")
 
@@ -79,14 +93,6 @@ def _index(folder: str) -> str:
         script = page_script()
     except (OSError, ValueError) as error:
         raise GateError(f"viser's page cannot be used: {error}") from None
-    fonts = (_APP / "ui" / "fonts" / "fonts.css").read_text(encoding="utf-8")
-    styles = "\n".join(
-        (
-            fonts.replace('url("', f'url("{folder}ui/fonts/'),
-            style_rules('html[data-mantine-color-scheme="dark"]*'),
-            compact_style(*_sheets()),
-        )
-    )
     return "\n".join(
         (
             '<!doctype html><html lang="en"><head><meta charset="utf-8" />',
@@ -95,7 +101,7 @@ def _index(folder: str) -> str:
             f'<link rel="icon" href="{folder}pages/sandbox/icon.svg" />',
             f'<link rel="preload" href="{folder}ui/fonts/inter-latin.woff2" as="font" crossorigin />',
             f'<link rel="modulepreload" href="{folder}{_MAIN}" />',
-            f"<style>{styles}</style></head><body>",
+            f"<style>{page_styles(f'{folder}ui/fonts/')}</style></head><body>",
             (_APP / "ui" / "viser" / "loading.html").read_text(encoding="utf-8"),
             PLACE,
             f'<script type="module" src="{folder}{_MAIN}"></script>',
