@@ -5,6 +5,7 @@ import { roundDown, roundUp } from "./axes.js";
 import { RING } from "./looks.js";
 import { degrees, jointAngles, lengthText } from "./measures.js";
 import { freePlace } from "./label.js";
+import { takenPaper, takePaper } from "./taken.js";
 import { keepMarksDrawn, onMarksRedraw, redrawMarks } from "./sight.js";
 import { makeSvg, set } from "./svg.js";
 import { viserCanvas } from "../ui/viser/viser.js";
@@ -23,6 +24,12 @@ const PILL = 14;
 const BAR = 70;
 /** Least length where there is little room, px. */
 const SHORTEST = 36;
+/** Half the width and height of an angle's text, px. */
+const ANGLE = { x: 26, y: 10 };
+
+/** A box around a point. @param {number} x @param {number} y @param {number} beside @param {number} above */
+const around = (x, y, beside, above) => ({ left: x - beside, right: x + beside, top: y - above, bottom: y + above });
+
 /** The mass that the keys have chosen, or -1. */
 let chosen = -1;
 
@@ -57,7 +64,10 @@ function jointMark(add) {
     const joint = pageState().joint ?? -1;
     const has = joint >= 0 && 4 * joint < plan.joints.length && !plan.many;
     arc.style.display = angle.style.display = has ? "" : "none";
-    if (!has) return;
+    if (!has) {
+      takePaper("angle", null);
+      return;
+    }
     const { from, turn, mass } = jointAngles(plan, frame, joint);
     const radius = plan.radius[mass] * on.step + ARC;
     const [x, y] = [places[2 * mass], places[2 * mass + 1]];
@@ -73,10 +83,10 @@ function jointMark(add) {
     const outside = from + turn / 2 - (turn < 0 ? -90 : 90);
     const order = [place, ...AROUND.filter((turned) => turned !== place)];
     const texts = order.map((turned) => at(outside + turned, radius + LABEL));
-    const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
     const radii = plan.radius.map((size) => size * on.step);
-    const free = freePlace(texts.map(({ x, y }) => ({ x: Number(x), y: Number(y) })), plan.springs, places, radii, hud ? [hud] : []);
+    const free = freePlace(texts.map(({ x, y }) => ({ x: Number(x), y: Number(y) })), plan.springs, places, radii, takenPaper("angle"));
     place = order[free];
+    takePaper("angle", around(Number(texts[free].x), Number(texts[free].y), ANGLE.x, ANGLE.y));
     set(angle, texts[free]);
     // As in the panel: positive is anticlockwise where y grows upwards.
     angle.textContent = degrees(turn * plan.flip);
@@ -111,14 +121,22 @@ function hintMark(add) {
   return ({ plan, on, places, box }) => {
     const { driven } = plan;
     hint.style.display = driven >= 0 && !plan.many ? "" : "none";
-    if (driven < 0) return;
+    if (driven < 0 || !hint.isConnected) {
+      takePaper("hint", null);
+      return;
+    }
     const [width, height] = [text.getComputedTextLength() + 2 * PILL, 2 * PILL];
-    // Beside the mass, at the side where there is room.
-    const reach = RING * plan.radius[driven] * on.step + PILL;
+    // Beside the mass, at a side where there is room.
+    const reach = RING * plan.radius[driven] * on.step + PILL + width / 2;
     const [x, y] = [places[2 * driven], places[2 * driven + 1]];
-    const left = x + reach + width < box.right ? x + reach : x - reach - width;
-    set(pill, { x: left, y: y - height / 2, width, height, rx: height / 2 });
-    set(text, { x: left + width / 2, y });
+    const sides = [x + reach, x - reach].filter((middle) => middle - width / 2 > box.left && middle + width / 2 < box.right);
+    const radii = plan.radius.map((size) => size * on.step);
+    const half = { x: width / 2, y: height / 2 };
+    const free = freePlace(sides.map((middle) => ({ x: middle, y })), plan.springs, places, radii, takenPaper("hint"), half);
+    const middle = sides[free] ?? x + reach;
+    set(pill, { x: middle - width / 2, y: y - height / 2, width, height, rx: height / 2 });
+    set(text, { x: middle, y });
+    takePaper("hint", around(middle, y, width / 2, height / 2));
   };
 }
 
@@ -146,5 +164,6 @@ function scaleMark(add) {
     set(bar, { d: `M${begin} ${low - 5}v10M${begin} ${low}H${end}M${end} ${low - 5}v10` });
     set(length, { x: (begin + end) / 2, y: low - 9 });
     length.textContent = lengthText(size, pageState().unit ?? "");
+    takePaper("scale", { left: begin, right: end, top: free, bottom: low + 5 });
   };
 }

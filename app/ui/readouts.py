@@ -28,6 +28,10 @@ _NAMES = {
     "rest_angle": "rest angle",
 }
 
+_BEND = {"angle": "angle", "rest_angle": "rest angle"}
+_PLACE = {"x": "x", "y": "y", "speed": "speed"}
+"""What stands beside a clicked mass, by the names of quantities: of its joint, or else of itself."""
+
 _BEHIND = 5.0
 """Distance of a rate-limited hand behind the pointer, px, from which on it is shown."""
 
@@ -126,29 +130,42 @@ def _meter(dt: float, limit: float, at_rest: bool) -> str:
     return f'<span class="softrod-meter"><i style="{bar}"></i></span>{words}'
 
 
-def joint_table(session: Session) -> str:
-    """The angle of the joint that is read out, in the units that the scene asks for."""
+def _angles(session: Session, joint: int, wanted: Sequence[str]) -> dict[str, str]:
+    """The angle of a joint by its names."""
     simulation = session.simulation
-    angles = simulation.angles
-    if not len(angles):
-        return ""
-    angle = float(angles[session.joint])
+    angle = float(simulation.angles[joint])
     radians = math.radians(angle)
     values = {
         "sine": f"{math.sin(radians):+.4f}",
         "cosine": f"{math.cos(radians):+.4f}",
         "radians": f"{radians:+.4f} rad",
         "degrees": f"{angle:+.2f}°",
-        "rest_angle": f"{float(simulation.rest_angles[session.joint]):+.2f}°",
+        "rest_angle": f"{float(simulation.rest_angles[joint]):+.2f}°",
     }
+    return {_NAMES[key]: values[key] for key in wanted if key in values}
+
+
+def joint_table(session: Session) -> str:
+    """The angle of the joint that is read out, in the units that the scene asks for."""
+    joints = session.scene.angular_springs
+    if not joints:
+        return ""
     # Named as in plots; numbers count from 0 everywhere.
-    rows = [f"<tr><td>joint{session.joint}</td><td>of {len(angles)}</td></tr>"]
-    rows += [
-        f"<tr><td>{_NAMES[key]}</td><td>{values[key]}</td></tr>"
-        for key in simulation.scene.view.readouts
-        if key in values
-    ]
-    return f'<table class="softrod-table">{"".join(rows)}</table>'
+    head = {f"joint{session.joint}": f"of {len(joints)}"}
+    return table(head | _angles(session, session.joint, session.scene.view.readouts))
+
+
+def reading(session: Session, mass: int, joint: int | None) -> tuple[str, dict[str, str]]:
+    """What stands beside a clicked mass: a title, and values by names of its joint, or of where it is."""
+    of, number, names = ("mass", mass, _PLACE) if joint is None else ("joint", joint, _BEND)
+    found = {name: sim.quantity(f"{of}{number}.{what}", session.scene) for what, name in names.items()}
+    values = {name: _tenths(one.read(session.simulation), one.unit) for name, one in found.items()}
+    return f"{of.capitalize()} {number}", values
+
+
+def _tenths(value: float, unit: str) -> str:
+    """A value with its unit; zero has no sign."""
+    return f"{round(value, 1) + 0.0:.1f}{'' if unit == '°' else ' '}{unit}".replace("-", "−")
 
 
 def table(rows: dict[str, str]) -> str:

@@ -3,7 +3,7 @@ export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "seco
 /** Texts that are too long for one message. */
 export type TextKind = "resume" | "link" | "file" | "rival" | "paste";
 /** Commands that the page's script does, by the features that they belong to. */
-export type PageCommands = { time: never; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit"; view: "fit" | "chase" | "larger" | "palette"; hands: never };
+export type PageCommands = { time: never; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit"; view: "fit" | "chase" | "larger" | "palette"; reading: never; hands: never };
 /** New values of fields of a step, see `sim.scene.lesson.Step`; null removes one. */
 export type StepChanges = { title?: string; do?: string; watch?: string; question?: QuestionDraft | null; predict?: number | null; goal?: GoalDraft | null; collect?: ReadingDraft | null; controls?: string[]; plots?: null; arrows?: null; ghost?: string };
 /** A question as it is written, see `sim.scene.lesson.Question`. */
@@ -154,6 +154,8 @@ export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
 export type PutMode = { do: "putMode"; mode: number; part: number };
 /** Drive a mode while a bar is pressed; stop driving (-1) when it is released. */
 export type DriveMode = { do: "driveMode"; mode: number };
+/** The card was closed. */
+export type CloseCard = { do: "closeCard" };
 /** Show a moment of the past, s. */
 export type GoTo = { do: "goTo"; time: number };
 /** Set the speed, simulated seconds per second. */
@@ -168,7 +170,7 @@ export type Unsent = { do: "unsent"; what: TextKind };
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
 /** A part of a text that is too long for one message. */
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
-export type FromPage = GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | FirstPlot | Seen | PutMode | DriveMode | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
+export type FromPage = GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | FirstPlot | Seen | PutMode | DriveMode | CloseCard | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
 /** What a pupil's page has to know of the class. */
 export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; asking: Asking | null; given: Given[] };
 /** What the class sees in front; no name is in it. */
@@ -237,6 +239,8 @@ export type ModeLevels = { tell: "modeLevels"; numbers: Float32Array };
 export type Race = { tell: "race"; on?: boolean; names?: [string, string]; ways?: [number, number]; seconds?: number; fair?: boolean; finish?: number; lines?: [number, number]; arrived?: [number | null, number | null]; outs?: [string, string] };
 /** Whether a race begins: why not, in a sentence, or an empty text. */
 export type RaceAnswer = { tell: "raceAnswer"; problem: string };
+/** What the card beside a mass says. */
+export type MassCard = { tell: "massCard"; mass: number; joint: number; title: string; rows: [string, string][] };
 /** The state of the session and of the page. */
 export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; view?: number[]; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; arrows?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };
 /** The head-up display over the canvas, HTML. */
@@ -257,7 +261,7 @@ export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 /** Yielded and broken springs; sent only when that changes. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
-export type ToPage = Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | PageState | Hud | Keepsake | ControlLook | Run | Resumed | Plan | SecondPlan | Frame | Damage;
+export type ToPage = Seat | Wall | Predictions | Posters | Desk | Taken | Brought | ClassEnded | Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | MassCard | PageState | Hud | Keepsake | ControlLook | Run | Resumed | Plan | SecondPlan | Frame | Damage;
 /** What is in arrays of numbers, by the tags of their messages. */
 export type Layouts = {
   arrows: {
@@ -326,4 +330,4 @@ export type Layouts = {
   };
 };
 /** Messages to the page, by their tags. */
-export type Received = { seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; pageState: PageState; hud: Hud; keepsake: Keepsake; controlLook: ControlLook; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };
+export type Received = { seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; brought: Brought; classEnded: ClassEnded; selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; massCard: MassCard; pageState: PageState; hud: Hud; keepsake: Keepsake; controlLook: ControlLook; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };

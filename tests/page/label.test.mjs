@@ -28,3 +28,8 @@ test("a word stands on no mass, however large that is drawn", () => {
   assert.equal(freePlace([ABOVE, BELOW], [], [100, 90], [20], []), 0);
   assert.equal(freePlace([ABOVE, BELOW], [], [100, 90], [30], []), 1);
 });
+
+test("a large word needs more room", () => {
+  assert.equal(freePlace([ABOVE, BELOW], [0, 1], along(100), [], [], { x: 60, y: 60 }), 0);
+  assert.equal(freePlace([RIGHT, ABOVE], [0, 1], along(100), [4, 4], [], { x: 60, y: 30 }), 1);
+});

@@ -18,6 +18,7 @@ from ...features.modes.feature import ModesFeature
 from ...features.muscles.feature import MusclesFeature
 from ...features.play.feature import PlayFeature
 from ...features.race.feature import RaceFeature
+from ...features.reading.feature import ReadingFeature
 from ...features.solver.feature import SolverFeature
 from ...features.time.feature import TimeFeature
 from ...features.view.feature import ViewFeature
@@ -40,6 +41,7 @@ FEATURES: tuple[type[Feature], ...] = (
     MakingFeature,
     EditFeature,
     ViewFeature,
+    ReadingFeature,
     HandsFeature,
 )
 

@@ -1,0 +1,69 @@
+"""The card beside a clicked mass: what it says, where it stands, and how it goes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import sim
+from app.session import commands
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk, Point, box_of
+
+
+def click(desk: Desk, point: Point) -> None:
+    """Point somewhere and click."""
+    desk.take(point)
+    desk.let_go()
+
+
+def values(desk: Desk) -> dict[str, str]:
+    """What the card says, by names."""
+    card = desk.page.locator(".softrod-reading")
+    return dict(zip(card.locator("dt").all_inner_texts(), card.locator("dd").all_inner_texts(), strict=True))
+
+
+def test_a_clicked_mass_has_its_joint_beside_it(open_page: OpenPage) -> None:
+    desk = open_page("tutorial-3.3", size=(1000, 640))
+    card = desk.page.locator(".softrod-reading")
+    desk.tell(commands.Play(False), commands.SetValue("rest_angle", 20.0))
+    assert card.is_hidden()
+    click(desk, desk.place(5))
+    card.wait_for()
+    assert card.locator("b").inner_text() == "Joint 4"
+    desk.until(lambda: values(desk)["rest angle"] == "20.0°", "the card says the rest angle")
+    assert values(desk)["angle"] == f"{desk.simulation.angles[4]:.1f}°".replace("-", "−")
+    # It stands on no mass and on nothing else that is to be read, and what it says is said once.
+    box = box_of(card)
+    places = desk.at(desk.simulation.positions)
+    apart = np.abs(places - (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2))
+    assert (apart > (box["width"] / 2, box["height"] / 2)).any(axis=1).all()
+    assert box["y"] > box_of(desk.page.locator(".softrod-hud"))["y"]
+    assert not desk.page.locator(".softrod-angle").is_visible()
+    # A mass without a joint says where it is.
+    click(desk, desk.place(0))
+    desk.until(lambda: card.locator("b").inner_text() == "Mass 0", "the card is the other mass's")
+    assert values(desk).keys() == {"x", "y", "speed"}
+    # The same mass again, Escape, and the paper: each puts it away, and Escape does nothing else.
+    click(desk, desk.place(0))
+    card.wait_for(state="hidden")
+    desk.tell(commands.Play(True))
+    click(desk, desk.place(0))
+    card.wait_for()
+    desk.page.keyboard.press("Escape")
+    card.wait_for(state="hidden")
+    assert desk.session.playing
+    desk.tell(commands.Play(False))
+    click(desk, desk.place(0))
+    card.wait_for()
+    click(desk, (520.0, 420.0))
+    card.wait_for(state="hidden")
+
+
+def test_the_card_goes_with_its_body(open_page: OpenPage) -> None:
+    desk = open_page("tutorial-3.3", size=(1000, 640))
+    card = desk.page.locator(".softrod-reading")
+    desk.tell(commands.Play(False))
+    click(desk, desk.place(5))
+    card.wait_for()
+    desk.tell(commands.Open(sim.load_scene("ring")))
+    card.wait_for(state="hidden")
