@@ -23,6 +23,8 @@ const PHONE = 450;
 const HUD_HEIGHT = 66;
 /** Part of the canvas's width beyond which the row of tools leaves no room for a body beside it. */
 const WIDE = 0.75;
+/** Pixels of a canvas's height below which it leaves none in any case. */
+const LOW = 480;
 /** Milliseconds between two checks of the canvas's size, and of whether viser has changed how the camera moves. */
 const CHECK_EVERY = 100;
 /** Part of the body's motion that is free around it at each side. */
@@ -118,7 +120,7 @@ function covered(canvas, box) {
 }
 
 /**
- * Height that the tools take at the top, if their row is nearly as wide as the canvas, and at the bottom; or the buttons
+ * Height that the tools take at the top, if their row is nearly as wide as the canvas or that is low, and at the bottom; or the buttons
  * over the bar of time if a narrow canvas has no room beside them.
  *
  * @param {DOMRect} box of the canvas
@@ -130,7 +132,7 @@ function besideTools(box) {
     return { above: 0, below: box.width < NARROW && height ? height + BUTTON_MARGIN : 0 };
   }
   const [row, bar] = [".softrod-edit.softrod-edit-row", ".softrod-edit-bar"].map((name) => document.querySelector(name)?.getBoundingClientRect());
-  const above = row && row.width >= WIDE * box.width ? Math.max(0, row.bottom - box.top) : 0;
+  const above = row && (row.width >= WIDE * box.width || box.height < LOW) ? Math.max(0, row.bottom - box.top) : 0;
   return { above, below: bar?.height ?? 0 };
 }
 

@@ -129,14 +129,15 @@ function hintMark(add) {
     // Beside the mass, at a side where there is room.
     const reach = RING * plan.radius[driven] * on.step + PILL + width / 2;
     const [x, y] = [places[2 * driven], places[2 * driven + 1]];
-    const sides = [x + reach, x - reach].filter((middle) => middle - width / 2 > box.left && middle + width / 2 < box.right);
+    const sides = [0, height, 2 * height]
+      .flatMap((lower) => [x + reach, x - reach].map((middle) => ({ x: middle, y: y + lower })))
+      .filter((spot) => spot.x - width / 2 > box.left && spot.x + width / 2 < box.right);
     const radii = plan.radius.map((size) => size * on.step);
     const half = { x: width / 2, y: height / 2 };
-    const free = freePlace(sides.map((middle) => ({ x: middle, y })), plan.springs, places, radii, takenPaper("hint"), half);
-    const middle = sides[free] ?? x + reach;
-    set(pill, { x: middle - width / 2, y: y - height / 2, width, height, rx: height / 2 });
-    set(text, { x: middle, y });
-    takePaper("hint", around(middle, y, width / 2, height / 2));
+    const spot = sides[freePlace(sides, plan.springs, places, radii, takenPaper("hint"), half)] ?? { x: x + reach, y };
+    set(pill, { x: spot.x - width / 2, y: spot.y - height / 2, width, height, rx: height / 2 });
+    set(text, spot);
+    takePaper("hint", around(spot.x, spot.y, width / 2, height / 2));
   };
 }
 
@@ -148,7 +149,8 @@ function scaleMark(add) {
   /** @param {Sight} seen */
   return ({ plan, on, box }) => {
     const perPixel = 1 / (plan.scale * on.step);
-    const end = box.right - 18;
+    const above = document.querySelector(".softrod-unfold")?.getBoundingClientRect();
+    const end = Math.min(box.right, above?.width ? above.left : Infinity) - 18;
     // On a phone the head-up display reaches far to the right: the bar is shorter there, or else below it.
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
     const room = end - 10 - (hud?.right ?? box.left);

@@ -83,8 +83,8 @@ def hud(session: Session, colors: Palette, at_rest: bool, meter: bool = False) -
     if len(session.simulation.anchors) < len(session.simulation.scene.masses):
         gradient = ",".join(colors.css(name) for name in ("pushed", "rest", "pulled"))
         lines.append(
-            f'squeezed<i class="softrod-key" style="background:linear-gradient(90deg,{gradient})"></i>'
-            "stretched"
+            '<span class="softrod-legend">squeezed'
+            f'<i class="softrod-key" style="background:linear-gradient(90deg,{gradient})"></i>stretched</span>'
         )
     return "<br>".join(lines)
 
@@ -130,29 +130,29 @@ def _meter(dt: float, limit: float, at_rest: bool) -> str:
     return f'<span class="softrod-meter"><i style="{bar}"></i></span>{words}'
 
 
-def _angles(session: Session, joint: int, wanted: Sequence[str]) -> dict[str, str]:
-    """The angle of a joint by its names."""
+def joint_table(session: Session) -> str:
+    """The angle of the joint that is read out, in the units that the scene asks for."""
     simulation = session.simulation
-    angle = float(simulation.angles[joint])
+    angles = simulation.angles
+    if not len(angles):
+        return ""
+    angle = float(angles[session.joint])
     radians = math.radians(angle)
     values = {
         "sine": f"{math.sin(radians):+.4f}",
         "cosine": f"{math.cos(radians):+.4f}",
         "radians": f"{radians:+.4f} rad",
         "degrees": f"{angle:+.2f}°",
-        "rest_angle": f"{float(simulation.rest_angles[joint]):+.2f}°",
+        "rest_angle": f"{float(simulation.rest_angles[session.joint]):+.2f}°",
     }
-    return {_NAMES[key]: values[key] for key in wanted if key in values}
-
-
-def joint_table(session: Session) -> str:
-    """The angle of the joint that is read out, in the units that the scene asks for."""
-    joints = session.scene.angular_springs
-    if not joints:
-        return ""
     # Named as in plots; numbers count from 0 everywhere.
-    head = {f"joint{session.joint}": f"of {len(joints)}"}
-    return table(head | _angles(session, session.joint, session.scene.view.readouts))
+    rows = [f"<tr><td>joint{session.joint}</td><td>of {len(angles)}</td></tr>"]
+    rows += [
+        f"<tr><td>{_NAMES[key]}</td><td>{values[key]}</td></tr>"
+        for key in simulation.scene.view.readouts
+        if key in values
+    ]
+    return f'<table class="softrod-table">{"".join(rows)}</table>'
 
 
 def reading(session: Session, mass: int, joint: int | None) -> tuple[str, dict[str, str]]:

@@ -18,13 +18,13 @@ def click(desk: Desk, point: Point) -> None:
 
 def values(desk: Desk) -> dict[str, str]:
     """What the card says, by names."""
-    card = desk.page.locator(".softrod-reading")
+    card = desk.page.locator(".softrod-mass-card")
     return dict(zip(card.locator("dt").all_inner_texts(), card.locator("dd").all_inner_texts(), strict=True))
 
 
 def test_a_clicked_mass_has_its_joint_beside_it(open_page: OpenPage) -> None:
     desk = open_page("tutorial-3.3", size=(1000, 640))
-    card = desk.page.locator(".softrod-reading")
+    card = desk.page.locator(".softrod-mass-card")
     desk.tell(commands.Play(False), commands.SetValue("rest_angle", 20.0))
     assert card.is_hidden()
     click(desk, desk.place(5))
@@ -61,7 +61,7 @@ def test_a_clicked_mass_has_its_joint_beside_it(open_page: OpenPage) -> None:
 
 def test_the_card_goes_with_its_body(open_page: OpenPage) -> None:
     desk = open_page("tutorial-3.3", size=(1000, 640))
-    card = desk.page.locator(".softrod-reading")
+    card = desk.page.locator(".softrod-mass-card")
     desk.tell(commands.Play(False))
     click(desk, desk.place(5))
     card.wait_for()

@@ -23,13 +23,13 @@ const MARGIN = 6;
 const CLICK = 4;
 
 function begin() {
-  const card = make("div", "softrod-reading");
+  const card = make("div", "softrod-mass-card");
   card.hidden = true;
   const title = make("b", "");
   const list = make("dl", "");
   card.append(title, list);
   document.body.append(card);
-  const svg = makeSvg("svg", "softrod-marks softrod-reading-mark");
+  const svg = makeSvg("svg", "softrod-marks softrod-mass-mark");
   const [line, ring] = [makeSvg("path", "", svg), makeSvg("circle", "", svg)];
   let mass = -1;
   let joint = -1;
@@ -42,7 +42,7 @@ function begin() {
   const draw = ({ plan, on, places, box, floor }) => {
     const has = mass >= 0 && mass < plan.radius.length && !editing.on;
     card.hidden = !has;
-    document.documentElement.toggleAttribute("data-softrod-reading", has && joint >= 0);
+    document.documentElement.toggleAttribute("data-softrod-mass-card", has && joint >= 0);
     if (!has) {
       svg.remove();
       takePaper("reading", null);

@@ -2,7 +2,7 @@
 /**
  * The panel: beside the canvas, or a sheet over its lower part on a phone, with three heights that a finger sets.
  */
-import { has, onMessage } from "../../wire/channel.js";
+import { has, onMessage, pageState } from "../../wire/channel.js";
 import { perform } from "../../wire/perform.js";
 import { kept, store } from "../kept/storage.js";
 import { iconHtml, make, makeButton } from "../dialog.js";
@@ -15,7 +15,9 @@ const UNFOLD = "M15 6l-6 6l6 6";
 
 /** Windows in which the panel is a sheet. */
 const SHEET = matchMedia("(max-width: 576px)");
-/** Key under which the browser's tab stores that the panel is folded. */
+/** Windows in which the panel would take half of the canvas: it is a button there, which opens it over the body. */
+const SMALL = matchMedia("(min-width: 577px) and (max-width: 720px) and (max-height: 480px)");
+/** Key under which the browser's tab stores whether its user has folded the panel. */
 const FOLDED = "softrod-folded";
 /** Pixels of a drag that moves the sheet to the next height. */
 const THROW = 40;
@@ -49,24 +51,34 @@ class Panel {
     this.fold = iconButton(FOLD, "Hide the panel", () => this.setFolded(true));
     this.unfolds = iconButton(UNFOLD, "Show the panel", () => this.setFolded(false));
     this.unfolds.classList.add("softrod-unfold");
+    this.unfolds.append(make("span", "", "Controls"));
     const head = make("div", "softrod-panel-head");
     head.append(make("span", "softrod-brand", "softrod"), iconButton(FIND, "Find anything (Ctrl K)", openFinder), this.help, this.fold);
     this.element.append(this.handle, head, this.controls);
     /** @type {Height} */
     this.height = "half";
-    this.isFolded = kept(FOLDED) === "1";
+    /** Whether the user has folded it; null before that was chosen. @type {boolean | null} */
+    this.chosen = { 0: false, 1: true }[kept(FOLDED) ?? ""] ?? null;
   }
 
   begin() {
     document.body.append(this.element, this.unfolds);
-    onMessage("pageState", () => (this.help.hidden = !has("help")));
-    SHEET.addEventListener("change", () => this.show());
+    onMessage("pageState", () => {
+      this.help.hidden = !has("help");
+      this.show();
+    });
+    for (const size of [SHEET, SMALL]) size.addEventListener("change", () => this.show());
     // A tab that is pressed is wanted in sight.
     this.controls.addEventListener("click", ({ target }) => {
       if (target instanceof Element && target.closest("[role=tab]") && this.height === "closed") this.go("half");
     });
     this.listenToFinger();
     this.show();
+  }
+
+  /** A lesson needs its panel wherever it is. */
+  get isFolded() {
+    return this.chosen ?? (SMALL.matches && !pageState().lesson);
   }
 
   /** True if there is nothing in it. */
@@ -83,19 +95,20 @@ class Panel {
 
   /** Opens it, for a tab or a control that was asked for. */
   unfold() {
-    if (this.isFolded) {
-      this.isFolded = false;
-      store(FOLDED, "");
-      this.show();
-    }
+    if (this.isFolded) this.choose(false);
     if (this.height === "closed") this.go("half");
   }
 
-  /** @param {boolean} on */
-  setFolded(on) {
-    this.isFolded = on;
-    store(FOLDED, on ? "1" : "");
+  /** @param {boolean} folded */
+  choose(folded) {
+    this.chosen = folded;
+    store(FOLDED, folded ? "1" : "0");
     this.show();
+  }
+
+  /** Folds it or brings it back, with the focus. @param {boolean} on */
+  setFolded(on) {
+    this.choose(on);
     (on ? this.unfolds : this.fold).focus();
   }
 
