@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from playwright.sync_api import Browser, Route, expect
 
+from app.session.notices import Notice
 from tests.browser.conftest import OpenPage, Serve
 
 NOTES = """
@@ -87,3 +88,29 @@ def test_a_page_whose_graphics_are_taken_back_says_so_and_is_loaded_again(open_p
     alert.get_by_role("button", name="Reload").click()
     expect(alert).to_have_count(0)
     desk.page.wait_for_function("window.__softrod?.fitted() > 0")
+
+
+OF_VISER = """() => {
+  const canvas = window.__softrod.canvas();
+  const seen = (one) => one.checkVisibility() && one.getBoundingClientRect().width > 0;
+  const isOurs = (one) => one.closest("[class^='softrod-']") !== null;
+  const isCanvas = (one) => one.contains(canvas) || one.matches("canvas[width='0']");
+  return [...document.querySelectorAll("#root *, [class*='mantine-'], [data-portal] *")]
+    .filter((one) => seen(one) && !isOurs(one) && !isCanvas(one)).map((one) => one.outerHTML.slice(0, 120));
+}"""
+"""What is to be seen of viser's page besides its canvas."""
+
+
+def test_nothing_of_viser_s_page_is_seen_but_its_canvas(open_page: OpenPage) -> None:
+    desk = open_page("ring")
+    assert not desk.page.evaluate(OF_VISER)
+    desk.tab.notify(Notice("warning", "Take care", "A notice."))
+    desk.until(lambda: desk.notices(), "a notice is up")
+    desk.page.keyboard.press("Control+k")
+    desk.page.get_by_role("option").filter(has_text="Help").first.click()
+    desk.page.get_by_role("dialog").wait_for()
+    desk.pause(0.2)
+    assert not desk.page.evaluate(OF_VISER)
+    # It can be seen that the test would find it.
+    desk.page.evaluate("document.querySelector('#root').append(document.createElement('button'))")
+    assert desk.page.evaluate(OF_VISER)
