@@ -1,4 +1,5 @@
-"""What pages cost a browser, side by side: bytes of the first load, and the processor's time.
+"""What pages cost a browser, side by side: bytes of the first load, the processor's time, and how long the
+step of a slider takes.
 
 `uv run python -m tests.browser.page_figures URL [URL ...]` loads each page with an empty cache and lets it
 move, by turns, so that whatever else the machine does meets all of them, and prints the medians and their
@@ -13,15 +14,31 @@ import statistics
 import sys
 from typing import Any, NamedTuple
 
-from playwright.sync_api import CDPSession, Playwright, sync_playwright
+from playwright.sync_api import Browser, CDPSession, Playwright, sync_playwright
 
 from tests.browser import seen
 from tests.browser.driver import LIMIT
 from tests.browser.live_figures import busy
-from tests.browser.scripts import HARDWARE
+from tests.browser.scripts import BLANK, HARDWARE
 
 MOVES = 5.0
 """Seconds for which a page is looked at while it moves."""
+
+STEPS = 25
+"""Steps of the first slider by keys, of which the median counts."""
+
+STEP = """async (steps) => {
+  const slider = [...document.querySelectorAll("input[type=range]")].find(
+    (one) => one.checkVisibility() && one.closest("aside, [role=tabpanel]"));
+  slider.focus();
+  window.stepTimes = [];
+  slider.addEventListener("input", ({ timeStamp }) => requestAnimationFrame(() => {
+    const { port1, port2 } = new MessageChannel();  // comes once the frame is painted
+    port1.onmessage = () => window.stepTimes.push(performance.now() - timeStamp);
+    port2.postMessage(null);
+  }));
+}"""
+"""Has each step of a slider measured until it is painted."""
 
 
 class Figures(NamedTuple):
@@ -35,6 +52,7 @@ class Figures(NamedTuple):
         ready: ms until the page shows its body.
         load_thread, load_process: ms of the processor until then.
         second_thread, second_process: ms of the processor per second of motion.
+        step: ms from the step of a slider until it is painted.
     """
 
     files: float
@@ -46,6 +64,7 @@ class Figures(NamedTuple):
     load_process: float
     second_thread: float
     second_process: float
+    step: float
 
 
 TITLES = (
@@ -58,8 +77,9 @@ TITLES = (
     "process until then, ms",
     "thread, ms per s",
     "process, ms per s",
+    "slider's step, ms",
 )
-UNITS = (1.0, 1e3, 1e3, 1e3, 1.0, 1.0, 1.0, 1.0, 1.0)
+UNITS = (1.0, 1e3, 1e3, 1e3, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
 
 
 class Heard:
@@ -89,6 +109,23 @@ def process_time(whole: CDPSession) -> float:
     return sum(one["cpuTime"] for one in found if one["type"] == "renderer")
 
 
+def slider_step(browser: Browser, url: str) -> float:
+    """ms from the step of the first slider until it is painted, the median of some.
+
+    The canvas is not drawn there: without a graphics card its pixels would take all of the time.
+    """
+    page = browser.new_page(viewport={"width": 1280, "height": 720})
+    page.add_init_script(f"{{{HARDWARE}}} {{{BLANK}}}")
+    page.goto(url)
+    page.wait_for_function(seen.READY, timeout=LIMIT * 1e3)
+    page.wait_for_timeout(1e3)
+    page.evaluate(STEP)
+    for _ in range(STEPS):
+        page.keyboard.press("ArrowRight")
+        page.wait_for_timeout(60)
+    return statistics.median(page.evaluate("window.stepTimes"))
+
+
 def visit(playwright: Playwright, url: str) -> Figures:
     """Load a page in a browser of its own, which has nothing compiled, and let it move."""
     browser = seen.open_browser(playwright)
@@ -110,10 +147,12 @@ def visit(playwright: Playwright, url: str) -> Figures:
     began, started = page.evaluate("performance.now()"), (busy(tools), process_time(whole))
     page.wait_for_timeout(1e3 * MOVES)
     ended, stopped = page.evaluate("performance.now()"), (busy(tools), process_time(whole))
+    context.close()
+    step = slider_step(browser, url)
     browser.close()
     until_ready = [1e3 * (b - a) for a, b in zip(before, loaded, strict=True)]
     a_second = [1e6 * (b - a) / (ended - began) for a, b in zip(started, stopped, strict=True)]
-    return Figures(*received, ready, *until_ready, *a_second)
+    return Figures._make((*received, ready, *until_ready, *a_second, step))
 
 
 def report(found: dict[str, list[Figures]]) -> str:

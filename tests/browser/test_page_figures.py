@@ -6,8 +6,8 @@ from tests.browser.page_figures import Figures, report
 
 
 def test_pages_are_compared_by_their_medians() -> None:
-    old = [Figures(*9 * (value,)) for value in (3e3, 1e3, 2e3)]
-    new = [Figures(*9 * (value,)) for value in (1e3, 1e3, 9e3)]
+    old = [Figures(*10 * (value,)) for value in (3e3, 1e3, 2e3)]
+    new = [Figures(*10 * (value,)) for value in (1e3, 1e3, 9e3)]
     lines = report({"old": old, "new": new}).splitlines()
     cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
     assert cells[0] == ["", "old", "new", "ratio"]
