@@ -23,7 +23,7 @@ function setSpread(strip, on) {
  * @param {string} label for screen readers
  */
 export function makeStrip(name, label) {
-  const strip = make("div", `softrod-strip softrod-${name}`);
+  const strip = make("div", `softrod-strip softrod-floats softrod-${name}`);
   strip.setAttribute("role", "group");
   strip.ariaLabel = label;
   strip.hidden = true;

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { become, heard, key, pass, point, put, tell } from "./page.mjs";
 import modes from "../../app/features/modes/modes.js";
-import { addSound, toggleSound } from "../../app/features/modes/sound.js";
+import { addSound } from "../../app/features/modes/sound.js";
 import { HIGH, HIGHEST, LOW, LOWEST, melodyOf, octavesOf, tonesOf } from "../../app/features/modes/tones.js";
 import { percent, posed, readLevels, readShapes } from "../../app/features/modes/shapes.js";
 
@@ -82,13 +82,15 @@ test("what touches and what breaks makes a noise while the sound is on and time 
   const hear = (touching) => sound.hear({ levels: [1], touching });
   const falls = () => [0, 1].forEach(hear) ?? pass(100) ?? hear(1);
   become({ playing: true, broken: 0 });
-  toggleSound();
+  sound.toggle();
   assert.equal(sound.controls[0].ariaPressed, "false", "there is nothing to be heard yet");
   sound.use([2], [0.01]);
+  assert.equal(sound.controls[0].ariaPressed, "true", "it was asked for");
+  sound.toggle();
   falls();
   become({ broken: 1 });
   assert.deepEqual(made(), [], "it is off");
-  toggleSound();
+  sound.toggle();
   assert.equal(sound.controls[0].ariaPressed, "true");
   assert.deepEqual(made(), [], "what is broken already cracks no more");
   falls();

@@ -80,7 +80,7 @@ class EditStrip {
 
   /** @param {{button: HTMLElement, row: HTMLElement, says: HTMLElement}} tracing controls of the picture behind the body */
   constructor(tracing) {
-    this.strip = toolbar("softrod-edit", "Editing");
+    this.strip = toolbar("softrod-edit softrod-floats", "Editing");
     this.lid = iconButton("edit", () => perform("edit"));
     this.tools = make("div", "softrod-edit-tools");
     this.buttons = TOOLS.map((tool) => ({ tool, button: iconButton(tool, () => setTool(tool)) }));
@@ -89,7 +89,7 @@ class EditStrip {
     this.redo = iconButton("redo", () => stepBack("redo"));
     this.strip.append(this.lid, this.tools, this.undo, this.redo);
 
-    this.bar = toolbar("softrod-edit-bar", "What is selected");
+    this.bar = toolbar("softrod-edit-bar softrod-floats", "What is selected");
     this.count = make("span", "softrod-edit-count");
     this.onSelected = [...ACTIONS.map(actionButton), makeButton("Copy", copySelection, "")];
     this.muscle = wordButton("muscle", () => perform("muscle"));

@@ -27,10 +27,10 @@ export class Box {
    */
   constructor(take, press) {
     this.element = make("div", "softrod-box");
-    this.content = make("div", "softrod-box-tools");
+    this.content = make("div", "softrod-box-tools softrod-floats");
     this.content.id = "softrod-box-tools";
     this.content.setAttribute("role", "group");
-    this.lid = makeButton("", () => this.open(this.content.hidden === true), "softrod-box-lid");
+    this.lid = makeButton("", () => this.open(this.content.hidden === true), "softrod-box-lid softrod-floats");
     this.lid.innerHTML = labelled(BOX_ICON, "Instruments");
     this.lid.title = "Instruments: ruler, protractor, stopwatch";
     this.lid.setAttribute("aria-controls", this.content.id);

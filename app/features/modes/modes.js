@@ -6,7 +6,7 @@
 import { listenToMelodies } from "./melody.js";
 import { ShapeMarks } from "./shape_marks.js";
 import { few, percent, readLevels, readShapes } from "./shapes.js";
-import { addSound, toggleSound } from "./sound.js";
+import { addSound } from "./sound.js";
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { make, makeButton } from "../../ui/dialog.js";
@@ -102,6 +102,12 @@ class ModeStrip {
   /** The level of a mode, in that of a full bar. @param {number} i */
   level(i) {
     return i === this.dragged ? this.part : (this.levels?.levels[i] ?? 0);
+  }
+
+  /** Turns the sound on or off, and shows the modes that sound. */
+  mute() {
+    this.sound.toggle();
+    if (this.strip.strip.hidden) perform("modes");
   }
 
   /** @param {Modes} now */
@@ -332,8 +338,11 @@ class ModeStrip {
 /** Puts up the strip, and begins to listen. */
 function begin() {
   listenToMelodies();
-  new ModeStrip();
+  strip = new ModeStrip();
 }
 
+/** @type {ModeStrip} */
+let strip;
+
 /** @type {import("../../ui/feature.js").Feature<"modes">} */
-export default { commands: { mute: toggleSound }, begin };
+export default { commands: { mute: () => strip.mute() }, begin };

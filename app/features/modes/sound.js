@@ -113,11 +113,6 @@ export function loudspeaker() {
   return heard;
 }
 
-/** @type {() => void} */
-let toggle = () => {};
-/** Turns the sound of the modes on or off, while they are shown. */
-export const toggleSound = () => toggle();
-
 /** The button, the volume, and the sound. */
 export function addSound() {
   const button = makeButton("", () => turn(!on), "softrod-modes-sound");
@@ -143,6 +138,7 @@ export function addSound() {
   };
   /** @param {boolean} to */
   const turn = (to) => {
+    wanted = false;
     on = to && frequencies.length > 0;
     if (on) {
       const { context, out } = loudspeaker();
@@ -153,7 +149,8 @@ export function addSound() {
     }
     show();
   };
-  toggle = () => frequencies.length > 0 && turn(!on);
+  /** Whether the sound is wanted as soon as there are modes. */
+  let wanted = false;
   slider.addEventListener("input", () => {
     volume = Number(slider.value);
     store(STORED, String(volume));
@@ -174,11 +171,17 @@ export function addSound() {
   show();
   return {
     controls: [button, slider],
+    /** Turns the sound on or off; on without modes, once they are there. */
+    toggle() {
+      if (frequencies.length) turn(!on);
+      else wanted = true;
+    },
     /** Takes the modes that sound; none while the strip is closed. @param {ArrayLike<number>} hertz @param {ArrayLike<number>} ratios */
     use(hertz, ratios) {
       [frequencies, dampings] = [hertz, ratios];
       button.disabled = !hertz.length;
       if (!hertz.length && on) turn(false);
+      if (hertz.length && wanted) turn(true);
     },
     /** Takes their present levels. @param {Levels} levels */
     hear({ levels, touching }) {

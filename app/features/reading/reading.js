@@ -23,7 +23,7 @@ const MARGIN = 6;
 const CLICK = 4;
 
 function begin() {
-  const card = make("div", "softrod-mass-card");
+  const card = make("div", "softrod-mass-card softrod-floats");
   card.hidden = true;
   const title = make("b", "");
   const list = make("dl", "");

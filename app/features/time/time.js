@@ -133,7 +133,7 @@ function offers() {
 
 /** Adds the bar to the page. */
 function begin() {
-  const bar = make("div", "softrod-transport");
+  const bar = make("div", "softrod-transport softrod-floats");
   bar.setAttribute("role", "toolbar");
   bar.ariaLabel = "Time";
   const reset = iconButton(FACES.reset, () => perform("reset"));

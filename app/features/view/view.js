@@ -37,12 +37,12 @@ const ENTRIES = [
 class ViewMenu {
   constructor() {
     this.element = make("div", "softrod-menu");
-    this.list = make("div", "softrod-menu-list");
+    this.list = make("div", "softrod-menu-list softrod-floats");
     this.list.id = "softrod-menu-list";
     this.list.setAttribute("role", "menu");
     this.list.ariaLabel = "View";
     this.list.hidden = true;
-    this.lid = makeButton("", () => this.open(this.list.hidden === true), "softrod-menu-lid");
+    this.lid = makeButton("", () => this.open(this.list.hidden === true), "softrod-menu-lid softrod-floats");
     this.lid.innerHTML = iconHtml(ICON, "View");
     this.lid.ariaLabel = "View";
     this.lid.title = "View: dark, projector, help and more";

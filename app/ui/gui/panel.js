@@ -50,7 +50,7 @@ class Panel {
     this.help = iconButton(HELP, "Help", () => perform("help"));
     this.fold = iconButton(FOLD, "Hide the panel", () => this.setFolded(true));
     this.unfolds = iconButton(UNFOLD, "Show the panel", () => this.setFolded(false));
-    this.unfolds.classList.add("softrod-unfold");
+    this.unfolds.classList.add("softrod-unfold", "softrod-floats");
     this.unfolds.append(make("span", "", "Controls"));
     const head = make("div", "softrod-panel-head");
     head.append(make("span", "softrod-brand", "softrod"), iconButton(FIND, "Find anything (Ctrl K)", openFinder), this.help, this.fold);

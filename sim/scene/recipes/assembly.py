@@ -27,7 +27,7 @@ Size = Annotated[float, bounded(1e-3, 1e6, "px", "A length")]
 BulkModulus = Annotated[
     float, bounded(0.0, 1e9, "kg/s²", "Bulk modulus", slider=(10.0, 1e5), logarithmic=True)
 ]
-Bend = Annotated[float, bounded(-180.0, 180.0, "°", "Bend of every joint", slider=(-60.0, 60.0))]
+Bend = Annotated[float, bounded(-180.0, 180.0, "°", "Curl of every joint", slider=(-60.0, 60.0))]
 
 
 class Parts(NamedTuple):
