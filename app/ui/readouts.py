@@ -82,10 +82,8 @@ def hud(session: Session, colors: Palette, at_rest: bool, meter: bool = False) -
         lines.append(_meter(dt, limit, state == "at rest"))
     if len(session.simulation.anchors) < len(session.simulation.scene.masses):
         gradient = ",".join(colors.css(name) for name in ("pushed", "rest", "pulled"))
-        lines.append(
-            '<span class="softrod-legend">squeezed'
-            f'<i class="softrod-key" style="background:linear-gradient(90deg,{gradient})"></i>stretched</span>'
-        )
+        bar = f'<i class="softrod-key" style="background:linear-gradient(90deg,{gradient})"></i>'
+        lines.append(f'<span class="softrod-legend">squeezed{bar}stretched</span>')
     return "<br>".join(lines)
 
 
