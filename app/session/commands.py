@@ -23,6 +23,7 @@ from . import log
 from .ghost import Ghost
 from .hand import DRAG_EVENT, FRAME
 from .log import Log
+from .notices import Notice
 from .pacing import is_large
 from .predictability import PredictabilityMeter
 from .session import Command, Refresh, Session
@@ -264,7 +265,7 @@ class Undo(Command):
     """Take back the last change of the scene; the motion continues."""
 
     def apply(self, session: Session, at: float) -> None:
-        _continue_at(session, session.versions.undo(session.simulation.capture()))
+        _continue_at(session, session.versions.undo(session.simulation.capture()), "Redo")
 
     def takes_over(self, session: Session) -> bool:
         return session.versions.has_undo(session.simulation.capture().scene)
@@ -274,17 +275,28 @@ class Redo(Command):
     """Do again what was taken back last."""
 
     def apply(self, session: Session, at: float) -> None:
-        _continue_at(session, session.versions.redo(session.simulation.capture()))
+        _continue_at(session, session.versions.redo(session.simulation.capture()), "Undo")
 
     def takes_over(self, session: Session) -> bool:
         return session.versions.has_redo(session.simulation.capture().scene)
 
 
-def _continue_at(session: Session, version: tuple[Moment, Edit | None] | None) -> None:
-    """Continue at another version of the scene, if there is one."""
+def _continue_at(session: Session, version: tuple[Moment, Edit | None] | None, back: str) -> None:
+    """Continue at another version of the scene, if there is one; say so where that is another scene.
+
+    Args:
+        session: whose scene it is.
+        version: see `Session.continue_at`.
+        back: what leads back.
+    """
     if version is not None:
+        before = session.scene
         session.branch()
         session.continue_at(*version)
+        now = session.scene
+        if now.name != before.name and len(now.masses) != len(before.masses):
+            text = f"{back} leads to “{shown_name(before)}” again."
+            session.notices.append(Notice("info", f"Back to “{shown_name(now)}”", text))
 
 
 # ------------------------------------------------------------------------- another body

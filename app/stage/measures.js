@@ -27,7 +27,7 @@ export function jointAngles(plan, frame, joint) {
 }
 
 /** An angle as text; zero has no sign. @param {number} angle degrees */
-export const degrees = (angle) => `${(Number(angle.toFixed(1)) + 0).toFixed(1)}°`;
+export const degrees = (angle) => `${(Number(angle.toFixed(1)) + 0).toFixed(1)}°`.replace("-", "−");
 
 /** A round length as text; parts of a metre in cm. @param {number} size @param {string} unit */
 export function lengthText(size, unit) {

@@ -437,6 +437,6 @@ def help_html(keys: list[tuple[str, str]]) -> str:
     return (
         f'<div class="softrod-text"><div class="softrod-help">{figures}</div>'
         "<p>The bar below the body goes back in time, about a minute. Play goes on from the moment that it "
-        "shows; what happened before you went back stays as a thin line. Click a mass to read the angle of "
-        f"its joint.</p><table>{rows}</table></div>"
+        "shows; what happened before you went back stays as a thin line. Click or tap a mass to read its "
+        f"joint.</p><table>{rows}</table></div>"
     )

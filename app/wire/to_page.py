@@ -189,6 +189,7 @@ class ControlLook(Event, frozen=True, kw_only=True, omit_defaults=True):
         place: "card" for a button with a note below its label; "beside" for one that stands beside the card
             above it, as an icon.
         note: what a button does, where its label is something else.
+        picture: name of a preset's small picture, in place of a button's icon.
     """
 
     id: str
@@ -199,6 +200,7 @@ class ControlLook(Event, frozen=True, kw_only=True, omit_defaults=True):
     own: float | None = None
     place: Literal["", "card", "beside"] = ""
     note: str = ""
+    picture: str = ""
 
 
 class Run(Event, frozen=True, kw_only=True):

@@ -13,6 +13,7 @@ from sim.edit.build import extend, positions_of, remove
 from sim.edit.edit import Edit, Selection
 from sim.edit.shape import move
 from sim.edit.values import number, set_number
+from sim.scene.types import shown_name
 from tests.app.pages import SessionPage
 from tests.app.recording import agrees
 
@@ -138,6 +139,18 @@ def test_a_scale_of_lengths_goes_back_and_forth(page: SessionPage) -> None:
     for command, scale in ((commands.Undo(), 1.0), (commands.Redo(), 1.5)):
         page.frames(1, command)
         assert page.simulation.rest_length_scale == pytest.approx(scale)
+
+
+def test_an_undo_that_leads_to_another_scene_says_so(page: SessionPage) -> None:
+    before = shown_name(page.session.scene)
+    page.frames(1, commands.Open(sim.load_scene("jelly")))
+    page.frames(1, commands.SetValue("gravity", 500.0))
+    page.frames(1, commands.Undo())
+    assert not page.session.notices
+    page.frames(1, commands.Undo())
+    assert [notice.title for notice in page.session.notices] == [f"Back to “{before}”"]
+    page.frames(1, commands.Redo())
+    assert page.session.notices[-1].text == f"Undo leads to “{before}” again."
 
 
 def test_after_an_undo_a_slider_begins_another_step(page: SessionPage) -> None:

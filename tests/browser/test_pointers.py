@@ -9,7 +9,7 @@ import numpy as np
 
 from app.session import commands
 from tests.browser.conftest import OpenPage
-from tests.browser.driver import Desk, Point
+from tests.browser.driver import Desk, Point, middle_of
 from tests.browser.test_hands import camera_at_rest, off
 
 
@@ -109,3 +109,32 @@ def test_two_fingers_zoom_even_if_one_meets_a_mass_and_a_lost_release_ends_a_mov
     assert np.abs(moved.target - before.target).max() > 0.1
     board.point("mouseMoved", (300.0, 380.0), False, "mouse")
     assert np.allclose(camera_at_rest(desk).target, moved.target)
+
+
+def test_a_finger_that_scrolls_over_a_slider_leaves_it_and_one_that_slides_or_taps_moves_it(
+    open_page: OpenPage,
+) -> None:
+    desk = open_page("rope", size=(390, 844), phone=True)
+    board = Board(desk)
+    track = desk.page.get_by_role("slider", name="Bending stiffness").first
+    before = desk.slider_value("Bending stiffness")
+    x, y = middle_of(track)
+    # Upwards, to scroll.
+    board.put({1: (x + 80.0, y)})
+    for up in (10.0, 40.0, 90.0):
+        board.put({1: (x + 82.0, y - up)})
+    board.lift(1)
+    desk.pause(0.2)
+    assert desk.slider_value("Bending stiffness") == before
+    # To the side, from where it stands.
+    x, y = middle_of(track)
+    board.put({1: (x, y)})
+    for right in (8.0, 40.0, 60.0):
+        board.put({1: (x + right, y + 1.0)})
+    board.lift(1)
+    desk.until(lambda: desk.slider_value("Bending stiffness") > before, "it slides")
+    moved = desk.slider_value("Bending stiffness")
+    # A tap.
+    board.put({1: (x - 60.0, y)})
+    board.lift(1)
+    desk.until(lambda: desk.slider_value("Bending stiffness") < moved, "it goes to the tap")

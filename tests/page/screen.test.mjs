@@ -61,7 +61,7 @@ test("the arc of the joint that is read out is at its mass and tells its angle, 
   const [arc, label] = ["arc", "angle"].map((name) => document.querySelector(`.softrod-${name}`));
   assert.equal(label.style.display, "none");
   become({ joint: 0 });
-  assert.deepEqual([label.style.display, label.textContent], ["", "-26.6°"]);
+  assert.deepEqual([label.style.display, label.textContent], ["", "−26.6°"]);
   assert.deepEqual(arc.getAttribute("d").match(/[\d.]+/g).slice(0, 2).map(parseFloat).map(Math.round), [300, 300]);
   const [x, y] = ["x", "y"].map((name) => Number(label.getAttribute(name)));
   assert.ok(Math.hypot(x - 300, y - 300) < 90 && y > 300, `${x} ${y}`);
@@ -88,5 +88,5 @@ test("an arrow at the edge points to a body that is out of view, and there is no
 });
 
 test("an angle of zero has no sign", () => {
-  assert.deepEqual([-0.04, -0, 0.04, -0.06, 12, -179.96].map(degrees), ["0.0°", "0.0°", "0.0°", "-0.1°", "12.0°", "-180.0°"]);
+  assert.deepEqual([-0.04, -0, 0.04, -0.06, 12, -179.96].map(degrees), ["0.0°", "0.0°", "0.0°", "−0.1°", "12.0°", "−180.0°"]);
 });

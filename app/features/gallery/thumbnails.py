@@ -32,6 +32,9 @@ LEAST = 0.4
 AFTER = 0.6
 """Simulated seconds after which a preset has its picture taken: most have left their first pose by then."""
 
+MADE = frozenset(path.stem for path in FOLDER.glob("*.webp"))
+"""Names of the pictures; those on dark paper end with -dark."""
+
 DIGESTS = FOLDER / "made-from.json"
 
 

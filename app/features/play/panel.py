@@ -13,6 +13,7 @@ from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change
 from ...ui.viser.look import describe_control
+from ..gallery.thumbnails import MADE
 
 LAST = 1e6
 """Order of what stands below the sliders, which come and go."""
@@ -26,7 +27,8 @@ class PlayPanel:
     """
 
     def __init__(self, page: Page) -> None:
-        self._session = session = page.session
+        self._mail, self._session = page.mail, page.session
+        session = page.session
         controls, gui = page.controls, page.client.gui
         self._edits_texts = "edit" in controls
         self._chooser = self._about = self._follow = self._readout = None
@@ -34,7 +36,6 @@ class PlayPanel:
             hint = "choose another scene (key O)"
             icon, press = viser.Icon.LAYOUT_GRID, partial(page.perform, "gallery")
             self._chooser = page.button("Scene", icon, press, hint=hint, order=1)
-            describe_control(page.mail, self._chooser, place="card", note="Choose another scene")
             press = partial(page.perform, "anew")
             again = page.button(
                 "Open anew", viser.Icon.REFRESH, press, hint="open this scene anew", order=1.5
@@ -54,6 +55,9 @@ class PlayPanel:
         """Show what the scene has."""
         if self._chooser is not None:
             self._chooser.label = shown_name(scene)
+            picture = scene.name if scene.name in MADE else ""
+            note = "Choose another scene"
+            describe_control(self._mail, self._chooser, place="card", note=note, picture=picture)
         if self._about is not None:
             self._about.content = readouts.description(scene, self._edits_texts)
         if self._follow is not None:

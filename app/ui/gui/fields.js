@@ -67,6 +67,11 @@ class NumberField extends Field {
   }
 }
 
+/** Pixels by which a finger moves to the side that slides, and does not scroll. */
+const SLIDES = 6;
+/** Half the width of a thumb, px. */
+const THUMB = 8;
+
 /** A slider below its label and its number box. It covers the useful range; the box takes all that is allowed. */
 class Slider extends NumberField {
   /** @param {Declared} declared */
@@ -81,7 +86,15 @@ class Slider extends NumberField {
     this.line.after(this.track, this.ends);
     /** Whether a move waits for the next picture. */
     this.asked = false;
-    this.track.addEventListener("pointerdown", visit);
+    /** Where a finger came down, which may scroll or slide; null else. @type {{x: number, y: number, value: number} | null} */
+    this.finger = null;
+    this.track.addEventListener("pointerdown", (event) => this.press(event));
+    this.track.addEventListener("pointermove", ({ clientX, clientY }) => {
+      const { finger } = this;
+      if (finger && Math.abs(clientX - finger.x) > Math.max(SLIDES, Math.abs(clientY - finger.y))) this.finger = null;
+    });
+    this.track.addEventListener("pointerup", ({ clientX }) => this.finger && this.tap(clientX));
+    this.track.addEventListener("pointercancel", () => (this.finger = null));
     this.track.addEventListener("focus", visit);
     this.track.addEventListener("input", () => this.slide());
     this.track.addEventListener("dblclick", () => this.look.own != null && this.enter(this.look.own));
@@ -99,7 +112,26 @@ class Slider extends NumberField {
     return this.isLogarithmic ? Math.log10(Math.max(inside, 1e-12)) : inside;
   }
 
+  /** @param {PointerEvent} event */
+  press({ pointerType, clientX, clientY }) {
+    visit();
+    if (pointerType === "touch") this.finger = { x: clientX, y: clientY, value: this.value };
+  }
+
+  /** Goes to where a finger was lifted. @param {number} x */
+  tap(x) {
+    this.finger = null;
+    const { left, width } = this.track.getBoundingClientRect();
+    const [low, high] = [Number(this.track.min), Number(this.track.max)];
+    this.track.value = String(low + (high - low) * Math.min(Math.max((x - left - THUMB) / (width - 2 * THUMB), 0), 1));
+    this.slide();
+  }
+
   slide() {
+    if (this.finger) {
+      this.track.value = String(this.place(this.finger.value));
+      return;
+    }
     const place = Number(this.track.value);
     // No hand moves it more finely than three digits.
     this.value = this.isLogarithmic ? Number((10 ** place).toPrecision(3)) : Number(place.toPrecision(12));
@@ -231,16 +263,29 @@ class Button extends Control {
   show(valued) {
     super.show(valued);
     const { label, hint, disabled, _icon_html: icon } = this.props;
-    const { place = "", note = "" } = this.look;
+    const { place = "", note = "", picture = "" } = this.look;
     this.element.dataset.place = place;
     setText(this.word, label);
     setText(this.note, note);
     if (note) this.button.ariaLabel = label;
-    if (this.icon.innerHTML === "" && icon) this.icon.innerHTML = icon;
+    this.showPicture(picture, icon);
     this.button.title = hint ?? (place === "beside" ? label : "");
     this.button.disabled = disabled === true;
   }
+
+  /** Shows a picture, or else an icon. @param {string} name @param {string | null} [icon] */
+  showPicture(name, icon) {
+    this.icon.toggleAttribute("data-picture", name !== "");
+    if (name) {
+      this.icon.replaceChildren();
+      this.icon.style.setProperty("--softrod-light", pictureOf(name));
+      this.icon.style.setProperty("--softrod-dark", pictureOf(`${name}-dark`));
+    } else if (icon && !this.icon.firstChild) this.icon.innerHTML = icon;
+  }
 }
+
+/** Where a small picture of a preset is, as styles say it. @param {string} name */
+const pictureOf = (name) => `url("${new URL(`../../features/gallery/thumbnails/${name}.webp`, import.meta.url).href}")`;
 
 /** Buttons in one row. */
 class ButtonRow extends Field {

@@ -1,7 +1,7 @@
 // @ts-check
 /** Dialogs that the server opens. Their last button only closes, and so do Esc and a press beside them. */
 import { takeOver } from "../../wire/channel.js";
-import { make } from "../dialog.js";
+import { make, makeButton } from "../dialog.js";
 import { newId, Place } from "./control.js";
 
 /** The open dialogs, by their ids. @type {Map<string, HTMLDialogElement>} */
@@ -25,10 +25,12 @@ export function takeDialogs(places) {
     heading.id = newId();
     dialog.setAttribute("aria-labelledby", heading.id);
     const head = make("div", "softrod-dialog-head");
-    head.append(heading);
     const body = make("div", "softrod-dialog-body softrod-controls");
-    dialog.append(head, body);
     const close = () => [...body.querySelectorAll("button")].at(-1)?.click();
+    const cross = makeButton("×", close, "softrod-close");
+    cross.ariaLabel = "Close";
+    head.append(heading, cross);
+    dialog.append(head, body);
     dialog.addEventListener("cancel", (event) => {
       event.preventDefault();
       close();
