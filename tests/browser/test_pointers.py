@@ -114,7 +114,7 @@ def test_two_fingers_zoom_even_if_one_meets_a_mass_and_a_lost_release_ends_a_mov
 def test_a_finger_that_scrolls_over_a_slider_leaves_it_and_one_that_slides_or_taps_moves_it(
     open_page: OpenPage,
 ) -> None:
-    desk = open_page("rope", size=(390, 844), phone=True)
+    desk = open_page(size=(390, 844), phone=True)
     board = Board(desk)
     track = desk.page.get_by_role("slider", name="Bending stiffness").first
     before = desk.slider_value("Bending stiffness")
