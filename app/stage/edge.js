@@ -41,6 +41,7 @@ const between = (value, low, high) => Math.max(low, Math.min(high, value));
 /** What else is over the canvas, and the side of it where there is room. */
 const OBSTACLES = /** @type {const} */ ([
   [".softrod-edit.softrod-edit-row:not(.softrod-edit-closed)", "below"],
+  [".softrod-hud", "below"],
   [".softrod-box[data-open]", "right"],
   [".softrod-edit:not(.softrod-edit-row)", "right"],
   [".softrod-box-lid", "above"],

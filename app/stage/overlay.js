@@ -60,7 +60,7 @@ function jointMark(add) {
   const angle = add("text", "softrod-angle");
   let place = AROUND[0];
   /** @param {Sight} seen */
-  return ({ plan, frame, on, places }) => {
+  return ({ plan, frame, on, places, box }) => {
     const joint = pageState().joint ?? -1;
     const has = joint >= 0 && 4 * joint < plan.joints.length && !plan.many;
     arc.style.display = angle.style.display = has ? "" : "none";
@@ -84,9 +84,12 @@ function jointMark(add) {
     const order = [place, ...AROUND.filter((turned) => turned !== place)];
     const texts = order.map((turned) => at(outside + turned, radius + LABEL));
     const radii = plan.radius.map((size) => size * on.step);
-    const free = freePlace(texts.map(({ x, y }) => ({ x: Number(x), y: Number(y) })), plan.springs, places, radii, takenPaper("angle"));
+    const middles = texts.map(({ x, y }) => ({ x: Number(x), y: Number(y) }));
+    const inside = order.map((_, i) => i).filter((i) => middles[i].x - ANGLE.x > box.left && middles[i].x + ANGLE.x < box.right);
+    const choices = inside.length ? inside : [0];
+    const free = choices[freePlace(choices.map((i) => middles[i]), plan.springs, places, radii, takenPaper("angle"))];
     place = order[free];
-    takePaper("angle", around(Number(texts[free].x), Number(texts[free].y), ANGLE.x, ANGLE.y));
+    takePaper("angle", around(middles[free].x, middles[free].y, ANGLE.x, ANGLE.y));
     set(angle, texts[free]);
     // As in the panel: positive is anticlockwise where y grows upwards.
     angle.textContent = degrees(turn * plan.flip);

@@ -23,6 +23,7 @@ function plots() {
   const all = make("div", "softrod-paper-plots");
   const parts = document.querySelectorAll(".softrod-panel :is(.softrod-plot-title, svg.softrod-chart, svg.softrod-phase, .softrod-reading)");
   for (const part of parts) {
+    if (part.closest("[role=tabpanel][hidden]") && part.closest(".softrod-lesson-page")) continue; // Measure has it, too
     if (part.matches(".softrod-plot-title")) all.append(make("figure", ""));
     all.lastElementChild?.append(part.cloneNode(true));
   }

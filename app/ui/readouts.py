@@ -28,10 +28,6 @@ _NAMES = {
     "rest_angle": "rest angle",
 }
 
-_BEND = {"angle": "angle", "rest_angle": "rest angle"}
-_PLACE = {"x": "x", "y": "y", "speed": "speed"}
-"""What stands beside a clicked mass, by the names of quantities: of its joint, or else of itself."""
-
 _BEHIND = 5.0
 """Distance of a rate-limited hand behind the pointer, px, from which on it is shown."""
 
@@ -64,7 +60,7 @@ def hud(session: Session, colors: Palette, at_rest: bool, meter: bool = False) -
     lines = [f"<b>{state}</b>"] if state else []
     lines += _damage(session, colors)
     rates = session.pacer.rates(session.now())
-    if rates.losing > 0.05:
+    if rates.losing > 0.05 and rates.real_time_factor < 0.95:
         lines.append(
             f'<span class="softrod-quiet">slowed down: {rates.real_time_factor:.2g} × real time</span>'
         )
@@ -155,10 +151,21 @@ def joint_table(session: Session) -> str:
 
 def reading(session: Session, mass: int, joint: int | None) -> tuple[str, dict[str, str]]:
     """What stands beside a clicked mass: a title, and values by names of its joint, or of where it is."""
-    of, number, names = ("mass", mass, _PLACE) if joint is None else ("joint", joint, _BEND)
-    found = {name: sim.quantity(f"{of}{number}.{what}", session.scene) for what, name in names.items()}
-    values = {name: _tenths(one.read(session.simulation), one.unit) for name, one in found.items()}
-    return f"{of.capitalize()} {number}", values
+    scene = session.scene
+
+    def read(name: str) -> str:
+        found = sim.quantity(name, scene)
+        return _tenths(found.read(session.simulation), found.unit)
+
+    if joint is None:
+        return f"Mass {mass}", {what: read(f"mass{mass}.{what}") for what in ("x", "y", "speed")}
+    others = sum(mass_of_joint(scene, j) == mass for j in range(len(scene.angular_springs))) - 1
+    return f"Joint {joint}" + (f" (of {others + 1} here)" if others else ""), {
+        "angle": read(f"joint{joint}.angle"),
+        "rest angle": read(f"joint{joint}.rest_angle"),
+        "stiffness": f"{grouped(scene.angular_springs[joint].stiffness)} kg/s²",
+        "speed": read(f"mass{mass}.speed"),
+    }
 
 
 def _tenths(value: float, unit: str) -> str:

@@ -59,6 +59,8 @@ const plain = (makeOne) =>
 
 const gravity = { label: "Gravity", min: 0, max: 2500, step: 1, value: 1000, look: { unit: "px/s²" } };
 const press = () => {};
+/** The value of a token. */
+const token = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--softrod-${name}`);
 
 section("Button", 110, ...states("Button", { label: "Start again", color: "gray" }, "button"));
 section("Primary", 110, ...states("Button", { label: "Check it" }, "button"));
@@ -118,7 +120,7 @@ section("Folder", 240, figure(folder.element, "open"), figure(closed.element, "c
 const seconds = Float64Array.from({ length: 61 }, (_, i) => i / 20);
 const plot = control("Uplot", {
   data: [seconds, seconds.map((t) => Math.exp(-t / 2) * Math.cos(5 * t)), seconds.map((t) => 0.6 * Math.sin(3 * t))],
-  series: [{}, { label: "x, px", stroke: "#3d5af1", width: 2, scale: "px" }, { label: "y, px", stroke: "#b45309", width: 2, scale: "px" }],
+  series: [{}, { label: "x, px", stroke: token("brand"), width: 2, scale: "px" }, { label: "y, px", stroke: token("pulled"), width: 2, scale: "px" }],
   axes: [{ scale: "x", label: "Time, s" }, { scale: "px", label: "Place of a mass, px" }],
 });
 section("Plot", 300, figure(plot.element, "two curves"));

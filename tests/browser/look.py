@@ -24,7 +24,7 @@ body { margin: 0; padding: 20px 28px; background: var(--softrod-panel); }
 main section { max-width: 1100px; margin-bottom: 20px; }
 main h2 { margin: 0 0 8px; font: 600 var(--softrod-type-1) / var(--softrod-line-1) var(--softrod-font); color: var(--softrod-quiet); }
 main figure { margin: 0; min-width: 0; }
-main figcaption { margin-top: 8px; font: 400 var(--softrod-type-1) / var(--softrod-line-1) var(--softrod-font); color: var(--softrod-quiet); }
+main figcaption { margin-top: 16px; font: 400 var(--softrod-type-1) / var(--softrod-line-1) var(--softrod-font); color: var(--softrod-quiet); }
 .look-row { display: grid; grid-template-columns: repeat(auto-fill, minmax(var(--least), 1fr)); gap: 20px 24px; align-items: start; }
 .softrod-panel.look { position: static; display: block; width: auto; border: 0; zoom: 1; }
 .look :is(.softrod-notices, .softrod-lesson-foot) { position: static; }

@@ -43,7 +43,10 @@ def compare(name: str, shot: bytes) -> None:
         image.save(path, lossless=True)
         return
     kept = Image.open(path).convert("RGB")
-    assert image.size == kept.size
+    if image.size != kept.size:
+        ARTIFACTS.mkdir(exist_ok=True)
+        image.save(ARTIFACTS / f"{name}.png")
+        raise AssertionError(f"{name}: it has {image.size} px in place of {kept.size}")
     parts = (np.asarray(one.reduce(2), float) for one in (image, kept))
     differs = np.abs(np.subtract(*parts)).max(axis=2) > LEVELS
     if differs.sum() > PLACES:

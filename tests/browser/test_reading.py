@@ -31,6 +31,7 @@ def test_a_clicked_mass_has_its_joint_beside_it(open_page: OpenPage) -> None:
     card.wait_for()
     assert card.locator("b").inner_text() == "Joint 4"
     desk.until(lambda: values(desk)["rest angle"] == "20.0°", "the card says the rest angle")
+    assert values(desk)["stiffness"] == "10,000 kg/s²"
     assert values(desk)["angle"] == f"{desk.simulation.angles[4]:.1f}°".replace("-", "−")
     # It stands on no mass and on nothing else that is to be read, and what it says is said once.
     box = box_of(card)

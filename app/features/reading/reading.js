@@ -63,6 +63,9 @@ function begin() {
     const edges = [box.left + half.x, box.right - half.x].flatMap((edge) =>
       HEIGHTS.map((part) => ({ x: edge, y: box.top + half.y + part * (floor - box.top - 2 * half.y) })),
     );
+    /** @param {{x: number, y: number}} spot */
+    const far = (spot) => Math.hypot(spot.x - x, spot.y - y);
+    edges.sort((one, other) => far(one) - far(other));
     const spots = [...beside, ...edges];
     const inside = spots.map(
       (spot) => spot.x - half.x >= box.left && spot.x + half.x <= box.right && spot.y - half.y >= box.top && spot.y + half.y <= floor,
@@ -76,9 +79,9 @@ function begin() {
     takePaper("reading", { left, right: left + size.width, top, bottom: top + size.height });
     // From the ring to the nearest point of the card.
     const to = { x: Math.min(Math.max(x, left), left + size.width), y: Math.min(Math.max(y, top), top + size.height) };
-    const far = Math.hypot(to.x - x, to.y - y) || 1;
+    const way = far(to) || 1;
     set(ring, { cx: x, cy: y, r: radius });
-    set(line, { d: `M${x + ((to.x - x) * radius) / far} ${y + ((to.y - y) * radius) / far}L${to.x} ${to.y}` });
+    set(line, { d: `M${x + ((to.x - x) * radius) / way} ${y + ((to.y - y) * radius) / way}L${to.x} ${to.y}` });
   };
 
   onMarksRedraw(draw);

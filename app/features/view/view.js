@@ -7,10 +7,14 @@ import { COMMANDS } from "../../wire/commands.js";
 import { iconHtml, make, makeButton } from "../../ui/dialog.js";
 import { openFinder } from "../../ui/gui/finder.js";
 import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
+import { hasKept } from "../../ui/kept/keep.js";
+import { kept, store } from "../../ui/kept/storage.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { isDark } from "../../ui/viser/viser.js";
 
+/** Key under which the browser's tab stores that the page is dark. */
+const DARK = "softrod-dark";
 const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z";
 
 /**
@@ -119,8 +123,24 @@ class ViewMenu {
   }
 }
 
+/** Keeps the page dark when its tab goes to another scene's address; a reload gets all of its state back. */
+function restoreDark() {
+  let wanted = kept(DARK) === "1" && !hasKept();
+  onMessage("pageState", ({ page }) => {
+    if (!page || !wanted) return;
+    wanted = false;
+    if (!isDark()) perform("dark");
+  });
+  let before = isDark();
+  onMarksRedraw(() => {
+    if (isDark() !== before) store(DARK, isDark() ? "1" : "");
+    before = isDark();
+  });
+}
+
 function begin() {
   restoreLooks();
+  restoreDark();
   new ViewMenu();
 }
 
