@@ -294,7 +294,7 @@ def _continue_at(session: Session, version: tuple[Moment, Edit | None] | None, b
         session.branch()
         session.continue_at(*version)
         now = session.scene
-        if now.name != before.name and len(now.masses) != len(before.masses):
+        if version[1] is None and now.name != before.name:
             text = f"{back} leads to “{shown_name(before)}” again."
             session.notices.append(Notice("info", f"Back to “{shown_name(now)}”", text))
 

@@ -125,6 +125,8 @@ const plot = control("Uplot", {
 });
 section("Plot", 300, figure(plot.element, "two curves"));
 section("Row of a table", 260, figure(control("Html", { content: '<table class="softrod-table"><tr><td>Joint 6, angle</td><td>−4.2°</td></tr><tr><td>Joint 7, angle</td><td>−3.8°</td></tr></table>' }).element, "two"));
+section("Line between controls", 240, figure(control("Divider", {}).element, "one"));
+section("Card", 260, ...states("Button", { label: "Rope", color: "gray", _icon_html: iconHtml(EYE), look: { place: "card", note: "Choose another scene" } }, "button"));
 section("How far", 240, figure(control("ProgressBar", { value: 40 }).element, "40 %"));
 
 takeNotices();

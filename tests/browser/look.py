@@ -44,7 +44,7 @@ def page(dark: bool = False) -> str:
             f'<!doctype html><html lang="en" data-mantine-color-scheme="{scheme}"><head>',
             '<meta charset="utf-8" /><title>softrod: every control</title>',
             f'<style>{styles}{STYLE}</style></head><body><main class="softrod-panel look"></main>',
-            f"<script>{bundle(FOLDER / 'look.js')}</script></body></html>",
+            f'<script type="module">{bundle(FOLDER / "look.js")}</script></body></html>',
         )
     )
 

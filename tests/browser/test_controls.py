@@ -81,7 +81,11 @@ def test_a_click_on_a_mass_reads_out_its_joint_beside_its_arc(open_page: OpenPag
     assert desk.readout("angle") == f"{angle:+.2f}°"
     assert abs(angle - desk.simulation.angles[0]) > 0.01  # so it is not the first one's
     label = desk.page.locator(".softrod-angle")
-    desk.until(lambda: (label.text_content() or "").rstrip("°") == f"{angle:.1f}", "so does the arc")
+    said = f"{angle:.1f}°".replace("-", "−")
+    desk.until(lambda: label.text_content() == said, "so does the arc")
+    assert said in desk.page.locator(".softrod-mass-card").inner_text()
+    desk.page.keyboard.press("Escape")
+    label.wait_for()
     middle = np.array(middle_of(label))
     assert np.linalg.norm(middle - (x, y)) < 90.0
 

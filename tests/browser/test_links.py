@@ -16,7 +16,7 @@ from sim.store.link import pack_scene
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
-SMALL = (720, 460)
+SMALL = (740, 490)
 KEPT = "sessionStorage.getItem('softrod')"
 
 

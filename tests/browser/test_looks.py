@@ -113,8 +113,7 @@ def test_on_a_low_screen_what_a_button_opens_is_whole(open_page: OpenPage) -> No
 def test_a_page_stays_dark_when_it_goes_to_another_scene_s_address(open_page: OpenPage) -> None:
     desk = open_page()
     desk.view("Dark")
-    desk.until(lambda: desk.tab.probe().looks.dark, "it is dark")
-    desk.wait_drawn()
+    desk.page.wait_for_function("sessionStorage.getItem('softrod-dark') === '1'")
     desk.open("/s?scene=ring")
     desk.until(lambda: desk.tab.probe().looks.dark, "so is the other scene")
     desk.until(desk.is_kept, "it is kept")
