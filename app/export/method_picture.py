@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from sim.analysis.advice import Advice
 from sim.methods.registry import METHODS
 
-SIZE = 4.4, 4.0
+SIZE = 3.3, 4.2
 """Width and height, inches; the page makes it as wide as there is room."""
 
 _TEXT, _GRID = "#010203", "#040506"
@@ -36,16 +36,16 @@ def methods_svg(advice: Advice) -> str:
             linewidth=1.4,
             label=method.label,
         )
-    axes.set_xlabel("error after a second, px", color=_TEXT)
-    axes.set_ylabel("computing, ms", color=_TEXT)
-    axes.tick_params(which="both", color=_GRID, labelcolor=_TEXT)
+    axes.set_xlabel("error after a second, px", color=_TEXT, fontsize=9.0)
+    axes.set_ylabel("computing, ms", color=_TEXT, fontsize=9.0)
+    axes.tick_params(which="both", color=_GRID, labelcolor=_TEXT, labelsize=9.0)
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter("{x:g}")
     axes.grid(color=_GRID, linewidth=0.6)
     axes.set_axisbelow(True)
     for spine in axes.spines.values():
         spine.set_color(_GRID)
-    figure.legend(loc="outside lower center", ncols=3, frameon=False, fontsize=8.5, labelcolor=_TEXT)
+    figure.legend(loc="outside lower center", ncols=2, frameon=False, fontsize=9.0, labelcolor=_TEXT)
     file = io.StringIO()
     figure.savefig(file, format="svg", transparent=True, metadata={"Date": None})
     text = file.getvalue()

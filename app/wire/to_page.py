@@ -187,7 +187,7 @@ class ControlLook(Event, frozen=True, kw_only=True, omit_defaults=True):
         logarithmic: equal steps of its slider are equal factors.
         own: the scene's own value, which a double click on the slider restores; None without one.
         place: "card" for a button with a note below its label; "beside" for one that stands beside the card
-            above it, as an icon.
+            above it, as an icon; "below" for what stands below its neighbours on a phone.
         note: what a button does, where its label is something else.
         picture: name of a preset's small picture, in place of a button's icon.
     """
@@ -198,7 +198,7 @@ class ControlLook(Event, frozen=True, kw_only=True, omit_defaults=True):
     high: float | None = None
     logarithmic: bool = False
     own: float | None = None
-    place: Literal["", "card", "beside"] = ""
+    place: Literal["", "card", "beside", "below"] = ""
     note: str = ""
     picture: str = ""
 

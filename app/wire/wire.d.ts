@@ -248,7 +248,7 @@ export type Hud = { tell: "hud"; html: string };
 /** The state that the browser stores and returns after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
 /** What viser's messages lack of a control of the panel. */
-export type ControlLook = { tell: "controlLook"; id: string; unit?: string; low?: number | null; high?: number | null; logarithmic?: boolean; own?: number | null; place?: "" | "beside" | "card"; note?: string; picture?: string };
+export type ControlLook = { tell: "controlLook"; id: string; unit?: string; low?: number | null; high?: number | null; logarithmic?: boolean; own?: number | null; place?: "" | "below" | "beside" | "card"; note?: string; picture?: string };
 /** Execute a command of the page's script, see `app.ui.commands`. */
 export type Run = { tell: "run"; command: CommandName };
 /** The server has received the saved state. */

@@ -43,6 +43,7 @@ class PlayPanel:
             describe_control(page.mail, again, place="beside")
         if "about" in controls:
             self._about = gui.add_html("", order=2)
+            describe_control(page.mail, self._about, place="below")
         # Between them are the sliders that make most of the scene.
         if "follow" in controls:
             follow = gui.add_checkbox("Follow the pointer", initial_value=False, hint="key F", order=LAST)

@@ -7,10 +7,13 @@ import viser
 
 import sim
 from sim.analysis.advice import ERRORS, Advice, compare_methods
+from sim.methods.registry import METHODS
 
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command
 from .job import Job, paragraph
+
+LUCK = "A tolerance above the error is not advised, even where the run happened to end as near."
 
 
 class MethodPanel:
@@ -65,8 +68,10 @@ class MethodPanel:
 def _advice_html(advice: Advice) -> str:
     from ...export.method_picture import methods_svg  # matplotlib does not delay the start
 
-    sentences = "".join(paragraph(advice.sentence(error)) for error in ERRORS)
-    return sentences + (methods_svg(advice) if advice.tried else "")
+    sentences = [*map(advice.sentence, ERRORS)]
+    if any(METHODS[one.method].adaptive for one in advice.tried):
+        sentences.append(LUCK)
+    return "".join(map(paragraph, sentences)) + (methods_svg(advice) if advice.tried else "")
 
 
 def _moves_alike(one: sim.Scene, other: sim.Scene) -> bool:

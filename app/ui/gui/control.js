@@ -79,6 +79,7 @@ export class Control {
   /** @param {Look} look */
   describe(look) {
     this.look = look;
+    this.element.dataset.place = look.place ?? "";
     this.show(true);
   }
 

@@ -264,7 +264,6 @@ class Button extends Control {
     super.show(valued);
     const { label, hint, disabled, _icon_html: icon } = this.props;
     const { place = "", note = "", picture = "" } = this.look;
-    this.element.dataset.place = place;
     setText(this.word, label);
     setText(this.note, note);
     if (note) this.button.ariaLabel = label;
