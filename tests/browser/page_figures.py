@@ -150,9 +150,10 @@ def visit(playwright: Playwright, url: str) -> Figures:
     context.close()
     step = slider_step(browser, url)
     browser.close()
-    until_ready = [1e3 * (b - a) for a, b in zip(before, loaded, strict=True)]
-    a_second = [1e6 * (b - a) / (ended - began) for a, b in zip(started, stopped, strict=True)]
-    return Figures._make((*received, ready, *until_ready, *a_second, step))
+    load_thread, load_process = (1e3 * (b - a) for a, b in zip(before, loaded, strict=True))
+    span = ended - began
+    second_thread, second_process = (1e6 * (b - a) / span for a, b in zip(started, stopped, strict=True))
+    return Figures(*received, ready, load_thread, load_process, second_thread, second_process, step)
 
 
 def report(found: dict[str, list[Figures]]) -> str:
