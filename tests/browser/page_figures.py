@@ -28,15 +28,16 @@ STEPS = 25
 """Steps of the first slider by keys, of which the median counts."""
 
 STEP = """async (steps) => {
-  const slider = [...document.querySelectorAll("input[type=range]")].find(
-    (one) => one.checkVisibility() && one.closest("aside, [role=tabpanel]"));
+  const inPanel = (one) => one.getBoundingClientRect().left > 0.6 * innerWidth;
+  const slider = [...document.querySelectorAll("[role=slider], input[type=range]")].find(
+    (one) => one.checkVisibility() && inPanel(one));
   slider.focus();
   window.stepTimes = [];
-  slider.addEventListener("input", ({ timeStamp }) => requestAnimationFrame(() => {
+  addEventListener("keydown", ({ timeStamp }) => requestAnimationFrame(() => {
     const { port1, port2 } = new MessageChannel();  // comes once the frame is painted
     port1.onmessage = () => window.stepTimes.push(performance.now() - timeStamp);
     port2.postMessage(null);
-  }));
+  }), true);
 }"""
 """Has each step of a slider measured until it is painted."""
 
