@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 from playwright.sync_api import Browser, CDPSession, Playwright, sync_playwright
 
 from tests.browser import seen
+from tests.browser.conftest import FLAGS, browser_path
 from tests.browser.driver import LIMIT
 from tests.browser.live_figures import busy
 from tests.browser.scripts import BLANK, HARDWARE
@@ -129,7 +130,9 @@ def slider_step(browser: Browser, url: str) -> float:
 
 def visit(playwright: Playwright, url: str) -> Figures:
     """Load a page in a browser of its own, which has nothing compiled, and let it move."""
-    browser = seen.open_browser(playwright)
+    # Scripts are compiled as for a user; tests do without.
+    flags = [flag for flag in FLAGS if not flag.startswith("--js-flags")]
+    browser = playwright.chromium.launch(executable_path=browser_path(playwright), args=flags)
     context = browser.new_context(viewport={"width": 1280, "height": 720})
     context.set_default_timeout(LIMIT * 1e3)
     context.add_init_script(HARDWARE)
