@@ -9,18 +9,15 @@ from typing import Annotated
 from tyro.conf import UseAppendAction, arg
 
 import sim
-from sim.settings import apply_assignments
+from sim.settings import CHOICES, SETTINGS, apply_assignments
 
 Settings = Annotated[
     UseAppendAction[tuple[str, ...]],
     arg(
         name="set",
         metavar="KEY=VALUE",
-        help="set a number of the scene; may be repeated. Keys: linear_stiffness, linear_damping, "
-        "angular_stiffness, angular_damping, rest_length_scale, rest_angle, gravity, air_friction, masses, "
-        "dt, tolerance, template; tempo; wind_speed, wind_direction, turbulence; wall_friction, bounciness; "
-        "contact_distance, contact_stiffness, contact_friction; gas_pressure, liquid_stiffness; strength, "
-        "yield_force; and force_law, method, restitution and grip, which are names",
+        help=f"set a number of the scene; may be repeated. Keys: {', '.join(SETTINGS)} and masses; and "
+        f"{', '.join(CHOICES)}, which are names",
     ),
 ]
 
