@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 import io
 from pathlib import Path
+from unittest import mock
 
 import msgspec
 import numpy as np
@@ -16,7 +17,8 @@ from playwright.sync_api import Browser, sync_playwright
 
 import sim
 from app.server.serve import serving
-from app.session import commands
+from app.session import commands, framing
+from app.session.framing import Bounds
 from tests.browser.conftest import FLAGS, browser_path
 from tests.browser.driver import Desk, Served
 
@@ -64,6 +66,7 @@ def tile(desk: Desk, scene: sim.Scene) -> Image.Image:
     desk.tell(commands.Play(False), commands.Open(scene))
     desk.until(lambda: desk.session.generation == desk.tab.probe().generation, "the scene is up")
     xmin, ymin, xmax, ymax = scene.view.frame
+    desk.settle()
 
     def drawn() -> Image.Image | None:
         """The page, once the masses that are in view are in it: viser draws when it has the time."""
@@ -84,6 +87,11 @@ def tile(desk: Desk, scene: sim.Scene) -> Image.Image:
     assert image
     image.thumbnail(TILE, Image.Resampling.LANCZOS)
     return image
+
+
+def frame_of(scene: sim.Scene) -> Bounds:
+    """What the view shows here in place of where the body moves: tiles of one body are of one scale."""
+    return np.reshape(scene.view.frame, (2, 2))
 
 
 def at_time(name: str, seconds: float) -> sim.Scene:
@@ -125,7 +133,10 @@ def sheet(browser: Browser, tiles: dict[str, sim.Scene], columns: int, dark: boo
     paper, ink = ("#141414", "#cbd5e1") if dark else ("#ffffff", "#334155")
     whole = Image.new("RGB", (columns * width, rows * height), paper)
     draw, font = ImageDraw.Draw(whole), ImageFont.load_default(15)
-    with serving(sim.load_scene("rod"), "127.0.0.1", 0) as (server, ticker, compiler):
+    with (
+        mock.patch.object(framing, "motion_bounds", frame_of),
+        serving(sim.load_scene("rod"), "127.0.0.1", 0) as (server, ticker, compiler),
+    ):
         compiler.start()
         compiler.wait()
         context = browser.new_context(viewport={"width": PAGE[0], "height": PAGE[1]}, device_scale_factor=1)
