@@ -124,6 +124,7 @@ def test_what_was_answered_is_told_and_known_after_a_reload_and_another_scene(op
     desk.until(lambda: second.title in words(desk), "the same step is shown")
     press(desk, "Back")
     desk.until(lambda: "The answer is: 100 px." in words(desk), "what was answered is still known")
+    desk.until(lambda: desk.session.scene.gravity != (0.0, 1234.0), "its step has begun")
     # Opened again it goes on there, and does not wait for what is answered.
     desk.tell(commands.Open(sim.load_scene("ring")))
     desk.until(lambda: not desk.page.locator(CARD).is_visible(), "the card goes with its scene")
