@@ -29,6 +29,8 @@ def hurry(context: BrowserContext) -> None:
 def led(serve: Serve, browser: Browser) -> Iterator[tuple[Desk, Wire]]:
     """A page whose server is at the other end of a wire."""
     served = serve("tutorial-3.3")
+    assert served.scene is not None
+    served.show_first(served.scene)
     context = rough_context(browser, viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
     hurry(context)
     with wire(int(served.url.rpartition(":")[2])) as between:
