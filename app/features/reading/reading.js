@@ -9,7 +9,7 @@ import { make } from "../../ui/dialog.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
 import { viserCanvas } from "../../ui/viser/viser.js";
 import { editing } from "../edit/editing.js";
-import { massAt } from "../../ui/hands/pointer.js";
+import { CLICK, massAt } from "../../ui/hands/pointer.js";
 
 /** Directions from the mass in which the card may stand, degrees, the best first. */
 const AROUND = [180, 0, 150, 30, -150, -30, 120, 60, -120, -60, 90, -90];
@@ -19,8 +19,6 @@ const AWAY = [14, 30, 70, 130];
 const HEIGHTS = [0, 0.2, 0.4, 0.6, 0.8, 1];
 /** Pixels around the card that stay free. */
 const MARGIN = 6;
-/** Pixels by which a pointer may move in a click. */
-const CLICK = 4;
 
 function begin() {
   const card = make("div", "softrod-mass-card softrod-floats");

@@ -12,7 +12,7 @@ import { screen } from "../viser/screen.js";
 import { viserCanvas } from "../viser/viser.js";
 
 /** Pixels by which a pointer may move in a click. */
-const CLICK = 4;
+export const CLICK = 4;
 /** Milliseconds after a finger on the background in which a second one zooms, whatever is under it. */
 const PINCH = 250;
 
