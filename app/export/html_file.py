@@ -27,9 +27,17 @@ from ..stage.looks import FRACTIONS, SPEEDS
 from ..stage.plan import encode_plan
 from ..stage.shapes import meshes
 from ..stage.sketch import Floats, Sketch
+from .clip import ClipFrame
+from .picture import webp
 from .window import bounds
 
 _MESHES = ("disc", "ring", "pin", "bar", "slice")
+
+_PICTURE = (480, 300)
+"""Pixels of the picture that a file shows where scripts do not run."""
+
+_PLAIN = "body>:not(header),#bar button{display:none !important}noscript img{max-width:100%;height:auto}"
+"""Style of a file where scripts do not run, as in a phone's preview: nothing that would not answer."""
 
 _FASTEST = 2.0
 """The largest speed of a file's clock, s/s."""
@@ -51,7 +59,7 @@ class Bar:
 
 
 def html_file(
-    scene: sim.Scene,
+    frame: ClipFrame,
     body: str,
     style: str,
     script: str,
@@ -63,7 +71,8 @@ def html_file(
     """The file, in UTF-8.
 
     Args:
-        scene: whose title and description it begins with.
+        frame: the scene, whose title and description the file begins with, and the moment that is seen where
+            scripts do not run.
         body: what follows these, as HTML.
         style, script: of the file; the script is a module.
         data: what the script reads, by the ids of the elements that hold it as JSON.
@@ -71,17 +80,21 @@ def html_file(
         early: a script that is no module and runs before anything is shown.
         bar: what leads to other files, for one that is not alone.
     """
+    scene = frame.scene
     title = html.escape(shown_name(scene))
+    width, height = _PICTURE
+    picture = f"data:image/webp;base64,{base64.b64encode(webp(frame, _PICTURE)).decode()}"
     noted = f'<p class="note">{html.escape(note)}</p>\n' if note else ""
     over = f"\n{bar.html}" if bar else ""
     header = f"""<header>{over}
 <h1>{title}</h1>
 {noted}<p>{html.escape(scene.description)}</p>
 <p role="alert"></p>
-<noscript><p>The motion is shown by a script, which this browser does not run.</p></noscript>
+<noscript><p>This is a picture: scripts do not run here. Open the file in a web browser, and it moves.</p>
+<img src="{picture}" width="{width}" height="{height}" alt="{title}"></noscript>
 </header>"""
     styles, scripts = ([style, bar.style], [bar.script, script]) if bar else ([style], [script])
-    return document(shown_name(scene), f"{header}\n{body}", styles, scripts, data, early)
+    return document(shown_name(scene), f"{header}\n{body}", styles, scripts, data, early, plain=_PLAIN)
 
 
 def document(
@@ -92,6 +105,7 @@ def document(
     data: Mapping[str, object],
     early: str = "",
     images: str = "data:",
+    plain: str = "",
 ) -> bytes:
     """A file that loads nothing but images from where it may, in UTF-8.
 
@@ -102,6 +116,7 @@ def document(
         data: as for `html_file`.
         early: a script that is no module and runs before anything is shown.
         images: from where it may load images, as its policy has it.
+        plain: a style where scripts do not run.
     """
     every = [early, *scripts] if early else list(scripts)
     assert not any("</script" in script.lower() for script in every)
@@ -109,14 +124,16 @@ def document(
         (
             "default-src 'none'",
             f"script-src {' '.join(map(_digest, every))}",
-            f"style-src {' '.join(map(_digest, styles))}",
+            f"style-src {' '.join(map(_digest, [*styles, plain]))}",
             f"img-src {images}",
             "base-uri 'none'",
             "form-action 'none'",
         )
     )
     head = "\n".join(
-        ([f"<script>{early}</script>"] if early else []) + [f"<style>{style}</style>" for style in styles]
+        ([f"<script>{early}</script>"] if early else [])
+        + [f"<style>{style}</style>" for style in styles]
+        + [f"<noscript><style>{plain}</style></noscript>"]
     )
     held = [
         f'<script type="application/json" id="{id}">{_safe(value)}</script>' for id, value in data.items()

@@ -46,7 +46,7 @@ def replay_html(clip: Clip) -> bytes:
 <output id="clock" for="time"></output>
 <select id="speed" aria-label="Speed">{speed_options()}</select>
 </div>"""
-    return html_file(scene, body, style, script, {"about": about, "data": data})
+    return html_file(clip.frames[0], body, style, script, {"about": about, "data": data})
 
 
 @cache

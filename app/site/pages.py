@@ -148,7 +148,14 @@ def _index(scenes: Sequence[Shown], title: str) -> bytes:
     style = f"{style_rules(DARK)}\n{compact_style(_CARDS, _FOLDER / 'index.css')}"
     script = bundle(_FOLDER / "index.js")
     return document(
-        title, body, [style], [script], {"scenes": searched}, early_script(), images="'self' data:"
+        title,
+        body,
+        [style],
+        [script],
+        {"scenes": searched},
+        early_script(),
+        images="'self' data:",
+        plain="#tools>:not(nav){display:none}",
     )
 
 

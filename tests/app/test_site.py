@@ -47,7 +47,7 @@ def check_links(folder: Path, whole: bool = True) -> None:
     """Every address of every page leads to a file of the folder, and in a whole one to a place in it."""
     for path in folder.glob("*.html"):
         for address in read(path).addresses:
-            if address.startswith("data:image/svg+xml,"):
+            if address.startswith(("data:image/svg+xml,", "data:image/webp;")):
                 continue
             file, _, anchor = address.partition("#")
             assert re.fullmatch(r"[a-z0-9./-]*", file), address
@@ -87,7 +87,7 @@ def test_pictures_show_something_and_all_of_it_is_small(presets: Path) -> None:
     pages = [size for name, size in sizes.items() if name.endswith(".html") and name != "index.html"]
     assert max(pages) < 250_000
     assert sizes["index.html"] < 80_000
-    assert sum(sizes.values()) < 170_000 * len(pages)
+    assert sum(sizes.values()) < 176_000 * len(pages)
 
 
 def test_each_page_may_load_nothing_and_run_nothing_but_its_scripts(presets: Path) -> None:
@@ -158,7 +158,7 @@ def test_hostile_texts_show_as_text(tmp_path: Path, softrod: Softrod) -> None:
         assert page.parts["title"] == [WICKED if path.stem == "index" else WICKED[:60]]
         assert page.parts["h1"] == page.parts["title"]
         assert "alert(1)" not in "".join(page.parts["script"])
-        assert page.tags.count("img") == (4 if path.stem == "index" else 0)
+        assert page.tags.count("img") == (4 if path.stem == "index" else 1)  # where scripts do not run
     assert WICKED in held((out / "index.html").read_text(), "scenes")[0]["text"]
 
 

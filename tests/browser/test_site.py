@@ -61,7 +61,7 @@ def open_index(visit: Visits, root: Path) -> Iterator[Open]:
 
     yield open_one
     inside = r"(index\.html(#.*)?|[a-z0-9.-]+\.html|pictures/(light|dark)/[a-z0-9.-]+\.webp)"
-    inside = f"({'|'.join(map(re.escape, bases))}){inside}|data:image/svg.*"
+    inside = f"({'|'.join(map(re.escape, bases))}){inside}|data:image/(svg|webp).*"
     assert [address for address in visit.asked if not re.fullmatch(inside, address)] == []
 
 
@@ -133,6 +133,22 @@ def test_a_page_saved_as_one_file_lives_alone(open_index: Open, visit: Visits, t
     lives(alone, "alone")
     assert alone.locator("nav, a").count() == 0
     assert alone.get_by_role("heading", level=1).inner_text() == sim.load_scene("ring").title
+
+
+def test_where_scripts_do_not_run_a_picture_is_seen_and_nothing_that_would_not_answer(
+    open_index: Open, visit: Visits
+) -> None:
+    page = open_index(java_script_enabled=False)
+    dead = page.locator("button, input, select, canvas").locator("visible=true")
+    assert dead.count() == 0
+    page.get_by_role("link", name="Rope").first.click()
+    assert dead.count() == 0
+    picture = page.get_by_role("img", name="Rope")
+    assert picture.evaluate("async (image) => (await image.decode(), image.naturalWidth)") == 480
+    assert "Open the file in a web browser" in page.locator("header").inner_text()
+    page.get_by_role("link", name="Tree").click()
+    assert page.get_by_role("img", name="Tree").is_visible()
+    assert visit.errors == []
 
 
 def test_from_a_server_deep_inside_in_the_dark_on_a_phone(open_index: Open, root: Path) -> None:

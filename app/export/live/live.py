@@ -17,6 +17,7 @@ from sim.scene.types import shown_name
 
 from ...bundle import bundle, compact_style
 from ...stage.looks import ICONS, style_rules
+from ..clip import ClipFrame
 from ..html_file import Bar, html_file, icon, packed, plans, speed_options, stage
 from .data import body_data
 from .lesson import lesson_data, lesson_notes, listed, scenes_of_steps
@@ -83,7 +84,9 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 <button id="view" type="button" aria-label="View and keys">?</button>
 </div>
 <p id="says" class="hidden" role="status"></p>"""
-    return html_file(scene, body, style, script, {"about": _about(moment)}, note, early_script(), bar), notes
+    return html_file(
+        ClipFrame.of(moment), body, style, script, {"about": _about(moment)}, note, early_script(), bar
+    ), notes
 
 
 @cache
