@@ -13,13 +13,11 @@ import { viserCamera, viserCanvas } from "../ui/viser/viser.js";
 
 /** Largest size of a view, in that of the scene's frame; a body farther away is left out. */
 const MAX_VIEW = 20;
-/** Pixels of a canvas below which the buttons over the bar of time have no room beside a body. */
-const NARROW = 480;
+/** Pixels of a canvas below which neither words nor the buttons over the bar of time have room beside a body. */
+const NARROW = 520;
 /** Pixels around those buttons. */
 const BUTTON_MARGIN = 18;
-/** Pixels of a canvas below which the scene is fitted under the head-up display, as on a phone. */
-const PHONE = 450;
-/** Pixels that the head-up display takes there. */
+/** Pixels that the head-up display takes on such a canvas, which it nearly fills from side to side. */
 const HUD_HEIGHT = 66;
 /** Part of the canvas's width beyond which the row of tools leaves no room for a body beside it. */
 const WIDE = 0.75;
@@ -129,7 +127,10 @@ function besideTools(box) {
   if (!editing.on) {
     const buttons = [...document.querySelectorAll(".softrod-menu-lid, .softrod-box-lid")];
     const height = Math.max(0, ...buttons.map((button) => button.getBoundingClientRect().height));
-    return { above: 0, below: box.width < NARROW && height ? height + BUTTON_MARGIN : 0 };
+    // Not the display's present height: a body would jump whenever that gets another line.
+    const [over, hud] = [".softrod-over", ".softrod-hud"].map((name) => document.querySelector(name)?.getBoundingClientRect());
+    const above = Math.max(0, (over?.bottom ?? 0) - box.top) + (hud && box.width < NARROW ? HUD_HEIGHT : 0);
+    return { above, below: box.width < NARROW && height ? height + BUTTON_MARGIN : 0 };
   }
   const [row, bar] = [".softrod-edit.softrod-edit-row", ".softrod-edit-bar"].map((name) => document.querySelector(name)?.getBoundingClientRect());
   const above = row && (row.width >= WIDE * box.width || box.height < LOW) ? Math.max(0, row.bottom - box.top) : 0;
@@ -246,9 +247,7 @@ function cameraFor({ left, right, low, high }) {
   if (!(box.width > 0 && free > 0)) return null;
   const perPixel = Math.max((right - left) / box.width, (high - low) / free);
   const distance = (perPixel * box.height) / (2 * Math.tan((seen.camera.fov * Math.PI) / 360));
-  const spare = (free - (high - low) / perPixel) / 2;
-  const lowered = box.width < PHONE ? Math.max(0, Math.min(spare, HUD_HEIGHT - spare)) : 0;
-  const [x, y] = [(left + right) / 2, (low + high) / 2 + perPixel * lowered];
+  const [x, y] = [(left + right) / 2, (low + high) / 2];
   const [w, h] = [(perPixel * box.width) / 2, (perPixel * free) / 2];
   const sight = { left: x - w, right: x + w, low: y - h, high: y + h };
   return { at: { x, y: y - (perPixel * (hidden - above)) / 2, distance }, sight };

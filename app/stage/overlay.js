@@ -161,7 +161,8 @@ function scaleMark(add) {
     const fits = room >= SHORTEST ? Math.min(usual, roundDown(room * perPixel)) : usual;
     const size = fits / perPixel >= SHORTEST ? fits : usual;
     const begin = end - size / perPixel;
-    const free = hud && hud.right > begin - 10 ? hud.bottom : box.top;
+    const head = document.querySelector(".softrod-over")?.getBoundingClientRect();
+    const free = hud && hud.right > begin - 10 ? hud.bottom : Math.max(box.top, head?.bottom ?? 0);
     const low = free + 8 + parseFloat(getComputedStyle(length).fontSize) * 1.4;
     const state = [end, low, size, perPixel, pageState().unit].join(" ");
     if (state === last) return;

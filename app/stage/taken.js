@@ -5,7 +5,7 @@
 
 /** What stands over the canvas. */
 const OVER =
-  ".softrod-hud, .softrod-dock, .softrod-panel, .softrod-menu, .softrod-box, .softrod-box-lid, .softrod-edit, .softrod-edit-bar, .softrod-pad, .softrod-strip, .softrod-notice";
+  ".softrod-hud, .softrod-dock, .softrod-panel, .softrod-over > button, .softrod-menu, .softrod-box, .softrod-box-lid, .softrod-edit, .softrod-edit-bar, .softrod-pad, .softrod-strip, .softrod-notice";
 /** Milliseconds after which its places are looked up again. */
 const OLD = 200;
 

@@ -137,9 +137,54 @@ def test_own_scenes_are_renamed_copied_deleted_and_brought_back(
     assert desk.card("ring").get_by_role("button").count() == 1
 
 
+def test_one_group_is_chosen_by_keys_and_searched(open_page: OpenPage) -> None:
+    desk = open_page(size=SMALL)
+    dialog = desk.gallery()
+    every = len(titles(desk))
+    chosen = dialog.get_by_role("radio", name="All", exact=True)
+    chosen.focus()
+    desk.page.keyboard.press("ArrowRight")
+    desk.page.keyboard.press("ArrowRight")
+    assert dialog.get_by_role("radio", name="Lessons").is_checked()
+    lessons = titles(desk)
+    assert all(title.startswith("Lesson ") for title in lessons)
+    assert 5 < len(lessons) < every
+    dialog.get_by_label("Find a scene").fill("swing rope")
+    assert set(titles(desk)) < set(lessons)
+    dialog.get_by_role("radio", name="Your own").check()
+    assert titles(desk) == []
+    dialog.get_by_label("Find a scene").fill("")
+    dialog.get_by_role("button", name="New, from nothing").click()
+    desk.until(lambda: desk.session.scene.name == "empty", "one begins with nothing")
+    # The next time all are there.
+    assert len((desk.gallery(), titles(desk))[1]) == every
+
+
+def test_over_a_phone_s_canvas_are_the_scene_s_name_and_what_finds_anything(open_page: OpenPage) -> None:
+    desk = open_page(size=(390, 844), phone=True)
+    page = desk.page
+    name = page.get_by_role("button", name="Rope (3.3): choose another scene")
+    name.tap()
+    desk.card("rod").locator(".softrod-open").tap()
+    page.get_by_role("button", name="Rod: choose another scene").wait_for()
+    page.get_by_role("button", name="Find anything").locator("visible=true").tap()
+    page.keyboard.type("bending st")
+    found = page.get_by_role("option")
+    desk.until(lambda: found.count() == 1, "one is found")
+    assert found.locator("mark").all_inner_texts() == ["Bending", "st"]
+    stiffness = desk.session.scene.angular_springs[0].stiffness
+    assert f"{stiffness:g} kg/s² · Play" in found.inner_text().replace("\u2009", "").replace("\u202f", "")
+    # A scene is found, too, and opened.
+    page.keyboard.press("Control+a")
+    page.keyboard.type("water ball")
+    desk.until(lambda: "Scene" in found.first.inner_text(), "a scene is found")
+    found.first.tap()
+    desk.until(lambda: desk.session.scene.name == "water-balloon", "it is opened")
+
+
 def test_on_a_phone_a_tap_opens(open_page: OpenPage) -> None:
     desk = open_page(size=(390, 700), phone=True)
-    desk.button("Rope (3.3)").tap()
+    desk.button("Rope (3.3): choose another scene").tap()
     card = desk.card("rod")
     card.wait_for()
     # Its keyboard does not come up over the cards.
@@ -170,7 +215,7 @@ def test_a_visitor_copies_the_owner_s_scenes_and_the_owner_s_key_makes_them_one_
     card.wait_for()
     assert card.locator(".softrod-actions button").all_inner_texts() == ["Copy"]
     desk.until(lambda: card.locator("img").get_attribute("src"), "it has a picture")
-    desk.page.get_by_text("Saved on this computer").wait_for()
+    desk.page.get_by_role("heading", name="Saved on this computer").wait_for()
     card.locator(".softrod-open").focus()
     desk.page.keyboard.press("Delete")
     card.get_by_role("button", name="Copy theirs").click()

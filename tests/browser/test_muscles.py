@@ -113,3 +113,32 @@ def test_muscles_by_hand(open_page: OpenPage) -> None:
         desk.tell(commands.Undo())
     desk.until(lambda: desk.session.simulation.capture().scene is first, "all of it is undone")
     desk.until(lambda: page.locator(".softrod-muscles").is_hidden(), "there is nothing left to show")
+
+
+def test_on_a_phone_neighbours_are_moved_as_a_group(open_page: OpenPage) -> None:
+    desk = open_page("worm", size=(390, 844), phone=True)
+    page = desk.page
+    desk.tell(commands.Play(False))
+    page.get_by_role("button", name="Muscles").tap()
+    groups = page.get_by_role("button", name="7 groups")
+    desk.until(lambda: groups.get_attribute("aria-pressed") == "true", "they are in groups")
+    group = mark(desk, "group 3, joints 8 to 11")
+    page.touchscreen.tap(*place(group))
+    desk.until(lambda: desk.session.selection.joints == {8, 9, 10, 11}, "all of the group are selected")
+
+    def joints() -> list[tuple[float, float]]:
+        scene = desk.session.simulation.capture().scene
+        return [
+            (joint.muscle.amplitude, joint.muscle.phase) for joint in scene.angular_springs if joint.muscle
+        ]
+
+    before = joints()
+    group.focus()
+    page.keyboard.press("ArrowUp")
+    desk.until(lambda: joints() != before, "they move")
+    grown = [k for k, (old, new) in enumerate(zip(before, joints(), strict=True)) if new[0] > old[0] + 1.0]
+    assert grown == [8, 9, 10, 11]
+    assert [phase for _, phase in joints()] == pytest.approx([phase for _, phase in before])
+    page.get_by_role("button", name="28 muscles").tap()
+    desk.until(lambda: page.locator(".softrod-muscle").count() == 28, "each is there alone")
+    assert page.locator(".softrod-muscle-on").count() == 4

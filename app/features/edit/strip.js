@@ -7,6 +7,7 @@ import { make, makeButton } from "../../ui/dialog.js";
 import { stepBack } from "./gestures.js";
 import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
 import { withKey } from "../../ui/hands/key_table.js";
+import { isSheet } from "../../ui/gui/panel.js";
 import { hasWords, larger } from "../../ui/looks.js";
 import { setTakesNewLengths, takesNewLengths } from "./move.js";
 import { floorOf } from "../../stage/dock.js";
@@ -174,7 +175,9 @@ class EditStrip {
     // A row is as wide as a phone, where the scale bar is, too.
     const scale = document.querySelector(".softrod-scale")?.getBoundingClientRect();
     const under = isRow && scale && scale.left < left + strip.offsetWidth ? scale.bottom : 0;
-    Object.assign(strip.style, { left: `${left}px`, top: `${Math.max(top, under + GAP)}px`, bottom: "auto" });
+    // On a phone it takes all of the width, so that each tool has room for a thumb.
+    const begin = isSheet() ? canvas.left + 1 : left;
+    Object.assign(strip.style, { left: `${begin}px`, top: `${Math.max(top, under + GAP)}px`, bottom: "auto" });
     // Over the bar of time, between the box of instruments and the View menu.
     const maxWidth = `${canvas.right - right - widthOf(".softrod-menu-lid") - MARGIN}px`;
     Object.assign(bar.style, { left: `${right}px`, maxWidth, bottom: `${below + 8}px` });

@@ -5,15 +5,19 @@
  *
  * @typedef {import("../../wire/wire.js").Entry} Entry
  */
-import { onMessage, send } from "../../wire/channel.js";
+import { has, onMessage, send } from "../../wire/channel.js";
 import { copied } from "../files/share.js";
 import { make, makeButton, makeDialog } from "../../ui/dialog.js";
+import { alsoFinds, refreshFinder } from "../../ui/gui/finder.js";
 import { isDark } from "../../ui/viser/viser.js";
 import { focusCard, isFound, moveByKey } from "./finding.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
 /** The preset with which one builds a body of one's own. */
 const EMPTY = "empty";
+/** The choice of all groups. */
+const ALL = "All";
+const OWN = "Your own";
 const NONE_SAVED = "You have saved no scene yet. Save the one that you see in the Share tab, or build one: ";
 
 /**
@@ -42,6 +46,10 @@ class Gallery {
   #chosen = "";
   #search = make("input", "softrod-search");
   #line = make("div", "");
+  /** One of them chooses the group that is shown. */
+  #chips = make("div", "softrod-chips");
+  #group = ALL;
+  #fresh = makeButton("New, from nothing", () => this.#begin());
   #none = make("p", "softrod-none", "No scene has all of these words.");
   #cards = make("div", "");
   #foot = make("div", "softrod-dialog-foot");
@@ -53,6 +61,11 @@ class Gallery {
     this.title = /** @type {HTMLElement} */ (head.firstElementChild);
     Object.assign(this.#search, { type: "search", placeholder: "Find a scene", ariaLabel: "Find a scene" });
     head.insertBefore(this.#search, head.lastChild);
+    this.#chips.setAttribute("role", "radiogroup");
+    this.#chips.ariaLabel = "Groups of scenes";
+    const bar = make("div", "softrod-gallery-bar");
+    bar.append(this.#chips, this.#fresh);
+    head.after(bar);
     body.append(this.#line, this.#none, this.#cards);
     this.#foot.hidden = true;
     this.#said.setAttribute("role", "status");
@@ -70,6 +83,7 @@ class Gallery {
     this.dialog.toggleAttribute("data-picks", picker !== undefined);
     this.title.textContent = picker?.title ?? "Scenes";
     this.#search.value = "";
+    this.#show(ALL);
     this.#chosen = "";
     this.say();
     this.dialog.showModal();
@@ -129,14 +143,15 @@ class Gallery {
   /** Shows the scenes that are searched for. */
   #filter() {
     for (const group of this.#cards.children) {
+      const isWanted = this.#group === ALL || group.getAttribute("data-group") === this.#group;
       let count = 0;
       for (const card of group.querySelectorAll(".softrod-card")) {
         const entry = this.#entries.find(({ name }) => name === nameOf(card));
-        const hit = entry !== undefined && isFound(entry, this.#search.value);
+        const hit = isWanted && entry !== undefined && isFound(entry, this.#search.value);
         card.toggleAttribute("hidden", !hit);
         count += Number(hit);
       }
-      group.toggleAttribute("hidden", count === 0 && !(group.matches(".softrod-none-saved") && !this.#search.value));
+      group.toggleAttribute("hidden", count === 0 && !(isWanted && group.matches(".softrod-none-saved") && !this.#search.value));
     }
     const names = this.#found().map(nameOf);
     this.#none.hidden = names.length > 0;
@@ -148,6 +163,7 @@ class Gallery {
     this.#entries = scenes;
     this.#present = present;
     this.#teaches = teaches;
+    refreshFinder();
     if (this.dialog.open) this.#build();
   }
 
@@ -159,12 +175,53 @@ class Gallery {
     for (const entry of entries) groups.get(entry.group)?.push(entry);
     this.#cards.replaceChildren(
       ...(entries.some(({ own }) => own) ? [] : [this.#noneSaved()]),
-      ...[...groups].map(([group, members], i) => this.#group(group, members, `softrod-group-${i}`)),
+      ...[...groups].map(([group, members], i) => this.#section(group, members, `softrod-group-${i}`)),
     );
+    this.#buildChips([...groups.keys()]);
+    this.#fresh.hidden = !entries.some(({ name }) => name === EMPTY);
     const names = entries.map(({ name }) => name);
     this.#choose([this.#chosen, this.#present].find((name) => names.includes(name)) ?? names[0]);
     this.#filter();
     if (had) focusCard(this.#reached(this.#found()));
+  }
+
+  /** The scenes, for "Find anything". @returns {import("../../ui/gui/finder.js").Found[]} */
+  toFind() {
+    return this.#entries.map((entry) => ({ name: entry.title, kind: "scene", about: "Scene", show: () => send({ do: "openScene", name: entry.name }) }));
+  }
+
+  /** Shows the scenes of one group. @param {string} group */
+  #show(group) {
+    this.#group = group;
+    for (const choice of this.#chips.querySelectorAll("input")) choice.checked = choice.value === group;
+    this.#filter();
+  }
+
+  /** A choice for each group: one stop of the Tab key, and arrows go from one to the next. @param {string[]} groups */
+  #buildChips(groups) {
+    const all = [ALL, ...groups.filter((group) => group !== OWN), OWN];
+    if (!all.includes(this.#group)) this.#group = ALL;
+    if (all.join("\n") === [...this.#chips.children].map(({ textContent }) => textContent).join("\n")) return;
+    this.#chips.replaceChildren(
+      ...all.map((group) => {
+        const chip = make("label", "softrod-chip");
+        const choice = make("input", "");
+        Object.assign(choice, { type: "radio", name: "softrod-gallery-group", value: group, checked: group === this.#group });
+        choice.addEventListener("change", () => {
+          this.#show(group);
+          this.#cards.parentElement?.scrollTo(0, 0);
+          chip.scrollIntoView({ block: "nearest", inline: "nearest" });
+        });
+        chip.append(choice, group);
+        return chip;
+      }),
+    );
+  }
+
+  /** Opens the scene with which one builds a body. */
+  #begin() {
+    const empty = this.#entries.find(({ name }) => name === EMPTY);
+    if (empty) this.#use(empty);
   }
 
   /** What to do where nothing is saved yet. */
@@ -173,13 +230,15 @@ class Gallery {
     const text = make("p", "", NONE_SAVED);
     const empty = this.#entries.find(({ name }) => name === EMPTY);
     if (empty) text.append(makeButton(empty.title, () => this.#use(empty)));
-    section.append(make("h3", "", "Your own"), text);
+    section.dataset.group = OWN;
+    section.append(make("h3", "", OWN), text);
     return section;
   }
 
   /** @param {string} title @param {Entry[]} members @param {string} id */
-  #group(title, members, id) {
+  #section(title, members, id) {
     const section = make("section", "");
+    section.dataset.group = title;
     const heading = make("h3", "", title);
     heading.id = id;
     const grid = make("div", "softrod-cards");
@@ -300,6 +359,10 @@ export const theGallery = () => gallery;
 /** Makes the dialog, which opens when the server says so. */
 function begin() {
   gallery = new Gallery();
+  alsoFinds(
+    () => has("chooser") && gallery.list(),
+    () => (has("chooser") ? gallery.toFind() : []),
+  );
   onMessage("offerGallery", ({ why }) => {
     gallery.open();
     if (why) gallery.say(why);

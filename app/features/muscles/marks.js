@@ -7,6 +7,7 @@
  * @typedef {import("../../stage/plan.js").Plan} Plan
  * @typedef {import("../../stage/swing.js").Muscle} Muscle
  * @typedef {Muscle & {key: string, crest: number}} Mark crest: 0 to 1, a part of the beat
+ * @typedef {Mark & {members: Mark[], number: string}} Dot what is dragged: one muscle, or a numbered group that moves together
  * @typedef {{width: number, height: number}} Box pixels
  * @typedef {{later: number, stretch: number, turn: number}} Way beats, a fraction, degrees
  */
@@ -39,6 +40,47 @@ export const marksOf = (plan) =>
     return { ...muscle, key: `${muscle.joint ? "j" : "s"}${muscle.part}`, crest };
   });
 
+/** Every muscle alone. @param {Mark[]} marks @returns {Dot[]} */
+export const singles = (marks) => marks.map((mark) => ({ ...mark, members: [mark], number: "" }));
+
+/** Whether two muscles can be in one group: neighbours of one kind. @param {Mark} one @param {Mark} next */
+const isNext = (one, next) =>
+  next.part === one.part + 1 && one.joint === next.joint && one.perBeat === next.perBeat && one.pulse === next.pulse;
+
+/**
+ * Neighbours in groups of about equal size, each at the mean of its crests and amplitudes.
+ *
+ * @param {Mark[]} marks @param {number} most in a group
+ * @returns {Dot[]}
+ */
+export function groupsOf(marks, most) {
+  /** @type {Mark[][]} */
+  const runs = [];
+  for (const mark of marks) {
+    const run = runs.at(-1), last = run?.at(-1);
+    if (run && last && isNext(last, mark)) run.push(mark);
+    else runs.push([mark]);
+  }
+  const groups = runs.flatMap((run) => {
+    const count = Math.ceil(run.length / most);
+    return Array.from({ length: count }, (_, k) => run.slice(Math.round((k * run.length) / count), Math.round(((k + 1) * run.length) / count)));
+  });
+  return groups.map((members, i) => ({ ...mean(members), key: `g${i + 1}`, members, number: String(i + 1) }));
+}
+
+/** One mark for many of one kind. @param {Mark[]} members */
+function mean(members) {
+  const [first] = members;
+  let x = 0, y = 0, amplitude = 0;
+  for (const mark of members) {
+    const angle = 2 * Math.PI * mark.crest * mark.perBeat;
+    x += Math.cos(angle);
+    y += Math.sin(angle);
+    amplitude += mark.amplitude / members.length;
+  }
+  return { ...first, amplitude, crest: inTurn(Math.atan2(y, x) / (2 * Math.PI)) / first.perBeat };
+}
+
 /** Height of a mark, from the middle to the edges: -1 to 1. @param {Mark} mark */
 const heightOf = ({ joint, amplitude }) => Math.max(-1, Math.min(1, amplitude / (joint ? FULL_TURN : FULL_STRETCH)));
 
@@ -67,9 +109,9 @@ export function waveOf(mark, box) {
   return path;
 }
 
-/** The nearest mark within reach; of equally near ones, the last one drawn. @param {Mark[]} marks @param {Box} box @param {{x: number, y: number}} at @param {number} reach */
+/** The nearest mark within reach; of equally near ones, the last one drawn. @param {Dot[]} marks @param {Box} box @param {{x: number, y: number}} at @param {number} reach */
 export function markAt(marks, box, at, reach) {
-  let [found, least] = [/** @type {Mark | null} */ (null), reach];
+  let [found, least] = [/** @type {Dot | null} */ (null), reach];
   for (const mark of marks) {
     const { x, y } = placeOf(mark, box);
     const distance = Math.hypot(x - at.x, y - at.y);
@@ -125,8 +167,12 @@ export const movedBy = (mark, { later, stretch, turn }) => ({
   amplitude: mark.amplitude + (mark.joint ? turn : stretch),
 });
 
-/** The name of a mark. @param {Mark} mark */
-export const nameOf = ({ joint, part }) => `${joint ? "joint" : "spring"} ${part}`;
+/** The name of what is dragged. @param {Dot} dot */
+export function nameOf({ joint, part, members, number }) {
+  const kind = joint ? "joint" : "spring";
+  if (members.length === 1) return `${kind} ${part}`;
+  return `group ${number}, ${kind}s ${part} to ${members[members.length - 1].part}`;
+}
 
 /** Amplitude and time of a muscle in words. @param {Mark} mark */
 export function inWords({ joint, amplitude, crest }) {

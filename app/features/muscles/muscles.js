@@ -8,13 +8,13 @@ import { onPicture, shown } from "../../stage/canvas.js";
 import { has, onMessage, pageState, send } from "../../wire/channel.js";
 import { change, editing, onEditing } from "../edit/editing.js";
 import { beatsAt, countMuscles } from "../../stage/swing.js";
-import { makeButton } from "../../ui/dialog.js";
+import { make, makeButton } from "../../ui/dialog.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { isSheet } from "../../ui/gui/panel.js";
 import { floorOf } from "../../stage/dock.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { makeStrip } from "../../ui/strip.js";
-import { across, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf, stepOf, wayOf, waveOf } from "./marks.js";
+import { across, groupsOf, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf, singles, stepOf, wayOf, waveOf } from "./marks.js";
 import { MuscleMarks } from "./body_marks.js";
 import { timeNow } from "../../ui/clock.js";
 import { tuning } from "./tuning.js";
@@ -22,9 +22,10 @@ import { canvasBox } from "../../ui/viser/viser.js";
 
 /**
  * @typedef {import("./marks.js").Mark} Mark
+ * @typedef {import("./marks.js").Dot} Dot
  * @typedef {import("./marks.js").Way} Way
  * @typedef {{all: Mark[], way: Way}} Move marks as they were, and how far they are moved
- * @typedef {Move & {id: number, held: Mark, x: number, y: number, moved: boolean, along: {x: boolean, y: boolean}, toggles: boolean, alone: boolean}} Drag
+ * @typedef {Move & {id: number, held: Dot, x: number, y: number, moved: boolean, along: {x: boolean, y: boolean}, toggles: boolean, alone: boolean}} Drag
  */
 
 /** Pixels around a mark that are pressed as it is, by kinds of pointers. */
@@ -47,6 +48,9 @@ const MAX_WAVES = 60;
 const FEW = 5;
 /** Pixels of height below which the body needs the room more than the strip. */
 const MIN_ROOM = 400;
+/** Pixels of width for each muscle below which they are moved in groups, and about those between two groups. */
+const CROWDED = 24;
+const APART = 44;
 /** Milliseconds between two looks at the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
 
@@ -54,24 +58,34 @@ const HOW = "Drag a mark sideways: when it moves. Up or down: how far.";
 const NOWHERE = { later: 0, stretch: 0, turn: 0 };
 const DIAMOND = "M0 -9L9 0L0 9L-9 0Z";
 const DISC = "M-7 0a7 7 0 1 0 14 0a7 7 0 1 0 -14 0";
+const GROUP = "M-13 0a13 13 0 1 0 26 0a13 13 0 1 0 -26 0";
 
-/** Whether a mark's part is selected. @param {Mark} mark */
-const isSelected = ({ joint, part }) => editing.selected[joint ? "joints" : "springs"].includes(part);
+/** Whether a muscle is selected. @param {Mark} mark */
+const isChosen = ({ joint, part }) => editing.selected[joint ? "joints" : "springs"].includes(part);
+/** Whether all muscles of a dot are. @param {Dot} dot */
+const isSelected = ({ members }) => members.every(isChosen);
 
-/** Selects the part of a mark. @param {Mark} mark @param {boolean} toggle whether it is selected or deselected, and the others stay */
-function select({ joint, part }, toggle) {
-  const kind = joint ? "joints" : "springs";
+/** Selects the muscles of a dot. @param {Dot} dot @param {boolean} toggle whether they are selected or deselected, and the others stay */
+function select(dot, toggle) {
+  const kind = dot.joint ? "joints" : "springs";
   const before = editing.selected[kind];
-  send({ do: "select", [kind]: [part], ...(toggle && { toggle }) });
+  const own = dot.members.map(({ part }) => part);
+  const off = toggle && isSelected(dot);
+  // Of a group that is selected in part, the rest is selected, too.
+  const changed = toggle && !off ? own.filter((part) => !before.includes(part)) : own;
+  send({ do: "select", [kind]: changed, ...(toggle && { toggle }) });
   // So that it can be moved at once: the server says the same.
   const others = toggle ? editing.selected : { masses: [], springs: [], joints: [] };
-  const parts = !toggle ? [part] : before.includes(part) ? before.filter((one) => one !== part) : [...before, part];
+  const parts = !toggle ? own : off ? before.filter((one) => !own.includes(one)) : [...before, ...changed];
   change({ selected: { ...others, [kind]: parts } });
 }
 
 class MuscleStrip {
   strip = makeStrip("muscles", "Muscles");
   fold = makeButton("Muscles", () => this.setOpen(!this.isOpen), "softrod-muscles-fold");
+  kinds = make("div", "softrod-segments");
+  grouped = makeButton("", () => this.setGrouped(true), "");
+  alone = makeButton("", () => this.setGrouped(false), "");
   controls = tuning();
   onBody = new MuscleMarks();
   wave = makeSvg("svg", "softrod-muscles-wave");
@@ -83,6 +97,8 @@ class MuscleStrip {
   group = makeSvg("g", "", this.wave);
   /** @type {Mark[]} */
   marks = [];
+  /** Whether many muscles are shown in groups. */
+  isGrouped = true;
   /** @type {Map<string, SVGGElement>} */
   elements = new Map();
   box = { width: 0, height: 0 };
@@ -104,7 +120,10 @@ class MuscleStrip {
     const { wave, strip } = this;
     wave.removeAttribute("aria-hidden");
     strip.head.prepend(this.fold);
-    strip.head.append(...this.controls.elements);
+    this.kinds.setAttribute("role", "group");
+    this.kinds.ariaLabel = "What is moved";
+    this.kinds.append(this.grouped, this.alone);
+    strip.head.append(this.kinds, ...this.controls.elements);
     strip.strip.append(wave);
     wave.addEventListener("pointerdown", (event) => this.down(event));
     wave.addEventListener("pointermove", (event) => (this.drag ? this.move(event, this.drag) : this.hover(event)));
@@ -136,13 +155,6 @@ class MuscleStrip {
       const isRoomy = !canvas || floorOf(canvas) - canvas.top + this.strip.strip.offsetHeight >= MIN_ROOM;
       this.setOpen(isRoomy && !isSheet());
     }
-    const keys = new Set(this.marks.map(({ key }) => key));
-    for (const [key, element] of this.elements) {
-      if (keys.has(key)) continue;
-      element.remove();
-      this.elements.delete(key);
-    }
-    if (!keys.has(this.hovered)) this.hovered = "";
     this.controls.showTempo(plan.muscles[0] ?? 0);
     if (isShown) this.drawMarks();
     else this.onBody.show([]);
@@ -160,25 +172,58 @@ class MuscleStrip {
     this.drawMarks();
   }
 
+  /** @param {boolean} on */
+  setGrouped(on) {
+    this.isGrouped = on;
+    send({ do: "visit" });
+    this.drawMarks();
+  }
+
   // ----------------------------------------------------------------------- what is drawn
-  /** As marks are shown: those that are dragged where they are dragged to. */
+  /** Dots for muscles: groups where there is too little room for each. @param {Mark[]} marks */
+  dotsOf(marks) {
+    const { width } = this.box;
+    const groups = width && CROWDED * marks.length > width ? groupsOf(marks, Math.ceil((APART * marks.length) / width)) : [];
+    const isCrowded = groups.length > 0 && groups.length < marks.length;
+    this.kinds.hidden = !isCrowded || !this.isOpen;
+    if (!isCrowded) return singles(marks);
+    this.grouped.textContent = `${groups.length} groups`;
+    this.alone.textContent = `${marks.length} muscles`;
+    this.grouped.ariaPressed = String(this.isGrouped);
+    this.alone.ariaPressed = String(!this.isGrouped);
+    return this.isGrouped ? groups : singles(marks);
+  }
+
+  /** The dots as they are shown: those that are dragged where they are dragged to. */
   present() {
     const move = this.drag ?? this.left;
-    if (!move) return this.marks;
-    const moved = new Map(move.all.map((mark) => [mark.key, movedBy(mark, move.way)]));
-    return this.marks.map((mark) => moved.get(mark.key) ?? mark);
+    const moved = new Map(move?.all.map((mark) => [mark.key, movedBy(mark, move.way)]));
+    return this.dotsOf(this.marks.map((mark) => moved.get(mark.key) ?? mark));
+  }
+
+  /** Removes the elements of dots that are gone. @param {Dot[]} all */
+  clean(all) {
+    const keys = new Set(all.map(({ key }) => key));
+    for (const [key, element] of this.elements) {
+      if (keys.has(key)) continue;
+      element.remove();
+      this.elements.delete(key);
+    }
+    if (!keys.has(this.hovered)) this.hovered = "";
   }
 
   drawMarks() {
     const all = this.present(), { box } = this;
-    const some = all.filter(isSelected);
+    this.clean(all);
+    const some = all.flatMap(({ members }) => members).filter(isChosen);
+    const chosen = all.filter(isSelected);
     this.controls.show(some);
     const pointed = all.find(({ key }) => key === (this.drag?.held.key ?? this.hovered));
     const focused = all.find(({ key }) => this.elements.get(key) === document.activeElement);
-    const named = pointed ?? focused ?? (some.length === 1 ? some[0] : null);
+    const named = pointed ?? focused ?? (chosen.length === 1 && chosen[0].members.length === some.length ? chosen[0] : null);
     const words = named ? `${nameOf(named)}: ${inWords(named)}` : some.length ? `${some.length} muscles selected` : HOW;
     if (this.strip.says.textContent !== words) this.strip.says.textContent = words;
-    this.onBody.show([...(pointed ? [pointed] : []), ...(editing.on ? [] : some)]);
+    this.onBody.show([...(pointed?.members ?? []), ...(editing.on ? [] : some)]);
     if (!this.isOpen || !box.width) return;
     set(this.axis, { d: `M0 ${(box.height / 2).toFixed(1)}H${box.width}` });
     const bold = all.filter((mark) => mark === pointed || mark === focused || isSelected(mark));
@@ -192,7 +237,7 @@ class MuscleStrip {
     for (const mark of all) this.drawMark(mark, mark === pointed);
   }
 
-  /** @param {Mark} mark @param {boolean} isPointed */
+  /** @param {Dot} mark @param {boolean} isPointed */
   drawMark(mark, isPointed) {
     const element = this.elements.get(mark.key) ?? this.newMark(mark);
     const { x, y } = placeOf(mark, this.box);
@@ -207,11 +252,12 @@ class MuscleStrip {
     element.classList.toggle("softrod-muscle-seen", isPointed);
   }
 
-  /** @param {Mark} mark */
-  newMark({ key, joint }) {
+  /** @param {Dot} dot */
+  newMark({ key, joint, number }) {
     const element = makeSvg("g", "softrod-muscle", this.group);
     set(element, { role: "slider", "aria-valuemin": 0, "aria-valuemax": 100 });
-    makeSvg("path", "", element).setAttribute("d", joint ? DIAMOND : DISC);
+    makeSvg("path", "", element).setAttribute("d", number ? GROUP : joint ? DIAMOND : DISC);
+    if (number) makeSvg("text", "", element).textContent = number;
     element.addEventListener("keydown", (event) => this.press(key, event));
     for (const kind of ["focus", "blur"]) element.addEventListener(kind, () => this.drawMarks());
     this.elements.set(key, element);
@@ -265,15 +311,14 @@ class MuscleStrip {
       return;
     }
     clearTimeout(this.settling);
-    this.left = null;
     const was = isSelected(mark), { shiftKey, pointerId: id } = event;
     if (!was) select(mark, shiftKey);
     this.tabbed = mark.key;
     this.known = NOWHERE;
-    const held = this.marks.find(({ key }) => key === mark.key) ?? mark;
+    this.left = null;
+    const held = this.dotsOf(this.marks).find(({ key }) => key === mark.key) ?? mark;
     const along = { x: false, y: false };
-    const all = this.marks.filter(isSelected);
-    this.drag = { id, held, all, ...this.placeIn(event), moved: false, along, toggles: was && shiftKey, alone: was && !shiftKey, way: NOWHERE };
+    this.drag = { id, held, all: this.marks.filter(isChosen), ...this.placeIn(event), moved: false, along, toggles: was && shiftKey, alone: was && !shiftKey, way: NOWHERE };
     this.wave.setPointerCapture(id);
     send({ do: "visit" });
     this.drawMarks();
@@ -300,7 +345,7 @@ class MuscleStrip {
     const { held, moved, toggles, alone, all, way } = this.drag;
     if (moved) this.send();
     else if (toggles) select(held, true);
-    else if (alone && all.length > 1) select(held, false);
+    else if (alone && all.length > held.members.length) select(held, false);
     this.left = moved ? { all, way } : null;
     this.drag = null;
     this.settling = window.setTimeout(() => {
@@ -323,17 +368,18 @@ class MuscleStrip {
   // ----------------------------------------------------------------------- keys
   /** @param {string} key of a mark @param {KeyboardEvent} event */
   press(key, event) {
-    const mark = this.marks.find((one) => one.key === key);
+    const all = this.dotsOf(this.marks);
+    const mark = all.find((one) => one.key === key);
     if (!mark || event.ctrlKey || event.metaKey || event.altKey) return;
     const arrow = ARROWS[event.key];
     if (arrow) {
       if (!isSelected(mark)) select(mark, false);
       const fine = event.shiftKey ? FINE : 1;
-      const step = stepOf(this.marks.filter(isSelected), arrow[0] * LATER * fine, arrow[1] * HIGHER * fine);
+      const step = stepOf(this.marks.filter(isChosen), arrow[0] * LATER * fine, arrow[1] * HIGHER * fine);
       send({ do: "moveMuscles", ...step, keys: true });
     } else if (event.key === " " || event.key === "Enter") select(mark, event.key === " ");
     else {
-      const order = [...this.marks].sort((one, two) => one.crest - two.crest || (one.key < two.key ? -1 : 1));
+      const order = all.sort((one, two) => one.crest - two.crest || (one.key < two.key ? -1 : 1));
       const at = order.indexOf(mark);
       const to = { PageDown: at + 1, PageUp: at - 1, Home: 0, End: order.length - 1 }[event.key];
       if (to === undefined) return;

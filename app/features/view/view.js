@@ -6,6 +6,7 @@ import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { iconHtml, make, makeButton } from "../../ui/dialog.js";
 import { openFinder } from "../../ui/gui/finder.js";
+import { isSheet } from "../../ui/gui/panel.js";
 import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
 import { hasKept } from "../../ui/kept/keep.js";
 import { kept, store } from "../../ui/kept/storage.js";
@@ -117,7 +118,10 @@ class ViewMenu {
     onMarksRedraw(({ box, floor }) => {
       element.classList.toggle("softrod-words", hasWords(box));
       element.style.right = `${window.innerWidth - box.right + 14}px`;
-      element.style.bottom = `${window.innerHeight - floor + 10}px`;
+      // On a phone thumbs are for the body and the sliders: the menu is at the top.
+      element.classList.toggle("softrod-menu-above", isSheet());
+      element.style.bottom = isSheet() ? "" : `${window.innerHeight - floor + 10}px`;
+      element.style.top = isSheet() ? `${box.top + 8}px` : "";
       if (!this.list.hidden) keepInView(this.list);
     });
   }

@@ -8,6 +8,9 @@ import { Control, newId, Place, setText } from "./control.js";
 /** Pixels of a window in which all folders begin open. */
 const ROOMY = 900;
 
+/** Characters of what is in a closed folder. */
+const TOLD = 28;
+
 /** Folders that the user has opened or closed, by their labels: they are made again with each scene. @type {Map<string, boolean>} */
 const opened = new Map();
 
@@ -18,10 +21,15 @@ class Folder extends Control {
     super(declared, "softrod-folder");
     this.details = make("details", "");
     this.summary = make("summary", "");
+    this.title = make("span", "");
+    this.holds = make("span", "softrod-folder-holds");
+    this.summary.append(this.title, this.holds);
     const inside = make("div", "softrod-controls");
     this.details.append(this.summary, inside);
     this.element.append(this.details);
-    this.inside = new Map([[declared.uuid, new Place(inside)]]);
+    this.place = new Place(inside);
+    this.inside = new Map([[declared.uuid, this.place]]);
+    new MutationObserver(() => this.tell()).observe(inside, { childList: true, subtree: true, attributeFilter: ["hidden"] });
     const { label = "", expand_by_default: open } = declared.props;
     this.details.open = opened.get(label) ?? (open || innerHeight >= ROOMY);
     this.summary.addEventListener("click", () => opened.set(this.props.label, !this.details.open));
@@ -38,7 +46,17 @@ class Folder extends Control {
   /** @param {boolean} valued */
   show(valued) {
     super.show(valued);
-    setText(this.summary, this.props.label ?? "");
+    setText(this.title, this.props.label ?? "");
+  }
+
+  /** Tells what is in it, while it is closed. */
+  tell() {
+    const names = this.place.members.filter(({ name, element }) => name && !element.hidden).map(({ name }) => name);
+    const words = names.map((name) => `${name.slice(0, 1).toLowerCase()}${name.slice(1)}`);
+    let said = words[0] ?? "";
+    let count = 1;
+    while (count < words.length && said.length + words[count].length < TOLD) said += `, ${words[count++]}`;
+    setText(this.holds, names.length > 1 ? `${names.length}: ${said}${count < words.length ? " …" : ""}` : "");
   }
 
   /** Opens it, for a control inside. */

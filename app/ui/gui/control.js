@@ -6,6 +6,7 @@
  */
 import { answer, send } from "../../wire/channel.js";
 import { make } from "../dialog.js";
+import { grouped } from "../numerals.js";
 
 /**
  * @typedef {object} Declared a message that declares a control
@@ -67,6 +68,14 @@ export class Control {
   /** The name under which it is found; empty if it has none. */
   get name() {
     return String(this.props.label ?? "");
+  }
+
+  /** Its value in words; empty without one that a word says. */
+  get saying() {
+    const { value, look } = this;
+    if (typeof value === "boolean") return value ? "on" : "off";
+    if (typeof value === "number") return `${grouped(value)}${look.unit && look.unit !== "°" ? " " : ""}${look.unit ?? ""}`;
+    return typeof value === "string" && this.props.options ? value : "";
   }
 
   /** Takes a message's changes. @param {Record<string, any>} updates */

@@ -1,12 +1,13 @@
 // @ts-check
-/** "Find anything": commands, and the controls of the panel, by parts of their names. */
+/** "Find anything": commands, the controls of the panel with their values, and scenes, by parts of their names. */
 import { answer, takeOver } from "../../wire/channel.js";
-import { make } from "../dialog.js";
+import { iconHtml, make } from "../dialog.js";
 
 /**
  * @typedef {object} Found
  * @property {string} name
- * @property {string} [about] its key, or where it is
+ * @property {"command" | "control" | "scene"} kind
+ * @property {string} [about] its key, or its value and where it is
  * @property {() => void} show
  */
 
@@ -23,6 +24,33 @@ export function matching(entries, text) {
   /** @param {E} entry */
   const rank = ({ name }) => (words.length && name.toLowerCase().startsWith(words[0]) ? 0 : 1);
   return fits.sort((a, b) => rank(a) - rank(b));
+}
+
+/** Outlines in 24 by 24, by kinds. */
+const ICONS = {
+  command: "M7 6l6 6l-6 6M14 18h5",
+  control: "M12 3v4M12 17v4M3 12h4M17 12h4M12 7a5 5 0 1 1 0 10a5 5 0 0 1 0-10z",
+  scene: "M4 4h6v6H4zM14 4h6v6h-6zM4 14h6v6H4zM14 14h6v6h-6z",
+};
+
+/**
+ * A name in parts, every second of which was searched for.
+ *
+ * @param {string} name @param {string} text
+ */
+export function partsOf(name, text) {
+  const words = text.toLowerCase().split(/\s+/).filter(Boolean);
+  const low = name.toLowerCase();
+  const parts = [];
+  let at = 0;
+  while (at < name.length) {
+    const hits = words.map((word) => ({ from: low.indexOf(word, at), size: word.length })).filter(({ from }) => from >= 0);
+    if (!hits.length) break;
+    const { from, size } = hits.reduce((one, other) => (other.from < one.from || (other.from === one.from && other.size > one.size) ? other : one));
+    parts.push(name.slice(at, from), name.slice(from, from + size));
+    at = from + size;
+  }
+  return [...parts, name.slice(at)];
 }
 
 /** The dialog; made when it is first opened. */
@@ -49,7 +77,11 @@ class Finder {
     this.list.setAttribute("role", "listbox");
     this.list.ariaLabel = "Found";
     this.none = make("p", "softrod-none", "Nothing has this name.");
-    this.dialog.append(this.input, this.list, this.none);
+    const keys = make("kbd", "softrod-found-key", "Esc");
+    keys.ariaHidden = "true";
+    const head = make("div", "softrod-finder-head");
+    head.append(this.input, keys);
+    this.dialog.append(head, this.list, this.none);
     document.body.append(this.dialog);
     this.input.addEventListener("input", () => this.search());
     this.dialog.addEventListener("keydown", (event) => this.press(event));
@@ -60,19 +92,32 @@ class Finder {
     if (this.dialog.open) return;
     this.input.value = "";
     this.search();
+    for (const { ask } of others) ask();
     this.dialog.showModal();
     this.input.focus();
   }
 
+  /** Searches again, after there is more to be found. */
+  refresh() {
+    if (!this.dialog.open) return;
+    const { at } = this;
+    this.search();
+    if (at < this.found.length) this.mark(at);
+  }
+
   search() {
-    this.found = matching(this.entries(), this.input.value);
+    const { value } = this.input;
+    this.found = matching(this.entries(), value);
     this.none.hidden = this.found.length > 0;
     this.list.replaceChildren(
-      ...this.found.map(({ name, about }, i) => {
+      ...this.found.map(({ name, about = "", kind }, i) => {
         const row = make("div", "softrod-found-row");
         row.id = `softrod-found-${i}`;
         row.setAttribute("role", "option");
-        row.append(make("span", "", name), make("span", "softrod-found-about", about ?? ""));
+        const words = make("span", "");
+        words.append(...partsOf(name, value).map((part, k) => (k % 2 ? make("mark", "", part) : part)));
+        row.innerHTML = iconHtml(ICONS[kind]);
+        row.append(words, make("span", "softrod-found-about", about));
         row.addEventListener("click", () => this.take(i));
         row.addEventListener("pointermove", () => this.mark(i));
         return row;
@@ -115,6 +160,15 @@ let finder = null;
 /** @type {() => Found[]} */
 let entriesOf = () => [];
 
+/** Further things to be found. @type {{ask: () => void, entries: () => Found[]}[]} */
+const others = [];
+
+/** Finds further things. @param {() => void} ask asks for them, each time it opens @param {() => Found[]} entries */
+export const alsoFinds = (ask, entries) => void others.push({ ask, entries });
+
+/** Searches again if it is open, after there is more to be found. */
+export const refreshFinder = () => finder?.refresh();
+
 /** Opens it. */
 export function openFinder() {
   finder ??= new Finder(entriesOf);
@@ -137,9 +191,11 @@ export function takeCommands(controls) {
       .filter(([, { disabled }]) => !disabled)
       .map(([uuid, { label, description }]) => ({
         name: label,
+        kind: /** @type {const} */ ("command"),
         about: description ?? "",
         show: () => answer({ type: "CommandTriggerMessage", uuid }),
       })),
     ...controls(),
+    ...others.flatMap(({ entries }) => entries()),
   ];
 }

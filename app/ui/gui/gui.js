@@ -83,16 +83,28 @@ export const charts = () => [...controls.values()].filter((control) => control i
 /** The controls that can be found by their names. */
 export const named = () => [...controls.values()].filter((control) => control.name && !control.element.hidden);
 
+/** What holds a control. @param {Control} control */
+function holderOf(control) {
+  const id = whereabouts.get(control) ?? "";
+  return { id, holder: [...controls.values()].find(({ places: inside }) => inside.has(id)) };
+}
+
+/** The words of the tab that a control is in; empty outside of all. @param {Control} control @returns {string} */
+function tabOf(control) {
+  const { id, holder } = holderOf(control);
+  if (!holder) return "";
+  return isTabs(holder) ? (holder.tabs.get(id)?.tab.textContent ?? "") : tabOf(holder);
+}
+
 /** Shows a control, wherever it is, and moves the focus to it. @param {Control} control */
 export function reveal(control) {
   /** @type {Control | undefined} */
   let inside = control;
   while (inside) {
-    /** @type {string} */
-    const id = whereabouts.get(inside) ?? "";
-    inside = [...controls.values()].find((other) => other.places.has(id));
-    if (inside && isTabs(inside)) inside.choose(id);
-    if (inside && isFolder(inside)) inside.open();
+    const { id, holder } = holderOf(inside);
+    if (holder && isTabs(holder)) holder.choose(id);
+    if (holder && isFolder(holder)) holder.open();
+    inside = holder;
   }
   panel.unfold();
   control.element.scrollIntoView({ block: "nearest" });
@@ -115,7 +127,14 @@ export function drawPanel() {
   onMessage("controlLook", (look) => controls.get(look.id)?.describe(look));
   takeDialogs(places);
   takeNotices();
-  takeCommands(() => named().map((control) => ({ name: control.name, show: () => reveal(control) })));
+  takeCommands(() =>
+    named().map((control) => ({
+      name: control.name,
+      kind: "control",
+      about: [control.saying, tabOf(control)].filter(Boolean).join(" · "),
+      show: () => reveal(control),
+    })),
+  );
   takeFiles();
   panel.begin();
 }

@@ -12,6 +12,7 @@ const FIND = "M11 4a7 7 0 1 1 0 14a7 7 0 0 1 0-14zM16 16l4.5 4.5";
 const HELP = "M12 3a9 9 0 1 1 0 18a9 9 0 0 1 0-18zM9.6 9.2a2.5 2.5 0 1 1 3.4 2.4q-1 .5-1 1.7v.4M12 16.6v.1";
 const FOLD = "M9 6l6 6l-6 6";
 const UNFOLD = "M15 6l-6 6l6 6";
+const MORE = "M6 9l6 6l6-6";
 
 /** Windows in which the panel is a sheet. */
 const SHEET = matchMedia("(max-width: 576px)");
@@ -55,6 +56,13 @@ class Panel {
     const head = make("div", "softrod-panel-head");
     head.append(make("span", "softrod-brand", "softrod"), iconButton(FIND, "Find anything (Ctrl K)", openFinder), this.help, this.fold);
     this.element.append(this.handle, head, this.controls);
+    // A phone has these over the canvas instead, where they take nothing from the sliders.
+    this.scene = makeButton("", () => perform("gallery"), "softrod-scene softrod-floats");
+    this.scene.title = "Choose another scene";
+    this.find = iconButton(FIND, "Find anything", openFinder);
+    this.find.classList.add("softrod-floats");
+    this.over = make("div", "softrod-over");
+    this.over.append(this.scene, this.find);
     /** @type {Height} */
     this.height = "half";
     /** Whether the user has folded it; null before that was chosen. @type {boolean | null} */
@@ -62,12 +70,13 @@ class Panel {
   }
 
   begin() {
-    document.body.append(this.element, this.unfolds);
+    document.body.append(this.over, this.element, this.unfolds);
     onMessage("pageState", () => {
       this.help.hidden = !has("help");
+      this.showOver();
       this.show();
     });
-    for (const size of [SHEET, SMALL]) size.addEventListener("change", () => this.show());
+    for (const size of [SHEET, SMALL]) size.addEventListener("change", () => (this.showOver(), this.show()));
     // A tab that is pressed is wanted in sight.
     this.controls.addEventListener("click", ({ target }) => {
       if (target instanceof Element && target.closest("[role=tab]") && this.height === "closed") this.go("half");
@@ -90,6 +99,7 @@ class Panel {
   changed() {
     if (this.element.hidden === this.isEmpty) return;
     this.element.hidden = this.isEmpty;
+    this.showOver();
     this.show();
   }
 
@@ -126,6 +136,20 @@ class Panel {
     this.handle.ariaLabel = this.height === "closed" ? "Show the controls" : "Hide the controls";
     this.handle.ariaExpanded = String(this.height !== "closed");
     this.unfolds.hidden = isSheet || this.isEmpty || !this.isFolded;
+  }
+
+  /** Shows what a phone has over the canvas. */
+  showOver() {
+    const { title = "" } = pageState();
+    this.scene.hidden = !has("chooser") || !title;
+    if (this.scene.dataset.name !== title) {
+      this.scene.dataset.name = title;
+      this.scene.replaceChildren(make("span", "", title));
+      this.scene.insertAdjacentHTML("beforeend", iconHtml(MORE));
+      this.scene.ariaLabel = `${title}: choose another scene`;
+    }
+    this.find.hidden = this.isEmpty;
+    document.documentElement.toggleAttribute("data-softrod-over", SHEET.matches && !(this.scene.hidden && this.find.hidden));
   }
 
   /** Lets a finger drag the sheet by its handle; it goes on to the height at which it was thrown. */

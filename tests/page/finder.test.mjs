@@ -1,0 +1,18 @@
+// @ts-check
+/** What is found by its name, and which of it was searched for. */
+import assert from "node:assert/strict";
+import test from "node:test";
+import { matching, partsOf } from "../../app/ui/gui/finder.js";
+
+test("all words must be in a name, and names that begin with the first one come first", () => {
+  const entries = ["Make it stiffer", "Stiff rod", "Bending stiffness", "Jelly"].map((name) => ({ name }));
+  assert.deepEqual(matching(entries, "stiff").map(({ name }) => name), ["Stiff rod", "Make it stiffer", "Bending stiffness"]);
+  assert.deepEqual(matching(entries, "ness bend").map(({ name }) => name), ["Bending stiffness"]);
+});
+
+test("what was searched for is every second part, in the letters of the name", () => {
+  assert.deepEqual(partsOf("Bending stiffness", "STIFF"), ["Bending ", "stiff", "ness"]);
+  assert.deepEqual(partsOf("Bending stiffness", "st bend"), ["", "Bend", "ing ", "st", "iffness"]);
+  assert.deepEqual(partsOf("stst", "st sts"), ["", "sts", "t"]);
+  assert.deepEqual(partsOf("Jelly", ""), ["Jelly"]);
+});
