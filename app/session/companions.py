@@ -24,7 +24,7 @@ class Companion(ABC):
         span: simulated seconds of its past that it needs to go back.
         by_hand: whether hands and keys act on its bodies as they do on the session's.
         in_step: whether the session's clock waits for it.
-        drawn: whether its first body is drawn with a look of its own.
+        drawn: whether its bodies are drawn, with a look of their own.
         cost: running average of the seconds of computing per frame.
         costs: what its steps cost.
     """
@@ -135,9 +135,9 @@ class Companions:
         return [body for one in self if one.by_hand for body in one.bodies]
 
     @property
-    def second(self) -> sim.Simulation | None:
-        """The body that is drawn with a look of its own, if there is one."""
-        return next((one.bodies[0] for one in self if one.drawn), None)
+    def drawn(self) -> list[sim.Simulation]:
+        """The bodies that are drawn, with a look of their own."""
+        return [body for one in self if one.drawn for body in one.bodies]
 
     @property
     def are_in_step(self) -> bool:

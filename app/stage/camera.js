@@ -19,6 +19,8 @@ const NARROW = 520;
 const BUTTON_MARGIN = 18;
 /** Pixels that the head-up display takes on such a canvas, which it nearly fills from side to side. */
 const HUD_HEIGHT = 66;
+/** Part of the free canvas that is left to it at most. */
+const MOST_ABOVE = 0.35;
 /** Part of the canvas's width beyond which the row of tools leaves no room for a body beside it. */
 const WIDE = 0.75;
 /** Pixels of a canvas's height below which it leaves none in any case. */
@@ -129,7 +131,8 @@ function besideTools(box) {
     const height = Math.max(0, ...buttons.map((button) => button.getBoundingClientRect().height));
     // Not the display's present height: a body would jump whenever that gets another line.
     const [over, hud] = [".softrod-over", ".softrod-hud"].map((name) => document.querySelector(name)?.getBoundingClientRect());
-    const above = Math.max(0, (over?.bottom ?? 0) - box.top) + (hud && box.width < NARROW ? HUD_HEIGHT : 0);
+    const wanted = Math.max(0, (over?.bottom ?? 0) - box.top) + (hud && box.width < NARROW ? HUD_HEIGHT : 0);
+    const above = Math.min(wanted, MOST_ABOVE * (floorOf(box) - box.top));
     return { above, below: box.width < NARROW && height ? height + BUTTON_MARGIN : 0 };
   }
   const [row, bar] = [".softrod-edit.softrod-edit-row", ".softrod-edit-bar"].map((name) => document.querySelector(name)?.getBoundingClientRect());

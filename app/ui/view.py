@@ -25,6 +25,7 @@ from ..stage.colors import blend, palette
 from ..stage.plan import Picture, broken_of, encode_damage, encode_frame, encode_plan
 from ..stage.shapes import meshes
 from ..stage.sketch import Z_GIZMO, Floats, Sketch
+from ..stage.together import side_by_side
 from ..wire.carrier import Mail
 from ..wire.to_page import Damage, Frame, Plan, SecondPlan
 
@@ -356,7 +357,8 @@ def picture_of(session: Session) -> Picture:
         if len(shape) == len(simulation.scene.masses):
             other = shape + _SWAY * float(np.ptp(shape, axis=0).max(initial=0.0)) * session.refusal.motion
     picture = Picture.of(simulation, other, damage)
-    second = session.companions.second
-    if second is None:
+    others = session.companions.drawn
+    if not others:
         return picture
-    return replace(picture, second=Picture.of(second))
+    second = side_by_side([other.scene for other in others], [Picture.of(other) for other in others])
+    return replace(picture, second=second)

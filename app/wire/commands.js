@@ -41,7 +41,7 @@ export const COMMANDS = {
   muscle: {"label": "Muscle", "keys": ["u"], "shown": "U", "hint": "Springs and joints that move to a beat; again, and they are none any more", "needs": "edit"},
   modes: {"label": "Modes", "keys": ["v"], "shown": "V", "hint": "how the body can swing, and how much of each is in its motion", "needs": "modes"},
   mute: {"label": "Sound of the modes, or silence", "keys": ["m"], "shown": "M", "needs": "modes", "page": true},
-  race: {"label": "Race against another body", "keys": ["a"], "shown": "A", "hint": "both on this terrain, started together", "needs": "chooser", "page": true},
+  race: {"label": "Race against another body", "keys": ["a"], "shown": "A", "hint": "all on this terrain, started together", "needs": "chooser", "page": true},
   leaveRace: {"label": "Leave the race", "keys": [], "needs": "chooser"},
   lesson: {"label": "Make a lesson", "keys": [], "hint": "steps with a question, a goal, sliders and plots", "needs": "edit"},
   edit: {"label": "Edit", "word": "Edit", "keys": ["e"], "shown": "E", "hint": "Build and change the body", "needs": "edit", "icon": "M4 20l1-4L16 5l3 3L8 19zM14 7l3 3", "page": true},

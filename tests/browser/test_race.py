@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import sim
 from app.features.race.feature import BeginRace
-from app.features.race.rival import Rival
+from app.features.race.rivals import Rivals
 from tests.browser.conftest import OpenPage
+from tests.browser.driver import box_of
 
 
 def test_a_worm_races_against_a_walker(open_page: OpenPage) -> None:
     desk = open_page("worm")
     page, session = desk.page, desk.session
 
-    def rival() -> Rival | None:
-        return session.companions.get(Rival)
+    def rival() -> Rivals | None:
+        return session.companions.get(Rivals)
 
     assert page.locator(".softrod-race").count() == 0
     page.keyboard.press("a")
@@ -63,9 +64,9 @@ def test_a_worm_races_against_a_walker(open_page: OpenPage) -> None:
 def test_a_race_ends_with_a_sentence_and_race_again_starts_both_over(open_page: OpenPage) -> None:
     desk = open_page("worm")
     page, session = desk.page, desk.session
-    session.post(BeginRace(sim.load_scene("worm"), 8.0))
+    session.post(BeginRace((sim.load_scene("worm"),), 8.0))
     desk.until(lambda: page.locator(".softrod-race").is_visible(), "the strip is there")
-    rival = session.companions.get(Rival)
+    rival = session.companions.get(Rivals)
     assert rival is not None
     flag = page.locator(".softrod-finish text").first
     desk.until(lambda: flag.text_content() == "Finish, 8 px", "the finish is on the canvas")
@@ -82,3 +83,26 @@ def test_a_race_ends_with_a_sentence_and_race_again_starts_both_over(open_page: 
     assert not any(runner.is_done for runner in rival.runners)
     desk.until(lambda: session.playing, "they run after the count-down")
     desk.until(lambda: says.inner_text().startswith(both), "and are there again")
+
+
+def test_a_third_body_joins_and_every_one_is_named(open_page: OpenPage) -> None:
+    desk = open_page("tutorial-3.3")
+    page, session = desk.page, desk.session
+    session.post(BeginRace((sim.load_scene("triangle"),), 50.0))
+    page.get_by_role("button", name="Add", exact=True).click()
+    page.locator('[data-name="ring"] .softrod-open').first.click()
+    rows = page.locator(".softrod-race-row b")
+    desk.until(lambda: rows.count() == 3, "three are in the strip")
+    assert rows.all_inner_texts() == ["Rope (3.3) (yours)", "Triangle", "Ring"]
+    rivals = session.companions.get(Rivals)
+    assert rivals is not None
+    masses = sum(len(scene.masses) for scene in rivals.scenes)
+    desk.until(lambda: len(desk.instances("/second/masses")) >= masses - 3, "both are drawn")
+    tags = page.locator(".softrod-race-tag:visible")
+    desk.until(lambda: tags.all_text_contents() == ["Triangle", "Ring"], "names are over the others")
+    for tag, body in zip(tags.all(), rivals.bodies, strict=True):
+        box, places = box_of(tag), desk.at(body.positions)
+        assert abs(box["x"] + box["width"] / 2.0 - places[:, 0].mean()) < 20.0
+        assert -40.0 < box["y"] + box["height"] - places[:, 1].min() < 0.0
+    page.get_by_role("button", name="Leave").click()
+    desk.until(lambda: tags.count() == 0, "they go with the race")

@@ -86,5 +86,5 @@ def test_by_touch(open_page: OpenPage) -> None:
         assert field.evaluate("it => parseFloat(getComputedStyle(it).fontSize)") >= 16
     name.fill("pocket")
     desk.button("Done").tap()
-    desk.button("pocket").wait_for()
+    desk.button("pocket: choose another scene").wait_for()
     assert form(desk).count() == 0

@@ -8,7 +8,8 @@ import { aheadText, middleOfWords } from "../../app/features/race/marks.js";
 import { fullRace, lead, namesOf, verdict } from "../../app/features/race/words.js";
 
 /** A race of a worm against a walker, to a finish that is 300 px away. */
-const racing = (more) => ({ on: true, names: ["Worm", "Walker"], finish: 300, lines: [500, 500], seconds: 4, ...more });
+const PAIR = { ways: [0, 0], arrived: [null, null], outs: ["", ""], masses: [2], more: true };
+const racing = (more) => ({ on: true, names: ["Worm", "Walker"], finish: 300, lines: [500, 500], seconds: 4, ...PAIR, ...more });
 const says = (more) => verdict(fullRace(racing(more)));
 become({ unit: "px", playing: true });
 
@@ -34,6 +35,23 @@ test("until then the one that is nearer to the finish is ahead, to whichever sid
   assert.equal(says({ ways: [0.2, 0.1], finish: 1 }), "Yours is ahead by 0.1 px");
   assert.equal(lead(fullRace(racing({ ways: [-50, -20], finish: -300 }))), 30);
   assert.deepEqual(namesOf(fullRace(racing({ names: ["Worm", "Worm"] }))), ["Worm (yours)", "Worm (the other)"]);
+});
+
+test("of three, the first and the next are told, and what became of the rest", () => {
+  const three = { names: ["Worm", "Walker", "Heart"], lines: [500, 500, 500], ways: [0, 0, 0], arrived: [null, null, null], outs: ["", "", ""], masses: [2, 1] };
+  const of3 = (more) => says({ ...three, ...more });
+  assert.equal(of3({ ways: [20, 90, 60] }), "Walker is ahead by 30 px");
+  assert.equal(of3({ ways: [90, 90, 60] }), "None is ahead");
+  assert.equal(of3({ ways: [20, 90, 60], outs: ["", "", "fell"] }), "Walker is ahead by 30 px");
+  assert.equal(of3({ outs: ["exploded", "", "fell"] }), "Yours exploded, Heart fell");
+  assert.equal(of3({ arrived: [null, 4.5, null] }), "Walker is first, after 4.50 s");
+  assert.equal(of3({ arrived: [5, 4.5, null] }), "Walker was first, after 4.50 s");
+  assert.equal(of3({ arrived: [5, 4.5, 6] }), "Walker was first, 0.50 s before yours");
+  assert.equal(of3({ arrived: [5, 5, 6] }), "Yours and Walker at once, after 5.00 s");
+  assert.equal(of3({ arrived: [5, null, null], outs: ["", "fell", "exploded"] }), "Yours was first; Walker fell, Heart exploded");
+  assert.equal(of3({ outs: ["fell", "fell", "fell"] }), "Nobody was first: all fell");
+  assert.equal(lead(fullRace(racing({ ...three, ways: [20, 90, 60] }))), -70);
+  assert.deepEqual(namesOf(fullRace(racing({ ...three, names: ["Worm", "Heart", "Heart"] }))), ["Worm (yours)", "Heart 1", "Heart 2"]);
 });
 
 test("words do not go beyond the edges", () => {

@@ -1,4 +1,4 @@
-"""A race of the body against that of another scene, on one terrain and one clock."""
+"""A race of the body against those of other scenes, on one terrain and one clock."""
 
 from __future__ import annotations
 
@@ -23,36 +23,39 @@ from ...ui.feature import Drawn, Feature, LongText
 from ...ui.opening import asked_scene
 from ...ui.page import Page
 from .messages import Race, RaceAnswer
-from .rival import Rival
+from .rivals import Rivals
 
 READ_EVERY = 0.1
 """Seconds between two readings while the bodies move; faster ones would only flicker."""
+
+MAX_RIVALS = 3
+"""More would be neither seen nor computed in time."""
 
 _ADDRESS = re.compile(r"\S+\?(\S+)")
 
 
 class BeginRace(Command):
-    """Race against the body of another scene: both are put at their starts, and wait.
+    """Race against the bodies of other scenes: all are put at their starts, and wait.
 
     Attributes:
-        scene: the other one.
+        scenes: the others.
         finish: way from the start to the finish along x, px.
     """
 
-    scene: sim.Scene
+    scenes: tuple[sim.Scene, ...]
     finish: float
     acts = True
     refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
-        rival = Rival(session.simulation, self.scene, self.finish, session.can_wait)
+        rivals = Rivals(session.simulation, self.scenes, self.finish, session.can_wait)
         session.play(False)
-        session.companions.add(rival, session.history)
+        session.companions.add(rivals, session.history)
         session.reset()
 
     @property
     def is_heavy(self) -> bool:
-        return is_large(self.scene)
+        return any(map(is_large, self.scenes))
 
     def playing_after(self, playing: bool) -> bool:
         return False
@@ -64,7 +67,7 @@ class LeaveRace(Command):
     refresh = Refresh.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
-        session.companions.remove(Rival, session.history)
+        session.companions.remove(Rivals, session.history)
 
 
 class RaceFeature(Feature):
@@ -75,7 +78,7 @@ class RaceFeature(Feature):
         "race": Row(
             "Race against another body", "page", ("A",),
             "race against another body; in a race, start again",
-            hint="both on this terrain, started together", needs="chooser",
+            hint="all on this terrain, started together", needs="chooser",
             share=("Race against …", viser.Icon.FLAG),
         ),
         "leaveRace": Row("Leave the race", LeaveRace(), needs="chooser"),
@@ -87,7 +90,7 @@ class RaceFeature(Feature):
         self._due = 0.0
 
     def read(self, kind: str, letters: str) -> None:
-        """Begin a race against the body of a scene, or say why not.
+        """Begin a race against the body of a scene, or add it to the race that is on; or say why not.
 
         Args:
             kind: "rival".
@@ -95,15 +98,26 @@ class RaceFeature(Feature):
         """
         session = self.session
         try:
-            rival = self._find(urllib.parse.unquote(letters).strip())
+            rivals = (*self._rivals(), self._find(urllib.parse.unquote(letters).strip()))
             own = session.snapshot(session.scene.name, with_pose=False)
-            finish = finish_of(own, on_terrain(rival, own), session.can_wait)
+            ways = [finish_of(own, on_terrain(rival, own), session.can_wait) for rival in rivals]
         except (SceneError, InputError) as error:
             text = str(error)
             self.page.mail.send(RaceAnswer(problem=f"{text[:1].upper()}{text[1:]}."))
             return
-        session.post(BeginRace(rival, finish))
+        session.post(BeginRace(rivals, max(ways, key=abs)))
         self.page.mail.send(RaceAnswer(problem=""))
+
+    def _rivals(self) -> tuple[sim.Scene, ...]:
+        """Return the scenes of the race that is on.
+
+        Raises:
+            SceneError: no other body has room in it; one sentence.
+        """
+        race = self.session.companions.get(Rivals)
+        if race is not None and len(race.scenes) >= MAX_RIVALS:
+            raise SceneError(f"{MAX_RIVALS + 1} bodies are as many as can be in a race")
+        return race.scenes if race is not None else ()
 
     def _find(self, text: str) -> sim.Scene:
         """Return the scene that a text names.
@@ -125,8 +139,8 @@ class RaceFeature(Feature):
     def frame(self, drawn: Drawn) -> None:
         """See `Feature`."""
         session = self.session
-        rival = session.companions.get(Rival)
-        if rival is None:
+        rivals = session.companions.get(Rivals)
+        if rivals is None:
             if self._on:
                 self._on = False
                 self.page.mail.send(Race())
@@ -135,19 +149,19 @@ class RaceFeature(Feature):
         if now < self._due:
             return
         self._on, self._due = True, now + READ_EVERY
-        one, other = rival.ways(session.simulation)
-        mine, theirs = rival.runners
         self.page.mail.send(
             Race(
                 on=True,
-                names=(shown_name(session.scene), shown_name(rival.scene)),
-                ways=(float(f"{one:.4g}"), float(f"{other:.4g}")),
-                seconds=round(rival.seconds, 1),
-                fair=rival.fair,
-                finish=rival.finish,
-                lines=rival.lines,
-                arrived=(_hundredths(mine.arrived), _hundredths(theirs.arrived)),
-                outs=(mine.out, theirs.out),
+                names=tuple(map(shown_name, (session.scene, *rivals.scenes))),
+                ways=tuple(float(f"{way:.4g}") for way in rivals.ways(session.simulation)),
+                seconds=round(rivals.seconds, 1),
+                fair=rivals.fair,
+                finish=rivals.finish,
+                lines=rivals.lines,
+                arrived=tuple(_hundredths(runner.arrived) for runner in rivals.runners),
+                outs=tuple(runner.out for runner in rivals.runners),
+                masses=tuple(len(scene.masses) for scene in rivals.scenes),
+                more=len(rivals.scenes) < MAX_RIVALS,
             )
         )
 

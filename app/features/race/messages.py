@@ -6,11 +6,11 @@ from ...wire.messages import Event, State
 
 
 class Race(State, frozen=True, kw_only=True, omit_defaults=True):
-    """The race of the body against another one, if there is one.
+    """The race of the body against others, if there is one.
 
     Attributes:
         on: whether there is.
-        names: of the body and of the other one.
+        names: of the body and of the others.
         ways: distance of each along x since the start, px.
         seconds: simulated, since then.
         fair: whether nobody has moved or changed the body between start and end.
@@ -18,17 +18,21 @@ class Race(State, frozen=True, kw_only=True, omit_defaults=True):
         lines: x of the finish of each, px.
         arrived: seconds that each took to the finish; null while it is on its way.
         outs: what has kept each from the finish, such as "exploded"; empty while nothing has.
+        masses: how many the second body of a picture has of each of the others.
+        more: whether another body can be added.
     """
 
     on: bool = False
-    names: tuple[str, str] = ("", "")
-    ways: tuple[float, float] = (0.0, 0.0)
+    names: tuple[str, ...] = ()
+    ways: tuple[float, ...] = ()
     seconds: float = 0.0
     fair: bool = True
     finish: float = 0.0
-    lines: tuple[float, float] = (0.0, 0.0)
-    arrived: tuple[float | None, float | None] = (None, None)
-    outs: tuple[str, str] = ("", "")
+    lines: tuple[float, ...] = ()
+    arrived: tuple[float | None, ...] = ()
+    outs: tuple[str, ...] = ()
+    masses: tuple[int, ...] = ()
+    more: bool = False
 
 
 class RaceAnswer(Event, frozen=True, kw_only=True):

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * The strip of a race over the bar of time: how far each body has come, which is ahead or was first, and a start after a
- * count-down. It is made at the first race.
+ * The strip of a race over the bar of time: how far each body has come, which is ahead or was first, another body that joins,
+ * and a start after a count-down. It is made at the first race.
  */
 import { canvasBox } from "../../ui/viser/viser.js";
 import { onMessage, pageState } from "../../wire/channel.js";
@@ -24,7 +24,7 @@ const READ_EVERY = 3000;
 /** The group of presets that move by themselves. */
 const MOVING = "Muscles";
 const RULE =
-  "Both start together, on this body's terrain, and the middle of each counts at the finish. Changes of this body and of the terrain are allowed, and are noted here; Race again makes it fair.";
+  "All start together, on this body's terrain, and the middle of each counts at the finish. Changes of this body and of the terrain are allowed, and are noted here; Race again makes it fair.";
 
 let race = fullRace({ tell: "race" });
 
@@ -45,10 +45,20 @@ function makeLine() {
   return line;
 }
 
+/** Chooses a rival, or one more. */
+const chooseRival = () => theGallery().open({ title: "Race against", line: makeLine(), first: MOVING, pick: raceAgainst });
+
 /** Chooses a rival; or in a race, starts it again. */
-function openRace() {
-  if (race.on) start();
-  else theGallery().open({ title: "Race against", line: makeLine(), first: MOVING, pick: raceAgainst });
+const openRace = () => (race.on ? start() : chooseRival());
+
+/** The row of one of the bodies. @param {number} i */
+function makeRow(i) {
+  const row = make("div", `softrod-race-row softrod-race-${i ? "theirs" : "mine"}`);
+  const [who, track, bar, way] = [make("b", ""), make("span", "softrod-race-track"), make("i", ""), make("output", "")];
+  way.ariaLive = "off"; // what is read out is the line above
+  track.append(bar);
+  row.append(who, track, way);
+  return { row, who, bar, way };
 }
 
 let start = () => {};
@@ -56,20 +66,16 @@ let start = () => {};
 function makeRace() {
   const { strip, head, says, live, show } = makeStrip("race", "Race");
   const begin = makeButton("Start", () => start(), "softrod-race-start");
-  begin.title = withKey("Both from the start, after a count-down", "race");
+  begin.title = withKey("All from the start, after a count-down", "race");
   const leave = makeButton("Leave", () => perform("leaveRace"), "");
   leave.title = "Leave the race; this body goes on alone";
-  head.append(begin, leave);
-  const rows = ["softrod-race-mine", "softrod-race-theirs"].map((name) => {
-    const row = make("div", `softrod-race-row ${name}`);
-    const [who, track, bar, way] = [make("b", ""), make("span", "softrod-race-track"), make("i", ""), make("output", "")];
-    way.ariaLive = "off"; // what is read out is the line above
-    track.append(bar);
-    row.append(who, track, way);
-    return { row, who, bar, way };
-  });
+  const add = makeButton("Add", chooseRival, "");
+  add.title = "Another body joins the race";
+  head.append(begin, add, leave);
+  /** @type {ReturnType<typeof makeRow>[]} */
+  let rows = [];
   const rule = make("small", "softrod-race-rule", RULE);
-  strip.append(...rows.map(({ row }) => row), rule);
+  strip.append(rule);
   const count = make("div", "softrod-count");
   count.ariaLive = "assertive";
   count.hidden = true;
@@ -101,11 +107,17 @@ function makeRace() {
   onMessage("pageState", ({ playing }) => playing && counting && count.textContent !== "Go!" && stopCount());
   return (/** @type {Required<Race>} */ now) => {
     const { on, ways, seconds, fair, finish, arrived } = now;
-    if (strip.hidden === on) live.textContent = on ? `A race against ${namesOf(now)[1]}. ${withKey("Start", "race")}.` : "The race is left";
+    if (strip.hidden === on) live.textContent = on ? `A race against ${namesOf(now).slice(1).join(" and ")}. ${withKey("Start", "race")}.` : "The race is left";
     else if (seconds < before) live.textContent = ""; // so that the same result is read out again
     before = seconds;
     show(on);
     if (!on) stopCount();
+    if (rows.length !== ways.length) {
+      for (const { row } of rows) row.remove();
+      rows = ways.map((_, i) => makeRow(i));
+      for (const { row } of rows) rule.before(row);
+    }
+    add.hidden = !now.more;
     rows.forEach(({ who, bar, way }, i) => {
       const name = namesOf(now)[i];
       if (who.textContent !== name) who.textContent = name;

@@ -10,14 +10,16 @@ const CLOSE = 0.002;
 /** All fields of a race; those that have their usual values are not sent. @param {Race} race @returns {Required<Race>} */
 export const fullRace = (race) => ({
   on: false,
-  names: ["", ""],
-  ways: [0, 0],
+  names: [],
+  ways: [],
   seconds: 0,
   fair: true,
   finish: 0,
-  lines: [0, 0],
-  arrived: [null, null],
-  outs: ["", ""],
+  lines: [],
+  arrived: [],
+  outs: [],
+  masses: [],
+  more: false,
   ...race,
 });
 
@@ -27,37 +29,58 @@ export function distance(way) {
   return `${way < 0 && size ? "−" : ""}${size} ${pageState().unit ?? ""}`;
 }
 
-/** The names of both, which are different even if their scenes' are the same. @param {Required<Race>} race @returns {[string, string]} */
-export const namesOf = ({ names: [one, other] }) => [`${one} (yours)`, one === other ? `${other} (the other)` : other];
+/** The names of all, which are different even if their scenes' are the same. @param {Required<Race>} race @returns {string[]} */
+export function namesOf({ names: [own, ...others] }) {
+  const said = others.map((name, i) => {
+    const before = others.slice(0, i).filter((other) => other === name).length;
+    if (before || others.indexOf(name, i + 1) > 0) return `${name} ${before + 1}`;
+    return name === own ? `${name} (the other)` : name;
+  });
+  return [`${own} (yours)`, ...said];
+}
 
-/** How far the first is ahead of the other, towards the finish. @param {Required<Race>} race */
-export const lead = ({ ways: [one, other], finish }) => (one - other) * Math.sign(finish);
+/** How far a body is ahead of the best of the others, towards the finish. @param {Required<Race>} race @param {number} [which] */
+export function lead({ ways, finish }, which = 0) {
+  const towards = ways.map((way) => way * Math.sign(finish));
+  return towards[which] - Math.max(...towards.filter((_, i) => i !== which));
+}
 
 /** Whether the result is known. @param {Required<Race>} race */
 export const isOver = ({ arrived, outs }) => arrived.every((time, i) => time !== null || outs[i]);
 
-/** Which is ahead or first, and what has become of the other. @param {Required<Race>} race */
+const YOURS = "Yours";
+/** A name within a sentence. @param {string} who */
+const inside = (who) => (who === YOURS ? "yours" : who);
+
+/** Which is ahead or first, and what has become of the others. @param {Required<Race>} race */
 export function verdict(race) {
-  const { arrived, outs, finish } = race;
-  const who = ["Yours", namesOf(race)[1]];
-  const [mine, theirs] = arrived;
-  if (mine !== null && theirs !== null) {
-    if (mine === theirs) return `Both at once, after ${mine.toFixed(2)} s`;
-    return `${who[mine < theirs ? 0 : 1]} was first, by ${Math.abs(mine - theirs).toFixed(2)} s`;
-  }
-  const first = mine ?? theirs;
-  if (first !== null) {
-    const [winner, left] = mine === null ? [1, 0] : [0, 1];
-    if (!outs[left]) return `${who[winner]} is first, after ${first.toFixed(2)} s`;
-    return `${who[winner]} was first; ${left ? who[1] : "yours"} ${outs[left]}`;
+  const { arrived, outs, finish, ways } = race;
+  const who = [YOURS, ...namesOf(race).slice(1)];
+  const all = who.map((_, i) => i);
+  const isPair = all.length === 2;
+  const there = all.filter((i) => arrived[i] !== null).sort((i, j) => Number(arrived[i]) - Number(arrived[j]));
+  const dropped = all.filter((i) => arrived[i] === null && outs[i]);
+  /** @param {number[]} some */
+  const fates = (some) => some.map((i) => `${inside(who[i])} ${outs[i]}`).join(", ");
+  if (there.length) {
+    const [first, next] = there;
+    const best = Number(arrived[first]);
+    const equal = there.filter((i) => arrived[i] === best);
+    const after = `after ${best.toFixed(2)} s`;
+    if (equal.length > 1) return `${isPair ? "Both" : equal.map((i, k) => (k ? inside(who[i]) : who[i])).join(" and ")} at once, ${after}`;
+    if (!isOver(race)) return `${who[first]} ${next === undefined ? "is" : "was"} first, ${after}`;
+    if (next === undefined) return `${who[first]} was first; ${fates(dropped)}`;
+    const by = `${(Number(arrived[next]) - best).toFixed(2)} s`;
+    return `${who[first]} was first, ${isPair ? `by ${by}` : `${by} before ${inside(who[next])}`}`;
   }
   if (isOver(race)) {
-    if (outs[0] === outs[1]) return `Nobody was first: both ${outs[0]}`;
-    return `Nobody was first: yours ${outs[0]}, ${who[1]} ${outs[1]}`;
+    const isSame = outs.every((out) => out === outs[0]);
+    return `Nobody was first: ${isSame ? `${isPair ? "both" : "all"} ${outs[0]}` : fates(all)}`;
   }
-  const out = outs[0] ? 0 : 1;
-  if (outs[out]) return `${who[out]} ${outs[out]}`;
-  const ahead = lead(race);
-  if (Math.abs(ahead) < CLOSE * Math.abs(finish)) return "Neither is ahead";
-  return `${who[ahead > 0 ? 0 : 1]} is ahead by ${distance(Math.abs(ahead))}`;
+  // Whoever is alone on the way is not ahead of anybody.
+  if (dropped.length && dropped.length === all.length - 1) return fates(dropped).replace(/^yours/, YOURS);
+  const best = all.reduce((i, j) => (ways[j] * Math.sign(finish) > ways[i] * Math.sign(finish) ? j : i));
+  const ahead = lead(race, best);
+  if (ahead < CLOSE * Math.abs(finish)) return isPair ? "Neither is ahead" : "None is ahead";
+  return `${who[best]} is ahead by ${distance(ahead)}`;
 }

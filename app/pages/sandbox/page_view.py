@@ -10,6 +10,7 @@ from ...session.framing import Framing
 from ...stage.colors import palette
 from ...stage.plan import broken_of, own_rest_angles
 from ...stage.sketch import Mapping
+from ...stage.together import together
 from ...ui import readouts
 from ...ui.controls import Controls
 from ...ui.feature import Drawn, Feature
@@ -101,9 +102,9 @@ class PageView:
         session = self._session
         self._planned = session.revision
         self._page.mapping = Mapping.of(session.scene)
-        dark, second = self._page.looks.dark, session.companions.second
+        dark, others = self._page.looks.dark, session.companions.drawn
         self._canvas.build(session.scene, dark, own_rest_angles(session.simulation))
-        self._canvas.build_second(second.capture().scene if second is not None else None, dark)
+        self._canvas.build_second(together([one.capture().scene for one in others]) if others else None, dark)
 
     def _show(self) -> Drawn:
         """Send the picture, the state, the texts and the controls, as far as they have changed."""
