@@ -1,5 +1,6 @@
 // @ts-check
-/** Projector mode, and room for words and lists of the buttons over the canvas. */
+/** Larger letters, for a projector or as the browser has them, and room for words and lists of the buttons over the canvas. */
+import { isSheet } from "./gui/panel.js";
 import { kept, store } from "./kept/storage.js";
 
 const NAME = "softrod-projector";
@@ -9,6 +10,10 @@ const WIDTH = 800;
 const HEIGHT = 540;
 /** Largest factor of projector mode. */
 const MAX_FACTOR = 4;
+/** Pixels of letters for which a browser's user has asked for larger ones; without that they have 16. */
+const LARGE_LETTERS = 20;
+/** Size of a window, px, in which letters of twice the usual size still leave room for the body. */
+const ROOM_FOR_DOUBLE = { width: 1400, height: 860 };
 
 const root = () => document.documentElement;
 
@@ -34,21 +39,45 @@ export function keepInView(list) {
 /** True in projector mode. */
 export const isProjector = () => root().classList.contains(NAME);
 
+/** Whether everything is larger at first, as for a user who has asked the browser for large letters. */
+const isWished = () => letters >= LARGE_LETTERS && !isSheet();
+
 /** Switches projector mode, in which everything is larger and bolder for the last row of a class; the tab remembers. */
 export function toggleProjector() {
-  store(NAME, root().classList.toggle(NAME) ? "1" : "");
+  store(NAME, root().classList.toggle(NAME) ? "1" : "0");
   enlarge();
 }
 
+/** Pixels of a phone's width that its sheet needs. */
+const NARROWEST = 320;
+
+/** Pixels of letters as the browser's user wishes them. */
+let letters = 16;
+
+/** Measures them: viser's page sets a size of its own. */
+function measureLetters() {
+  const probe = document.createElement("div");
+  probe.style.cssText = "position: absolute; visibility: hidden; font-size: medium";
+  document.body.append(probe);
+  letters = parseFloat(getComputedStyle(probe).fontSize) || 16;
+  probe.remove();
+}
+
 /** The factor by which the panel and the tools are enlarged. */
-export const larger = () =>
-  root().classList.contains(NAME) ? Math.min(Math.max(1, Math.min(innerWidth / WIDTH, innerHeight / HEIGHT)), MAX_FACTOR) : 1;
+export function larger() {
+  if (isSheet()) return Math.max(1, Math.min(letters / 16, innerWidth / NARROWEST));
+  if (!isProjector()) return 1;
+  const usual = Math.min(innerWidth / WIDTH, innerHeight / HEIGHT);
+  const wished = Math.min(letters / 16, (2 * innerWidth) / ROOM_FOR_DOUBLE.width, (2 * innerHeight) / ROOM_FOR_DOUBLE.height);
+  return Math.min(Math.max(1, kept(NAME) === "1" ? usual : 1, wished), MAX_FACTOR);
+}
 
 const enlarge = () => root().style.setProperty("--softrod-larger", larger().toFixed(3));
 
-/** Turns projector mode on if it was on before the page was reloaded, and keeps its sizes up to date. */
+/** Turns projector mode on if it was on before the page was reloaded or large letters are wished, and keeps its sizes up to date. */
 export function restoreLooks() {
-  root().classList.toggle(NAME, kept(NAME) === "1");
+  measureLetters();
+  root().classList.toggle(NAME, { 0: false, 1: true }[kept(NAME) ?? ""] ?? isWished());
   enlarge();
   window.addEventListener("resize", enlarge);
 }

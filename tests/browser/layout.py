@@ -27,7 +27,7 @@ LEAST, LEAST_TOUCHED = 24, 48
 """Size of a target, CSS px."""
 
 LESSON = "?scene=lesson-hooke"
-KINDS = ("small", "covered", "cut")
+KINDS = ("small", "covered", "cut", "zooms")
 
 
 class Fault(NamedTuple):
@@ -45,6 +45,7 @@ def faults(page: Page, touched: bool) -> list[Fault]:
         "small": seen.ask(page, "small", LEAST_TOUCHED if touched else LEAST),
         "covered": seen.ask(page, "covered"),
         "cut": seen.ask(page, "cut"),
+        "zooms": seen.ask(page, "zooms") if touched else [],
     }
     return [Fault(name, one["kind"], one["words"], one["more"]) for name in KINDS for one in found[name]]
 

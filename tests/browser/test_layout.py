@@ -54,6 +54,7 @@ def test_a_layout_is_judged_by_what_a_finger_and_an_eye_find(browser: Browser) -
         ("cut", "words that end in dots", "cut"),
         ("cut", "words that leave the window", "out"),
         ("cut", "mass 123456789012345", "longer"),
+        ("zooms", "mass", "13.3333px"),
     ]
     context.close()
 

@@ -316,3 +316,27 @@ def test_what_is_said_over_the_body_covers_no_mass(open_page: OpenPage) -> None:
     rows, columns = np.nonzero(differs)
     assert len(rows) > 20, "the word is seen"
     assert np.hypot(columns - x, rows - y).min() > 3.0, "but not over the mass"
+
+
+@pytest.mark.parametrize(("size", "times"), [((1280, 720), 1.6), ((390, 844), 1.2)])
+def test_letters_are_as_large_as_the_browser_s_user_wishes_and_nothing_leaves_the_window(
+    open_page: OpenPage, size: tuple[int, int], times: float
+) -> None:
+    desk = open_page(size=size, phone=size[0] < 600)
+    label = desk.page.get_by_text("Bending stiffness", exact=True)
+    usual, seen = box_of(label)["height"], "[innerWidth, document.documentElement.scrollWidth]"
+    letters = desk.page.context.new_cdp_session(desk.page)
+    letters.send("Page.setFontSizes", {"fontSizes": {"standard": 32}})
+    try:
+        desk.open()
+        desk.until(lambda: box_of(label)["height"] > times * usual, "they are larger")
+        width, reached = desk.page.evaluate(seen)
+        assert reached <= width
+        box = box_of(desk.page.locator(".softrod-panel"))
+        assert box["x"] >= -0.5
+        assert box["x"] + box["width"] <= width + 0.5
+        assert desk.uncovered(desk.place(0)), "the body is beside it"
+    finally:
+        letters.send("Page.setFontSizes", {"fontSizes": {"standard": 16}})
+    desk.open()
+    desk.until(lambda: box_of(label)["height"] < 1.1 * usual, "as before")

@@ -196,3 +196,21 @@ def test_the_number_of_a_slider_runs_with_it_and_its_ends_are_seen_while_it_is_h
     # A double click brings the scene's own number back.
     desk.thumb("Bending stiffness").dblclick()
     desk.until(lambda: value(desk, "angular_stiffness") == before, "it is as the scene has it")
+
+
+def test_on_a_phone_a_button_changes_the_sign_since_its_keypad_has_none(open_page: OpenPage) -> None:
+    desk = open_page(size=(390, 844), phone=True)
+    desk.tell(commands.Play(False))
+    box, sign = desk.box("Curl of every joint"), desk.button("Change the sign")
+    assert sign.count() == 0
+    box.tap()
+    desk.page.keyboard.press("Control+a")
+    desk.page.keyboard.type("12")
+    sign.tap()
+    assert box.input_value() == "-12"
+    assert box.evaluate("it => it === document.activeElement"), "its keypad stays"
+    desk.page.keyboard.press("Enter")
+    desk.until(lambda: value(desk, "rest_angle") == -12.0, "it is set")
+    # What cannot be negative has none.
+    desk.box("Bending stiffness").tap()
+    assert sign.count() == 0

@@ -1,5 +1,5 @@
 // What of a page can be seen and pressed, by words, roles and places alone, so that it serves any page.
-// Evaluates to an object: pressables(), small(least), covered(layers), cut(); each entry is plain data.
+// Evaluates to an object: pressables(), small(least), covered(layers), cut(), zooms(); each entry is plain data.
 (() => {
   const PRESSABLE =
     "button, a[href], input:not([type=hidden]), select, textarea, summary, [role=button], [role=tab], [role=switch], " +
@@ -230,6 +230,14 @@
     return found;
   };
 
-  const api = { pressables, small, covered, cut, remember, elements: [] };
+  // Fields with letters below 16 px: browsers of phones zoom in to write in them.
+  const zooms = () => {
+    const fields = [...document.querySelectorAll("input:not([type=range], [type=checkbox], [type=radio]), select, textarea")];
+    return fields
+      .filter((field) => isShown(field) && front().contains(field) && parseFloat(getComputedStyle(field).fontSize) < 16)
+      .map((field) => ({ kind: kindOf(field), words: named(field), more: getComputedStyle(field).fontSize }));
+  };
+
+  const api = { pressables, small, covered, cut, zooms, remember, elements: [] };
   return (window.visibleThings = api);
 })()

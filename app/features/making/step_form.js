@@ -101,8 +101,8 @@ export class StepForm {
 
   /** @param {string} label @param {string} name @param {() => void} change */
   numberField(label, name, change) {
+    // With letters: a reading may be negative, and the number keypad of some phones has no minus.
     const input = makeInput();
-    input.inputMode = "decimal";
     input.autocomplete = "off";
     this.sendLater(input, change);
     return { input, name, box: labelled(label, input, name) };

@@ -43,7 +43,7 @@ class NumberField extends Field {
     this.label.setAttribute("for", (this.box.input.id = newId()));
     this.unit = make("span", "softrod-unit");
     this.line = make("div", "softrod-field-line");
-    this.line.append(this.label, this.box.input, this.unit);
+    this.line.append(this.label, this.box.sign, this.box.input, this.unit);
     this.element.append(this.line, this.box.why);
   }
 

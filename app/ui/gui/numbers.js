@@ -5,7 +5,7 @@
  * sentence below, and the old one stays.
  */
 import { grouped } from "../numerals.js";
-import { make } from "../dialog.js";
+import { make, makeButton } from "../dialog.js";
 import { visit } from "./control.js";
 
 /** Milliseconds without a key before the number is set. */
@@ -13,20 +13,20 @@ const PAUSE = 2000;
 /** Characters of an unreadable text that are shown to the user. */
 const SHOWN = 40;
 
-/** A comma that may be a decimal comma or separate thousands. */
-const AMBIGUOUS_COMMA = /^[+-]?[1-9]\d{0,2},\d{3}$/;
+/** A comma that may be a decimal comma or separate thousands, and a point that may: few write a decimal that ends with a nought. */
+const AMBIGUOUS = /^[+-]?[1-9]\d{0,2}(,\d{3}|\.\d\d0)$/;
 const GROUPED = /^\d{1,3}([.,])\d{3}(\1\d{3})*$/;
 
 /**
  * Reads a number, or NaN: with a decimal point or comma, with an exponent, and with spaces, commas or points between groups
- * of three digits. A single comma before three digits is ambiguous, and not read.
+ * of three digits. What may be two numbers, as 1,234 or 2.000, is not read.
  *
  * @param {string} text
  */
 export function readNumber(text) {
   const plain = text.trim().replace(/\u2212/g, "-").replace(/(\d)[\s'\u2019](?=\d{3}(?!\d))/g, "$1");
   const [, sign = "", digits = "", exponent = ""] = /^([+-]?)([\d.,]*\d[.,]?)(e[+-]?\d+)?$/i.exec(plain) ?? [];
-  if (!digits || AMBIGUOUS_COMMA.test(plain)) return NaN;
+  if (!digits || AMBIGUOUS.test(plain)) return NaN;
   const last = digits.replace(/\d/g, "").slice(-1);
   const [whole = "", fraction = "", ...more] = last ? digits.split(last) : [digits];
   // A mark that occurs more than once separates thousands.
@@ -54,7 +54,9 @@ export const plainText = (number) => number.toLocaleString("en-US", { useGroupin
 export function whyNot(text, { low, high, unit }) {
   const number = readNumber(text);
   const written = text.trim().slice(0, SHOWN);
-  if (AMBIGUOUS_COMMA.test(written)) return `${written} could be ${written.replace(",", ".")} or ${written.replace(",", "")}. Write one of these.`;
+  if (AMBIGUOUS.test(written)) {
+    return `${written} could be ${Number(written.replace(",", "."))} or ${written.replace(/[,.]/, "")}. Write one of these.`;
+  }
   if (Number.isNaN(number)) return `“${written}” is not a number. Write one as 20000, 2e4 or 0.05.`;
   /** @param {number} bound */
   const said = (bound) => `${grouped(bound)}${unit && unit !== "°" ? " " : ""}${unit}`;
@@ -87,6 +89,12 @@ export class NumberBox {
     this.input.autocomplete = "off";
     this.input.spellcheck = false;
     this.input.setAttribute("role", "spinbutton");
+    // The keypad of some phones has no minus.
+    this.sign = makeButton("\u00b1", () => this.turn(), "softrod-sign");
+    this.sign.ariaLabel = "Change the sign";
+    this.sign.tabIndex = -1;
+    this.sign.hidden = true;
+    this.sign.addEventListener("pointerdown", (event) => event.preventDefault()); // the box keeps the focus and its keypad
     this.why = make("p", "softrod-why");
     this.why.setAttribute("role", "alert");
     this.why.hidden = true;
@@ -99,6 +107,8 @@ export class NumberBox {
   /** Shows a number that rules, unless another is being typed. @param {number} value */
   show(value) {
     const isNew = value !== this.value;
+    const { low } = this.range();
+    this.sign.hidden = low !== null && low >= 0;
     this.value = value;
     this.input.ariaValueNow = String(value);
     if (this.isDraft) return;
@@ -120,6 +130,13 @@ export class NumberBox {
     this.refuse("");
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.setWhileTyping(), PAUSE);
+  }
+
+  /** Changes the sign of what stands in the box. */
+  turn() {
+    const text = this.input.value.trim();
+    this.input.value = /^[-\u2212]/.test(text) ? text.slice(1) : `-${text.replace(/^\+/, "")}`;
+    this.type();
   }
 
   /** Shows the number that rules. */
