@@ -26,6 +26,8 @@ const state = {
   damage: UNHARMED,
   /** The frame that is shown. @type {Frame | null} */
   frame: null,
+  /** The frame that viser's nodes have. @type {Frame | null} */
+  rendered: null,
   /** Its plan: the plan of a new body arrives before its first frame. @type {Plan | null} */
   pictured: null,
   /** Time at which it was shown, ms of the screen's clock. */
@@ -66,6 +68,32 @@ export const onFrame = (listener) => frameListeners.push(listener);
 /** Calls back with every frame that is shown. @param {(frame: Frame, plan: Plan) => void} listener */
 export const onPicture = (listener) => listeners.push(listener);
 
+/** @type {(() => void)[]} */
+const renderListeners = [];
+
+/**
+ * Calls back when viser draws, so that what is over and behind the body is seen with it. Its nodes then still have the frame
+ * before, `shown().rendered`: viser applies updates right after that, for its next redraw.
+ *
+ * @param {() => void} listener
+ */
+export const onRender = (listener) => renderListeners.push(listener);
+
+function renders() {
+  callAll(renderListeners);
+  state.rendered = state.frame;
+}
+
+/** Follows viser's redraws, whichever scene it has; without one there is nothing to be in step with. */
+function followRenders() {
+  const scene = page?.scene;
+  if (scene) scene.onBeforeRender = renders;
+  else {
+    state.rendered = state.frame;
+    renders();
+  }
+}
+
 const seconds = () => performance.now() / 1e3;
 
 /** Passes a message on to viser. @param {Message} message */
@@ -99,6 +127,7 @@ function paint() {
     state.drawn += 1;
     page?.requestRender();
     callAll(listeners, frame, plan);
+    followRenders();
   }
   if (glide.busy) ask();
 }

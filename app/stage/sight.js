@@ -1,7 +1,7 @@
 // @ts-check
 /** The picture that is shown and its place on the screen, and the marks that are drawn over it. */
 import { onFit } from "./camera.js";
-import { onPicture, shown } from "./canvas.js";
+import { onRender, shown } from "./canvas.js";
 import { floorOf } from "./dock.js";
 import { callAll, onMessage } from "../wire/channel.js";
 import { onScreen } from "./screen.js";
@@ -19,9 +19,6 @@ import { viserCanvas } from "../ui/viser/viser.js";
  * @property {DOMRect} box of the canvas
  * @property {number} floor lower end of the visible part of the canvas: its own edge, or the bar of time
  */
-
-/** Milliseconds for which the camera may go on moving after the last event. */
-const CAMERA_MOVES = 1000;
 
 /** @type {((seen: Sight) => void)[]} */
 const listeners = [];
@@ -59,12 +56,12 @@ export function frameMarks(on) {
 /**
  * What is on the screen now; null while the page is printed.
  *
- * @param {Frame | null} frame the picture
  * @returns {Sight | null}
  */
-export function sight(frame = shown().frame) {
+export function sight() {
   if (printing || matchMedia("print").matches) return null;
-  const { pictured: plan } = shown();
+  const { pictured: plan, rendered, frame: latest } = shown();
+  const frame = rendered?.generation === plan?.generation ? rendered : latest;
   const [on, canvas] = [screen(), viserCanvas()];
   if (!plan || frame?.generation !== plan.generation || !on || !canvas) return null;
   const box = canvas.getBoundingClientRect();
@@ -73,24 +70,17 @@ export function sight(frame = shown().frame) {
 
 /** Redraws the marks with every picture, every message on the page and every movement of the camera. */
 export function keepMarksDrawn() {
-  onPicture(redrawMarks);
+  /** @type {{frame: Frame | null, place: string}} */
+  let drawn = { frame: null, place: "" };
+  // viser draws for a while after each picture, too.
+  onRender(() => {
+    const { x, y, step } = screen() ?? {};
+    const { left, top, width, height } = viserCanvas()?.getBoundingClientRect() ?? {};
+    const [frame, place] = [shown().rendered ?? shown().frame, [x, y, step, left, top, width, height].join(" ")];
+    if (frame === drawn.frame && place === drawn.place) return;
+    drawn = { frame, place };
+    redrawMarks();
+  });
   onMessage("pageState", redrawMarks);
   onFit(redrawMarks);
-  let until = 0;
-  let tracking = false;
-  const track = () => {
-    redrawMarks();
-    tracking = performance.now() < until;
-    if (tracking) requestAnimationFrame(track);
-  };
-  /** The camera moves without a picture, too, and goes on a little by itself. @param {Event} event */
-  const follow = (event) => {
-    if (event instanceof PointerEvent && event.buttons === 0) return;
-    until = performance.now() + CAMERA_MOVES;
-    if (!tracking) requestAnimationFrame(track);
-    tracking = true;
-  };
-  for (const kind of ["wheel", "pointermove", "pointerup", "keydown", "resize"]) {
-    window.addEventListener(kind, follow, { capture: true, passive: true });
-  }
 }

@@ -4,7 +4,7 @@
  */
 import { moving, standing, streaks } from "./environment.js";
 import { LAYERS } from "./looks.js";
-import { onPicture, secondIn, shown } from "./canvas.js";
+import { onRender, secondIn, shown } from "./canvas.js";
 import { onMessage, pageState } from "../wire/channel.js";
 import { sight } from "./sight.js";
 import { makeSvg, set } from "./svg.js";
@@ -65,8 +65,6 @@ class Underlay {
     this.still = matchMedia("(prefers-reduced-motion: reduce)");
     /** The view for which the layers that stand were drawn. */
     this.view = "";
-    /** The frame at viser's last redraw. @type {import("./plan.js").Frame | null} */
-    this.before = null;
   }
 
   /** @param {Partial<Record<Kind, string>>} outlines */
@@ -80,7 +78,7 @@ class Underlay {
     const { width: across = 0, height: up = 0 } = pageState();
     // The first frame of a new body, and the page's state, may not have arrived yet.
     if (!canvas || !across || plan?.generation !== frame?.generation) return;
-    const seen = sight(this.before?.generation === plan?.generation ? this.before : frame);
+    const seen = sight();
     if (!seen) return;
     if (canvas.previousSibling !== this.svg) canvas.before(this.svg);
     const { left, top, width, height } = seen.box;
@@ -118,18 +116,7 @@ class Underlay {
 /** Begins to draw. */
 export function addUnderlay() {
   const underlay = new Underlay();
-  // When viser draws, so that both are seen from the same place. Its nodes then still have the previous frame: viser
-  // applies updates right after that, for its next redraw.
-  const drawWithViser = () => {
-    underlay.draw();
-    underlay.before = shown().frame;
-  };
-  const listen = () => {
-    const scene = viser()?.scene;
-    if (scene) scene.onBeforeRender = drawWithViser;
-    else underlay.draw();
-  };
-  onPicture(listen);
-  onMessage("pageState", listen);
+  onRender(() => underlay.draw());
+  onMessage("pageState", () => viser()?.scene || underlay.draw());
   setInterval(() => underlay.drift(), DRIFT_EVERY);
 }

@@ -68,3 +68,34 @@ def test_the_card_goes_with_its_body(open_page: OpenPage) -> None:
     card.wait_for()
     desk.tell(commands.Open(sim.load_scene("ring")))
     card.wait_for(state="hidden")
+
+
+APART = """mass => new Promise((done) => {
+  const { scene } = window.__viserMutable, after = scene.onAfterRender, apart = [], places = [];
+  scene.onAfterRender = (...rest) => {
+    after?.apply(scene, rest);
+    const at = window.__softrod.instances("/body/masses").slice(16 * mass + 12, 16 * mass + 15);
+    const [x, y] = window.__softrod.project([at])[0];
+    const ring = document.querySelector(".softrod-mass-mark circle");
+    apart.push(Math.hypot(x - ring.getAttribute("cx"), y - ring.getAttribute("cy")));
+    places.push([x, y]);
+    if (places.length < 40) return;
+    scene.onAfterRender = after;
+    const ways = places.slice(1).map(([x, y], i) => Math.hypot(x - places[i][0], y - places[i][1]));
+    done({ apart: Math.max(...apart), moved: Math.max(...ways) });
+  };
+})"""
+"""How far the ring around a mass is from the mass as the canvas shows it, px, at most in so many pictures;
+and how far that moves from one to the next."""
+
+
+def test_marks_are_where_the_canvas_shows_the_body_however_fast_it_moves(open_page: OpenPage) -> None:
+    desk = open_page("tutorial-3.3", size=(1000, 640))
+    desk.tell(commands.Play(False))
+    last = len(desk.simulation.positions) - 1
+    click(desk, desk.place(last))
+    desk.page.locator(".softrod-mass-mark circle").wait_for()
+    desk.tell(commands.Play(True))
+    found = desk.page.evaluate(APART, last)
+    assert found["moved"] > 3.0
+    assert found["apart"] < 1.0
