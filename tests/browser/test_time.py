@@ -69,6 +69,7 @@ def test_the_bar_goes_back_and_on_from_there(open_page: OpenPage) -> None:
 def test_the_scene_before_comes_back_and_is_fitted_to_the_window(open_page: OpenPage) -> None:
     desk = open_page(size=SMALL)
     desk.tell(commands.Play(False))
+    desk.made_room()
     first, seen = desk.session.simulation.capture(), desk.camera()
     desk.tell(commands.Open(sim.load_scene("bridge")))
     desk.until(lambda: len(desk.masses()) == len(desk.session.scene.masses) != 12, "the page shows the other")
