@@ -71,19 +71,18 @@ def test_the_card_goes_with_its_body(open_page: OpenPage) -> None:
 
 
 APART = """mass => new Promise((done) => {
-  const { scene } = window.__viserMutable, after = scene.onAfterRender, apart = [], places = [];
-  scene.onAfterRender = (...rest) => {
-    after?.apply(scene, rest);
+  const apart = [], places = [];
+  window.__softrod.afterRedraws(() => {
     const at = window.__softrod.instances("/body/masses").slice(16 * mass + 12, 16 * mass + 15);
     const [x, y] = window.__softrod.project([at])[0];
     const ring = document.querySelector(".softrod-mass-mark circle");
     apart.push(Math.hypot(x - ring.getAttribute("cx"), y - ring.getAttribute("cy")));
     places.push([x, y]);
-    if (places.length < 40) return;
-    scene.onAfterRender = after;
+    if (places.length < 40) return true;
     const ways = places.slice(1).map(([x, y], i) => Math.hypot(x - places[i][0], y - places[i][1]));
     done({ apart: Math.max(...apart), moved: Math.max(...ways) });
-  };
+    return false;
+  });
 })"""
 """How far the ring around a mass is from the mass as the canvas shows it, px, at most in so many pictures;
 and how far that moves from one to the next."""

@@ -33,3 +33,14 @@ export function camera() {
   };
 }
 
+
+/** Calls back after each of the next redraws of the canvas, until it returns false. @param {() => boolean} look */
+export function afterRedraws(look) {
+  const { scene } = viser() ?? {};
+  if (!scene) return;
+  const before = scene.onAfterRender;
+  scene.onAfterRender = (...rest) => {
+    before?.apply(scene, rest);
+    if (!look()) scene.onAfterRender = before;
+  };
+}
