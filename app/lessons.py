@@ -13,7 +13,7 @@ from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.motion.quantities import quantity
 from sim.scene.lesson import Goal, Reading
-from sim.settings import CHOICES, scene_of_step, setting_of
+from sim.settings import CHOICES, scene_of_run, scene_of_step, setting_of
 
 from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot
@@ -28,6 +28,7 @@ def check_lesson(scene: sim.Scene) -> None:
     """
     for number, step in enumerate(scene.lesson.steps if scene.lesson else ()):
         place = f"lesson.steps[{number}]"
+        scene_of_run(scene, number)
         scene = scene_of_step(scene, number)
         for i, key in enumerate(step.controls):
             if key not in CHOICES or not CHOICES[key].applies(scene):

@@ -20,7 +20,7 @@ from filelock import BaseFileLock
 
 import sim
 from sim.scene.lesson import Lesson, Step
-from sim.settings import CHOICES, scene_of_step
+from sim.settings import CHOICES, scene_of_run, scene_of_step
 
 from ..session.log import decode_log
 from ..stage.plan import Picture
@@ -176,7 +176,7 @@ class Class:
         self.notices: deque[tuple[str, str]] = deque(maxlen=MAX_NOTICES)
         self.ended = False
         self._clock = clock
-        self._scenes: dict[int, sim.Scene] = {}
+        self._scenes: dict[tuple[int, Callable[[sim.Scene, int], sim.Scene]], sim.Scene] = {}
         # Pupils wait for the writer alone; what takes longer, and what nobody waits for, has its own threads.
         self._writer, self._maker, self._judge = (
             ThreadPoolExecutor(1, thread_name_prefix=f"softrod-{name}-{room.code}")
@@ -199,12 +199,19 @@ class Class:
         Raises:
             SettingError: the step cannot begin.
         """
-        if stop not in self._scenes:
+        return self._scene(stop, scene_of_step)
+
+    def run_scene(self, stop: int) -> sim.Scene:
+        """Return the scene of a stop as its run begins, see `scene`."""
+        return self._scene(stop, scene_of_run)
+
+    def _scene(self, stop: int, made_by: Callable[[sim.Scene, int], sim.Scene]) -> sim.Scene:
+        if (stop, made_by) not in self._scenes:
             place = self.room.stops[stop]
             scene = self.room.scenes[place.scene]
-            scene = scene if place.step is None else scene_of_step(scene, place.step)
-            self._scenes[stop] = msgspec.structs.replace(scene, lesson=None)
-        return self._scenes[stop]
+            scene = scene if place.step is None else made_by(scene, place.step)
+            self._scenes[stop, made_by] = msgspec.structs.replace(scene, lesson=None)
+        return self._scenes[stop, made_by]
 
     def first_setting(self) -> str:
         """Return the key of the first number that the present step has a slider for; empty without one."""

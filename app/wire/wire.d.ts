@@ -33,11 +33,15 @@ export type DeskAnswer = { id: string; seat: number; kind: "line" | "prediction"
 /** A scene as the gallery shows it. */
 export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
-export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
+export type LessonStep = { title: string; do: string; watch: string; question: Question | null; run: boolean };
 /** A question with answers to choose from. */
 export type Question = { text: string; choices: string[]; answer: number; because: string };
 /** One step of a lesson. */
-export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
+export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; run: StepRun | null; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
+/** What is shown once a step has asked: the case that its question is about. */
+export type StepRun = { settings: string[]; pulls: Pull[] };
+/** A mass that is moved before a run begins, and let go as it does. */
+export type Pull = { mass: number; by: [number, number] };
 /** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
 export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
 /** Something that is read off a run. */

@@ -11,6 +11,8 @@ from typing import Annotated, Literal
 import msgspec
 from msgspec import Meta
 
+from .numbers import Index, Vector
+
 Sentence = Annotated[str, Meta(min_length=1, max_length=600)]
 Line = Annotated[str, Meta(min_length=1, max_length=160)]
 Assignment = Annotated[str, Meta(min_length=3, max_length=100)]
@@ -57,6 +59,30 @@ class Goal(Reading, frozen=True, kw_only=True, forbid_unknown_fields=True):
     seconds: Annotated[float, Meta(ge=0.0, le=600.0)] = 0.0
 
 
+class Pull(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A mass that is moved before a run begins, and let go as it does.
+
+    Attributes:
+        mass: its index.
+        by: how far, along x and y, px.
+    """
+
+    mass: Index
+    by: Vector
+
+
+class StepRun(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What is shown once a step has asked: the case that its question is about.
+
+    Attributes:
+        settings: what it changes of that with which the step begins, as `--set` has it, at most 10.
+        pulls: masses that are moved first, at most 20.
+    """
+
+    settings: Annotated[tuple[Assignment, ...], Meta(max_length=10)] = ()
+    pulls: Annotated[tuple[Pull, ...], Meta(max_length=20)] = ()
+
+
 class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """One step of a lesson.
 
@@ -67,6 +93,8 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         watch: what to look at meanwhile; may be empty.
         settings: what the step begins with, as `--set` has it: ``("gravity=0", "method=rk4")``. What other
             steps set stays as it was, so a step names everything that the lesson changes.
+        run: what happens once the question has been answered, or in a class when all see it run; None if
+            that is what the step begins with.
         controls: keys of settings and choices, as in `settings`, whose sliders and lists stand below the
             text; at most 6.
         plots: of quantities, below those: ``("joint0.angle", "mass1.x, mass3.x", "joint0.rate over
@@ -85,6 +113,7 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     do: Sentence
     watch: Annotated[str, Meta(max_length=600)] = ""
     settings: tuple[Assignment, ...] = ()
+    run: StepRun | None = None
     controls: Annotated[tuple[Line, ...], Meta(max_length=6)] = ()
     plots: Annotated[tuple[Line, ...], Meta(max_length=4)] | None = None
     arrows: tuple[Literal["forces", "velocities", "torques"], ...] | None = None
@@ -105,5 +134,6 @@ def texts_of(step: Step) -> tuple[str, ...]:
     question = step.question
     asked = (question.text, *question.choices, question.because) if question else ()
     readings = [reading.quantity for reading in (step.goal, step.collect) if reading is not None]
-    named = (*step.settings, *step.controls, *(step.plots or ()), step.ghost or "", *readings)
+    changed = step.run.settings if step.run else ()
+    named = (*step.settings, *changed, *step.controls, *(step.plots or ()), step.ghost or "", *readings)
     return (step.title, step.do, step.watch, *asked, *named)

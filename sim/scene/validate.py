@@ -15,7 +15,7 @@ from typing import get_type_hints
 import msgspec
 
 from ..errors import SceneError
-from .lesson import texts_of
+from .lesson import StepRun, texts_of
 from .numbers import MAX_MASSES, MAX_SPRINGS, annotation_of, of_python
 from .recipes.assembly import TooLarge, loop_area
 from .recipes.recipe import expand
@@ -163,8 +163,21 @@ def _lesson_problems(scene: Scene) -> Iterator[str]:
                 yield f"lesson.steps[{i}].goal: it needs low, high or both"
             elif low > high:
                 yield f"lesson.steps[{i}].goal: low {low:g} is above high {high:g}"
+        if step.run is not None:
+            yield from _run_problems(step.run, len(scene.masses), f"lesson.steps[{i}].run")
         if any(_HALF.search(text) for text in texts_of(step)):
             yield f"lesson.steps[{i}]: it has characters that cannot be written to a file"
+
+
+def _run_problems(run: StepRun, n: int, where: str) -> Iterator[str]:
+    if not run.settings and not run.pulls:
+        yield f"{where}: it needs settings, pulls or both"
+    pulled = [pull.mass for pull in run.pulls]
+    for i, mass in enumerate(pulled):
+        if mass >= n:
+            yield f"{where}.pulls[{i}].mass: mass {mass} does not exist ({_span(n)})"
+        if mass in pulled[:i]:
+            yield f"{where}.pulls[{i}].mass: mass {mass} is pulled twice"
 
 
 def _recipe_problems(scene: Scene) -> Iterator[str]:

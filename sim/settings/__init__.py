@@ -19,6 +19,7 @@ from ..errors import SceneError, SettingError
 from ..forces.joints import LAWS
 from ..methods.registry import METHODS
 from ..scene.columns import has_any
+from ..scene.lesson import Pull, Step
 from ..scene.parts import Beat
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
@@ -28,6 +29,7 @@ from ..scene.types import (
     ForceLaw,
     Integrator,
     LinearSpring,
+    Pose,
     Rope,
     Scene,
     Template,
@@ -172,15 +174,51 @@ def scene_of_step(scene: Scene, number: int) -> Scene:
     Raises:
         SettingError: there is no such step, or something that it sets cannot be set; names the field.
     """
+    return _applied(scene, _step(scene, number).settings, f"lesson.steps[{number}].settings")
+
+
+def scene_of_run(scene: Scene, number: int) -> Scene:
+    """The scene of a step as it is when its run begins: with what that changes, and its masses pulled.
+
+    Args and errors: as for `scene_of_step`.
+    """
+    run, where = _step(scene, number).run, f"lesson.steps[{number}].run"
+    scene = scene_of_step(scene, number)
+    if run is None:
+        return scene
+    scene = _applied(scene, run.settings, f"{where}.settings")
+    return _pulled(scene, run.pulls, f"{where}.pulls") if run.pulls else scene
+
+
+def _step(scene: Scene, number: int) -> Step:
     steps = scene.lesson.steps if scene.lesson else ()
     if not 0 <= number < len(steps):
         raise SettingError(f"lesson.steps: step {number} does not exist")
-    for i, assignment in enumerate(steps[number].settings):
+    return steps[number]
+
+
+def _applied(scene: Scene, assignments: Sequence[str], where: str) -> Scene:
+    for i, assignment in enumerate(assignments):
         try:
             scene = apply_assignments(scene, (assignment,))
         except SettingError as error:
-            raise SettingError(f"lesson.steps[{number}].settings[{i}]: {error}") from None
+            raise SettingError(f"{where}[{i}]: {error}") from None
     return scene
+
+
+def _pulled(scene: Scene, pulls: Sequence[Pull], where: str) -> Scene:
+    """The scene with some masses somewhere else at its start, and nothing else changed."""
+    pose = scene.pose or Pose(
+        positions=tuple(mass.position for mass in scene.masses),
+        velocities=tuple(mass.velocity for mass in scene.masses),
+    )
+    positions = list(pose.positions)
+    for i, pull in enumerate(pulls):
+        if pull.mass >= len(positions):
+            raise SettingError(f"{where}[{i}].mass: mass {pull.mass} does not exist any more")
+        x, y = positions[pull.mass]
+        positions[pull.mass] = x + pull.by[0], y + pull.by[1]
+    return msgspec.structs.replace(scene, pose=msgspec.structs.replace(pose, positions=tuple(positions)))
 
 
 def shift_rest_angles(scene: Scene, degrees: float) -> Scene:

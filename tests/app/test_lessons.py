@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
 import msgspec
+import numpy as np
 import pytest
 
 import sim
@@ -21,8 +23,8 @@ from app.wire.from_page import Perform
 from app.wire.messages import read
 from sim.edit.build import add_mass
 from sim.edit.lesson import add_step
-from sim.scene.lesson import Lesson, Question, Step
-from sim.settings import CHOICES, scene_of_step, setting_of
+from sim.scene.lesson import Lesson, Pull, Question, Step, StepRun
+from sim.settings import CHOICES, scene_of_run, scene_of_step, setting_of
 from sim.store.files import built_in_folder, decode_scene, encode_scene
 from tests.amount import part_of
 from tests.app.letters import Letters
@@ -71,6 +73,61 @@ def test_steps_set_what_they_name() -> None:
         scene_of_step(scene, 2)
 
 
+def test_a_run_changes_what_the_step_sets_and_moves_masses_before_it_lets_them_go() -> None:
+    pulls = (Pull(mass=3, by=(5.0, -7.0)), Pull(mass=1, by=(0.0, 2.0)))
+    run = StepRun(settings=("gravity=9", "dt=0.001"), pulls=pulls)
+    scene = with_lesson(
+        Step(title="A", do="B", settings=("gravity=7", "air_friction=1"), run=run), Step(title="C", do="D")
+    )
+    begins, runs = scene_of_step(scene, 0), scene_of_run(scene, 0)
+    assert (begins.gravity, runs.gravity) == ((0.0, 7.0), (0.0, 9.0))
+    assert (begins.integrator.dt != 0.001, runs.integrator.dt) == (True, 0.001)
+    one, other = (sim.Simulation(at) for at in (begins, runs))
+    moved = other.positions - one.positions
+    assert moved[3] == pytest.approx((5.0, -7.0))
+    assert moved[1] == pytest.approx((0.0, 2.0))
+    assert not np.delete(moved, (1, 3), axis=0).any()
+    assert runs.linear_springs == begins.linear_springs, "springs are stretched, not longer"
+    assert scene_of_run(scene, 1) == scene_of_step(scene, 1)
+    assert decode_scene(encode_scene(scene), "a") == scene
+
+
+@pytest.mark.parametrize(
+    ("run", "said"),
+    [
+        (StepRun(), "it needs settings, pulls or both"),
+        (StepRun(pulls=(Pull(mass=40, by=(1.0, 0.0)),)), "pulls[0].mass: mass 40 does not exist"),
+        (StepRun(pulls=(Pull(mass=2, by=(1.0, 0.0)),) * 2), "pulls[1].mass: mass 2 is pulled twice"),
+        (StepRun(pulls=(Pull(mass=2, by=(math.nan, 0.0)),)), "pulls[0].by"),
+        (StepRun(pulls=(Pull(mass=2, by=(2e6, 0.0)),)), "pulls[0].by"),
+        (StepRun(settings=("gravity=1", "gravty=2")), "settings[1]: gravty: there is no such setting"),
+    ],
+)
+def test_a_run_that_cannot_be_is_refused(run: StepRun, said: str) -> None:
+    with pytest.raises((sim.SceneError, sim.SettingError)) as refused:
+        scene = with_lesson(Step(title="A", do="B", run=run))
+        sim.validate(scene)
+        scene_of_run(scene, 0)
+    assert "lesson.steps[0].run" in str(refused.value)
+    assert said in str(refused.value)
+
+
+def test_a_step_waits_as_it_begins_and_runs_what_it_asked_about() -> None:
+    run = StepRun(settings=("gravity=9",))
+    page = SessionPage(
+        with_lesson(Step(title="A", do="B", question=QUESTION, settings=("gravity=7",), run=run))
+    )
+    panel = lesson_panel(page, [])
+    panel.begin(BeginStep(0, "wait"))
+    page.frames(1)
+    assert (page.session.scene.gravity, page.session.playing) == ((0.0, 7.0), False)
+    panel.begin(BeginStep(0, "run"))
+    page.frames(2)
+    assert (page.session.scene.gravity, page.session.playing) == ((0.0, 9.0), True)
+    page.frames(1, commands.Reset())
+    assert page.session.scene.gravity == (0.0, 9.0), "from the beginning of what was asked"
+
+
 def test_what_is_wrong_with_a_lesson_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     question = msgspec.structs.replace(QUESTION, answer=2)
     with pytest.raises(sim.SceneError, match=r"^lesson\.steps\[0\]\.question\.answer: choice 2 "):
@@ -117,7 +174,7 @@ def test_the_page_is_told_what_it_shows_of_a_lesson() -> None:
     panel.build()
     panel.build()
     # The settings are the server's.
-    assert letters.sent == [LessonState(steps=(LessonStep("A", "B", "", QUESTION),))]
+    assert letters.sent == [LessonState(steps=(LessonStep("A", "B", "", QUESTION, run=False),))]
 
 
 def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own() -> None:

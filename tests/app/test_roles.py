@@ -241,6 +241,26 @@ def test_the_run_is_seen_again_slowly_and_bit_for_bit_the_same(classroom: Class)
         assert session.pacer.speed == 1.0
 
 
+def test_a_class_runs_what_it_was_asked_about_and_tries_what_the_step_begins_with(
+    class_folder: Path,
+) -> None:
+    classroom = Classes().begin((sim.load_scene("lesson-hooke"),))
+    session = Session(sim.rope(), wait=True)
+    teacher = Teacher(classroom, session)
+    seen = []
+    for phase in (Phase.SHOW, Phase.ASK, Phase.RESULTS, Phase.RUN, Phase.EXPLAIN):
+        classroom.room.go(0, phase)
+        teacher.frame()
+        session.drain()
+        teacher.frame()
+        seen.append(session.scene.gravity[1])
+    assert seen == [1000.0, 1000.0, 1000.0, 2000.0, 2000.0]
+    classroom.room.go(0, Phase.TRY)
+    pupil = Pupil(classroom)
+    pupil.frame()
+    assert pupil.session.scene.gravity == (0.0, 1000.0), "pupils' own bodies are for them to change"
+
+
 def test_there_is_nothing_to_see_again_before_a_run(classroom: Class) -> None:
     teacher = Teacher(classroom)
     teacher.arrange("again")

@@ -133,6 +133,19 @@ def test_what_was_answered_is_told_and_known_after_a_reload_and_another_scene(op
     desk.until(lambda: desk.session.playing, "and runs")
 
 
+def test_an_answer_has_the_case_run_that_was_asked_about(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Open(sim.load_scene("lesson-hooke")))
+    begins(desk, steps("lesson-hooke")[0])
+    assert desk.session.scene.gravity == (0.0, 1000.0)
+    press(desk, "71 px")
+    desk.until(lambda: desk.session.scene.gravity == (0.0, 2000.0), "gravity is doubled")
+    desk.until(lambda: desk.simulation.positions[1, 1] > 300.0, "it falls 80 px and more")
+    desk.until(lambda: desk.box("Gravity").input_value() == "2000", "its slider says so")
+    press(desk, "Start again")
+    desk.until(lambda: desk.session.scene.gravity == (0.0, 1000.0), "as it was")
+
+
 def test_by_keys_alone(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Open(sim.load_scene("lesson-hooke")))

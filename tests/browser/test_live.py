@@ -193,3 +193,19 @@ def test_a_body_that_runs_away_is_stopped_and_begins_anew(open_file: Open) -> No
     time = number(page, "time")
     page.get_by_role("button", name="Play").click()
     until(page, lambda: number(page, "time") > time + 0.1, "it moves again")
+
+
+def test_a_lesson_runs_what_it_asked_about(visit: Visits, tmp_path: Path) -> None:
+    path = tmp_path / "lesson.html"
+    path.write_bytes(live_html(sim.Simulation(sim.load_scene("lesson-hooke")).capture())[0])
+    page = visit(path.as_uri())
+    hangs, gravity = "__softrod.now().body.positions[3]", "__softrod.now().shown.body.gravity[1]"
+    assert (page.evaluate(hangs), page.evaluate(gravity)) == (220.0, 1000.0)
+    page.get_by_role("button", name="200 px").click()
+    until(page, lambda: page.evaluate(hangs) > 290.0, "it falls further than it would have")
+    assert page.evaluate(gravity) == 2000.0
+    page.get_by_role("button", name="Check my answer").click()
+    page.get_by_role("button", name="Next step").click()
+    until(page, lambda: page.evaluate(gravity) == 1000.0, "the next step begins as it says")
+    page.get_by_role("button", name="Just as long").click()
+    until(page, lambda: page.evaluate(hangs) > 360.0, "the mass is let go from far below")

@@ -14,7 +14,7 @@ from scipy.special import ellipk
 import sim
 from sim.edit.edit import Selection
 from sim.edit.muscles import move_muscles, take_muscles
-from sim.settings import apply_assignments, scene_of_step, set_value
+from sim.settings import apply_assignments, scene_of_run, scene_of_step, set_value
 from sim.store.files import built_in_folder
 from tests.sim.changes import after, with_masses
 from tests.sim.checks import known
@@ -92,6 +92,28 @@ def test_a_spring_is_stretched_by_its_load_and_a_rod_bends_less_than_in_proporti
         assert math.degrees(math.atan2(dy, dx)) == pytest.approx(angle, abs=0.6)
     assert is_answer("lesson-hooke", 0, "100 px")
     assert is_answer("lesson-hooke", 2, "By less than 58°")
+
+
+def test_what_runs_is_what_was_asked() -> None:
+    """Twice the weight, twice the swing: by k x = m g, T = 2 pi sqrt(m / k), tan(angle) = m g / (K |A|)."""
+    gravity, stiffness, mass, joint, arm = 2000.0, 20.0, 1.0, 30.0, 60.0
+    asked = sim.load_scene("lesson-hooke")
+    spring, lever = asked.linear_springs[0], asked.angular_springs[0]
+    assert (spring.stiffness, lever.stiffness) == (stiffness, joint)
+    hanging = after(scene_of_run(asked, 0), 8.0)
+    assert hanging.positions[1, 1] - 220.0 == pytest.approx(mass * gravity / stiffness, abs=0.5)
+    swing = sim.Simulation(scene_of_run(asked, 1))
+    height = swing.positions[1, 1] - (220.0 + mass * 1000.0 / stiffness)
+    assert height == pytest.approx(100.0), "it is let go 100 px from where it rests"
+    assert period(swing, 1, 1, 6.0) == pytest.approx(2.0 * math.pi * math.sqrt(mass / stiffness), abs=0.01)
+    dx, dy = np.subtract(*after(scene_of_run(asked, 2), 8.0).positions[[4, 3]])
+    assert math.atan2(dy, dx) == pytest.approx(math.atan(mass * gravity / (joint * arm)), abs=0.01)
+    # Where a step asks what becomes of something, its run is that, and no other step's is.
+    for name in NAMES:
+        scene = sim.load_scene(name)
+        for number, step in enumerate(known(scene.lesson).steps):
+            begins, runs = scene_of_step(scene, number), scene_of_run(scene, number)
+            assert (begins == runs) == (step.run is None)
 
 
 def test_a_period_does_not_know_the_amplitude() -> None:

@@ -10,7 +10,7 @@ import msgspec
 import sim
 from sim.motion.quantities import quantity
 from sim.scene.lesson import Step
-from sim.settings import CHOICES, SETTINGS, scene_of_step
+from sim.settings import CHOICES, SETTINGS, scene_of_run, scene_of_step
 
 from ...lessons import goal_text, lesson_code
 from ...session.plots import PlotSpec, parse_plot
@@ -49,18 +49,24 @@ def lesson_data(
         "code": lesson_code(scene),
         "frame": {"left": xmin, "top": ymin, "width": xmax - xmin, "height": ymax - ymin},
         "steps": [
-            _step(step, at, about, moving)
-            for step, at in zip(scene.lesson.steps, scenes_of_steps(scene), strict=True)
+            _step(step, at, scene_of_run(scene, number), about, moving)
+            for number, (step, at) in enumerate(zip(scene.lesson.steps, scenes_of_steps(scene), strict=True))
         ],
     }
 
 
 def _step(
-    step: Step, scene: sim.Scene, about: dict[str, Any], moving: Callable[[sim.Moment], dict[str, Any]]
+    step: Step,
+    scene: sim.Scene,
+    asked: sim.Scene,
+    about: dict[str, Any],
+    moving: Callable[[sim.Moment], dict[str, Any]],
 ) -> dict[str, Any]:
-    begins = moving(sim.Simulation(scene).capture())
-    differs = {key: value for key, value in begins.items() if key != "body" and value != about[key]}
-    body = {key: value for key, value in begins["body"].items() if value != about["body"][key]}
+    def differing(begun: sim.Scene) -> dict[str, Any]:
+        begins = moving(sim.Simulation(begun).capture())
+        differs = {key: value for key, value in begins.items() if key != "body" and value != about[key]}
+        return {**differs, "body": {k: v for k, v in begins["body"].items() if v != about["body"][k]}}
+
     question = msgspec.to_builtins(step.question) if step.question is not None else None
     goal = step.goal if step.goal is not None and is_measured(step.goal.quantity, scene) else None
     return {
@@ -73,7 +79,8 @@ def _step(
         "predict": step.predict or 0,
         "goal": msgspec.to_builtins(goal) if goal is not None else None,
         "goalText": goal_text(goal, scene) if goal is not None else "",
-        "about": {**differs, "body": body},
+        "about": differing(scene),
+        "run": differing(asked) if step.run is not None else None,
     }
 
 

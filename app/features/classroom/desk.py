@@ -296,7 +296,9 @@ class DeskRole(ClassRole):
 
     def _open(self, session: Session) -> None:
         try:
-            session.post(commands.Open(self.classroom.scene(self.room.at)))
+            runs = self.room.phase in HAS_RUN
+            scene = self.classroom.run_scene if runs else self.classroom.scene
+            session.post(commands.Open(scene(self.room.at)))
         except SettingError as error:
             session.notices.append(Notice("error", "This step cannot begin", str(error)))
 

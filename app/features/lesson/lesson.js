@@ -55,7 +55,7 @@ function take({ steps }) {
   const taken = new LessonRun(card, steps, at, given, {
     blank,
     begin: (waits) => send({ do: "beginStep", step: taken.at, how: waits ? "wait" : "run" }),
-    run: () => perform("run"),
+    run: () => (taken.step.run ? taken.begin() : perform("run")),
     placeFoot(next) {
       foot?.replaceWith(next);
       foot = next;

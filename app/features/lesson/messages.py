@@ -15,8 +15,8 @@ class BeginStep(FromPage, frozen=True):
     """The page goes to a step of the scene's lesson.
 
     Attributes:
-        how: "run" or "wait": it begins; the body waits if there is a question. "on": the page goes on in the
-            middle of it, as after a reload.
+        how: "wait": it begins, and the body waits if there is a question. "run": it begins with the case that
+            is asked about, and runs. "on": the page goes on in the middle of it, as after a reload.
     """
 
     step: StepNumber
@@ -30,6 +30,8 @@ class LessonStep(Struct, frozen=True):
     do: str
     watch: str
     question: Question | None
+    run: bool
+    """Whether another case is run than the one with which it begins."""
 
 
 class Lesson(State, frozen=True, kw_only=True):

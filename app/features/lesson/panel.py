@@ -10,7 +10,7 @@ import viser
 
 from sim.errors import SettingError
 from sim.scene.lesson import Lesson, Step
-from sim.settings import scene_of_step
+from sim.settings import scene_of_run, scene_of_step
 
 from ...session import commands
 from ...session.notices import Notice
@@ -63,7 +63,10 @@ class LessonPanel:
             self._lesson, self._step = lesson, 0
             self._text.content = PLACE if lesson else ""
         if lesson is not None:
-            steps = (LessonStep(step.title, step.do, step.watch, step.question) for step in lesson.steps)
+            steps = (
+                LessonStep(step.title, step.do, step.watch, step.question, step.run is not None)
+                for step in lesson.steps
+            )
             self._page.mail.send(LessonState(steps=tuple(steps)))
         specs = tuple(map(parse_plot, (self.step.plots or ()) if self.step else ()))
         if specs != self.plots.specs:
@@ -85,12 +88,12 @@ class LessonPanel:
         # A lesson that was made or changed since the scene was opened is about the body as it is now.
         base = session.opened if session.opened.lesson == lesson else session.scene
         try:
-            scene = scene_of_step(base, begin.step)
+            waits = lesson.steps[begin.step].question is not None and begin.how == "wait"
+            scene = (scene_of_step if waits else scene_of_run)(base, begin.step)
         except SettingError as error:
             self._page.notify(Notice("error", "This step cannot begin", str(error)))
             return
         step = lesson.steps[begin.step]
-        waits = step.question is not None and begin.how == "wait"
         session.post(commands.Open(scene, begun=True, waits=waits))
         session.post(commands.Compare(step.ghost or "", ""))
         session.post(commands.Play(not waits))

@@ -6,7 +6,7 @@
 import { lessonCard } from "./card.js";
 
 /**
- * @typedef {import("../../wire/wire.js").LessonStep & {predict?: number}} Step with s after which the body is to be where it
+ * @typedef {Omit<import("../../wire/wire.js").LessonStep, "run"> & {run: unknown, predict?: number}} Step with s after which the body is to be where it
  *   was predicted; 0 or nothing where there is no such prediction
  * @typedef {object} Given what the user has given at a step
  * @property {number | null} choice

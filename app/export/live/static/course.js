@@ -8,14 +8,16 @@
  * @typedef {import("./live.js").About} About
  * @typedef {import("./quantities.js").Goal} Goal
  * @typedef {import("./quantities.js").Recording} Recording
- * @typedef {import("../../../wire/wire.js").LessonStep & LiveStep} Step
+ * @typedef {Partial<Omit<About, "body">> & {body: Partial<import("./body.js").BodyData>}} Differing from what the file has
+ * @typedef {Omit<import("../../../wire/wire.js").LessonStep, "run"> & LiveStep} Step
  * @typedef {object} LiveStep
  * @property {string[]} controls keys of the settings whose sliders stand below the text
  * @property {Plot[]} plots
  * @property {number} predict s after which the body is to be where it was predicted; 0 for no such prediction
  * @property {Goal | null} goal
  * @property {string} goalText the goal in words
- * @property {Partial<Omit<About, "body">> & {body: Partial<import("./body.js").BodyData>}} about what differs from the file
+ * @property {Differing} about with what it begins
+ * @property {Differing | null} run with what the case begins that it asks about; null if that is the same
  * @typedef {{code: string, frame: import("./answers.js").Frame, steps: Step[]}} Lesson
  * @typedef {object} Given
  * @property {number | null} choice
@@ -30,7 +32,7 @@
  * @property {string} name
  * @property {Given[]} steps
  * @typedef {object} Body what a lesson does to the body
- * @property {(step: Step, waits: boolean) => void} begin sets it up as a step wants it
+ * @property {(step: Step, waits: boolean) => void} begin sets it up as a step wants it, or runs the case that it asks about
  * @property {() => void} run
  * @property {() => Point[]} places where the masses are
  */
@@ -80,7 +82,7 @@ export class Course {
     this.run = new LessonRun(element("lesson", HTMLElement), steps, this.state.at, this.state.steps, {
       blank,
       begin: (waits) => this.#begin(waits),
-      run: body.run,
+      run: () => (this.run.step.run ? this.run.begin() : body.run()),
       store: (isAnswer) => this.#store(isAnswer),
       more: () => this.#more(),
     });

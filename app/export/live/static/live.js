@@ -53,7 +53,7 @@ export class Live {
   /** When the last picture was drawn, ms. */
   #before = performance.now();
 
-  /** @param {About} about @param {Plan[][]} plans of the body, and of each step of its lesson */
+  /** @param {About} about @param {Plan[][]} plans of the body, and of each step of its lesson, as it begins and as it runs */
   constructor(about, plans) {
     this.about = about;
     this.canvas = element("canvas", HTMLCanvasElement);
@@ -100,8 +100,9 @@ export class Live {
   /** Begin a step of the lesson. @param {number} at @param {import("./course.js").Step} step @param {boolean} waits */
   #begin(at, step, waits) {
     const { about } = this;
-    this.shown = { ...about, ...step.about, body: { ...about.body, ...step.about.body } };
-    this.present = this.plans[1 + at];
+    const begun = waits ? step.about : step.run ?? step.about;
+    this.shown = { ...about, ...begun, body: { ...about.body, ...begun.body } };
+    this.present = this.plans[1 + 2 * at + Number(!waits)];
     this.panel.setUp(this.shown.settings, step.controls);
     this.#charts = step.plots.map(makeChart);
     element("charts", HTMLElement).replaceChildren(...this.#charts.map(({ element }) => element));
@@ -207,7 +208,7 @@ export class Live {
 
 try {
   const about = /** @type {About} */ (JSON.parse(element("about", HTMLScriptElement).textContent ?? ""));
-  const all = [about, ...(about.lesson?.steps ?? []).map((step) => ({ ...about, ...step.about }))];
+  const all = [about, ...(about.lesson?.steps ?? []).flatMap(({ about: begun, run }) => [{ ...about, ...begun }, { ...about, ...(run ?? begun) }])];
   const live = new Live(about, await Promise.all(all.map(({ plans }) => readPlans(plans))));
   requestAnimationFrame((now) => live.next(now));
   // For the browser tests.
