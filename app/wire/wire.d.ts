@@ -5,7 +5,7 @@ export type TextKind = "resume" | "link" | "file" | "rival" | "paste";
 /** Commands that the page's script does, by the features that they belong to. */
 export type PageCommands = { time: never; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit"; view: "fit" | "chase" | "larger" | "palette"; reading: never; hands: never };
 /** New values of fields of a step, see `sim.scene.lesson.Step`; null removes one. */
-export type StepChanges = { title?: string; do?: string; watch?: string; question?: QuestionDraft | null; predict?: number | null; goal?: GoalDraft | null; collect?: ReadingDraft | null; controls?: string[]; plots?: null; arrows?: null; ghost?: string };
+export type StepChanges = { title?: string; do?: string; watch?: string; question?: QuestionDraft | null; predict?: number | null; goal?: GoalDraft | null; collect?: ReadingDraft | null; controls?: string[]; plots?: null; arrows?: null; run?: null; ghost?: string };
 /** A question as it is written, see `sim.scene.lesson.Question`. */
 export type QuestionDraft = { text: string; choices: string[]; answer: number; because: string };
 /** A goal as it is written, see `sim.scene.lesson.Goal`. */
@@ -37,7 +37,7 @@ export type LessonStep = { title: string; do: string; watch: string; question: Q
 /** A question with answers to choose from. */
 export type Question = { text: string; choices: string[]; answer: number; because: string };
 /** One step of a lesson. */
-export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; run: StepRun | null; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
+export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; run: StepRun; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
 /** What is shown once a step has asked: the case that its question is about. */
 export type StepRun = { settings: string[]; pulls: Pull[] };
 /** A mass that is moved before a run begins, and let go as it does. */
@@ -142,8 +142,8 @@ export type RemoveStep = { do: "removeStep"; step: number };
 export type MoveStep = { do: "moveStep"; step: number; to: number };
 /** Change fields of a step. */
 export type ChangeStep = { do: "changeStep"; step: number; changes: StepChanges };
-/** Give a step the present settings, plots or arrows. */
-export type TakeInStep = { do: "takeInStep"; step: number; what: "arrows" | "plots" | "settings" };
+/** Give a step the present settings, plots or arrows, or have it run the body as it is now. */
+export type TakeInStep = { do: "takeInStep"; step: number; what: "arrows" | "plots" | "run" | "settings" };
 /** Begin a step as a pupil sees it. */
 export type TryStep = { do: "tryStep"; step: number };
 /** Return from a step that was begun by `TryStep`. */
@@ -224,7 +224,7 @@ export type Arrows = { tell: "arrows"; numbers: Float32Array };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
 export type Lesson = { tell: "lesson"; steps: LessonStep[] };
 /** The lesson that is being edited. */
-export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[] };
+export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[]; runs: string[] };
 /** What the user can choose for a step at present. */
 export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
 /** The result of a change of the lesson. */

@@ -5,17 +5,24 @@ from __future__ import annotations
 from typing import Any
 
 import msgspec
+import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import InputError, SceneError, SettingError
 from ..methods.registry import METHODS
 from ..motion.quantities import quantity
-from ..scene.lesson import Lesson, Reading, Step
+from ..scene.lesson import MAX_PULLS, Lesson, Pull, Reading, Step, StepRun
 from ..scene.parts import Mass
 from ..scene.types import Scene
 from ..scene.validate import validate
-from ..settings import CHOICES, setting_of, settings_of
+from ..settings import CHOICES, scene_of_step, setting_of, settings_of
 from ..store.files import is_built_in
 from .edit import Edit
+
+Floats = NDArray[np.float64]
+
+PULLED = 0.5
+"""Pixels from its start beyond which a mass counts as pulled."""
 
 OWN_LESSON = "my lesson"
 """What a preset is called once its lesson is another one, until it gets a name."""
@@ -148,10 +155,60 @@ def begin_as(scene: Scene, number: int, now: Scene, opened: Scene) -> Edit:
             settings |= {key: value for key, value in known.items() if value is not None}
             if not METHODS[settings.get("method", opened.integrator.method)].adaptive:
                 settings.pop("tolerance", None)
-        steps[i] = msgspec.structs.replace(each, settings=tuple(f"{k}={v}" for k, v in settings.items()))
+        steps[i] = msgspec.structs.replace(each, settings=_assignments(settings))
     if tuple(steps) == _steps(scene):
         return Edit("", scene)
     return _edit(f"beginning of step {number + 1}", scene, steps)
+
+
+def run_as(scene: Scene, number: int, now: Scene, positions: Floats, opened: Scene) -> Edit:
+    """Have a step run the case that is there now: with these settings, and masses let go where they are.
+
+    From then on every step sets what this run changes, so that the next one does not begin with it.
+
+    Args:
+        scene: the one with the lesson.
+        number: of the step.
+        now: the same scene with its settings as they are now.
+        positions: (n, 2) px, where its masses are; those elsewhere than at the step's start are pulled there.
+        opened: as it was opened.
+
+    Raises:
+        SceneError: there is no such step, nothing is otherwise than at its beginning, or too many masses are
+            elsewhere.
+        SettingError: the step cannot begin.
+    """
+    _step(scene, number)
+    where = f"lesson.steps[{number}].run"
+    begins = scene_of_step(msgspec.structs.replace(opened, lesson=scene.lesson), number)
+    before = _values(begins)
+    changed = {key: value for key, value in _values(now).items() if value != before.get(key)}
+    starts = np.array(begins.pose.positions if begins.pose else [mass.position for mass in begins.masses])
+    moved = positions - starts if positions.shape == starts.shape else np.zeros_like(starts)
+    pulls = tuple(
+        Pull(mass=int(i), by=(round(float(moved[i, 0]), 1), round(float(moved[i, 1]), 1)))
+        for i in np.flatnonzero(np.hypot(*moved.T) > PULLED)
+    )
+    if len(pulls) > MAX_PULLS:
+        raise SceneError(f"{where}.pulls: {len(pulls)} masses are elsewhere; a run pulls {MAX_PULLS} at most")
+    if not (changed or pulls):
+        raise SceneError(
+            f"{where}: all is as it is when the step begins; change a number or drag a mass first"
+        )
+    run = StepRun(settings=_assignments(changed), pulls=pulls)
+    usual, steps = _values(opened), []
+    for i, each in enumerate(_steps(scene)):
+        own = _by_key(each.settings)
+        missing = {key: usual[key] for key in changed if key not in own and key in usual}
+        settings = (*each.settings, *_assignments(missing))
+        steps.append(
+            msgspec.structs.replace(each, settings=settings, **({"run": run} if i == number else {}))
+        )
+    return _edit(f"run of step {number + 1}", scene, steps)
+
+
+def _assignments(values: dict[str, str]) -> tuple[str, ...]:
+    return tuple(f"{key}={value}" for key, value in values.items())
 
 
 def settings_to_set(scene: Scene, now: Scene, opened: Scene) -> dict[str, str]:
@@ -205,7 +262,9 @@ def _edit(label: str, scene: Scene, steps: list[Step]) -> Edit:
     lesson = Lesson(steps=tuple(steps)) if steps else None
     if len(steps) > 20:
         raise SceneError("lesson.steps: a lesson has 20 steps at most")
-    # With a body of its own, since that of the scene may be large.
-    validate(Scene(name="lesson", masses=(Mass(position=(0.0, 0.0)),), lesson=lesson))
+    # With a body of its own, since that of the scene may be large: it has as many masses as are pulled.
+    pulled = [pull.mass for step in steps for pull in (step.run.pulls if step.run else ())]
+    masses = (Mass(position=(0.0, 0.0)),) * min(1 + max(pulled, default=0), len(scene.masses))
+    validate(Scene(name="lesson", masses=masses, lesson=lesson))
     own = {"name": OWN_LESSON, "title": ""} if is_built_in(scene.name) else {}
     return Edit(label, msgspec.structs.replace(scene, lesson=lesson, **own))

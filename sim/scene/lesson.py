@@ -18,6 +18,10 @@ Line = Annotated[str, Meta(min_length=1, max_length=160)]
 Assignment = Annotated[str, Meta(min_length=3, max_length=100)]
 
 
+MAX_PULLS = 20
+"""Masses that a run moves."""
+
+
 class Question(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A question with answers to choose from.
 
@@ -80,7 +84,7 @@ class StepRun(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     """
 
     settings: Annotated[tuple[Assignment, ...], Meta(max_length=10)] = ()
-    pulls: Annotated[tuple[Pull, ...], Meta(max_length=20)] = ()
+    pulls: Annotated[tuple[Pull, ...], Meta(max_length=MAX_PULLS)] = ()
 
 
 class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -93,8 +97,8 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         watch: what to look at meanwhile; may be empty.
         settings: what the step begins with, as `--set` has it: ``("gravity=0", "method=rk4")``. What other
             steps set stays as it was, so a step names everything that the lesson changes.
-        run: what happens once the question has been answered, or in a class when all see it run; None if
-            that is what the step begins with.
+        run: what happens once the question has been answered, or in a class when all see it run; without it,
+            that with which the step begins.
         controls: keys of settings and choices, as in `settings`, whose sliders and lists stand below the
             text; at most 6.
         plots: of quantities, below those: ``("joint0.angle", "mass1.x, mass3.x", "joint0.rate over
@@ -113,7 +117,7 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     do: Sentence
     watch: Annotated[str, Meta(max_length=600)] = ""
     settings: tuple[Assignment, ...] = ()
-    run: StepRun | None = None
+    run: StepRun | msgspec.UnsetType = msgspec.UNSET
     controls: Annotated[tuple[Line, ...], Meta(max_length=6)] = ()
     plots: Annotated[tuple[Line, ...], Meta(max_length=4)] | None = None
     arrows: tuple[Literal["forces", "velocities", "torques"], ...] | None = None

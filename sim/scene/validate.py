@@ -163,7 +163,7 @@ def _lesson_problems(scene: Scene) -> Iterator[str]:
                 yield f"lesson.steps[{i}].goal: it needs low, high or both"
             elif low > high:
                 yield f"lesson.steps[{i}].goal: low {low:g} is above high {high:g}"
-        if step.run is not None:
+        if step.run:
             yield from _run_problems(step.run, len(scene.masses), f"lesson.steps[{i}].run")
         if any(_HALF.search(text) for text in texts_of(step)):
             yield f"lesson.steps[{i}]: it has characters that cannot be written to a file"

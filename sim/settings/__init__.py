@@ -184,7 +184,7 @@ def scene_of_run(scene: Scene, number: int) -> Scene:
     """
     run, where = _step(scene, number).run, f"lesson.steps[{number}].run"
     scene = scene_of_step(scene, number)
-    if run is None:
+    if not run:
         return scene
     scene = _applied(scene, run.settings, f"{where}.settings")
     return _pulled(scene, run.pulls, f"{where}.pulls") if run.pulls else scene

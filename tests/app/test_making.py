@@ -96,6 +96,26 @@ def made() -> Form:
     return form
 
 
+def test_a_step_runs_the_case_that_was_made_beside_the_form() -> None:
+    form = Form("tutorial-3.3")
+    form.say(asks.AddStep(0), asks.TakeInStep(0, "run"))
+    assert (form.taken.part, form.taken.field) == ("run", "run")
+    assert form.taken.refused == "All is as it is when the step begins; change a number or drag a mass first."
+    form.page.frames(1, commands.Play(False), commands.Reset(), commands.SetValue("gravity", 700.0))
+    x, y = form.page.simulation.positions[11]
+    form.page.frames(1, commands.DragStart(11, x, y), commands.Point(x + 40.0, y), commands.DragEnd())
+    form.say(asks.TakeInStep(0, "run"))
+    run = form.steps[0].run
+    assert run
+    assert run.settings == ("gravity=700.0",)
+    assert [pull.mass for pull in run.pulls] == [11]
+    assert form.letters.last(LessonForm).runs[0].startswith("Gravity 700 px/s²; mass 11 is pulled by (")
+    form.say(change(0, run=None))
+    assert not form.steps[0].run
+    form.undo()
+    assert form.steps[0].run == run
+
+
 def test_the_form_makes_a_lesson_that_has_everything() -> None:
     form = made()
     assert form.steps == (
@@ -114,7 +134,8 @@ def test_the_form_makes_a_lesson_that_has_everything() -> None:
         ),
     )  # fmt: skip
     told = form.letters.last(LessonForm)
-    assert told == LessonForm(open=True, steps=form.steps, begins=("Gravity 1500 px/s²", "Gravity 700 px/s²"))
+    begins = ("Gravity 1500 px/s²", "Gravity 700 px/s²")
+    assert told == LessonForm(open=True, steps=form.steps, begins=begins, runs=("", ""))
     assert not form.taken.refused
     assert not form.notices
     check_lesson(form.scene)

@@ -7,14 +7,15 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec import UNSET
 from msgspec.structs import replace
 
 import sim
 from sim.edit import lesson as edits
 from sim.edit.edit import inverse
 from sim.errors import SceneError
-from sim.scene.lesson import Goal, Question, Reading, Step
-from sim.settings import apply_assignments, scene_of_step, settings_of
+from sim.scene.lesson import Goal, Pull, Question, Reading, Step
+from sim.settings import apply_assignments, scene_of_run, scene_of_step, setting_of, settings_of
 from sim.store.files import decode_scene, encode_scene
 from tests.sim.checks import refusal
 
@@ -204,3 +205,38 @@ def test_whatever_sliders_a_scene_has_a_step_can_begin_with_them(name: str) -> N
     begun = scene_of_step(made, 0)
     for setting in settings_of(now):
         assert setting.read(begun) == pytest.approx(setting.read(now), rel=1e-9, abs=1e-9), setting.key
+
+
+def test_a_step_runs_the_case_that_is_there_now() -> None:
+    scene = with_steps("A", "B")
+    one = edits.change_step(scene, 1, "settings", settings=("gravity=7",)).scene
+    now = apply_assignments(scene_of_step(one, 1), ("gravity=9", "air_friction=1"))
+    places = sim.Simulation(now).positions.copy()
+    places[4] += (12.34, -5.0)
+    places[6] += (0.1, 0.2)  # as a hand has not quite led it back
+    ran = edits.run_as(one, 1, now, places, ROPE).scene
+    run = steps(ran)[1].run
+    assert run
+    assert set(run.settings) == {"gravity=9.0", "air_friction=1.0"}
+    assert run.pulls == (Pull(mass=4, by=(12.3, -5.0)),)
+    # What the run changes, no step has from another.
+    air = f"air_friction={setting_of(ROPE, 'air_friction').read(ROPE)}"
+    assert {air, f"gravity={ROPE.gravity[1]}"} <= set(steps(ran)[0].settings)
+    assert steps(ran)[1].settings == ("gravity=7", air)
+    begun = sim.Simulation(scene_of_run(ran, 1))
+    assert begun.scene.gravity == (0.0, 9.0)
+    assert abs(begun.positions[4] - places[4]).max() < 0.06
+    # It can be said by a link and a file, and goes with its step.
+    assert decode_scene(encode_scene(ran), "x") == ran
+    assert steps(edits.copy_step(ran, 1).scene)[2].run == run
+    assert steps(edits.change_step(ran, 1, "run", run=UNSET).scene)[1].run is UNSET
+
+
+def test_a_run_that_differs_in_nothing_or_too_much_is_refused() -> None:
+    scene = with_steps("A")
+    places = sim.Simulation(scene_of_step(scene, 0)).positions
+    with pytest.raises(SceneError, match=r"^lesson\.steps\[0\]\.run: all is as it is when the step begins"):
+        edits.run_as(scene, 0, scene, places, scene)
+    cloth = with_steps("A", scene=sim.load_scene("cloth"))
+    with pytest.raises(SceneError, match=r"^lesson\.steps\[0\]\.run\.pulls: \d+ masses are elsewhere"):
+        edits.run_as(cloth, 0, cloth, sim.Simulation(cloth).positions + 3.0, cloth)

@@ -113,7 +113,7 @@ def test_what_runs_is_what_was_asked() -> None:
         scene = sim.load_scene(name)
         for number, step in enumerate(known(scene.lesson).steps):
             begins, runs = scene_of_step(scene, number), scene_of_run(scene, number)
-            assert (begins == runs) == (step.run is None)
+            assert (begins == runs) == (not step.run)
 
 
 def test_a_period_does_not_know_the_amplitude() -> None:

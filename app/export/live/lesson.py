@@ -80,7 +80,7 @@ def _step(
         "goal": msgspec.to_builtins(goal) if goal is not None else None,
         "goalText": goal_text(goal, scene) if goal is not None else "",
         "about": differing(scene),
-        "run": differing(asked) if step.run is not None else None,
+        "run": differing(asked) if step.run else None,
     }
 
 

@@ -64,7 +64,7 @@ class LessonPanel:
             self._text.content = PLACE if lesson else ""
         if lesson is not None:
             steps = (
-                LessonStep(step.title, step.do, step.watch, step.question, step.run is not None)
+                LessonStep(step.title, step.do, step.watch, step.question, bool(step.run))
                 for step in lesson.steps
             )
             self._page.mail.send(LessonState(steps=tuple(steps)))

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
-from msgspec import UNSET, structs
+from msgspec import UNSET, UnsetType, structs
 
 import sim
 from sim.edit import lesson
@@ -16,7 +16,7 @@ from sim.edit.edit import Edit
 from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
 from sim.motion.quantities import KINDS, PARTS, unit_in
-from sim.scene.lesson import Goal, Question, Reading, Step
+from sim.scene.lesson import Goal, Question, Reading, Step, StepRun
 from sim.settings import CHOICES, scene_of_step, settings_of
 
 from ...session import commands
@@ -45,6 +45,7 @@ LABELS = {
     "plots": "plots",
     "arrows": "arrows",
     "ghost": "second body",
+    "run": "run",
 }
 """The fields of a step, as the undo button names them."""
 
@@ -92,6 +93,7 @@ class LessonMaker:
         self._before: tuple[bytes, Versions] | None = None  # the page before a step was tried
         self._steps: tuple[Step, ...] = ()
         self._begins: tuple[str, ...] = ()
+        self._runs: tuple[str, ...] = ()
         self._due = 0.0
 
     def do(self, ask: asks.Prepare) -> None:
@@ -119,6 +121,9 @@ class LessonMaker:
             case asks.TakeInStep(step, "settings"):
                 scene, opened = session.scene, session.opened
                 self._change(ask, lambda now: lesson.begin_as(now, step, scene, opened), "settings")
+            case asks.TakeInStep(step, "run"):
+                scene, opened, positions = session.scene, session.opened, session.simulation.positions
+                self._change(ask, lambda now: lesson.run_as(now, step, scene, positions, opened), "run")
             case asks.TakeInStep(step, "plots"):
                 self._change_step(ask, {"plots": self._measured().plots})
             case asks.TakeInStep(step):
@@ -131,11 +136,14 @@ class LessonMaker:
         scene = self._session.scene
         steps = scene.lesson.steps if scene.lesson is not None and self._open else ()
         if steps is not self._steps:
-            self._steps, self._begins = (
-                steps,
-                tuple(describe_settings(scene, step.settings) for step in steps),
+            self._steps = steps
+            self._begins = tuple(describe_settings(scene, step.settings) for step in steps)
+            self._runs = tuple(describe_run(scene, step.run) for step in steps)
+        self._mail.send(
+            LessonForm(
+                open=self._open, trying=self._trying, steps=steps, begins=self._begins, runs=self._runs
             )
-        self._mail.send(LessonForm(open=self._open, trying=self._trying, steps=steps, begins=self._begins))
+        )
         if self._page.makes_lesson and self._session.now() >= self._due:
             self._due = self._session.now() + OFFERS_EVERY
             self._mail.send(self._offers())
@@ -186,6 +194,8 @@ class LessonMaker:
             if changes["ghost"] not in ("", REFERENCE, *METHODS):
                 return
             changes["ghost"] = changes["ghost"] or None
+        if "run" in changes:
+            changes["run"] = UNSET
         if changes:
             self._change_step(ask, changes, f"lesson.{ask.step}.{next(iter(changes))}")
 
@@ -242,6 +252,14 @@ class LessonMaker:
             plots=measured.plots,
             arrows=self._arrows,
         )
+
+
+def describe_run(scene: sim.Scene, run: StepRun | UnsetType) -> str:
+    """Describe a run, as in "Gravity 2000 px/s²; mass 1 is pulled by (0, 150) px"."""
+    if not run:
+        return ""
+    pulls = (f"mass {p.mass} is pulled by ({p.by[0]:g}, {p.by[1]:g}) {scene.view.unit}" for p in run.pulls)
+    return "; ".join(filter(None, (describe_settings(scene, run.settings), *pulls)))
 
 
 def describe_settings(scene: sim.Scene, settings: tuple[str, ...]) -> str:

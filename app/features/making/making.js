@@ -23,7 +23,7 @@ const ABOUT =
 
 class MakingForm {
   /** @type {LessonForm} */
-  lesson = { tell: "lessonForm", open: false, trying: -1, steps: [], begins: [] };
+  lesson = { tell: "lessonForm", open: false, trying: -1, steps: [], begins: [], runs: [] };
   /** @type {import("../../wire/wire.js").LessonOffers | null} */
   offers = null;
   /** The chosen step. */
@@ -115,7 +115,7 @@ class MakingForm {
   }
 
   show() {
-    const { steps, begins } = this.lesson;
+    const { steps, begins, runs } = this.lesson;
     const titles = steps.map(({ title }) => title);
     const changed = JSON.stringify(titles) !== JSON.stringify(this.list.titles);
     if (this.expected !== null && (changed || this.expected === this.at)) [this.at, this.expected] = [this.expected, null];
@@ -127,7 +127,7 @@ class MakingForm {
     this.add.classList.toggle("softrod-first", !some);
     this.add.disabled = steps.length >= MAX_STEPS;
     this.fields.element.hidden = this.foot.hidden = this.drop.hidden = !some || this.offers === null;
-    if (some && this.offers) this.fields.show(steps[this.at], this.at, begins[this.at] ?? "", this.offers);
+    if (some && this.offers) this.fields.show(steps[this.at], this.at, begins[this.at] ?? "", runs[this.at] ?? "", this.offers);
   }
 
   /** @param {LessonForm} lesson */

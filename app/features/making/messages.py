@@ -88,6 +88,7 @@ class StepChanges(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True,
     controls: Annotated[tuple[QuantityName, ...], Meta(max_length=40)] | UnsetType = UNSET
     plots: UnsetType | None = UNSET
     arrows: UnsetType | None = UNSET
+    run: UnsetType | None = UNSET
     ghost: Annotated[str, Meta(max_length=40)] | UnsetType = UNSET
 
 
@@ -98,9 +99,9 @@ class ChangeStep(OfStep, frozen=True):
 
 
 class TakeInStep(OfStep, frozen=True):
-    """Give a step the present settings, plots or arrows."""
+    """Give a step the present settings, plots or arrows, or have it run the body as it is now."""
 
-    what: Literal["settings", "plots", "arrows"]
+    what: Literal["settings", "run", "plots", "arrows"]
 
 
 class TryStep(OfStep, frozen=True):
@@ -122,13 +123,14 @@ class LessonForm(State, frozen=True, kw_only=True):
         open: whether the form is shown.
         trying: the step that is tried; -1 for none.
         steps: of the lesson. Their texts may be anyone's: the script shows them as plain text.
-        begins: the settings of each step, in words.
+        begins, runs: the settings of each step, and what its run changes and pulls, in words.
     """
 
     open: bool = False
     trying: int = -1
     steps: tuple[Step, ...] = ()
     begins: tuple[str, ...] = ()
+    runs: tuple[str, ...] = ()
 
 
 class LessonControl(Struct, frozen=True):

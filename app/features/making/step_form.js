@@ -47,6 +47,8 @@ export class StepForm {
     this.begins = make("p", "softrod-making-now");
     this.takeSettings = makeButton("Begin as it is now", () => this.take("settings"));
     this.nowSettings = make("p", "softrod-making-hint");
+    this.runs = make("p", "softrod-making-now");
+    this.dropRun = makeButton("Run as it begins", () => this.change({ run: null }));
     this.controlsTitle = make("summary", "");
     this.controls = make("div", "softrod-making-checks");
     const controls = make("details", "");
@@ -78,6 +80,11 @@ export class StepForm {
       labelled("What to watch meanwhile (may be empty)", this.texts.watch, "watch"),
       this.question.element,
       section("Begins with", this.begins, this.takeSettings, this.nowSettings, refusal("settings")),
+      section(
+        "Runs with, once the question is answered",
+        this.runs, box("softrod-making-row", makeButton("Run as it is now", () => this.take("run")), this.dropRun), refusal("run"),
+        make("p", "softrod-making-hint", "Reset, pause, and change the numbers or drag the masses that the question is about."),
+      ),
       controls,
       section(
         "Shows",
@@ -204,9 +211,9 @@ export class StepForm {
   /**
    * Shows a step. Input that waits to be sent stays.
    *
-   * @param {Step} step @param {number} number @param {string} begins @param {LessonOffers} offers
+   * @param {Step} step @param {number} number @param {string} begins @param {string} runs @param {LessonOffers} offers
    */
-  show(step, number, begins, offers) {
+  show(step, number, begins, runs, offers) {
     if (number !== this.number) {
       this.number = number;
       this.known.clear();
@@ -219,6 +226,8 @@ export class StepForm {
     this.nowSettings.textContent = offers.settings ? `Now: ${offers.settings}.` : "";
     this.nowSettings.hidden = !offers.settings || offers.settings === begins;
     this.takeSettings.disabled = offers.settings === begins;
+    this.runs.textContent = runs ? `${runs}.` : "As it begins.";
+    this.dropRun.hidden = !step.run;
     this.showControls(step.controls, offers);
     this.plots.textContent = step.plots?.length ? `Plots: ${step.plots.join("; ")}.` : "No plots.";
     this.takePlots.disabled = offers.plots.length === 0;
