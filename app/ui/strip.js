@@ -16,6 +16,14 @@ function setSpread(strip, on) {
   document.documentElement.toggleAttribute("data-softrod-strip", spread.size > 0);
 }
 
+/** What folds each strip that can be folded. @type {Map<HTMLElement, () => void>} */
+const folds = new Map();
+
+/** Folds the strips that can be: on a phone a control has been asked for, and the sheet with it comes back. */
+export function foldStrips() {
+  for (const strip of [...spread]) folds.get(strip)?.();
+}
+
 /**
  * Makes a strip, hidden at first.
  *
@@ -46,6 +54,8 @@ export function makeStrip(name, label) {
       strip.hidden = !on;
       document.documentElement.toggleAttribute(`data-softrod-${name}`, on);
     },
+    /** Can be folded, by this. @param {() => void} fold */
+    foldsBy: (fold) => void folds.set(strip, fold),
     /** Tells whether it is spread out, or only its head is there. @param {boolean} on */
     spread: (on) => setSpread(strip, on && !strip.hidden),
   };

@@ -142,3 +142,9 @@ def test_on_a_phone_neighbours_are_moved_as_a_group(open_page: OpenPage) -> None
     page.get_by_role("button", name="28 muscles").tap()
     desk.until(lambda: page.locator(".softrod-muscle").count() == 28, "each is there alone")
     assert page.locator(".softrod-muscle-on").count() == 4
+    # A control that is asked for is seen: the strip makes room for the sheet.
+    page.get_by_role("button", name="Find anything").locator("visible=true").tap()
+    page.keyboard.type("gravity")
+    page.get_by_role("option").filter(has_text="Gravity").first.tap()
+    desk.until(lambda: desk.box("Gravity").is_visible(), "the sheet is back")
+    assert page.locator(".softrod-muscles-wave").is_hidden()

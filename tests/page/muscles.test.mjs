@@ -2,7 +2,7 @@
 /** Muscles in groups, where a strip has no room for each. */
 import assert from "node:assert/strict";
 import test from "node:test";
-import { groupsOf, nameOf, singles } from "../../app/features/muscles/marks.js";
+import { clearest, groupsOf, nameOf, placeOf, singles } from "../../app/features/muscles/marks.js";
 
 /** @param {number} part @param {Partial<import("../../app/features/muscles/marks.js").Mark>} [more] */
 const mark = (part, more = {}) => ({ key: `j${part}`, joint: true, part, phase: 0, amplitude: 10, perBeat: 1, pulse: false, crest: 0.5, ...more });
@@ -28,4 +28,13 @@ test("a group is at the mean of its crests, around the end of the beat, too", ()
   assert.equal(group.amplitude, 20);
   const [twice] = groupsOf([mark(0, { crest: 0.49, perBeat: 2 }), mark(1, { crest: 0.01, perBeat: 2 })], 2);
   assert.ok(twice.crest < 1e-9 || twice.crest > 0.5 - 1e-9);
+});
+
+test("groups are as small as they can be without covering each other", () => {
+  // A wave that runs along the body: with six groups, the fourth comes when the first does.
+  const marks = Array.from({ length: 28 }, (_, k) => mark(k, { crest: ((k / 14) % 1 + 1) % 1 }));
+  const box = { width: 300, height: 112 };
+  const xs = clearest(marks, 5, box).map((dot) => placeOf(dot, box).x).sort((one, other) => one - other);
+  assert.ok(Math.min(...xs.slice(1).map((x, i) => x - xs[i])) >= 20, String(xs));
+  assert.deepEqual(clearest(marks, 4, { ...box, width: 360 }).length, 7);
 });

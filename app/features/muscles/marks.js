@@ -68,6 +68,26 @@ export function groupsOf(marks, most) {
   return groups.map((members, i) => ({ ...mean(members), key: `g${i + 1}`, members, number: String(i + 1) }));
 }
 
+/** Sizes of groups that are tried. */
+const TRIED = 3;
+/** Pixels between two groups that can be told apart. */
+const CLEAR = 22;
+
+/**
+ * The smallest groups that lie clearly apart: with some sizes the waves of several come at the same time, and cover each other.
+ *
+ * @param {Mark[]} marks @param {number} most in a group, at least @param {Box} box
+ */
+export function clearest(marks, most, box) {
+  const found = Array.from({ length: TRIED }, (_, k) => groupsOf(marks, most + k));
+  /** @param {Dot[]} dots */
+  const gap = (dots) => {
+    const places = dots.map((dot) => placeOf(dot, box)).sort((one, other) => one.x - other.x);
+    return Math.min(...places.slice(1).map(({ x, y }, i) => Math.hypot(x - places[i].x, y - places[i].y)));
+  };
+  return found.find((dots) => gap(dots) >= CLEAR) ?? found.reduce((best, next) => (gap(next) > gap(best) ? next : best));
+}
+
 /** One mark for many of one kind. @param {Mark[]} members */
 function mean(members) {
   const [first] = members;

@@ -14,7 +14,7 @@ import { isSheet } from "../../ui/gui/panel.js";
 import { floorOf } from "../../stage/dock.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { makeStrip } from "../../ui/strip.js";
-import { across, groupsOf, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf, singles, stepOf, wayOf, waveOf } from "./marks.js";
+import { across, clearest, inWords, markAt, marksOf, movedBy, nameOf, otherCrests, placeOf, singles, stepOf, wayOf, waveOf } from "./marks.js";
 import { MuscleMarks } from "./body_marks.js";
 import { timeNow } from "../../ui/clock.js";
 import { tuning } from "./tuning.js";
@@ -120,6 +120,7 @@ class MuscleStrip {
     const { wave, strip } = this;
     wave.removeAttribute("aria-hidden");
     strip.head.prepend(this.fold);
+    strip.foldsBy(() => this.setOpen(false));
     this.kinds.setAttribute("role", "group");
     this.kinds.ariaLabel = "What is moved";
     this.kinds.append(this.grouped, this.alone);
@@ -183,7 +184,7 @@ class MuscleStrip {
   /** Dots for muscles: groups where there is too little room for each. @param {Mark[]} marks */
   dotsOf(marks) {
     const { width } = this.box;
-    const groups = width && CROWDED * marks.length > width ? groupsOf(marks, Math.ceil((APART * marks.length) / width)) : [];
+    const groups = width && CROWDED * marks.length > width ? clearest(marks, Math.ceil((APART * marks.length) / width), this.box) : [];
     const isCrowded = groups.length > 0 && groups.length < marks.length;
     this.kinds.hidden = !isCrowded || !this.isOpen;
     if (!isCrowded) return singles(marks);
@@ -221,7 +222,7 @@ class MuscleStrip {
     const pointed = all.find(({ key }) => key === (this.drag?.held.key ?? this.hovered));
     const focused = all.find(({ key }) => this.elements.get(key) === document.activeElement);
     const named = pointed ?? focused ?? (chosen.length === 1 && chosen[0].members.length === some.length ? chosen[0] : null);
-    const words = named ? `${nameOf(named)}: ${inWords(named)}` : some.length ? `${some.length} muscles selected` : HOW;
+    const words = !this.isOpen ? "" : named ? `${nameOf(named)}: ${inWords(named)}` : some.length ? `${some.length} muscles selected` : HOW;
     if (this.strip.says.textContent !== words) this.strip.says.textContent = words;
     this.onBody.show([...(pointed?.members ?? []), ...(editing.on ? [] : some)]);
     if (!this.isOpen || !box.width) return;

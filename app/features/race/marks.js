@@ -15,6 +15,8 @@ import { secondIn } from "../../stage/canvas.js";
 
 /** Pixels between the finishes of two bodies below which they are one. */
 const APART = 8;
+/** Pixels between two finishes below which their words would lie over each other. */
+const WORDS = 130;
 /** Pixels above a flag, for the words over it and the head-up display; on a phone there are buttons, too. */
 const ABOVE = 92;
 const ABOVE_ON_PHONE = 152;
@@ -126,7 +128,8 @@ export function addRaceMarks(read) {
     marks.forEach(({ finish }, i) => {
       // Of lines at about one place, the first is shown.
       const isShown = xs[i] > box.left && xs[i] < box.right && !xs.slice(0, i).some((x) => Math.abs(x - xs[i]) < APART);
-      finish(isShown ? xs[i] : null, `Finish, ${distance(Math.abs(race.finish))}`, seen);
+      const isAlone = !xs.slice(0, i).some((x) => Math.abs(x - xs[i]) < WORDS);
+      finish(isShown ? xs[i] : null, isAlone ? `Finish, ${distance(Math.abs(race.finish))}` : "", seen);
     });
     const left = Math.abs(race.finish) - race.ways[0] * Math.sign(race.finish);
     toFinish.draw([xs[0], flagTop(box)], `Finish, ${aheadText(left)}`, seen);

@@ -10,6 +10,7 @@ import { withKey } from "../../ui/hands/key_table.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { distance, fullRace, isOver, namesOf, verdict } from "./words.js";
 import { addRaceMarks } from "./marks.js";
+import { fit } from "../../stage/camera.js";
 import { redrawMarks } from "../../stage/sight.js";
 import { theGallery } from "../gallery/gallery.js";
 import { makeStrip } from "../../ui/strip.js";
@@ -35,7 +36,7 @@ const raceAgainst = (text) => void sendParts("rival", encodeURIComponent(text.tr
 function makeLine() {
   const line = make("form", "softrod-dialog-line softrod-rival");
   const pasted = make("input", "softrod-search");
-  pasted.placeholder = "Paste a link to a scene, or choose one below";
+  pasted.placeholder = "Paste a link, or choose below";
   pasted.ariaLabel = "Link to the scene to race against";
   line.append(pasted, make("button", "softrod-button softrod-first", "Race"));
   line.addEventListener("submit", (event) => {
@@ -100,6 +101,7 @@ function makeRace() {
     stopCount();
     perform("pause");
     perform("reset");
+    fit(true);
     begin.blur(); // the keys are the bodies'
     countDown(3);
   };
@@ -148,9 +150,12 @@ function begin() {
   /** @type {ReturnType<typeof makeRace> | null} */
   let show = null;
   onMessage("race", (now) => {
+    const before = race.lines.length;
     race = fullRace(now);
     if (!show && !race.on) return;
     if (!show) addRaceMarks(() => race);
+    // All are at their starts, which may be far from where the body was seen last; alone, it may have become a dot.
+    if (race.lines.length !== before) requestAnimationFrame(() => fit(true));
     show ??= makeRace();
     show(race);
     redrawMarks();

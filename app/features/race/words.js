@@ -4,6 +4,8 @@ import { pageState } from "../../wire/channel.js";
 
 /** @typedef {import("../../wire/wire.js").Race} Race */
 
+/** A way that is none but for rounding, px. */
+const LEAST = 0.005;
 /** Part of the way to the finish below which neither is ahead. */
 const CLOSE = 0.002;
 
@@ -25,7 +27,8 @@ export const fullRace = (race) => ({
 
 /** A distance in words. @param {number} way */
 export function distance(way) {
-  const size = Math.abs(way) < 10 ? Number(Math.abs(way).toPrecision(2)) : Math.round(Math.abs(way));
+  const exact = Math.abs(way);
+  const size = exact < LEAST ? 0 : exact < 10 ? Number(exact.toPrecision(2)) : Math.round(exact);
   return `${way < 0 && size ? "−" : ""}${size} ${pageState().unit ?? ""}`;
 }
 

@@ -99,6 +99,13 @@ export class NumberBox {
     this.why.setAttribute("role", "alert");
     this.why.hidden = true;
     this.input.addEventListener("focus", visit);
+    // Whoever comes to a box writes another number over the one that is there.
+    let came = false;
+    this.input.addEventListener("focus", () => (came = true));
+    this.input.addEventListener("click", () => {
+      if (came && this.input.selectionStart === this.input.selectionEnd) this.input.select();
+      came = false;
+    });
     this.input.addEventListener("input", () => this.type());
     this.input.addEventListener("blur", () => this.settle());
     this.input.addEventListener("keydown", (event) => this.press(event));

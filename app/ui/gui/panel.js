@@ -5,6 +5,7 @@
 import { has, onMessage, pageState } from "../../wire/channel.js";
 import { perform } from "../../wire/perform.js";
 import { kept, store } from "../kept/storage.js";
+import { foldStrips } from "../strip.js";
 import { iconHtml, make, makeButton } from "../dialog.js";
 import { openFinder } from "./finder.js";
 
@@ -105,6 +106,7 @@ class Panel {
 
   /** Opens it, for a tab or a control that was asked for. */
   unfold() {
+    if (SHEET.matches) foldStrips();
     if (this.isFolded) this.choose(false);
     if (this.height === "closed") this.go("half");
   }
