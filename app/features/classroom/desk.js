@@ -7,6 +7,7 @@ import { onMessage, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { beforehand } from "./beforehand.js";
 import { box, button, fold, icon, typedAddress, untranslated, voteBars } from "./elements.js";
+import { guide } from "./guide.js";
 import { hearImports, importResults, imports } from "./imports.js";
 import { keepInPlace } from "./place.js";
 import { plot, power } from "./plot.js";
@@ -32,17 +33,6 @@ const PHASES = {
   explain: "Explain in a line",
   try: "Let them try",
   collect: "Collect",
-};
-/** What the class does in them. */
-const ABOUT = {
-  lobby: "Put the wall on the projector: they come in by its code.",
-  show: "All look at your body: what you do with it, they see.",
-  ask: "Each one answers, unseen by the others.",
-  results: "All see what was answered, without names.",
-  run: "All see the same run.",
-  explain: "Each one writes a line. Star those that the wall is to show: it does as soon as you go on.",
-  try: "Each one has a body of their own.",
-  collect: "Each one hands in what they found.",
 };
 /** Phases that wait for each pupil. @type {Phase[]} */
 const WAITS = ["ask", "explain", "collect"];
@@ -146,22 +136,25 @@ const labelOf = ([stop, phase, round], at) => (stop === at ? `${PHASES[phase]}${
 
 /** What comes next, and what the class does now. @param {Desk} desk */
 function now({ stops, asking, next, seats }) {
-  const { stop, phase, round, predict } = asking;
+  const { stop, phase, round } = asking;
   const pick = make("select", "");
   pick.ariaLabel = "Step";
   pick.dataset.focus = "step";
   stops.forEach(({ title }, i) => pick.add(new Option(`${i + 1}. ${title}`, String(i), false, i === stop)));
   pick.addEventListener("change", () => send({ do: "stage", stop: Number(pick.value), phase: "show" }));
-  const about = box("p", "softrod-desk-about", make("b", "", labelOf([stop, phase, round], stop)), ` – ${ABOUT[phase]}`);
+  const words = guide(asking);
+  const about = box("p", "softrod-desk-about", make("b", "", labelOf([stop, phase, round], stop)));
   about.setAttribute("role", "status");
-  if (WAITS.includes(phase)) about.append(` ${seats.filter(({ answered }) => answered).length} of ${counted(seats)} have.`);
-  if (phase === "run" && predict > 0) about.append(` It stands at ${predict} s.`);
+  if (WAITS.includes(phase)) about.append(`: ${seats.filter(({ answered }) => answered).length} of ${counted(seats)} have.`);
+  const lines = make("dl", "softrod-desk-guide");
+  lines.append(make("dt", "", "Say"), make("dd", "softrod-desk-say", words.say), make("dt", "", "Do"), make("dd", "", words.do));
   return box(
     "section",
     "softrod-desk-now",
     ...(stops.length > 1 ? [pick] : []),
     next ? button(`Next: ${labelOf(next, stop)}`, () => go(next), { focus: "next", name: "softrod-strong" }) : make("p", "softrod-quiet", "That was the last step."),
     about,
+    lines,
   );
 }
 
