@@ -199,6 +199,7 @@ def test_a_lesson_runs_what_it_asked_about(visit: Visits, tmp_path: Path) -> Non
     path = tmp_path / "lesson.html"
     path.write_bytes(live_html(sim.Simulation(sim.load_scene("lesson-hooke")).capture())[0])
     page = visit(path.as_uri())
+    until(page, lambda: page.evaluate("Boolean(window.__softrod)"), "the file's script has begun")
     hangs, gravity = "__softrod.now().body.positions[3]", "__softrod.now().shown.body.gravity[1]"
     assert (page.evaluate(hangs), page.evaluate(gravity)) == (220.0, 1000.0)
     page.get_by_role("button", name="200 px").click()
