@@ -52,7 +52,8 @@ def test_a_worm_races_against_a_walker(open_page: OpenPage) -> None:
 
     def is_told() -> bool:
         _, theirs = other.ways(session.simulation)
-        return abs(float(output.inner_text().removesuffix(" px").replace("−", "-")) - theirs) <= 0.5
+        # It is rounded twice: to four digits on its way, and to whole pixels in the strip.
+        return abs(float(output.inner_text().removesuffix(" px").replace("−", "-")) - theirs) <= 0.6
 
     desk.until(is_told, "and how far each is")
     page.get_by_role("button", name="Leave").click()
