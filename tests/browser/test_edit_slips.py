@@ -111,6 +111,7 @@ def test_moving_a_picture_takes_no_keys_of_others(open_page: OpenPage, tmp_path:
     image = put_picture(desk, tmp_path)
     button = page.get_by_role("button", name="Move it")
     button.click()
+    desk.rest(3)  # marks are drawn with the canvas
     x = image.get_attribute("x")
     desk.gallery()
     page.keyboard.press("ArrowDown")

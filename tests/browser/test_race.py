@@ -71,9 +71,10 @@ def test_a_race_ends_with_a_sentence_and_race_again_starts_both_over(open_page: 
     assert rival is not None
     flag = page.locator(".softrod-finish text").first
     desk.until(lambda: flag.text_content() == "Finish, 8 px", "the finish is on the canvas")
-    line = page.locator(".softrod-finish-line").first.bounding_box()
-    assert line is not None
-    assert abs(line["x"] - desk.at([(rival.lines[0], 300.0)])[0, 0]) < 2.0
+    line = page.locator(".softrod-finish-line").first
+    desk.until(
+        lambda: abs(box_of(line)["x"] - desk.at([(rival.lines[0], 300.0)])[0, 0]) < 2.0, "it is where it is"
+    )
     page.get_by_role("button", name="Play", exact=True).click()
     says, heard = page.locator(".softrod-race-says"), page.locator(".softrod-race .softrod-tell")
     both = "Both at once, after"
