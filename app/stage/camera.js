@@ -129,9 +129,9 @@ function besideTools(box) {
   if (!editing.on) {
     const buttons = [...document.querySelectorAll(".softrod-menu-lid, .softrod-box-lid")];
     const height = Math.max(0, ...buttons.map((button) => button.getBoundingClientRect().height));
-    // Not the display's present height: a body would jump whenever that gets another line.
-    const [over, hud] = [".softrod-over", ".softrod-hud"].map((name) => document.querySelector(name)?.getBoundingClientRect());
-    const wanted = Math.max(0, (over?.bottom ?? 0) - box.top) + (hud && box.width < NARROW ? HUD_HEIGHT : 0);
+    // Not the display's present height: a body would jump whenever that comes or gets another line.
+    const over = document.querySelector(".softrod-over")?.getBoundingClientRect();
+    const wanted = Math.max(0, (over?.bottom ?? 0) - box.top) + (box.width < NARROW ? HUD_HEIGHT : 0);
     const above = Math.min(wanted, MOST_ABOVE * (floorOf(box) - box.top));
     return { above, below: box.width < NARROW && height ? height + BUTTON_MARGIN : 0 };
   }

@@ -44,7 +44,8 @@ const isWished = () => letters >= LARGE_LETTERS && !isSheet();
 
 /** Switches projector mode, in which everything is larger and bolder for the last row of a class; the tab remembers. */
 export function toggleProjector() {
-  store(NAME, root().classList.toggle(NAME) ? "1" : "0");
+  isAsked = root().classList.toggle(NAME);
+  store(NAME, isAsked ? "1" : "0");
   enlarge();
 }
 
@@ -53,6 +54,8 @@ const NARROWEST = 320;
 
 /** Pixels of letters as the browser's user wishes them. */
 let letters = 16;
+/** Whether projector mode was asked for in the page; else it is on only as far as letters are to be larger. */
+let isAsked = false;
 
 /** Measures them: viser's page sets a size of its own. */
 function measureLetters() {
@@ -69,7 +72,7 @@ export function larger() {
   if (!isProjector()) return 1;
   const usual = Math.min(innerWidth / WIDTH, innerHeight / HEIGHT);
   const wished = Math.min(letters / 16, (2 * innerWidth) / ROOM_FOR_DOUBLE.width, (2 * innerHeight) / ROOM_FOR_DOUBLE.height);
-  return Math.min(Math.max(1, kept(NAME) === "1" ? usual : 1, wished), MAX_FACTOR);
+  return Math.min(Math.max(1, isAsked ? usual : 1, wished), MAX_FACTOR);
 }
 
 const enlarge = () => root().style.setProperty("--softrod-larger", larger().toFixed(3));
@@ -77,6 +80,7 @@ const enlarge = () => root().style.setProperty("--softrod-larger", larger().toFi
 /** Turns projector mode on if it was on before the page was reloaded or large letters are wished, and keeps its sizes up to date. */
 export function restoreLooks() {
   measureLetters();
+  isAsked = kept(NAME) === "1";
   root().classList.toggle(NAME, { 0: false, 1: true }[kept(NAME) ?? ""] ?? isWished());
   enlarge();
   window.addEventListener("resize", enlarge);
