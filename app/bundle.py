@@ -16,6 +16,7 @@ _DEFAULT = re.compile(r'^import (\w+) from "(\.[\w./-]+)";$', re.MULTILINE)
 _AS = re.compile(r"(\w+) as (\w+)")
 _EXPORT = re.compile(r"^export ((?:async )?function|const|class) (\w+)", re.MULTILINE)
 _EXPORT_DEFAULT = re.compile(r"^export default ", re.MULTILINE)
+_PRIVATE = re.compile(r"(?<=\.)#(?=[a-z])|^([ \t]*(?:(?:static|async|get|set) )*)#(?=[a-z])", re.MULTILINE)
 _PLACE = re.compile(r"\bimport\.meta\.url\b")
 _COMMENT = re.compile(r"[ \t]*/\*\*.*?\*/\n?|^[ \t]*//[^\n]*\n", re.DOTALL | re.MULTILINE)
 _STYLE_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
@@ -37,7 +38,7 @@ def bundle(start: Path) -> str:
     """A module and all that it imports, as the text of one module without comments and indentation.
 
     Each of them becomes a function that returns what it exports. A module's own address is where it would be
-    beside the first one.
+    beside the first one. Private names of classes become ordinary ones, for browsers that do not know those.
 
     Raises:
         BundleError: a module imports or exports in another form, or two import each other.
@@ -74,7 +75,7 @@ class _Bundle:
 
     def _included(self, path: Path) -> tuple[str, list[str]]:
         """The text of a module without its imports and exports, and what it exports."""
-        text = _COMMENT.sub("", path.read_text(encoding="utf-8"))
+        text = _PRIVATE.sub(r"\1$", _COMMENT.sub("", path.read_text(encoding="utf-8")))
         if any(line.replace(r"\`", "").count("`") % 2 for line in text.splitlines()):
             raise BundleError(f"{path}: a template of several lines is not known to the bundler")
 

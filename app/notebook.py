@@ -11,6 +11,7 @@ import sim
 from sim.compiling.compiler import needed_by
 
 from .gate.address import OF_THIS_MACHINE, page_addresses
+from .pages.sandbox.tab import Tab
 from .server.serve import serving
 
 HOST = "127.0.0.1"
@@ -55,9 +56,9 @@ class Shown:
         Raises:
             InputError: the page did not answer.
         """
-        tabs = dict(self._ticker.tabs)
+        tabs = [tab for _, tab in sorted(self._ticker.tabs.items()) if isinstance(tab, Tab)]
         if self._open and tabs:
-            self._scene = tabs[max(tabs)].snapshot()
+            self._scene = tabs[-1].snapshot()
         return self._scene
 
     def close(self) -> None:

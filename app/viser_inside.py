@@ -11,7 +11,7 @@ import contextlib
 import functools
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -92,37 +92,14 @@ def listen(client: viser.ClientHandle, heard: Callable[[str], None]) -> None:
     client._websock_connection.register_handler(SoftrodMessage, lambda _, message: heard(message.text))
 
 
-def batch(*messages: SoftrodMessage) -> bytes:
-    """Encode messages as viser's page reads them (`viser.infra._infra._message_producer`)."""
-    arrays: list[memoryview] = []
-    fields = tuple(message.as_serializable_dict(arrays) for message in messages)
-    lengths = tuple(array.nbytes for array in arrays)
-    inner = msgspec.msgpack.encode(
-        {"messages": fields, "timestampSec": time.perf_counter(), "binaryBufferLengths": lengths}
-    )
+def no_messages() -> bytes:
+    """A batch of no messages, as viser's page reads it (`viser.infra._infra._message_producer`)."""
+    fields = {"messages": (), "timestampSec": time.perf_counter(), "binaryBufferLengths": ()}
+    inner = msgspec.msgpack.encode(fields)
     packed = zstandard.compress(inner, 1)
-    parts = (len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little") + packed, *arrays)
-    # Each part begins at a multiple of eight bytes.
-    return b"".join(bytes(part).ljust(-(-len(bytes(part)) // 8) * 8, b"\0") for part in parts)
-
-
-def send_at_once(clients: Sequence[viser.ClientHandle], data: bytes) -> None:
-    """Send a batch to several pages of one server, bypassing viser's queues; any thread may.
-
-    Pages that are gone, or have not yet received what was sent before, are left out.
-    """
-    if not clients:
-        return
-    server = clients[0]._viser_server
-    live = connections(server)
-
-    def send() -> None:
-        found = [live.get(client.client_id) for client in clients]
-        ready = [one for one in found if one is not None and not one.transport.get_write_buffer_size()]
-        websockets.asyncio.server.broadcast(ready, data)
-
-    with contextlib.suppress(RuntimeError):  # the server has ended
-        server.get_event_loop().call_soon_threadsafe(send)
+    data = len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little") + packed
+    # It ends at a multiple of eight bytes.
+    return data.ljust(-(-len(data) // 8) * 8, b"\0")
 
 
 # ------------------------------------------------------------------------- the panel
@@ -146,13 +123,16 @@ _replacing = threading.Lock()
 
 
 @contextlib.contextmanager
-def served_by(options_of: Callable[[Any], dict[str, Any]]) -> Iterator[list[Any]]:
+def served_by(
+    options_of: Callable[[Any], dict[str, Any]], handler_of: Callable[[Any], Any]
+) -> Iterator[list[Any]]:
     """Add options to viser's call of `websockets.serve`; yields the list of such calls.
 
     websockets' own module is patched meanwhile.
 
     Args:
         options_of: makes the options, given the function by which viser answers requests.
+        handler_of: makes the handler of connections, given viser's.
     """
     module: Any = websockets.asyncio.server
     calls: list[Any] = []
@@ -162,7 +142,7 @@ def served_by(options_of: Callable[[Any], dict[str, Any]]) -> Iterator[list[Any]
             # Another server, started by chance at this moment.
             return real_serve(handler, *address, process_request=process_request, **options)
         calls.append(address)
-        return real_serve(handler, **(options | options_of(process_request)))
+        return real_serve(handler_of(handler), **(options | options_of(process_request)))
 
     with _replacing:
         real_serve = module.serve

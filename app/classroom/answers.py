@@ -56,6 +56,8 @@ class Phase(enum.Enum):
     """All look at what was predicted."""
     RUN = "run"
     """All see the same run."""
+    REVEAL = "reveal"
+    """All see what is right, with the body as it stands after the run."""
     EXPLAIN = "explain"
     """Each one writes a line."""
     TRY = "try"

@@ -16,12 +16,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol
 
 import msgspec
+import numpy as np
 from filelock import BaseFileLock
 
 import sim
 from sim.scene.lesson import Lesson, Step
 from sim.settings import CHOICES, scene_of_run, scene_of_step
 
+from ..session.framing import Bounds, motion_bounds
 from ..session.log import decode_log
 from ..stage.plan import Picture
 from ..stage.sketch import Floats
@@ -32,7 +34,7 @@ from .room import MAX_STOPS, Room, digest
 from .takeaway import pack
 
 if TYPE_CHECKING:
-    import viser
+    from ..wire.line import Line
 
 WRITE_EVERY = 0.1
 """Seconds between two writes of a class; all answers given in between are acknowledged together."""
@@ -68,7 +70,7 @@ class SharedView:
     """
 
     number: int
-    audience: set[viser.ClientHandle]
+    audience: set[Line]
     scene: sim.Scene
     opening: int
     rest_angles: Floats
@@ -162,7 +164,7 @@ class Class:
         self.room = room
         self.lock = lock
         self.shared_view: SharedView | None = None
-        self.audience: set[viser.ClientHandle] = set()
+        self.audience: set[Line] = set()
         self.teachers = 0
         self.desk: object | None = None
         self.pupils: dict[int, Pupil] = {}
@@ -185,6 +187,7 @@ class Class:
         self._judged: list[tuple[str, Future[Verdict | None]]] = []
         self._write: _Write | None = None
         self._due = 0.0
+        self._bounds: dict[int, Future[Bounds]] = {}
         self._logs: dict[str, bytes] = {}  # that were handed in and are not on the disk yet
         self._gone: set[str] = set()  # logs on the disk that the room no longer refers to
         self._bodies: kept.Bodies = bodies or {}
@@ -212,6 +215,20 @@ class Class:
             scene = scene if place.step is None else made_by(scene, place.step)
             self._scenes[stop, made_by] = msgspec.structs.replace(scene, lesson=None)
         return self._scenes[stop, made_by]
+
+    def bounds(self, stop: int) -> Bounds | None:
+        """Return (2, 2) px, the box around the motion of a stop's body as its step and its run begin.
+
+        None until that is known, which takes a moment in another thread, and where the step cannot begin.
+        """
+        if stop not in self._bounds:
+            self._bounds[stop] = self._maker.submit(self._find_bounds, stop)
+        found = self._bounds[stop]
+        return found.result() if found.done() and found.exception() is None else None
+
+    def _find_bounds(self, stop: int) -> Bounds:
+        one, other = (motion_bounds(scene(stop)) for scene in (self.scene, self.run_scene))
+        return np.array((np.minimum(one[0], other[0]), np.maximum(one[1], other[1])))
 
     def first_setting(self) -> str:
         """Return the key of the first number that the present step has a slider for; empty without one."""

@@ -47,6 +47,9 @@ MAX_NAME_LENGTH = 20
 MAX_ANSWERS = 200
 """Answers of one seat, which no lesson comes near."""
 
+PAIRS_FROM, PAIRS_UP_TO = 0.35, 0.7
+"""Parts of the votes that are right between which pupils talk in pairs and are asked again."""
+
 MAX_STOPS = 60
 """Stops of a class."""
 
@@ -171,15 +174,27 @@ class Room(Struct, kw_only=True):
     @property
     def may_reveal_answer(self) -> bool:
         """Whether the right answer of the present question may be known."""
-        return self.phase in OWN_BODY or (self.phase is Phase.RESULTS and self.round > 0)
+        return self.phase in OWN_BODY or self.phase in (Phase.REVEAL, Phase.EXPLAIN)
 
     @property
     def vote_round(self) -> int:
-        """The round whose votes count now: the present one, or the last that was asked here."""
+        """The round whose votes count now: the present one, or else the last in which somebody voted."""
         if self.phase in (Phase.ASK, Phase.RESULTS):
             return self.round
-        asked = [one.round for one in self.asked if one.stop == self.at and one.phase is Phase.ASK]
-        return max(asked, default=0)
+        return 1 if self.given(self.at, 1, Vote) else 0
+
+    @property
+    def is_split(self) -> bool:
+        """Whether so many have chosen right, and so many have not, that they can convince each other.
+
+        They then talk in pairs and are asked again (Crouch and Mazur 2001, American Journal of Physics 69,
+        970); the bounds are theirs.
+        """
+        step = self.step
+        bars = self.bars(self.at, 0)
+        if step is None or step.question is None or not sum(bars):
+            return False
+        return PAIRS_FROM <= bars[step.question.answer] / sum(bars) <= PAIRS_UP_TO
 
     def order(self, stop: int) -> tuple[tuple[Phase, int], ...]:
         """Return the phases of a stop and their rounds, as a lesson goes through them."""
@@ -187,8 +202,9 @@ class Room(Struct, kw_only=True):
         if step is None or (step.question is None and step.predict is None):
             return (Phase.SHOW, 0), (Phase.TRY, 0), (Phase.COLLECT, 0)
         again = ((Phase.ASK, 1), (Phase.RESULTS, 1)) if step.question is not None else ()
-        first = ((Phase.SHOW, 0), (Phase.ASK, 0), (Phase.RESULTS, 0), (Phase.RUN, 0), (Phase.EXPLAIN, 0))
-        return *first, *again, (Phase.TRY, 0), (Phase.COLLECT, 0)
+        first = (Phase.SHOW, 0), (Phase.ASK, 0), (Phase.RESULTS, 0)
+        then = (Phase.RUN, Phase.REVEAL, Phase.EXPLAIN, Phase.TRY, Phase.COLLECT)
+        return *first, *again, *((phase, 0) for phase in then)
 
     def next(self) -> tuple[int, Phase, int] | None:
         """Return where the class goes next: stop, phase and round; None at the end."""
@@ -196,6 +212,8 @@ class Room(Struct, kw_only=True):
             return self.at, Phase.SHOW, 0
         order = self.order(self.at)
         after = order.index((self.phase, self.round)) + 1
+        if after < len(order) and order[after] == (Phase.ASK, 1) and not self.is_split:
+            after += 2
         if after < len(order):
             return self.at, *order[after]
         return (self.at + 1, Phase.SHOW, 0) if self.at + 1 < len(self.stops) else None

@@ -21,7 +21,8 @@ _FIELDS = {
 """Fields of the query of a page's address: controls (`app.ui.controls`), scene (`app.ui.opening`), class and
 role in it (`app.features.classroom`)."""
 
-_PAGE = re.compile(r".*/at/([0-9a-f]{32})", re.ASCII)
+_PAGE = re.compile(r".*/(?:at|line)/([0-9a-f]{32})", re.ASCII)
+_LINE = re.compile(r".*/line/[0-9a-f]{32}", re.ASCII)
 
 
 def page_query(query: str) -> dict[str, str] | None:
@@ -39,6 +40,11 @@ def page_name(path: str) -> str:
     """The name that a page has chosen for itself, from the path at which it connects; empty if none."""
     match = _PAGE.fullmatch(path)
     return match[1] if match else ""
+
+
+def is_line(path: str) -> bool:
+    """Whether a page that connects at a path is one of softrod's own, instead of viser's."""
+    return _LINE.fullmatch(path) is not None
 
 
 def visitor(peer: str, own: str, forwarded: Sequence[str], public: bool) -> str:

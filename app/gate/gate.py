@@ -16,7 +16,7 @@ import ipaddress
 import logging
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from http import HTTPStatus
 from typing import Any
 
@@ -37,6 +37,7 @@ from .address import (
     authorities,
     exposure,
     host_name,
+    is_line,
     is_loopback,
     listen,
     origin,
@@ -47,7 +48,7 @@ from .address import (
     public_address,
     visitor,
 )
-from .messages import BEAT, MAX_FRAME_BYTES, GuiUpdateMessage, Reason, Refused, is_alike
+from .messages import BEAT, MAX_FRAME_BYTES, MAX_MESSAGE_BYTES, GuiUpdateMessage, Reason, Refused, is_alike
 from .replies import StaticFile, not_this_host, not_this_origin, respond, safety_headers
 
 __all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server", "page_addresses"]
@@ -98,6 +99,9 @@ PAGE_PATHS = ("/", "/index.html", "/s")
 CHECK = "/check"
 """The page on which a device checks whether it can take part in a class."""
 
+CLASS = "/class"
+"""The page of a pupil, and of the wall; it is sent at the paths of the page, see `Gate.choose`."""
+
 VIDEO = "/video"
 """The page that tracks positions in a video."""
 
@@ -136,13 +140,37 @@ class Budget:
         return max(0.0, -self._left / self._rate)
 
 
+@dataclasses.dataclass(frozen=True)
+class Visit:
+    """A page that has connected.
+
+    Attributes:
+        query: with which it did, which may be anything.
+        host: the name and port by which it reached the server.
+        visitor: whose share of the server it takes.
+        is_local: whether it is certainly of this machine: nobody else can connect, and no proxy passed it on.
+            Behind a proxy every connection comes from this machine, so its address alone proves nothing.
+    """
+
+    query: str = ""
+    host: str = ""
+    visitor: str = ""
+    is_local: bool = False
+
+
 class Connection(ServerConnection):
-    """A page's connection, from which viser receives only what the gate admits."""
+    """A page's connection, of which only what the gate admits is received.
+
+    Attributes:
+        is_line: whether the page is one of softrod's own, instead of viser's.
+        path: at which it connected, with its query and without the folder of the public address.
+    """
 
     def __init__(self, gate: "Gate", protocol: ServerProtocol, server: Server, **options: Any) -> None:
         super().__init__(protocol, server, **options)
         self.client: viser.ClientHandle | None = None
-        self.page = ""
+        self.page = self.path = ""
+        self.is_line = False
         self.visitor = ""
         self.number: int | None = None
         self.since = time.monotonic()
@@ -152,24 +180,32 @@ class Connection(ServerConnection):
         self._pause = 0.0
 
     async def recv(self, decode: bool | None = None) -> Any:
-        """The next message for viser."""
+        """The next message that the gate admits."""
         while True:
             # Pause before the read, not after it: a cancelled recv() must not lose a message.
             if self._pause:
                 await asyncio.sleep(self._pause)
             data = await super().recv(decode)
             self._pause = self._messages.spend(1 + len(data) // BYTES_PER_MESSAGE)
+            if self.is_line:
+                if data == "":
+                    await self._answer_beat(b"")
+                elif isinstance(data, str) and len(data) <= MAX_MESSAGE_BYTES:
+                    return data
+                else:
+                    self._gate.refused["text" if isinstance(data, bytes) else "size"] += 1
+                continue
             admitted = self._gate.admit(self, data)
             if admitted == BEAT:
-                await self._answer_beat()
+                await self._answer_beat(viser_inside.no_messages())
             elif admitted is not None:
                 self._gate.report_activity(self)
                 return admitted
 
-    async def _answer_beat(self) -> None:
+    async def _answer_beat(self, sign: bytes) -> None:
         # Data on their way are a sign of life, too; waiting behind them would delay the page's messages.
         if not self.transport.get_write_buffer_size():
-            await self.send(viser_inside.batch())
+            await self.send(sign)
 
     def process_event(self, event: Event) -> None:
         """Cut the connection if it keeps sending frames that are no messages."""
@@ -192,12 +228,19 @@ class Connection(ServerConnection):
         self._gate.forget(self)
 
 
+async def _refuse_lines(connection: Connection) -> None:
+    """Hold no page of softrod's own: the server has none."""
+
+
 class Gate:
     """Decides what reaches a viser server, and counts what does not.
 
     Attributes:
         loopback: whether only this machine can connect, and no proxy is known.
         heard: called with the number of a page that has sent something, before viser reads it.
+        choose: the path of the file that is sent for a page, by the page's own path, its query, and whether
+            it is certainly of this machine.
+        hold: talks with a page of softrod's own until its connection ends.
         advice: for whoever started the server, why pages were refused, and which option admits them. Anybody
             can cause some, so there are never more than `MAX_ADVICE`.
     """
@@ -215,6 +258,8 @@ class Gate:
         self.loopback = loopback
         self.advice: list[str] = []
         self.heard: Callable[[int], None] = lambda _: None
+        self.choose: Callable[[str, str, bool], str] = lambda path, query, is_local: path
+        self.hold: Callable[[Connection], Awaitable[None]] = _refuse_lines
         self._more_tabs = more_tabs
         self._public = public
         self._files = files
@@ -248,8 +293,10 @@ class Gate:
         elif "Upgrade" not in request.headers and request.path == REACH:
             response = connection.respond(HTTPStatus.OK, "")
             response.headers["Cache-Control"] = "no-store"
-        elif "Upgrade" not in request.headers and (file := self._files.get(request.path.partition("?")[0])):
+        elif "Upgrade" not in request.headers and (file := self._file(request)):
             response = respond(file, request)
+        elif is_line(request.path.partition("?")[0]):
+            response = None
         else:
             response = viser_answer(connection, request)
         if response is None:
@@ -258,6 +305,13 @@ class Gate:
             response.headers.update(self._headers)
         return response
 
+    def _file(self, request: Request) -> StaticFile | None:
+        """The file that is requested; which page, may depend on who requests it."""
+        path, _, query = request.path.partition("?")
+        if path in PAGE_PATHS:
+            path = self.choose(path, query, self._is_local(request))
+        return self._files.get(path)
+
     def _admit_page(self, connection: Connection, request: Request) -> None:
         """Count a page, in place of its former connections, or of another's page if the server is full."""
         for former in self._former(request):
@@ -265,7 +319,8 @@ class Gate:
         others = self._others(request)
         if len(others) >= self._max_tabs and (crowd := _crowd(others, connection.visitor)) is not None:
             crowd.transport.abort()
-        connection.page = page_name(request.path.partition("?")[0])
+        path = request.path.partition("?")[0]
+        connection.page, connection.is_line, connection.path = page_name(path), is_line(path), request.path
         self._tabs.add(connection)
         self._knocking.discard(connection)
         self._connections.spend(1)
@@ -336,38 +391,26 @@ class Gate:
         peer, own = str(connection.remote_address[0]), str(connection.local_address[0])
         return visitor(peer, own, request.headers.get_all("X-Forwarded-For"), self._public is not None)
 
-    def visitor_of(self, client_id: int) -> str:
-        """Whose share of the server a page takes; empty if it is gone."""
-        assert self._server is not None
-        return getattr(viser_inside.connections(self._server).get(client_id), "visitor", "")
-
     def _former(self, request: Request) -> set[Connection]:
         """Earlier connections of the page that connects, which are lost without this end having noticed."""
         name = page_name(request.path.partition("?")[0])
         return {tab for tab in self._tabs if name and tab.page == name}
 
-    def query_of(self, client_id: int) -> str:
-        """The query with which a page connected, which may be anything; empty if it is gone."""
-        request = self._request_of(client_id)
-        return request.path.partition("?")[2] if request is not None else ""
-
-    def host_of(self, client_id: int) -> str:
-        """The name and port by which a page reached the server; empty if it is gone."""
-        request = self._request_of(client_id)
-        return request.headers["Host"] if request is not None else ""
-
-    def is_local(self, client_id: int) -> bool:
-        """Whether a page is certainly of this machine: nobody else can connect, and no proxy passed it on.
-
-        Behind a proxy every connection comes from this machine, so its address alone proves nothing.
-        """
-        request = self._request_of(client_id)
-        return self.loopback and request is not None and not any(map(request.headers.get_all, PROXY_HEADERS))
-
-    def _request_of(self, client_id: int) -> Request | None:
-        """The request by which a page connected; None if it is gone."""
+    def visit(self, client_id: int) -> Visit:
+        """Who a page of viser's is; one that is gone is nobody's."""
         assert self._server is not None
-        return getattr(viser_inside.connections(self._server).get(client_id), "request", None)
+        connection = viser_inside.connections(self._server).get(client_id)
+        return Visit() if connection is None else self.visit_by(connection)
+
+    def visit_by(self, connection: Connection) -> Visit:
+        """Who a page is that has connected."""
+        request = connection.request
+        assert request is not None
+        query = request.path.partition("?")[2]
+        return Visit(query, request.headers["Host"], connection.visitor, self._is_local(request))
+
+    def _is_local(self, request: Request) -> bool:
+        return self.loopback and not any(map(request.headers.get_all, PROXY_HEADERS))
 
     def _is_own(self, host: str, connection: Connection) -> bool:
         # The address at which the request arrived is this machine's, in whichever network.
@@ -509,7 +552,12 @@ def open_server(
             "logger": _logger,
         }
 
-    with listener, viser_inside.served_by(options_of) as calls:
+    def handler_of(
+        of_viser: Callable[[Connection], Awaitable[None]],
+    ) -> Callable[[Connection], Awaitable[None]]:
+        return lambda connection: gate.hold(connection) if connection.is_line else of_viser(connection)
+
+    with listener, viser_inside.served_by(options_of, handler_of) as calls:
         server = GatedServer(gate, host, port, label)
         if len(calls) != 1:
             server.stop()

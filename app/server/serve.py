@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import gc
 import math
@@ -27,7 +28,9 @@ from ..features.classroom.role import Role
 from ..features.classroom.roles import (
     class_of_query,
     desk_address,
+    desk_of_query,
     first_scene,
+    is_class_page,
     role_of_query,
     seat_address,
     wall_address,
@@ -40,15 +43,17 @@ from ..gate.address import (
     is_virtual,
     public_address,
 )
-from ..gate.gate import GatedServer, exposure, open_server, page_addresses
+from ..gate.gate import CLASS, Connection, GatedServer, Visit, exposure, open_server, page_addresses
 from ..linking import print_qr_code
 from ..pages.check.page import check_address
+from ..pages.classroom.tab import ClassTab
 from ..pages.sandbox.assets import page_files
 from ..pages.sandbox.tab import Tab
 from ..stage.colors import LIGHT_GAIN
 from ..ui import owner
 from ..ui.panel import set_theme
 from ..wire.carrier import Mail
+from ..wire.line import Line, flush
 from .ticker import Ticker
 
 PAGES_OF_CLASS = 40
@@ -60,6 +65,7 @@ class _Tabs:
 
     Attributes:
         server: set before the first page connects.
+        ticker: of all tabs.
     """
 
     server: GatedServer
@@ -69,6 +75,8 @@ class _Tabs:
     ) -> None:
         self._scene, self._host, self._public = scene, host, public
         self._classes, self._compiler = classes, compiler
+        self._letters: set[Line] = set()
+        self.ticker = Ticker(self.make, self.send_letters)
 
     def _for_others(self, page: str) -> str:
         """The address by which others reach a page."""
@@ -79,25 +87,60 @@ class _Tabs:
         return desk_address("", self._classes.begin((scene,)))
 
     def make(self, client: viser.ClientHandle) -> Tab:
-        """The tab of a page; which one is named by its address."""
-        gate, client_id = self.server.gate, client.client_id
-        query, owned = gate.query_of(client_id), gate.is_local(client_id)
-        classroom = class_of_query(query, self._classes)
-        if is_check(query):
-            check, rope = CheckRole(classroom), sim.load_scene("rope")
-            return Tab(client, rope, self._compiler, "", owned, self._for_others, lambda _: check)
-        # With several networks, pupils are in the one that the teacher's page was opened in.
-        base = self._for_others(f"http://{gate.host_of(client_id)}/")
+        """The tab of a page of viser's: a sandbox, or a teacher's, as its address says."""
+        gate = self.server.gate
+        visit = gate.visit(client.client_id)
+        classroom = class_of_query(visit.query, self._classes)
 
         def role(mail: Mail) -> Role | None:
             download = partial(client.send_file_download, save_immediately=True)
-            visitor = gate.visitor_of(client_id)
-            return role_of_query(query, mail, self._classes, base, owned, visitor, download)
+            return desk_of_query(visit, mail, self._classes, self._base(visit), download)
 
         first = (classroom and first_scene(classroom)) or self._scene
         begin = None if gate.loopback and self._public is None else self._begin_class
-        teach = self._classes.teach
-        return Tab(client, first, self._compiler, query, owned, self._for_others, role, begin, teach)
+        return Tab(
+            client, first, self._compiler, visit.query, visit.is_local, self._for_others, role, begin,
+            self._classes.teach,
+        )  # fmt: skip
+
+    def _base(self, visit: Visit) -> str:
+        """The address by which others reach the server.
+
+        With several networks, pupils are in the one that the teacher's page was opened in.
+        """
+        return self._for_others(f"http://{visit.host}/")
+
+    def make_class_tab(self, line: Line, visit: Visit) -> ClassTab:
+        """The tab of a page of a class, which is no teacher's."""
+        classroom = class_of_query(visit.query, self._classes)
+        if is_check(visit.query):
+            check, rope = CheckRole(classroom), sim.load_scene("rope")
+            return ClassTab(line, rope, self._compiler, lambda _: check, self._letters.add)
+
+        def role(mail: Mail) -> Role:
+            return role_of_query(visit, mail, self._classes, self._base(visit))
+
+        first = (classroom and first_scene(classroom)) or self._scene
+        return ClassTab(line, first, self._compiler, role, self._letters.add)
+
+    def choose_page(self, path: str, query: str, is_local: bool) -> str:
+        """Which page is sent: a class's to whoever is no teacher."""
+        return CLASS if is_class_page(query, self._classes, is_local) else path
+
+    def send_letters(self) -> None:
+        """Send what waits for the pages of classes."""
+        self._letters.difference_update([line for line in self._letters if not line.waits])
+        flush(tuple(self._letters))
+
+    async def hold(self, connection: Connection) -> None:
+        """Talk with a page of a class until its connection ends."""
+        line = Line(connection, asyncio.get_running_loop())
+        visit = self.server.gate.visit_by(connection)
+        self.ticker.come(line.number, lambda: self.make_class_tab(line, visit))
+        try:
+            await line.listen(lambda: self.ticker.hear(line.number))
+        finally:
+            self.ticker.go(line.number)
 
 
 @contextlib.contextmanager
@@ -129,7 +172,7 @@ def serving(
     public = None if public_url is None else public_address(public_url)
     held = Classes(alone=False) if classes is None else classes
     tabs = _Tabs(scene, host, public, held, compiler)
-    ticker = Ticker(tabs.make)
+    ticker = tabs.ticker
     # A page may leave in the middle of a frame; the rest of the frame then has no receiver.
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
     with _viser_is_quiet():
@@ -146,7 +189,8 @@ def serving(
     try:
         _set_stage(server)
         ticker.attach(server)
-        server.gate.heard = ticker.hear
+        gate = server.gate
+        gate.heard, gate.choose, gate.hold = ticker.hear, tabs.choose_page, tabs.hold
         yield server, ticker, compiler
     finally:
         compiler.stop()

@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import viser
 
-from ..pages.sandbox.tab import CALM_FRAME, Tab
+from ..pages.ticked import CALM_FRAME, Ticked
 from ..session.session import FRAME
 
 BUDGET = 0.7
@@ -42,16 +42,21 @@ class Ticker:
     """Makes, steps, draws and drops tabs.
 
     Args:
-        make_tab: makes the tab of a page that has connected.
+        make_tab: makes the tab of a page of viser's that has connected.
+        after: called after the frames of all tabs.
 
     Attributes:
-        tabs: client id to tab; only the ticker's thread changes it.
+        tabs: by number, for viser's pages that of the client; only the ticker's thread changes it.
         drawn: set once the first page is drawn.
     """
 
-    def __init__(self, make_tab: Callable[[viser.ClientHandle], Tab]) -> None:
-        self._make_tab = make_tab
-        self._arrivals_and_departures: deque[viser.ClientHandle | int] = deque()  # of clients, and of ids
+    def __init__(
+        self,
+        make_tab: Callable[[viser.ClientHandle], Ticked],
+        after: Callable[[], object] = lambda: None,
+    ) -> None:
+        self._make_tab, self._after = make_tab, after
+        self._arrivals_and_departures: deque[tuple[int, Callable[[], Ticked] | None]] = deque()
         self._wake = threading.Event()
         self._stopping = False
         self._frame = FRAME
@@ -59,7 +64,7 @@ class Ticker:
         self._thread = threading.Thread(target=self._run, name="softrod-ticker", daemon=True)
         self._news = threading.Event()  # a page has sent something
         self._calm_due: dict[int, float] = {}
-        self.tabs: dict[int, Tab] = {}
+        self.tabs: dict[int, Ticked] = {}
         self.drawn = threading.Event()
 
     @property
@@ -72,16 +77,24 @@ class Ticker:
 
         @server.on_client_connect
         async def _(client: viser.ClientHandle) -> None:
-            self._arrivals_and_departures.append(client)
-            self._wake.set()
-            self._news.set()
+            self.come(client.client_id, lambda: self._make_tab(client))
 
         @server.on_client_disconnect
         async def _(client: viser.ClientHandle) -> None:
-            self._arrivals_and_departures.append(client.client_id)
-            self._wake.set()
+            self.go(client.client_id)
 
         self._thread.start()
+
+    def come(self, number: int, make: Callable[[], Ticked]) -> None:
+        """Have a page made that has connected; any thread may call."""
+        self._arrivals_and_departures.append((number, make))
+        self._wake.set()
+        self._news.set()
+
+    def go(self, number: int) -> None:
+        """Have a page dropped whose connection has ended; any thread may call."""
+        self._arrivals_and_departures.append((number, None))
+        self._wake.set()
 
     def hear(self, client_id: int) -> None:
         """Note that a page has sent something; any thread may call."""
@@ -109,6 +122,7 @@ class Ticker:
             self._come_and_go()
             for client_id, tab in list(self.tabs.items()):
                 self._tick(client_id, tab, began)
+            self._after()
             now = time.monotonic()
             self._frame = next_frame(self._frame, now - began)
             due = max(due + self._frame, now - FRAME)
@@ -118,7 +132,7 @@ class Ticker:
                 time.sleep(max(0.0, due - now))
             self._news.clear()
 
-    def _tick(self, client_id: int, tab: Tab, began: float) -> None:
+    def _tick(self, client_id: int, tab: Ticked, began: float) -> None:
         """Give a tab its frame, unless it is calm and has had one lately."""
         calm = tab.is_calm
         if calm and began < self._calm_due.get(client_id, 0.0):
@@ -127,36 +141,29 @@ class Ticker:
         try:
             share = BUDGET * (CALM_FRAME if calm else self._frame) / len(self.tabs)
             if tab.frame(share, self._workers.submit):
-                tab.client.flush()
+                tab.flush()
         except Exception:
             # The page left in the middle of a frame, or there is a defect: the other tabs continue.
             _log.exception("the tab %s is closed after an error", client_id)
             self.tabs.pop(client_id, None)
             tab.leave()
-            _say_stopped(tab.client)
+            with contextlib.suppress(Exception):
+                tab.stop()
 
     def _come_and_go(self) -> None:
         while self._arrivals_and_departures:
-            client = self._arrivals_and_departures.popleft()
+            number, make = self._arrivals_and_departures.popleft()
             try:
-                if isinstance(client, int):
-                    self._calm_due.pop(client, None)
-                    if (tab := self.tabs.pop(client, None)) is not None:
+                if make is None:
+                    self._calm_due.pop(number, None)
+                    if (tab := self.tabs.pop(number, None)) is not None:
                         tab.leave()
                 else:
-                    self.tabs[client.client_id] = self._make_tab(client)
-                    client.flush()
+                    self.tabs[number] = made = make()
+                    made.flush()
                     self.drawn.set()
             except Exception:
                 _log.exception("a page could not be set up, or taken out of its class")
-
-
-def _say_stopped(client: viser.ClientHandle) -> None:
-    """Tell a page, if it is still there, that it has stopped."""
-    with contextlib.suppress(Exception):
-        text = "There was an error on the server. Reload the page to go on."
-        client.add_notification("This page has stopped", text, color="red")
-        client.flush()
 
 
 def next_frame(frame: float, worked: float) -> float:

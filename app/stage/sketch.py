@@ -78,6 +78,12 @@ class Mapping:
             )
         )
 
+    def box(self, bounds: Floats) -> tuple[float, float, float, float]:
+        """Left, right, low and high end, in the world, of a box in px, (2, 2): its least x and y, and its
+        largest."""
+        (left, low, _), (right, high, _) = self.to_world(bounds).tolist()
+        return left, right, min(low, high), max(low, high)
+
     def to_scene(self, x: float, y: float) -> tuple[float, float]:
         """A point of the world in px."""
         return self.center[0] + x / self.scale, self.center[1] + y / (self.scale * self.flip)

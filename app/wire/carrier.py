@@ -1,13 +1,15 @@
-"""Carries messages between page and server, each inside a `app.viser_inside.SoftrodMessage`."""
+"""Carries messages between page and server as letters, by viser's connection or by a line."""
 
 from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import msgspec
+import numpy as np
 import viser
+from numpy.typing import NDArray
 
 from .. import viser_inside as viser_inside
 from ..viser_inside import SoftrodMessage
@@ -20,26 +22,44 @@ _event_numbers = itertools.count()
 _S = TypeVar("_S", bound=State)
 
 
-def encoded(message: ToPage) -> SoftrodMessage:
+class Letter(NamedTuple):
+    """A message as it travels.
+
+    Attributes:
+        text: JSON.
+        numbers: what the JSON does not have.
+        key: of waiting letters with the same key, only the last one is sent.
+    """
+
+    text: str
+    numbers: NDArray[np.float32] | None
+    key: str
+
+
+Post = Callable[[Letter], None]
+"""Hands a letter to a connection; any thread may call."""
+
+
+def encoded(message: ToPage) -> Letter:
     """Encode a message; a state or numbers replace those of the same kind that still wait to be sent."""
     kind = type(message)
     key = f"softrod-{kind.__name__ if isinstance(message, (State, Numbers)) else next(_event_numbers)}"
     if not isinstance(message, Numbers):
-        return SoftrodMessage(_encode(message).decode(), key=key)
+        return Letter(_encode(message).decode(), None, key)
     fields = msgspec.structs.asdict(message)
     numbers = fields.pop("numbers")
-    return SoftrodMessage(_encode({"tell": kind.__struct_config__.tag, **fields}).decode(), numbers, key)
+    return Letter(_encode({"tell": kind.__struct_config__.tag, **fields}).decode(), numbers, key)
 
 
 class Mail:
     """Sends messages to the script of one page; any thread may send.
 
     Args:
-        client: the page.
+        post: hands letters to the page's connection.
     """
 
-    def __init__(self, client: viser.ClientHandle) -> None:
-        self._client = client
+    def __init__(self, post: Post) -> None:
+        self._post = post
         self._states: dict[type[State], State] = {}
 
     def send(self, message: ToPage) -> None:
@@ -48,16 +68,21 @@ class Mail:
             if self._states.get(type(message)) == message:
                 return
             self._states[type(message)] = message
-        self.send_encoded(encoded(message))
+        self.send_letter(encoded(message))
 
-    def send_encoded(self, message: SoftrodMessage) -> None:
-        """Hand an encoded message to viser."""
-        viser_inside.send(self._client, message)
+    def send_letter(self, letter: Letter) -> None:
+        """Hand an encoded message to the connection."""
+        self._post(letter)
 
     def last_sent(self, kind: type[_S]) -> _S | None:
         """The state of a kind that was sent last."""
         state = self._states.get(kind)
         return state if isinstance(state, kind) else None
+
+
+def by_viser(client: viser.ClientHandle) -> Post:
+    """The post by viser's connection of a page."""
+    return lambda letter: viser_inside.send(client, SoftrodMessage(*letter))
 
 
 def listen(client: viser.ClientHandle, receive: Callable[[FromPage], None]) -> None:

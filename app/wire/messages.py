@@ -79,7 +79,7 @@ SceneName = Annotated[str, Meta(min_length=1, max_length=200)]
 Key = Literal["up", "down", "left", "right"]
 TextKind = Annotated[str, Meta(pattern="^[a-z]{1,20}$", extra={"typescript": "TextKind"})]
 """Kind of a text that is too long for one message; the receiver checks whether a feature handles it."""
-PhaseName = Literal["lobby", "show", "ask", "results", "run", "explain", "try", "collect"]
+PhaseName = Literal["lobby", "show", "ask", "results", "run", "reveal", "explain", "try", "collect"]
 AnswerKind = Literal["vote", "prediction", "line", "work"]
 CommandName = Annotated[str, Meta(pattern="^[A-Za-z]{1,40}$", extra={"typescript": "CommandName"})]
 """Name in the table of commands; the receiver checks whether there is such a command."""

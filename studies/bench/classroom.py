@@ -140,7 +140,8 @@ def visiting(host: Host, name: str, kind: str = "") -> AbstractAsyncContextManag
     Raises:
         OSError, WebSocketException: no server answers, or the gate refuses.
     """
-    return connected(host.port, f"/at/{name}?room={host.code}" + (f"&as={kind}" if kind else ""))
+    way = "at" if kind == "desk" else "line"
+    return connected(host.port, f"/{way}/{name}?room={host.code}" + (f"&as={kind}" if kind else ""))
 
 
 def a_name(dice: random.Random) -> str:
@@ -251,8 +252,8 @@ class Storm:
 
 
 PHASES = (
-    ("ask", 0), ("results", 0), ("run", 0), ("explain", 0), ("ask", 1), ("results", 1), ("try", 0),
-    ("collect", 0),
+    ("ask", 0), ("results", 0), ("ask", 1), ("results", 1), ("run", 0), ("reveal", 0), ("explain", 0),
+    ("try", 0), ("collect", 0),
 )  # fmt: skip
 """Phases and rounds of the class; the server ends in the middle of "explain"."""
 

@@ -99,11 +99,12 @@ def _tab(scene: Scene) -> Iterator[Tab]:
                 pass
 
         threading.Thread(target=drain, daemon=True).start()
-        while not (ticker.tabs and all(tab.session is not None for tab in ticker.tabs.values())):
+        while (
+            not (tabs := [tab for tab in ticker.tabs.values() if isinstance(tab, Tab)]) or not tabs[0].session
+        ):
             time.sleep(0.01)
         ticker.stop()
-        (tab,) = ticker.tabs.values()
-        yield tab
+        yield tabs[0]
         connection.close()
 
 

@@ -11,11 +11,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import msgspec
+import numpy as np
+from numpy.typing import NDArray
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import WebSocketException
 
 from app.features.hands import messages as hands
 from app.wire import from_page
+from app.wire.line import unbatched
 
 from .client import CAMERA, FRAME_TIME, Decoder, is_frame, options_of, saying
 
@@ -49,7 +52,19 @@ class Connection:
     async def say(self, message: from_page.FromPage) -> None:
         """Send a message, unless the connection has ended."""
         with contextlib.suppress(WebSocketException):
-            await self._connection.send(self._decoder.encode(saying(message)))
+            await self._connection.send(self._encoded(message))
+
+    def _encoded(self, message: from_page.FromPage) -> str | bytes:
+        return self._decoder.encode(saying(message))
+
+    def _messages(self, data: bytes) -> list[tuple[str, NDArray[np.float32] | None]]:
+        """The texts and numbers of what has arrived."""
+        messages = self._decoder.decode(data)
+        return [
+            (message["text"], message["numbers"] if is_frame(message) else None)
+            for message in messages
+            if message.get("type") == "SoftrodMessage"
+        ]
 
     async def hear(self) -> AsyncIterator[dict[str, Any]]:
         """Yield what the page is told until the connection ends: frames, and messages by their tags."""
@@ -57,11 +72,11 @@ class Connection:
             async for data in self._connection:
                 assert isinstance(data, bytes)
                 self.bytes += len(data)
-                for message in self._decoder.decode(data):
-                    if is_frame(message):
-                        yield {"tell": "frame", "time": float(message["numbers"][FRAME_TIME])}
-                    elif message.get("type") == "SoftrodMessage":
-                        told = msgspec.json.decode(message["text"])
+                for text, numbers in self._messages(data):
+                    if numbers is not None and text.startswith('{"tell":"frame"'):
+                        yield {"tell": "frame", "time": float(numbers[FRAME_TIME])}
+                    else:
+                        told = msgspec.json.decode(text)
                         self.told[told["tell"]] = told
                         yield told
         except WebSocketException:
@@ -80,6 +95,19 @@ class Connection:
         self._connection.transport.abort()
 
 
+class LineConnection(Connection):
+    """The connection of a page of a class, which is none of viser's."""
+
+    async def begin(self) -> None:
+        """Say nothing: the server begins."""
+
+    def _encoded(self, message: from_page.FromPage) -> str | bytes:
+        return msgspec.json.encode(message).decode()
+
+    def _messages(self, data: bytes) -> list[tuple[str, NDArray[np.float32] | None]]:
+        return [(letter.text, letter.numbers) for letter in unbatched(data)]
+
+
 @contextlib.asynccontextmanager
 async def connected(port: int, path: str = "") -> AsyncIterator[Connection]:
     """Connect a page.
@@ -93,7 +121,7 @@ async def connected(port: int, path: str = "") -> AsyncIterator[Connection]:
     """
     address = f"127.0.0.1:{port}"
     async with connect(f"ws://{address}{path}", **options_of(address)) as connection:
-        page = Connection(connection)
+        page = (LineConnection if path.startswith("/line/") else Connection)(connection)
         await page.begin()
         yield page
 

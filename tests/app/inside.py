@@ -14,6 +14,7 @@ from viser.infra._messages import wire_field_names
 
 from app.gate.gate import Gate
 from app.pages.sandbox.tab import Tab
+from app.server.ticker import Ticker
 from app.session.session import Session
 from app.stage.sketch import Mapping
 from app.ui import controls
@@ -27,6 +28,7 @@ __all__ = [
     "guard",
     "only_page",
     "press",
+    "sandboxes",
     "uuid_of",
     "viser_infra",
     "viser_messages",
@@ -48,9 +50,14 @@ def press(handle: Any, value: object = None) -> None:
         asyncio.run(handler(event))
 
 
+def sandboxes(ticker: Ticker) -> dict[int, Tab]:
+    """The tabs of a server's pages that are viser's, by their numbers."""
+    return {number: tab for number, tab in list(ticker.tabs.items()) if isinstance(tab, Tab)}
+
+
 def only_page(gate: Gate, client_id: int, request: Any) -> None:
     """Have a gate know of one page, by the request with which it came."""
-    live = {client_id: SimpleNamespace(request=request)}
+    live = {client_id: SimpleNamespace(request=request, visitor="")}
     gate._server = SimpleNamespace(_websock_server=SimpleNamespace(_live_connections=live))  # type: ignore
 
 

@@ -10,9 +10,8 @@ from unittest.mock import MagicMock
 import msgspec
 
 from app.pages.sandbox import features  # noqa: F401  with all their messages
-from app.viser_inside import SoftrodMessage
 from app.wire import to_page  # noqa: F401  with its messages, too
-from app.wire.carrier import Mail
+from app.wire.carrier import Letter, Mail
 from app.wire.messages import Event, State, ToPage, messages
 
 
@@ -38,9 +37,9 @@ class Letters(Mail):
         self.sent: list[Any] = []
         self.keys: list[str] = []
 
-    def send_encoded(self, message: SoftrodMessage) -> None:
-        self.sent.append(_decoder().decode(message.text) if message.numbers is None else message)
-        self.keys.append(message.redundancy_key())
+    def send_letter(self, letter: Letter) -> None:
+        self.sent.append(_decoder().decode(letter.text) if letter.numbers is None else letter)
+        self.keys.append(letter.key)
 
     def last(self, kind: type[_T]) -> _T:
         """The last message of a kind."""

@@ -19,6 +19,7 @@ from app.session.session import Session
 from app.ui.page import Page
 from app.ui.shelf import Shelf
 from app.viser_inside import SoftrodMessage
+from app.wire.carrier import Letter
 from app.wire.messages import FromPage
 from tests.app.letters import Letters
 
@@ -162,9 +163,12 @@ class Client:
         self.send_file_download = MagicMock()
         self.heard: Callable[[Any, Any], None] = print
         self._websock_connection = SimpleNamespace(
-            queue_message=self.mail.send_encoded,
+            queue_message=self._take,
             register_handler=lambda _, heard: setattr(self, "heard", heard),
         )
+
+    def _take(self, message: SoftrodMessage) -> None:
+        self.mail.send_letter(Letter(message.text, message.numbers, message.redundancy_key()))
 
     def atomic(self) -> AbstractContextManager[None]:
         """All at once."""

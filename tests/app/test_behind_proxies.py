@@ -21,7 +21,9 @@ from app.classroom import kept
 from app.classroom.live import Class, Classes
 from app.server.serve import serving
 from app.wire.from_page import Who
-from studies.bench.client import Page, is_frame, saying
+from studies.bench.client import Page, is_frame
+from tests.app.hostile import eventually
+from tests.app.line_page import LinePage
 from tests.browser.wires import certified
 from tests.proxies import FOLDERS, Kind, Proxy
 
@@ -41,6 +43,15 @@ class School:
     def page(self, folder: str, query: str) -> Page:
         path = f"{folder[1:]}at/{secrets.token_hex(16)}?{query}"
         return Page(self.proxy.port, path=path, tls=self.tls, name=self.name)
+
+    def seat(self, folder: str, query: str, who: Who) -> tuple[str, str]:
+        """The name that a new page has in its class, and its problem."""
+        host = f"{self.name}:{self.proxy.port}"
+        page = LinePage(self.proxy.port, query, host, secrets.token_hex(16), folder, self.tls).begin()
+        page.say(msgspec.json.encode(who).decode())
+        found = eventually(lambda: [one for one in page.told("seat") if one["name"] or one["problem"]])[-1]
+        page.close()
+        return found["name"], found["problem"]
 
     def get(self, path: str, **headers: str) -> tuple[int, str]:
         connection = http.client.HTTPSConnection("localhost", self.proxy.port, timeout=20, context=self.tls)
@@ -72,48 +83,27 @@ def school(
         yield School(proxy, ssl.create_default_context(cafile=certificate), rooms)
 
 
-def seat(page: Page, who: Who) -> tuple[str, str]:
-    """The name that a page has in its class, and its problem."""
-    page.send(saying(who))
-    found: dict[str, str] = {}
-
-    def has_come(message: dict[str, str]) -> bool:
-        text = str(message.get("text", ""))
-        if not text.startswith('{"tell":"seat"'):
-            return False
-        found.update(msgspec.json.decode(text))
-        return bool(found["name"] or found["problem"])
-
-    # A page is heard once it has had its first picture.
-    page.wait_for(lambda message: '"tell":"pageState"' in str(message.get("text", "")))
-    page.send(saying(who))
-    page.wait_for(has_come)
-    return found["name"], found["problem"]
-
-
 def test_each_room_is_on_its_server_and_stays_there(school: School) -> None:
     names: dict[str, str] = {}
     for folder, room in school.rooms.items():
         query = f"room={room.room.code}"
         status, page = school.get(f"{folder}?{query}")
         assert status == 200
-        script = re.search(r'src="(softrod/\w+/pages/sandbox/main.js)"', page)
+        script = re.search(r'src="(softrod/\w+/pages/classroom/main.js)"', page)
         assert script is not None
         assert school.get(folder + script[1])[0] == 200
         for i in range(PUPILS):
-            with school.page(folder, query) as pupil:
-                names[folder + str(i)] = seat(pupil, Who(f"{folder[1]}{i:031x}"))[0]
+            names[folder + str(i)] = school.seat(folder, query, Who(f"{folder[1]}{i:031x}"))[0]
     assert [len(room.room.seats) for room in school.rooms.values()] == [PUPILS, PUPILS]
     # A reload, and an outage, are new connections.
     for folder, room in school.rooms.items():
         for i in range(PUPILS):
-            with school.page(folder, f"room={room.room.code}") as pupil:
-                assert seat(pupil, Who(f"{folder[1]}{i:031x}"))[0] == names[folder + str(i)]
+            who = Who(f"{folder[1]}{i:031x}")
+            assert school.seat(folder, f"room={room.room.code}", who)[0] == names[folder + str(i)]
     assert [len(room.room.seats) for room in school.rooms.values()] == [PUPILS, PUPILS]
     # A room is in its folder only.
     here, there = FOLDERS
-    with school.page(here, f"room={school.rooms[there].room.code}") as stray:
-        assert "There is no class" in seat(stray, Who("f" * 32))[1]
+    assert "There is no class" in school.seat(here, f"room={school.rooms[there].room.code}", Who("f" * 32))[1]
 
 
 @pytest.mark.parametrize("kind", get_args(Kind))

@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 import io
-import secrets
-import socket
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
-import msgspec
 import pytest
 from rich.console import Console
 from websockets.exceptions import InvalidStatus
-from websockets.sync.client import connect
 
 import sim
 from app.classroom.live import Classes
@@ -21,8 +16,8 @@ from app.gate import address, gate
 from app.gate.gate import GatedServer
 from app.server import serve as serve_module
 from app.server.serve import serving
-from studies.bench.client import CAMERA, Decoder, Page, options_of
-from tests.app.hostile import HostilePage
+from tests.app.hostile import HostilePage, eventually
+from tests.app.line_page import LinePage
 
 NAMES = {"127.0.0.1": "lo", "192.168.1.7": "wlan0", "10.42.0.1": "ap0", "172.17.0.1": "docker0"}
 
@@ -46,58 +41,24 @@ def test_the_wall_names_the_address_that_it_was_opened_at(
 ) -> None:
     (classroom,), port = classes, server.get_port()
     host = f"{name}:{port}"
-    decoder = Decoder()
-    uri = f"ws://{host}/at/{secrets.token_hex(16)}?room={classroom.room.code}&as=wall"
-    found: list[str] = []
-    way = socket.create_connection(("127.0.0.1", port))
-    with connect(uri, sock=way, **options_of(host)) as page:
-        page.send(decoder.encode(CAMERA))
-        deadline = time.monotonic() + 30.0
-        while not found and time.monotonic() < deadline:
-            texts = [str(m.get("text", "")) for m in decoder.decode(page.recv(timeout=30.0, decode=False))]
-            found = [text for text in texts if text.startswith('{"tell":"wall"')]
-    assert msgspec.json.decode(found[0])["address"] == f"http://{host}/"
+    page = LinePage(port, f"room={classroom.room.code}&as=wall", host)
+    assert eventually(lambda: page.told("wall"))[0]["address"] == f"http://{host}/"
+    page.close()
 
 
 def test_a_page_that_only_tries_gets_pictures_whatever_the_class_looks_at(
     server: GatedServer, classes: Classes
 ) -> None:
     (classroom,) = classes
-    path = f"at/{secrets.token_hex(16)}?as=check&room={classroom.room.code}"
-    with Page(server.get_port(), path=path) as device:
-        for _ in range(5):
-            device.wait_for(lambda message: str(message.get("text", "")).startswith('{"tell":"frame"'))
-        text = '{"do":"checked","trip":23,"rate":58,"works":true,"doubts":false}'
-        device.send({"type": "SoftrodMessage", "text": text})
-        deadline = time.monotonic() + 30.0
-        while not classroom.checks and time.monotonic() < deadline:
-            device.receive(0.1)
+    device = LinePage(server.get_port(), f"as=check&room={classroom.room.code}")
+    assert eventually(lambda: len(device.told("frame")) >= 5)
+    device.say("")
+    assert eventually(lambda: device.signs)
+    device.say('{"do":"checked","trip":23,"rate":58,"works":true,"doubts":false}')
+    eventually(lambda: classroom.checks)
+    device.close()
     assert [(one.trip, one.rate, one.works) for one in classroom.checks] == [(23, 58, True)]
     assert not classroom.room.seats
-
-
-def test_a_batch_without_messages_is_told_from_pictures_by_its_length(
-    server: GatedServer, classes: Classes
-) -> None:
-    """As `EMPTY` in `check.js`, which cannot read what is in a batch."""
-    most = 80
-    decoder = Decoder()
-    (classroom,) = classes
-    host = f"127.0.0.1:{server.get_port()}"
-    uri = f"ws://{host}/at/{secrets.token_hex(16)}?as=check&room={classroom.room.code}"
-    beats = pictures = 0
-    with connect(uri, **options_of(host)) as page:
-        page.send(decoder.encode(CAMERA))
-        deadline = time.monotonic() + 30.0
-        while (beats < 3 or pictures < 3) and time.monotonic() < deadline:
-            page.send(decoder.encode({"type": "BeatMessage"}))
-            data = page.recv(timeout=30.0, decode=False)
-            assert isinstance(data, bytes)
-            messages = decoder.decode(data)
-            assert (int.from_bytes(data[:4], "little") < most) == (not messages)
-            beats, pictures = beats + (not messages), pictures + bool(messages)
-    assert beats >= 3
-    assert pictures >= 3
 
 
 def test_the_terminal_names_the_networks_that_pupils_may_be_in(

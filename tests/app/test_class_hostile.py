@@ -44,6 +44,7 @@ from tests.amount import NIGHT
 from tests.app.classrooms import Pupil, Teacher, no_download
 from tests.app.hostile import CAMERA, HostilePage, eventually
 from tests.app.letters import Letters
+from tests.app.line_page import LinePage
 from tests.app.test_room import SECRETS, a_room, an_answer, asking
 
 WRONG_KEYS = ("", "x", "0" * 22, "é", "x" * 100)
@@ -172,6 +173,28 @@ def test_only_the_class_tells_what_is_right_in_its_lesson(
         page.socket.close()
 
 
+def test_nor_does_a_pupil_s_own_page_before_the_class_is_there(port: int, classroom: Class) -> None:
+    """All that it is told, for every phase before the reveal."""
+    scene = sim.load_scene("lesson-hooke")
+    assert scene.lesson is not None
+    question = scene.lesson.steps[0].question
+    assert question is not None
+    classroom.room.scenes = (scene,)
+    page = LinePage(port, f"room={classroom.room.code}").begin()
+    page.say(who(1))
+    assert eventually(lambda: page.told("seat")[-1]["code"])
+    room = classroom.room
+    for phase, round in room.order(0):
+        room.go(0, phase, round)
+        assert eventually(lambda: page.told("seat")[-1]["asking"]["phase"] == phase.value)  # noqa: B023
+        is_told = any(question.because in letter.text for letter in page.letters)
+        if phase is Phase.REVEAL:
+            assert is_told
+            return
+        assert not is_told
+    page.close()
+
+
 def test_that_a_lesson_is_a_class_s_is_said_once(class_folder: Path) -> None:
     classes = Classes(alone=False)
     classes.begin([sim.load_scene("lesson-hooke")])
@@ -200,8 +223,9 @@ def test_whatever_a_pupil_and_a_wall_say_the_others_answers_arrive(
 ) -> None:
     dice = random.Random(5)
     room, query = classroom.room, f"room={classroom.room.code}"
-    honest, pupil = (Someone(port, f"/at/{n:032x}?{query}") for n in (1, 2))
-    wall, desk = (Someone(port, f"/at/{n:032x}?{query}&as={kind}") for n, kind in ((3, "wall"), (4, "desk")))
+    honest, pupil = (LinePage(port, query).begin() for _ in range(2))
+    wall = LinePage(port, f"{query}&as=wall").begin()
+    desk = Someone(port, f"/at/{4:032x}?{query}&as=desk")
     honest.say(who(1))
     pupil.say(who(2))
     desk.say(who(4, room.key))
@@ -233,7 +257,7 @@ def test_whatever_a_pupil_and_a_wall_say_the_others_answers_arrive(
         assert not (room.own_names or room.paused or classroom.ended)
     number = next(seat.number for seat in room.seats.values() if seat.token == digest(f"{1:032x}"))
     mine = [answer.id for answer in room.answers.values() if answer.seat == number]
-    assert mine == [f"{1 + n:016x}" for n in (1, 4, 5)]
+    assert mine == [f"{1 + n:016x}" for n in (1, 3, 7)]
     assert len(room.answers) > len(mine), "some of what the other one said made sense"
     # What is on the disk can be read, whatever it was made of.
     assert eventually(lambda: classroom.written == room.version)

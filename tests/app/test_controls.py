@@ -123,5 +123,5 @@ def test_the_gate_takes_that_query_alone(sandbox: Sandbox, target: str, status: 
 
 def test_the_gate_tells_with_which_query_a_page_connected(sandbox: Sandbox) -> None:
     user = sandbox.user()
-    assert sandbox.server.gate.query_of(user.client.client_id) == ""
-    assert sandbox.server.gate.query_of(12345) == ""
+    assert sandbox.server.gate.visit(user.client.client_id).query == ""
+    assert sandbox.server.gate.visit(12345).query == ""

@@ -452,10 +452,10 @@ def test_a_page_is_of_this_machine_only_if_no_other_can_connect_and_no_proxy_is_
 
     def is_local(loopback: bool, *headers: tuple[str, str]) -> bool:
         gate = Gate(frozenset(), {}, loopback=loopback)
-        request = SimpleNamespace(headers=websockets.datastructures.Headers(headers))
+        request = SimpleNamespace(path="/", headers=websockets.datastructures.Headers(headers))
         only_page(gate, 7, request)
-        assert not gate.is_local(8)  # it has gone
-        return gate.is_local(7)
+        assert not gate.visit(8).is_local  # it has gone
+        return gate.visit(7).is_local
 
     assert is_local(True, ("Host", "127.0.0.1:8080"))
     assert not is_local(False, ("Host", "127.0.0.1:8080"))

@@ -57,7 +57,7 @@ def test_a_class_goes_through_all_its_stops() -> None:
     while (after := room.next()) is not None:
         room.go(*after)
         went.append((room.at, room.phase.value, room.round))
-    asked = ["show", "ask", "results", "run", "explain", "ask", "results", "try", "collect"]
+    asked = ["show", "ask", "results", "run", "reveal", "explain", "try", "collect"]
     assert [phase for at, phase, _ in went if at == 0] == asked
     assert [phase for at, phase, _ in went if at == 1] == ["show", "try", "collect"]
     assert [phase for at, phase, _ in went if at == 2] == ["show", "try", "collect"]
@@ -330,11 +330,29 @@ def test_whatever_happens_every_answer_counts_once_and_the_last_one_before_it_is
     assert {answer.id for answer in last.values()} == set(room.answers)
 
 
-def test_after_a_second_vote_it_is_the_one_that_counts() -> None:
+@pytest.mark.parametrize(
+    ("right", "of", "again"), [(1, 3, False), (1, 2, True), (2, 3, True), (3, 4, False), (0, 0, False)]
+)
+def test_only_a_class_that_is_split_is_asked_again(right: int, of: int, again: bool) -> None:
     room = a_room()
-    rounds = []
-    while (after := room.next()) is not None and after[0] == 0:
-        room.go(*after)
-        rounds.append((room.phase, room.vote_round))
-    assert [at for phase, at in rounds if phase in (Phase.ASK, Phase.RESULTS)] == [0, 0, 1, 1]
-    assert [at for phase, at in rounds if phase in (Phase.RUN, Phase.TRY, Phase.COLLECT)] == [0, 1, 1]
+    seats = [room.enter(f"{n:032x}") for n in range(max(of, 1))]
+    room.go(0, Phase.ASK)
+    for n in range(of):
+        room.take(seats[n].number, an_answer(n + 1, Vote(1 if n < right else 0)))
+    room.go(0, Phase.RESULTS)
+    assert room.next() == ((0, Phase.ASK, 1) if again else (0, Phase.RUN, 0))
+
+
+def test_after_a_second_vote_it_is_the_one_that_counts() -> None:
+    room, seat = asking()
+    room.take(seat.number, an_answer(1, Vote(0)))
+    room.go(0, Phase.RESULTS)
+    room.go(0, Phase.ASK, 1)
+    room.go(0, Phase.RUN)
+    assert room.vote_round == 0, "nobody has voted again"
+    room.go(0, Phase.ASK, 1)
+    room.take(seat.number, an_answer(2, Vote(1), round=1))
+    room.go(0, Phase.RESULTS, 1)
+    assert room.next() == (0, Phase.RUN, 0)
+    room.go(0, Phase.REVEAL)
+    assert room.vote_round == 1

@@ -37,6 +37,7 @@ from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 from sim.store.link import pack_scene
 from studies.bench.client import FRAME_PLACES, Page, is_frame
 from tests.app.hostile import eventually, served
+from tests.app.inside import sandboxes
 
 
 class Stage:
@@ -51,7 +52,7 @@ class Stage:
         known = set(self.ticker.tabs)
 
         def found() -> Tab | None:
-            fresh = [tab for number, tab in list(self.ticker.tabs.items()) if number not in known]
+            fresh = [tab for number, tab in sandboxes(self.ticker).items() if number not in known]
             began = fresh and fresh[0].session is not None and fresh[0].probe().generation >= 0
             return fresh[0] if began else None
 
@@ -371,7 +372,7 @@ def test_before_anything_is_compiled_every_preset_moves(monkeypatch: pytest.Monk
         with uncompiled(name) as (page, ticker):
             page.wait_for(lambda m: m.get("name") == "/body/masses" and "props" in m)
             page.wait_for(lambda m: "moves by NumPy" in str(m))
-            (tab,) = ticker.tabs.values()
+            (tab,) = sandboxes(ticker).values()
             eventually(lambda tab=tab: session_of(tab).simulation.step_count > 0)
             assert session_of(tab).simulation.plain
 
@@ -382,7 +383,7 @@ def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytes
     _pretend_nothing_is_compiled(monkeypatch)
     with uncompiled("ring") as (page, ticker):
         page.wait_for(lambda m: m.get("type") == "GuiTabGroupMessage")
-        (tab,) = ticker.tabs.values()
+        (tab,) = sandboxes(ticker).values()
         eventually(lambda: tab.session is not None)
         session = session_of(tab)
         session.post(commands.SetValue("linear_stiffness", 12345.0))

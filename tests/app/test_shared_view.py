@@ -12,9 +12,9 @@ import sim
 from app.classroom.live import SharedView
 from app.features.classroom import shared_view as module
 from app.features.classroom.shared_view import RESYNC_EVERY, Onlooker, broadcast, same_view
+from app.stage.pictures import STILL, Pictures
 from app.stage.plan import Picture
-from app.ui.view import STILL, Canvas
-from app.viser_inside import SoftrodMessage
+from app.wire.carrier import Letter
 from sim.scene.types import Damage
 from tests.app.letters import Letters
 
@@ -33,24 +33,21 @@ def moved(front: SharedView, pixels: float, time: float = 0.0, **more: object) -
 
 def a_view() -> tuple[Onlooker, Letters]:
     letters = Letters()
-    client = MagicMock()
-    return Onlooker(client, letters, Canvas(client, letters, lambda _: None), "page"), letters
+    return Onlooker(letters, Pictures(letters), "page", MagicMock()), letters
 
 
 def numbers(letters: Letters, kind: str) -> list[np.ndarray]:
     """Those of all messages of a kind that carry some, in order."""
     begin = f'{{"tell":"{kind}"'
-    carriers = [one for one in letters.sent if isinstance(one, SoftrodMessage)]
+    carriers = [one for one in letters.sent if isinstance(one, Letter)]
     return [one.numbers for one in carriers if one.numbers is not None and one.text.startswith(begin)]
 
 
 def test_a_moving_picture_is_encoded_once_for_all_who_look_on(
     front: SharedView, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    sent: list[tuple[int, bytes]] = []
-    monkeypatch.setattr(
-        module.viser_inside, "send_at_once", lambda clients, data: sent.append((len(clients), data))
-    )
+    sent: list[tuple[int, Letter]] = []
+    monkeypatch.setattr(module, "send_at_once", lambda lines, letter: sent.append((len(lines), letter)))
     views = [a_view() for _ in range(3)]
     broadcast(front, 0.0)
     assert not sent, "nobody has the plan yet"

@@ -8,8 +8,9 @@ from unittest.mock import MagicMock
 import pytest
 
 import sim
+from app.stage.pictures import STILL
 from app.stage.plan import Picture
-from app.ui.view import STILL, Canvas
+from app.ui.view import Canvas
 from tests.app.letters import Letters
 
 
@@ -35,10 +36,10 @@ def start(scene: sim.Scene) -> Picture:
 
 def test_the_same_picture_is_not_sent_again_unless_it_must_be(view: Canvas, scene: sim.Scene) -> None:
     assert not view.draw(start(scene), 0.0)
-    assert not view.draw(start(scene), 0.0, force=True)
+    assert not view.draw(start(scene), 0.0, exactly=True)
     near = replace(start(scene), positions=start(scene).positions + 0.01)
     assert not view.draw(near, 0.0)
-    assert view.draw(near, 0.0, force=True)
+    assert view.draw(near, 0.0, exactly=True)
     view.build(scene, dark=True)
     assert view.draw(start(scene), 0.0)
 

@@ -69,32 +69,11 @@ def test_a_page_is_heard_told_and_known_by_its_connection(server: GatedServer) -
 
 
 def test_a_batch_of_no_messages_is_one_for_viser() -> None:
-    data = viser_inside.batch()
+    data = viser_inside.no_messages()
     size, packed = (int.from_bytes(data[at : at + 8], "little") for at in (0, 8))
     inner = zstandard.decompress(data[16 : 16 + packed])
     assert len(inner) == size
     assert msgspec.msgpack.decode(inner)["messages"] == []
-
-
-def test_a_batch_goes_to_several_pages_at_once(server: GatedServer) -> None:
-    numbers = np.array([1.0, 2.0, 3.0], np.float32)
-    frame = SoftrodMessage('{"tell":"frame"}', numbers)
-    known = set(server.get_clients())
-    with Page(server.get_port()) as one, Page(server.get_port()) as two, Page(server.get_port()) as other:
-        clients = eventually(
-            lambda: (
-                [c for c in server.get_clients().values() if c.client_id not in known]
-                * (len(set(server.get_clients()) - known) == 3)
-            )
-        )
-        viser_inside.send_at_once(clients, viser_inside.batch(SoftrodMessage("first"), frame))
-        for page in (one, two, other):
-            page.wait_for(lambda message: message.get("text") == "first")
-            told = page.wait_for(lambda message: message.get("text") == frame.text)
-            assert told["numbers"].tolist() == numbers.tolist()
-    # To pages that are gone, and to none, nothing goes.
-    viser_inside.send_at_once(clients, viser_inside.batch())
-    viser_inside.send_at_once((), viser_inside.batch())
 
 
 def test_a_message_is_sent_that_comes_just_as_the_event_loop_falls_asleep() -> None:

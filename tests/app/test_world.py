@@ -201,7 +201,7 @@ def test_damage_is_sent_when_it_changes_and_only_then() -> None:
     # A little more is not seen, but by those who look closely.
     more = msgspec.structs.replace(HURT, set_lengths=(0.0, 0.0, 30.05, 0.0))
     assert not view.draw(replace(still, damage=more), 0.0)
-    assert view.draw(replace(still, damage=more), 0.0, force=True)
+    assert view.draw(replace(still, damage=more), 0.0, exactly=True)
     much = msgspec.structs.replace(HURT, set_lengths=(0.0, 0.0, 31.0, 0.0))
     assert view.draw(replace(still, damage=much), 0.0)
     assert view.draw(still, 0.0)  # all is whole again

@@ -17,7 +17,8 @@ from msgspec.structs import replace
 from playwright.sync_api import Browser, BrowserContext, Page, Playwright, ViewportSize, sync_playwright
 
 import sim
-from app.pages.sandbox.tab import RunInThread, Tab
+from app.pages.sandbox.tab import Tab
+from app.pages.ticked import RunInThread
 from app.server import serve as server_of_pages
 from app.server.serve import serving
 from tests.browser.between_frames import FRAME_LOCK

@@ -23,6 +23,7 @@ from app.server.ticker import Ticker
 from app.session.commands import Command
 from app.session.session import Session
 from app.wire.to_page import PageState
+from tests.app.inside import sandboxes
 from tests.browser.between_frames import FRAME_LOCK, BetweenFrames
 from tests.browser.scripts import BLANK, FORGET, FRAMES, HARDWARE, ROUGH
 
@@ -228,7 +229,7 @@ class Desk:
     @property
     def tab(self) -> Tab:
         """The server's tab of this page."""
-        return self.served.ticker.tabs[self.client]
+        return sandboxes(self.served.ticker)[self.client]
 
     @property
     def session(self) -> Session:

@@ -10,7 +10,7 @@ import sim
 from app.features.gallery.messages import OfferGallery, ShelfChanged
 from app.gate.gate import Gate
 from app.ui import owner
-from app.wire.carrier import Mail
+from app.wire.carrier import Mail, by_viser
 from sim.store import files, own_scenes
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
@@ -197,7 +197,7 @@ def test_on_a_phone_a_tap_opens(open_page: OpenPage) -> None:
 
 def test_a_scene_that_is_saved_as_the_gallery_opens_does_not_keep_it_shut(open_page: OpenPage) -> None:
     desk = open_page(size=SMALL)
-    mail = Mail(desk.tab.client)
+    mail = Mail(by_viser(desk.tab.client))
     with desk.tab.client.atomic():
         mail.send(OfferGallery(why=""))
         mail.send(ShelfChanged())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from playwright.sync_api import Locator
 
 from sim.scene.lesson import Goal, Question, Step
+from tests.app.inside import sandboxes
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -149,7 +150,7 @@ def see_as_phone(desk: Desk) -> None:
     assert page.evaluate("[innerWidth, innerHeight]") == [390, 844]
     assert f"Weigh it {EVIL}" in page.locator(".softrod-lesson").inner_text()
     assert page.evaluate("window.evil") is None
-    shown = [session.scene for tab in desk.served.ticker.tabs.values() if (session := tab.session)]
+    shown = [session.scene for tab in sandboxes(desk.served.ticker).values() if (session := tab.session)]
     assert [scene.lesson for scene in shown] == [desk.session.scene.lesson] * 2
     page.close()
 

@@ -10,11 +10,12 @@ import { box, button, fold, icon, typedAddress, untranslated, voteBars } from ".
 import { guide } from "./guide.js";
 import { hearImports, importResults, imports } from "./imports.js";
 import { keepInPlace } from "./place.js";
+import { OWN_BODY } from "./phases.js";
 import { plot, power } from "./plot.js";
 import { keepPosters, poster, still } from "./poster.js";
 import { Predictions } from "./prediction.js";
 import { Card } from "./rerender.js";
-import { OWN_BODY } from "./seat.js";
+import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
 
 /** @typedef {import("../../wire/wire.js").Desk} Desk */
 /** @typedef {import("../../wire/wire.js").DeskSeat} DeskSeat */
@@ -30,6 +31,7 @@ const PHASES = {
   ask: "Ask",
   results: "Show answers",
   run: "Run it",
+  reveal: "Reveal",
   explain: "Explain in a line",
   try: "Let them try",
   collect: "Collect",
@@ -56,7 +58,7 @@ let card;
 export function addDesk() {
   const element = make("aside", "softrod-class softrod-desk");
   element.ariaLabel = "Class";
-  const predictions = new Predictions();
+  const predictions = new Predictions({ onRedraw: onMarksRedraw, insert: insertMarksLayer, redraw: redrawMarks, at: () => null });
   card = new Card(element, () => (desk ? parts(desk) : []));
   onMessage("predictions", ({ bodies }) => predictions.show(bodies));
   keepPosters(element);
@@ -145,7 +147,7 @@ function now({ stops, asking, next, seats }) {
   const words = guide(asking);
   const about = box("p", "softrod-desk-about", make("b", "", labelOf([stop, phase, round], stop)));
   about.setAttribute("role", "status");
-  if (WAITS.includes(phase)) about.append(`: ${seats.filter(({ answered }) => answered).length} of ${counted(seats)} have.`);
+  if (WAITS.includes(phase)) about.append(`: ${seats.filter(({ here, answered }) => here && answered).length} of ${counted(seats)} have.`);
   const lines = make("dl", "softrod-desk-guide");
   lines.append(make("dt", "", "Say"), make("dd", "softrod-desk-say", words.say), make("dt", "", "Do"), make("dd", "", words.do));
   return box(
@@ -158,8 +160,8 @@ function now({ stops, asking, next, seats }) {
   );
 }
 
-/** How many pupils are waited for: not those who left without an answer. @param {DeskSeat[]} seats */
-const counted = (seats) => seats.filter(({ here, answered }) => here || answered).length;
+/** How many pupils are waited for: those who are here. @param {DeskSeat[]} seats */
+const counted = (seats) => seats.filter(({ here }) => here).length;
 
 /** What the percentage of right answers suggests, once all have answered or all see it. @param {Desk} desk @returns {HTMLElement[]} */
 function advice({ asking: { stop, phase, round }, bars, right, seats, stops }) {
@@ -294,11 +296,11 @@ function given({ answers, seats, on_wall, asking }) {
 }
 
 /** The class's plot. @param {Desk} desk */
-function collected({ answers, asking, over, law, shows_law }) {
+function collected({ answers, asking, over, turned, law, shows_law }) {
   const found = answers.flatMap(({ setting, found, doubt }) => (setting === null || found === null || doubt ? [] : [{ setting, found }]));
   if (!found.length || asking.phase !== "collect") return [];
   const words = law && shows_law ? [make("p", "", power(law, asking.collects, over))] : [];
-  return [box("section", "", plot(found, over, asking.collects, shows_law ? law : null), ...words)];
+  return [box("section", "", plot(found, over, asking.collects, { law: shows_law ? law : null, turned }), ...words)];
 }
 
 /** @param {DeskAnswer} answer @param {DeskSeat[]} seats @param {string} on_wall */

@@ -31,6 +31,7 @@ from .role import (
     abscissa,
     asking,
     found_by,
+    is_turned,
     law_of,
     places_of,
     predictions,
@@ -39,7 +40,7 @@ from .role import (
 STARTS_PAUSED = frozenset((Phase.SHOW, Phase.ASK))
 """Phases that begin with the body as its step has it, paused."""
 
-HAS_RUN = frozenset((Phase.RUN, Phase.EXPLAIN))
+HAS_RUN = frozenset((Phase.RUN, Phase.REVEAL, Phase.EXPLAIN))
 """Phases in which the run can be replayed."""
 
 REPLAY_SPEED = 0.25
@@ -331,6 +332,7 @@ class DeskRole(ClassRole):
             bars=tuple(room.bars(room.at, room.vote_round)),
             right=step.question.answer if step is not None and step.question is not None else -1,
             over=abscissa(classroom),
+            turned=is_turned(classroom),
             law=law_of(found),
             shows_law=room.law,
             on_wall=room.on_wall,

@@ -2,8 +2,8 @@
 /**
  * What a teacher says and does in each phase of a step, from the step's own words. Texts only, without a page.
  *
- * The order is that of peer instruction: what is right is told after it ran and was asked again (Crouch and Mazur 2001,
- * American Journal of Physics 69, 970).
+ * The order is that of peer instruction: where a class is split, pupils talk in pairs and are asked again; what is right is told
+ * after it ran (Crouch and Mazur 2001, American Journal of Physics 69, 970).
  *
  * @typedef {import("../../wire/wire.js").Asking} Asking
  */
@@ -35,10 +35,12 @@ export function guide({ phase, round, question, because, predict, watch, do: tas
       if (round > 0) return { say: "Convince your neighbour, for a minute. Then answer again.", do: "Listen, and do not tell which is right." };
       return { say: [asked, drag].filter(Boolean).join(" "), do: "Wait until all have answered, and do not tell which is right." };
     case "results":
-      if (round > 0) return { say: because || "Who has changed their mind, and why?", do: "The right answer is on the wall." };
+      if (round > 0) return { say: "Who has changed their mind, and why?", do: "The right answer is not told yet: the run shows it." };
       return { say: "Who wants to say why they chose theirs?", do: "Hear two who answered differently. The right answer is not told yet." };
     case "run":
       return { say: watch || "Watch what it does.", do: predict > 0 ? `It stands still at ${predict} s. Compare it with the predictions.` : "Let it run until all have seen it." };
+    case "reveal":
+      return { say: because || "So that is where it goes.", do: "The wall shows the predictions beside it, then what is right. Give it a moment before you speak." };
     case "explain":
       return { say: "Write in one line: why is it so?", do: "Star two lines: they are on the wall as you go on." };
     case "try":

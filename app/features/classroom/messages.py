@@ -6,7 +6,21 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
-from ...wire.messages import AnswerKind, Event, FromPage, PhaseName, Point, State
+from ...wire.messages import (
+    AnswerKind,
+    Event,
+    FromPage,
+    Number,
+    Numbers,
+    OwnBody,
+    PhaseName,
+    Point,
+    State,
+)
+from ...wire.sections import Section
+
+SettingKey = Annotated[str, Meta(pattern=r"^[a-z0-9_%.\[\]-]{1,100}$")]
+"""Of `sim.settings`."""
 
 
 # ------------------------------------------------------------------------- from a pupil
@@ -51,6 +65,20 @@ class GiveLine(Give, frozen=True):
 
 class GiveWork(Give, frozen=True):
     """Hand in what the page's body did since the step began; the server has it."""
+
+
+class SetNumber(OwnBody, frozen=True):
+    """A slider of the step's is moved."""
+
+    key: SettingKey
+    value: Number
+
+
+class SetWord(OwnBody, frozen=True):
+    """Something is chosen from a list of the step's."""
+
+    key: SettingKey
+    value: Annotated[str, Meta(max_length=40)]
 
 
 class RaiseHand(InSeat, frozen=True):
@@ -222,6 +250,20 @@ class Given(Struct, frozen=True, kw_only=True):
     text: str
 
 
+class Found(Struct, frozen=True, kw_only=True):
+    """What one seat found: a point of the class's plot."""
+
+    setting: float
+    found: float
+
+
+class Law(Struct, frozen=True, kw_only=True):
+    """The power law, found = factor * setting ** exponent, that the class's points are closest to."""
+
+    factor: float
+    exponent: float
+
+
 class Seat(State, frozen=True, kw_only=True):
     """What a pupil's page has to know of the class.
 
@@ -241,6 +283,10 @@ class Seat(State, frozen=True, kw_only=True):
         on_wall: whether the wall shows something of this pupil's alone.
         elsewhere: what has the seat now: a later page of the same browser, or another device; or empty.
         reached: whether the page's body has reached the step's goal.
+        reading: the number that would be handed in now, with its unit; empty while there is none.
+        found: of the class's plot, for a pupil who has put a point on it; else empty.
+        own: that point.
+        over, turned, law: of that plot, see `Wall`.
     """
 
     code: str = ""
@@ -259,8 +305,97 @@ class Seat(State, frozen=True, kw_only=True):
     on_wall: bool = False
     elsewhere: Literal["", "page", "device"] = ""
     reached: bool = False
+    reading: str = ""
+    found: tuple[Found, ...] = ()
+    own: Found | None = None
+    over: str = ""
+    turned: bool = False
+    law: Law | None = None
     asking: Asking | None = None
     given: tuple[Given, ...] = ()
+
+
+class Dial(Struct, frozen=True, kw_only=True):
+    """A slider or a list of a pupil's page.
+
+    Attributes:
+        key: of the setting.
+        label, unit: of its number.
+        low, high: of the slider.
+        logarithmic: equal steps of it are equal factors.
+        value: at present.
+        options: value and word of each, of a list; empty for a slider.
+        sets: what it sets of a body that moves in the page itself; empty if it cannot.
+    """
+
+    key: str
+    label: str
+    unit: str = ""
+    low: float = 0.0
+    high: float = 1.0
+    logarithmic: bool = False
+    value: float | str = 0.0
+    options: tuple[tuple[str, str], ...] = ()
+    sets: tuple[str, ...] = ()
+
+
+class Curve(Struct, frozen=True, kw_only=True):
+    """A plot of a step.
+
+    Attributes:
+        names, units: of its quantities.
+        over, over_unit: the quantity on the horizontal axis; empty for the time.
+        turned: whether it grows downwards.
+    """
+
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    over: str
+    over_unit: str
+    turned: bool
+
+
+class Bench(State, frozen=True, kw_only=True):
+    """What a pupil has to work with: sliders, plots, and arrow keys.
+
+    Attributes:
+        opening: of the body; another one begins with empty plots.
+    """
+
+    opening: int = -1
+    dials: tuple[Dial, ...] = ()
+    curves: tuple[Curve, ...] = ()
+
+
+class Readings(Numbers, frozen=True, kw_only=True):
+    """What the plots of a page show now."""
+
+    sections = (
+        Section("now", numbers={"opening": "of the body, as in `Bench`", "time": "simulated seconds"}),
+        Section("values", "of each plot the quantities, and the one on the horizontal axis"),
+    )
+
+
+class Alone(State, frozen=True, kw_only=True):
+    """A body with which a page goes on where its connection ends.
+
+    Attributes:
+        opening: of the body; -1 for none: its method needs the server.
+        body: JSON, the `BodyData` of a live file.
+        method, dt: by which it moves, as in a live file.
+    """
+
+    opening: int = -1
+    body: str = ""
+    method: str = ""
+    dt: float = 0.0
+
+
+class Remark(Event, frozen=True, kw_only=True):
+    """Something that the user of the page is to read once."""
+
+    title: str
+    text: str
 
 
 class WallLine(Struct, frozen=True, kw_only=True):
@@ -268,20 +403,6 @@ class WallLine(Struct, frozen=True, kw_only=True):
 
     text: str
     color: str
-
-
-class Found(Struct, frozen=True, kw_only=True):
-    """What one seat found: a point of the class's plot."""
-
-    setting: float
-    found: float
-
-
-class Law(Struct, frozen=True, kw_only=True):
-    """The power law, found = factor * setting ** exponent, that the class's points are closest to."""
-
-    factor: float
-    exponent: float
 
 
 class Wall(State, frozen=True, kw_only=True):
@@ -294,9 +415,12 @@ class Wall(State, frozen=True, kw_only=True):
         bars: votes for each choice, once they are shown; else empty.
         lines: what was picked out.
         alone: whether one prediction is shown alone.
-        found: what was handed in, a point a seat; over what, and what it is.
+        found: what was handed in, a point a seat; over what, and whether it grows downwards.
         law: of these points, if it is to be seen.
         doing: how many seats' bodies do what, while each one has their own.
+        start: where the masses were as the step began, in the page's world; only for the reveal.
+        steps: of the class's plan.
+        unit: of lengths.
     """
 
     code: str
@@ -311,8 +435,12 @@ class Wall(State, frozen=True, kw_only=True):
     paused: bool
     found: tuple[Found, ...]
     over: str
+    turned: bool
     law: Law | None
     doing: dict[str, int]
+    start: tuple[Point, ...]
+    steps: int
+    unit: str
 
 
 class Predictions(State, frozen=True, kw_only=True):
@@ -399,6 +527,7 @@ class Desk(State, frozen=True, kw_only=True):
         answers: to the present stop and round, or to what was asked last there.
         bars: votes for each choice, also while they are sealed.
         over: what the first slider of the step sets: the abscissa of the class's plot.
+        turned: whether its ordinate grows downwards.
         law: of the points of that plot; None where they have none.
         shows_law: whether the wall shows it.
         on_wall: the answer that is shown alone.
@@ -426,6 +555,7 @@ class Desk(State, frozen=True, kw_only=True):
     bars: tuple[int, ...]
     right: int
     over: str
+    turned: bool
     law: Law | None
     shows_law: bool
     on_wall: str

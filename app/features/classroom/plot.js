@@ -8,7 +8,7 @@ import { makeSvg, set } from "../../stage/svg.js";
 
 /** Size of the plot, in its own units, and what of it is left of, below and above the axes. */
 const SIZE = { width: 400, height: 270 };
-const MARGIN = { left: 62, below: 52, above: 30, right: 12 };
+const MARGIN = { left: 62, below: 52, above: 30, right: 26 };
 /** Ratio of the largest to the smallest number from which an axis is logarithmic. */
 const WIDE_RANGE = 5;
 /** Marks of a linear axis. */
@@ -60,9 +60,10 @@ export const power = ({ factor, exponent }, what, over) =>
  * @param {Found[]} found
  * @param {string} over
  * @param {string} what
- * @param {Law | null} [law]
+ * @param {{law?: Law | null, own?: Found | null, turned?: boolean}} [options] the law of the points; the one that is the
+ *   reader's own; whether what was found grows downwards
  */
-export function plot(found, over, what, law = null) {
+export function plot(found, over, what, { law = null, own = null, turned = false } = {}) {
   const svg = makeSvg("svg", "softrod-class-plot");
   svg.removeAttribute("aria-hidden");
   const label = `${what} over ${over}: ${found.length} points${law ? `; ${power(law, what, over)}` : ""}`;
@@ -85,7 +86,7 @@ export function plot(found, over, what, law = null) {
   /** @param {number} number */
   const across = (number) => left + x.part(number) * (right - left);
   /** @param {number} number */
-  const up = (number) => low - y.part(number) * (low - above);
+  const up = (number) => (turned ? above + y.part(number) * (low - above) : low - y.part(number) * (low - above));
   for (const mark of x.marks) {
     add("path", { class: "softrod-plot-grid", d: `M${across(mark)} ${above}V${low}` });
     add("text", { x: across(mark), y: low + 20, "text-anchor": "middle" }, short(mark));
@@ -101,6 +102,11 @@ export function plot(found, over, what, law = null) {
     add("path", { class: "softrod-plot-law", d: `M${from}L${to}` });
   }
   for (const { setting, found: value } of found) add("circle", { cx: across(setting), cy: up(value), r: 6 });
+  if (own) {
+    add("circle", { class: "softrod-plot-own", cx: across(own.setting), cy: up(own.found), r: 10 });
+    const side = x.part(own.setting) > 0.5 ? "end" : "start";
+    add("text", { class: "softrod-plot-you", x: across(own.setting) + (side === "end" ? -14 : 14), y: up(own.found) - 10, "text-anchor": side }, `you: ${short(Number(own.found.toPrecision(4)))}`);
+  }
   add("text", { x: (left + right) / 2, y: SIZE.height - 8, "text-anchor": "middle" }, over);
   add("text", { x: 4, y: 18 }, what);
   return svg;

@@ -4,20 +4,30 @@
  * the others follow as a chain of massless springs would: each spring is brought back towards its length, again and again
  * (Jakobsen 2001, Advanced Character Physics).
  */
-import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
 import { makeSvg, set } from "../../stage/svg.js";
-import { worldAt, wireNumber } from "../../stage/screen.js";
+import { wireNumber } from "../../stage/screen.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
-import { screen } from "../../ui/viser/screen.js";
 
-/** @typedef {import("../../stage/sight.js").Sight} Sight */
+/** @typedef {import("../../stage/plan.js").Plan} Plan */
+/** @typedef {import("../../stage/plan.js").Frame} Frame */
+/** @typedef {import("../../stage/environment.js").Screen} Screen */
+/** @typedef {{plan: Plan, frame: Frame, on: Screen}} Sight what is seen: a body, and where the page's world is on the screen */
 /** @typedef {[number, number]} Place in the page's world */
+/**
+ * @typedef {object} Marks where predictions are drawn
+ * @property {(draw: (seen: Sight) => void) => void} onRedraw calls back whenever marks have to be drawn
+ * @property {(svg: SVGSVGElement) => void} insert puts a layer over the body
+ * @property {() => void} redraw has all marks drawn
+ * @property {(event: MouseEvent) => {x: number, y: number} | null} at where a pointer is in the page's world
+ */
 /** @typedef {[a: number, b: number, length: number]} Spring the masses that it joins, and its length */
 
 /** How often every spring is brought towards its length for one movement of the pointer. */
 const ROUNDS = 30;
 /** Pixels by which an arrow key moves a mass; a tenth with Shift. */
 const KEY_STEP = 20;
+/** By how much a button moves a mass, in the page's world: 1/120 of the scene's frame. */
+const STEP = 0.05;
 /** Radius of a grip for a finger, px; half of it where there are more grips than `CROWDED`. */
 const REACH = 22;
 const CROWDED = 12;
@@ -88,11 +98,18 @@ export class OwnPrediction {
   isOn = false;
   moved = false;
 
-  /** @param {() => void} changed called when it was moved */
-  constructor(changed) {
+  /** Where its masses were at first. @type {Place[]} */
+  start = [];
+  /** The unit of the page's world on the screen, px, and a px of the scene in it. */
+  step = 1;
+  scale = 1;
+
+  /** @param {Marks} marks @param {() => void} changed called when it was moved */
+  constructor(marks, changed) {
+    this.marks = marks;
     this.changed = changed;
     this.svg.removeAttribute("aria-hidden");
-    onMarksRedraw((seen) => this.draw(seen));
+    marks.onRedraw((seen) => this.draw(seen));
   }
 
   /** Begins a prediction where the body is, or ends it. @param {boolean} on */
@@ -101,9 +118,9 @@ export class OwnPrediction {
     this.isOn = on;
     this.places = [];
     this.moved = false;
-    if (on) insertMarksLayer(this.svg);
+    if (on) this.marks.insert(this.svg);
     else this.svg.remove();
-    redrawMarks();
+    this.marks.redraw();
   }
 
   /** The places of its masses, for a message. */
@@ -111,12 +128,37 @@ export class OwnPrediction {
     return this.places.map(([x, y]) => /** @type {Place} */ ([wireNumber(x), wireNumber(y)]));
   }
 
+  /** Whether the body has one free mass alone, whose place can be said and stepped. */
+  get isSingle() {
+    return this.places.length - this.held.size === 1;
+  }
+
+  /** How far from its start the one free mass was put, in words; empty for other bodies, and before. @param {string} unit of lengths */
+  said(unit) {
+    if (!this.moved || !this.isSingle) return "";
+    const mass = this.places.findIndex((_, i) => !this.held.has(i));
+    const dx = (this.places[mass][0] - this.start[mass][0]) / this.scale, dy = (this.places[mass][1] - this.start[mass][1]) / this.scale;
+    const [by, word] = Math.abs(dy) >= Math.abs(dx) ? [dy, dy < 0 ? "lower" : "higher"] : [dx, dx < 0 ? "to the left" : "to the right"];
+    return `${Number(Math.abs(by).toPrecision(3))} ${unit} ${word}`;
+  }
+
+  /** Moves the one free mass a little. @param {number} way 1 for up */
+  stepBy(way) {
+    const mass = this.places.findIndex((_, i) => !this.held.has(i));
+    if (mass < 0) return;
+    const [x, y] = this.places[mass];
+    this.move(mass, [x, y + way * STEP]);
+  }
+
   /** @param {Sight} seen */
   draw(seen) {
     if (!this.isOn) return;
     const { plan, on } = seen;
+    this.step = on.step;
+    this.scale = plan.scale;
     if (this.places.length !== plan.radius.length) {
       this.places = placesOf(seen);
+      this.start = this.places.map(([x, y]) => [x, y]);
       this.springs = springsOf(seen, this.places);
       this.held = new Set([...plan.pinned, ...(plan.driven >= 0 ? [plan.driven] : [])]);
       this.makeGrips();
@@ -153,17 +195,15 @@ export class OwnPrediction {
       grip.focus();
       grip.setPointerCapture(event.pointerId);
     });
-    grip.addEventListener("pointermove", ({ pointerId, clientX, clientY }) => {
-      const on = screen();
-      if (!on || !grip.hasPointerCapture(pointerId)) return;
-      const { x, y } = worldAt({ x: clientX, y: clientY }, on);
-      this.move(mass, [x, y]);
+    grip.addEventListener("pointermove", (event) => {
+      const at = grip.hasPointerCapture(event.pointerId) ? this.marks.at(event) : null;
+      if (at) this.move(mass, [at.x, at.y]);
     });
     grip.addEventListener("keydown", (event) => {
-      const on = screen(), way = ARROWS[event.key];
-      if (!way || !on) return;
+      const way = ARROWS[event.key];
+      if (!way) return;
       stop(event);
-      const step = KEY_STEP / on.step / (event.shiftKey ? 10 : 1);
+      const step = KEY_STEP / this.step / (event.shiftKey ? 10 : 1);
       const [x, y] = this.places[mass];
       this.move(mass, [x + way[0] * step, y + way[1] * step]);
     });
@@ -174,32 +214,54 @@ export class OwnPrediction {
   move(mass, to) {
     drag(this.places, mass, to, this.springs, this.held);
     this.moved = true;
-    redrawMarks();
+    this.marks.redraw();
     this.changed();
   }
 }
 
-/** Draws the predictions of a class. */
+/** Bodies with more free masses than this have a disc at the last one only. */
+const FEW = 6;
+/** Smallest radius of a disc, px: the last row sees it. */
+const LEAST_DISC = 7;
+
+/** The free masses of a body that predictions show as discs. @param {Plan} plan */
+export function tipsOf({ radius, pinned, driven }) {
+  const held = new Set([...pinned, driven]);
+  const free = Array.from(radius.keys()).filter((mass) => !held.has(mass));
+  return free.length > FEW ? free.slice(-1) : free;
+}
+
+/** Draws the predictions of a class: pale bodies, with a disc at each free mass. */
 export class Predictions {
   svg = makeSvg("svg", "softrod-marks softrod-predictions");
   /** @type {Place[][]} */
   bodies = [];
 
-  constructor() {
-    onMarksRedraw((seen) => this.draw(seen));
+  /** @param {Marks} marks */
+  constructor(marks) {
+    this.marks = marks;
+    marks.onRedraw((seen) => this.draw(seen));
   }
 
   /** @param {Place[][]} bodies */
   show(bodies) {
     this.bodies = bodies;
     this.svg.replaceChildren(...bodies.map(() => makeSvg("path", "")));
-    if (bodies.length && !this.svg.parentNode) insertMarksLayer(this.svg);
+    if (bodies.length && !this.svg.parentNode) this.marks.insert(this.svg);
     if (!bodies.length) this.svg.remove();
-    redrawMarks();
+    this.marks.redraw();
   }
 
   /** @param {Sight} seen */
   draw(seen) {
-    this.bodies.forEach((places, i) => set(this.svg.children[i], { d: outline(places, seen) }));
+    const { plan, on } = seen;
+    const tips = tipsOf(plan);
+    this.bodies.forEach((places, i) => {
+      const discs = tips.filter((mass) => places[mass]).map((mass) => {
+        const [x, y] = places[mass], r = Math.max(plan.radius[mass] * on.step, LEAST_DISC);
+        return `M${(on.x + x * on.step - r).toFixed(1)} ${(on.y - y * on.step).toFixed(1)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`;
+      });
+      set(this.svg.children[i], { d: outline(places, seen) + discs.join("") });
+    });
   }
 }

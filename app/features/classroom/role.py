@@ -8,17 +8,19 @@ from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
-import viser
+from numpy.typing import ArrayLike
 
 import sim
 from app.classroom.answers import Answer, Phase, Prediction, Work
 from app.classroom.law import power_law
 from app.classroom.live import Class, SharedView
 from app.classroom.room import Room
-from sim.errors import SettingError
+from sim.errors import InputError, SettingError
+from sim.motion.quantities import quantity
 from sim.settings import setting_of
 
 from ...lessons import goal_text, reading_text
+from ...session.framing import Bounds
 from ...session.session import Session
 from ...stage.plan import own_rest_angles
 from ...stage.sketch import Mapping
@@ -26,10 +28,14 @@ from ...ui.controls import Controls
 from ...ui.view import picture_of
 from ...wire import from_page
 from ...wire.carrier import Mail
+from ...wire.line import Line
 from .messages import Asking, ClassEnded, Found, Law, Predictions, Seat
 from .shared_view import broadcast, same_view
 
 NOTHING = Controls(())
+
+SHOWN = frozenset((Phase.RESULTS, Phase.RUN, Phase.REVEAL, Phase.EXPLAIN))
+"""Phases in which all see what was predicted."""
 
 MAX_PLACES = 60
 """Masses in a small picture of a body."""
@@ -56,6 +62,16 @@ class Role:
     def controls(self) -> Controls | None:
         """The controls that the page has now; None for those that it would have anyway."""
         return NOTHING
+
+    @property
+    def bounds(self) -> Bounds | None:
+        """(2, 2) px, where the body moves that the page shows; None while that is not known."""
+        return None
+
+    @property
+    def plots(self) -> tuple[str, ...]:
+        """The plots of the page's own body, as `app.session.plots.parse_plot` reads them."""
+        return ()
 
     @property
     def shared_view(self) -> SharedView | None:
@@ -120,6 +136,10 @@ class ClassRole(Role):
         self._angles = np.empty(0)
 
     @property
+    def bounds(self) -> Bounds | None:
+        return self.classroom.bounds(self.room.at)
+
+    @property
     def room(self) -> Room:
         """The class's state."""
         return self.classroom.room
@@ -140,9 +160,7 @@ class ClassRole(Role):
         """Tell the page what has changed in the running class."""
         raise NotImplementedError
 
-    def _share(
-        self, session: Session, before: SharedView | None, audience: set[viser.ClientHandle]
-    ) -> SharedView:
+    def _share(self, session: Session, before: SharedView | None, audience: set[Line]) -> SharedView:
         """Return the view of the page's own body for others, and send its picture to them.
 
         Args:
@@ -196,15 +214,15 @@ def asking(room: Room, reveal: bool = False) -> Asking:
 def predictions(classroom: Class) -> Predictions:
     """Return the predictions that may be seen now; one alone, if that is on the wall."""
     room = classroom.room
-    if room.phase not in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN):
+    if room.phase not in SHOWN:
         return Predictions()
-    given = room.given(room.at, room.round if room.phase is Phase.RESULTS else 0, Prediction)
+    given = room.given(room.at, 0, Prediction)
     shown = [one for one in given if one[0].id == room.on_wall] or given
     answers = tuple(answer for answer, _ in shown)
     known = _known.get(classroom)
     if known is None or known[0] != answers:
         mapping = Mapping.of(classroom.scene(room.at))
-        bodies = tuple(_in_world(mapping, prediction.points) for _, prediction in shown)
+        bodies = tuple(in_world(mapping, prediction.points) for _, prediction in shown)
         _known[classroom] = known = answers, Predictions(bodies=bodies)
     return known[1]
 
@@ -237,6 +255,17 @@ def abscissa(classroom: Class) -> str:
         return key
 
 
+def is_turned(classroom: Class) -> bool:
+    """Return whether the class's plot grows downwards: it shows a y of a scene whose y does."""
+    step, scene = classroom.room.step, classroom.room.scenes[classroom.room.stops[classroom.room.at].scene]
+    if step is None or step.collect is None or step.collect.of == "period" or not scene.view.y_down:
+        return False
+    try:
+        return quantity(step.collect.quantity, scene).kind.vertical
+    except InputError:
+        return False
+
+
 def places_of(positions: np.ndarray, scene: sim.Scene) -> tuple[tuple[int, int], ...]:
     """Return places for a small picture: thousandths of the scene's frame from its left and upper edge.
 
@@ -259,7 +288,7 @@ def places_of(positions: np.ndarray, scene: sim.Scene) -> tuple[tuple[int, int],
     return tuple((x, y) for x, y in rounded.tolist())
 
 
-def _in_world(mapping: Mapping, points: Sequence[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
+def in_world(mapping: Mapping, points: ArrayLike) -> tuple[tuple[float, float], ...]:
     """Convert points of a scene to the page's world, rounded to what can be seen."""
     world = mapping.to_world(np.array(points))
     return tuple((round(float(x), 4), round(float(y), 4)) for x, y, _ in world)

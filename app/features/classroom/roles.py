@@ -9,6 +9,7 @@ from app.classroom.live import Class, Classes
 from sim.errors import SettingError
 
 from ...gate.address import page_query
+from ...gate.gate import Visit
 from ...wire.carrier import Mail
 from ..files.sharing import qr_code
 from .desk import DeskRole
@@ -44,39 +45,51 @@ def class_of_query(query: str, classes: Classes) -> Class | None:
     return classes.find((page_query(query) or {}).get("room", "").upper())
 
 
-def role_of_query(
-    query: str,
-    mail: Mail,
-    classes: Classes,
-    base: str,
-    owned: bool,
-    visitor: str,
-    download: Callable[[str, bytes], None],
-) -> Role | None:
-    """Return the role of a page on a server that has classes; None for an ordinary page.
+def is_class_page(query: str, classes: Classes, owned: bool) -> bool:
+    """Whether a page is a pupil's, a wall's, or of somebody who has named no class; else it is viser's.
 
     Args:
         query: of the page's address.
-        mail: to the page's script.
-        base: the address by which others reach the server, with a slash at its end.
-        owned: whether it is known to be the page of this computer's owner, who comes to no class by chance.
-        visitor: whose page it is; see `SeatRole`.
-        download: has the page's browser save a file of that name.
+        classes: of the server.
+        owned: it is known to be the page of this computer's owner, who comes to no class by chance.
     """
     fields = page_query(query) or {}
+    code = fields.get("room", "")
+    if not code:
+        return classes.alone and not owned
+    return fields.get("as") != "desk" or classes.find(code.upper()) is None
+
+
+def desk_of_query(
+    visit: Visit, mail: Mail, classes: Classes, base: str, download: Callable[[str, bytes], None]
+) -> Role | None:
+    """Return the role of a page of viser's on a server that has classes; None for an ordinary page.
+
+    Args:
+        visit: of the page.
+        mail: to the page's script.
+        classes: of the server.
+        base: the address by which others reach the server, with a slash at its end.
+        download: has the page's browser save a file of that name.
+    """
+    if is_class_page(visit.query, classes, visit.is_local):
+        return Entrance(mail, "")  # its own script would not have connected here
+    classroom = class_of_query(visit.query, classes)
+    if classroom is None:
+        return None
+    return DeskRole(classroom, mail, base, qr_code(seat_address(base, classroom.room.code)), download)
+
+
+def role_of_query(visit: Visit, mail: Mail, classes: Classes, base: str) -> Role:
+    """Return the role of a page of a class; arguments as of `desk_of_query`."""
+    fields = page_query(visit.query) or {}
     code = fields.get("room", "").upper()
     classroom = classes.find(code)
     if classroom is None:
-        if code:
-            return Entrance(mail, f"There is no class {code} here now.")
-        return None if owned or not classes.alone else Entrance(mail, "")
-    kind = fields.get("as", "")
-    if kind not in ("desk", "wall"):
-        return SeatRole(classroom, mail, visitor)
-    qr = qr_code(seat_address(base, code))
-    if kind == "wall":
-        return WallRole(classroom, mail, base, qr)
-    return DeskRole(classroom, mail, base, qr, download)
+        return Entrance(mail, f"There is no class {code} here now." if code else "")
+    if fields.get("as", "") == "wall":
+        return WallRole(classroom, mail, base, qr_code(seat_address(base, code)))
+    return SeatRole(classroom, mail, visit.visitor)
 
 
 def first_scene(classroom: Class) -> sim.Scene | None:

@@ -6,27 +6,47 @@ from collections import deque
 
 import msgspec
 import numpy as np
-import viser
 
 import sim
 from app.classroom import room as rooms
-from app.classroom.answers import OWN_BODY, Answer, AnyContent, Line, Prediction, Refused, Vote, Work
+from app.classroom.answers import (
+    OWN_BODY,
+    Answer,
+    AnyContent,
+    Line,
+    Phase,
+    Prediction,
+    Refused,
+    Vote,
+    Work,
+)
 from app.classroom.judge import GoalWatch, Meter
 from app.classroom.live import Class, PupilStatus, SharedView, Word
 from app.classroom.room import MAX_ANSWERS, digest
 from sim.errors import InputError, SettingError
+from sim.motion.quantities import quantity
 from sim.settings import setting_of
 
 from ...session import commands
 from ...session.session import Session
 from ...stage.sketch import Mapping
 from ...ui.controls import Controls
-from ...wire import from_page
+from ...wire import from_page, line
 from ...wire.carrier import Mail
 from ...wire.messages import OwnBody
 from . import messages
-from .messages import Given, Seat, Taken
-from .role import NOTHING, ClassRole, asking, places_of, predictions
+from .messages import Found, Given, Law, Seat, Taken
+from .role import (
+    NOTHING,
+    ClassRole,
+    abscissa,
+    asking,
+    found_by,
+    is_turned,
+    law_of,
+    places_of,
+    predictions,
+)
 
 _ALWAYS = (messages.InSeat, from_page.Who)
 
@@ -60,7 +80,7 @@ class SeatRole(ClassRole):
         self._session: Session | None = None
         self._unwritten: deque[tuple[int, str]] = deque(maxlen=MAX_ANSWERS)
         self._hand_in_due = 0.0
-        self._audience: set[viser.ClientHandle] = set()  # of its body on the wall
+        self._audience: set[line.Line] = set()  # of its body on the wall
         self._tries = 0
         self._watch: GoalWatch | None = None
         self._meter: Meter | None = None
@@ -68,6 +88,7 @@ class SeatRole(ClassRole):
         self._reached = self._touched = False
         self._found: float | None = None
         self._status_due = 0.0
+        self._reading_text = ""
 
     @property
     def seat(self) -> rooms.Seat | None:
@@ -88,6 +109,11 @@ class SeatRole(ClassRole):
             return NOTHING
         step = self.room.step
         return Controls(("play", *(step.controls if step is not None else ())))
+
+    @property
+    def plots(self) -> tuple[str, ...]:
+        step = self.room.step
+        return (step.plots or ()) if step is not None else ()
 
     def allows(self, said: from_page.FromPage) -> bool:
         return isinstance(said, _ALWAYS) or (self.shared_view is None and isinstance(said, OwnBody))
@@ -132,7 +158,7 @@ class SeatRole(ClassRole):
             self._mail.send(Taken(ids=ready))
         if self.seat is not None and self.shared_view is None:
             self._update_body(session)
-        if self._is_new(self.seat is None, self._problem, self._reached):
+        if self._is_new(self.seat is None, self._problem, self._reached, self._reading_text):
             self._mail.send(self._state())
             self._mail.send(predictions(self.classroom))
 
@@ -152,7 +178,8 @@ class SeatRole(ClassRole):
     def begin(self) -> None:
         self._stop = self.room.at
         try:
-            self.show(self.classroom.scene(self.room.at))
+            # As a page alone has it once its step has run: what the step says to do begins there.
+            self.show(self.classroom.run_scene(self.room.at))
         except SettingError as error:
             self._mail.send(Taken(ids=(), refused=f"This step cannot begin: {error}."))
 
@@ -182,6 +209,7 @@ class SeatRole(ClassRole):
         """Check whether the body reaches the goal, read off what is collected, and report what it does."""
         if self._opening != session.openings:
             self._opening, self._reached, self._touched, self._found = session.openings, False, False, None
+            self._reading_text = ""
             step = self.room.step
             goal, collect = (step.goal, step.collect) if step is not None else (None, None)
             try:
@@ -199,6 +227,15 @@ class SeatRole(ClassRole):
             places = places_of(session.simulation.positions, session.scene)
             status = PupilStatus(self._word(session, places), places, self._touched)
             self.classroom.statuses[self._number] = status
+            self._reading_text = self._read_out(session.scene)
+
+    def _read_out(self, scene: sim.Scene) -> str:
+        """What would be handed in now, as the pupil reads it."""
+        step = self.room.step
+        if self._found is None or step is None or step.collect is None:
+            return ""
+        unit = "s" if step.collect.of == "period" else quantity(step.collect.quantity, scene).unit
+        return f"{self._found:.4g} {unit}".rstrip()
 
     def _word(self, session: Session, places: tuple[tuple[int, int], ...]) -> Word:
         if session.simulation.divergence is not None:
@@ -209,6 +246,15 @@ class SeatRole(ClassRole):
             return "paused"
         before = self.classroom.statuses.get(self._number, PupilStatus()).places
         return "at rest" if before == places else "moving"
+
+    def _class_found(self) -> tuple[Found, ...]:
+        """The class's plot, for a pupil who has put a point on it."""
+        room = self.room
+        has_given = any(answer.seat == self._number for answer, _ in room.given(room.at, 0, Work))
+        return found_by(room) if room.phase is Phase.COLLECT and has_given else ()
+
+    def _law(self) -> Law | None:
+        return law_of(self._class_found()) if self.room.law else None
 
     # --------------------------------------------------------------------- seat and answers
     def _enter(self) -> None:
@@ -252,7 +298,7 @@ class SeatRole(ClassRole):
             return  # not acknowledged, so that the page repeats it
         answer = Answer(said.id, said.turn, seat.number, said.twin, said.stop, said.round, content)
         if isinstance(content, Work) and self._session is not None and (step := self.room.step) is not None:
-            scene, recorder = self.classroom.scene(self.room.at), self._session.recorder
+            scene, recorder = self.classroom.run_scene(self.room.at), self._session.recorder
             self.classroom.hand_in(answer, recorder.file(), step, scene, frozenset(recorder.visited))
         else:
             self.room.take(seat.number, answer)
@@ -333,6 +379,22 @@ class SeatRole(ClassRole):
             away=not self.classroom.teachers,
             on_wall=room.is_on_wall(seat.number),
             reached=self._reached,
+            reading=self._reading_text,
+            found=self._class_found(),
+            own=next(
+                (
+                    Found(setting=answer.content.setting, found=answer.content.found)
+                    for answer in reversed(mine)
+                    if answer.stop == room.at
+                    and isinstance(answer.content, Work)
+                    and answer.content.setting is not None
+                    and answer.content.found is not None
+                ),
+                None,
+            ),
+            over=abscissa(self.classroom),
+            turned=is_turned(self.classroom),
+            law=self._law(),
             asking=asking(room),
             given=tuple(
                 Given(

@@ -10,9 +10,21 @@ from sim.errors import SettingError
 
 from ...session.session import Session
 from ...stage.plan import Picture
+from ...stage.sketch import Mapping
 from ...wire.carrier import Mail
 from .messages import Wall, WallLine
-from .role import ClassRole, abscissa, asking, found_by, law_of, plan_numbers, predictions
+from .role import (
+    SHOWN,
+    ClassRole,
+    abscissa,
+    asking,
+    found_by,
+    in_world,
+    is_turned,
+    law_of,
+    plan_numbers,
+    predictions,
+)
 
 
 class WallRole(ClassRole):
@@ -43,16 +55,16 @@ class WallRole(ClassRole):
         if not self._is_new(tuple(doing.values())):
             return
         found, answered = found_by(room), room.answered()
-        is_shown = room.phase in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN)
-        voted = is_shown and bool(room.given(room.at, 0, Vote))
+        voted = room.phase in SHOWN and bool(room.given(room.at, 0, Vote))
+        present = self.classroom.present()
         lines = room.given(room.at, 0, Line) if room.phase is not Phase.EXPLAIN else []
         self._mail.send(
             Wall(
                 code=room.code,
                 address=self._address,
                 qr=self._qr,
-                seats=len(self.classroom.present() | answered),
-                answered=len(answered),
+                seats=len(present),
+                answered=len(answered & present),
                 asking=asking(room),
                 bars=tuple(room.bars(room.at, room.vote_round)) if voted else (),
                 lines=tuple(
@@ -64,11 +76,23 @@ class WallRole(ClassRole):
                 paused=room.paused,
                 found=found,
                 over=abscissa(self.classroom),
+                turned=is_turned(self.classroom),
                 law=law_of(found) if room.law else None,
                 doing=doing,
+                start=self._start() if room.phase is Phase.REVEAL else (),
+                steps=len(room.stops),
+                unit=room.scenes[room.stops[room.at].scene].view.unit,
             )
         )
         self._mail.send(predictions(self.classroom))
+
+    def _start(self) -> tuple[tuple[float, float], ...]:
+        """Where the masses are as the step begins."""
+        try:
+            scene = self.classroom.scene(self.room.at)
+        except SettingError:
+            return ()
+        return in_world(Mapping.of(scene), Picture.at_start(scene).positions)
 
     def _count_bodies(self) -> dict[str, int]:
         """Count the stable, exploded and untouched bodies of the seats that are present; with a goal, also

@@ -6,11 +6,27 @@ from typing import ClassVar
 
 from ...session import commands
 from ...session.session import Session
+from ...stage.sketch import Mapping
 from ...ui import readouts
 from ...ui.commands import Row
 from ...ui.feature import Feature
 from ...wire.messages import FromPage
 from .messages import At, Drop, Grab, Keys, Pick
+
+
+def hand_commands(said: FromPage, mapping: Mapping) -> list[commands.Command]:
+    """The commands of a message about hands and held keys; none for others."""
+    match said:
+        case At(hands):
+            return [commands.Point(*mapping.to_scene(x, y), hand) for hand, x, y in hands]
+        case Grab(hand, mass, x, y):
+            return [commands.DragStart(mass, *mapping.to_scene(x, y), hand)]
+        case Drop(hand):
+            return [commands.DragEnd(hand)]
+        case Keys(held):
+            return [commands.HoldKeys(frozenset(held))]
+        case _:
+            return []
 
 
 def _show_help(_: Session, feature: Feature) -> None:
@@ -37,21 +53,10 @@ class HandsFeature(Feature):
 
     def hear(self, said: FromPage) -> None:
         """See `Feature`."""
-        session, place = self.session, self.page.mapping.to_scene
-        match said:
-            case At(hands):
-                for hand, x, y in hands:
-                    session.post(commands.Point(*place(x, y), hand))
-            case Grab(hand, mass, x, y):
-                session.post(commands.DragStart(mass, *place(x, y), hand))
-            case Drop(hand):
-                session.post(commands.DragEnd(hand))
-            case Keys(held):
-                session.post(commands.HoldKeys(frozenset(held)))
-            case Pick(mass):
-                self.page.soon(lambda: self._pick(mass))
-            case _:
-                pass
+        if isinstance(said, Pick):
+            self.page.soon(lambda: self._pick(said.mass))
+        for command in hand_commands(said, self.page.mapping):
+            self.session.post(command)
 
     def _pick(self, mass: int) -> None:
         """Show the angle of a mass's joint."""

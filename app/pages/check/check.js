@@ -4,7 +4,7 @@
  * so: this is no module, and uses nothing that came after 2012.
  */
 (function () {
-  var script = /** @type {HTMLScriptElement} */ (document.currentScript || document.querySelector("script[data-protocol]"));
+  var script = /** @type {HTMLScriptElement} */ (document.currentScript || document.querySelector("script[data-try]"));
   /** As in `connection.js`. */
   var HURRY = Number(/** @type {any} */ (window).__softrodHurry) || 1;
   /** Milliseconds in which a connection has to come about. */
@@ -17,8 +17,6 @@
   var JERKY = 20;
   /** Milliseconds by which two clocks may differ; the server's has a resolution of a second. */
   var APART = 60000;
-  /** Bytes of messages below which a batch of the server's has none: it is a sign of life. */
-  var EMPTY = 80;
   /** Where the server says whether it would take a connection. */
   var REACH = "reach";
   var HOTSPOT = "Use another network: the hotspot of the teacher's computer or of a phone needs no internet.";
@@ -95,7 +93,7 @@
   /** Whether the browser knows the language and the pictures of the class's pages. */
   function draws() {
     try {
-      return "noModule" in script && "at" in Array.prototype && !!document.createElement("canvas").getContext("webgl2");
+      return "noModule" in script && !!document.createElement("canvas").getContext("2d");
     } catch (error) {
       return false;
     }
@@ -111,58 +109,17 @@
     }
   }
 
-  // ----------------------------------------------------------------------- messages, as MessagePack has them
-  /** @param {any} value whole numbers from 0 to 9999, other numbers, text of up to 255 ASCII letters, arrays and objects @returns {number[]} */
-  function pack(value) {
-    /** @type {number[]} */
-    var bytes = [];
-    var i;
-    if (typeof value === "string") {
-      bytes.push(0xd9, value.length);
-      for (i = 0; i < value.length; i++) bytes.push(value.charCodeAt(i));
-    } else if (typeof value === "number" && value >= 0 && value < 1e4 && value % 1 === 0) {
-      bytes.push(0xcd, value >> 8, value & 255);
-    } else if (typeof value === "number") {
-      var view = new DataView(new ArrayBuffer(8));
-      view.setFloat64(0, value);
-      bytes.push(0xcb);
-      for (i = 0; i < 8; i++) bytes.push(view.getUint8(i));
-    } else if (value instanceof Array) {
-      bytes.push(0x90 + value.length);
-      for (i = 0; i < value.length; i++) bytes = bytes.concat(pack(value[i]));
-    } else {
-      var names = Object.keys(value);
-      bytes.push(0x80 + names.length);
-      for (i = 0; i < names.length; i++) bytes = bytes.concat(pack(names[i]), pack(value[names[i]]));
-    }
-    return bytes;
-  }
-
-  /** What viser's page says at first: only then does the server begin. */
-  var CAMERA = {
-    type: "ViewerCameraMessage",
-    wxyz: [1, 0, 0, 0],
-    position: [0, 0, 62],
-    fov: 0.1,
-    near: 1,
-    far: 2000,
-    image_height: 600,
-    image_width: 400,
-    look_at: [0, 0, 0],
-    up_direction: [0, 1, 0]
-  };
-
   // ----------------------------------------------------------------------- the connection
   function connect() {
     var name = "";
     for (var i = 0; i < 32; i++) name += Math.floor(16 * Math.random()).toString(16);
     var folder = location.host + location.pathname.replace(/[^/]*$/, "");
     var room = /[?&](room=[A-Za-z]{0,4})(&|$)/.exec(location.search);
-    var address = location.protocol.replace("http", "ws") + "//" + folder + "at/" + name + "?as=check" + (room ? "&" + room[1] : "");
+    var address = location.protocol.replace("http", "ws") + "//" + folder + "line/" + name + "?as=check" + (room ? "&" + room[1] : "");
     /** @type {WebSocket} */
     var socket;
     try {
-      socket = new WebSocket(address, [script.getAttribute("data-protocol") || ""]);
+      socket = new WebSocket(address);
     } catch (error) {
       whyNot("This browser makes no live connection (WebSocket).");
       return;
@@ -177,13 +134,14 @@
     /** @type {number[]} */
     var trips = [];
 
-    /** @param {any} message */
-    function send(message) {
-      if (socket.readyState === 1) socket.send(new Uint8Array(pack(message)));
+    /** @param {string} text */
+    function send(text) {
+      if (socket.readyState === 1) socket.send(text);
     }
     function beat() {
       beaten = new Date().getTime();
-      send({ type: "BeatMessage" });
+      // It asks for a sign of life, which is an empty batch.
+      send("");
     }
     function finish() {
       if (over) return;
@@ -200,12 +158,11 @@
     socket.onopen = function () {
       opened = true;
       say("good", "A live connection (WebSocket) comes about, after " + (new Date().getTime() - began) + " ms.");
-      send(CAMERA);
       beat();
     };
     socket.onmessage = function (event) {
       var now = new Date().getTime();
-      if (new DataView(event.data).getUint32(0, true) < EMPTY) {
+      if (!event.data.byteLength) {
         trips.push(now - beaten);
         // One after the other: many at once would wait for each other.
         setTimeout(beat, 50);
@@ -251,7 +208,7 @@
   }
 
   /**
-   * @param {(message: any) => void} send
+   * @param {(text: string) => void} send
    * @param {WebSocket} socket
    * @param {number[]} trips ms
    * @param {number} rate pictures a second
@@ -269,10 +226,7 @@
     else if (rate < JERKY) say("fair", "Only " + rate + " pictures a second arrive: motion jerks.", "Go nearer to the access point, or use fewer devices at a time.");
     else say("good", "Moving pictures arrive, " + rate + " a second.");
     // Whole numbers, since all of this can be forged anyway.
-    send({
-      type: "SoftrodMessage",
-      text: JSON.stringify({ do: "checked", trip: Math.min(trip, 99999), rate: rate, works: worksAtAll, doubts: worst !== "good" })
-    });
+    send(JSON.stringify({ do: "checked", trip: Math.min(trip, 99999), rate: rate, works: worksAtAll, doubts: worst !== "good" }));
     setTimeout(function () {
       socket.close();
     }, 300);
@@ -291,7 +245,7 @@
       say("bad", "The scripts of the class's pages do not come.", "Something on the way blocks them. " + HOTSPOT);
     }
     if (draws()) say("good", "This browser can show a class.");
-    else say("bad", "This browser cannot show a class: it is too old, or has WebGL 2 switched off.", "Use a current Chrome, Edge, Firefox or Safari.");
+    else say("bad", "This browser cannot show a class: it is too old.", "Use a current Chrome, Edge, Firefox or Safari.");
     if (stores()) say("good", "This browser stores answers until they have arrived.");
     else say("fair", "This browser stores nothing: an answer that has not arrived is lost by a reload.", "Leave the private window, or allow the page to store data.");
     ask(REACH, function (now) {

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import viser
-
 from ...gate.gate import CHECK
 from ...stage.looks import BY_SYSTEM, style_rules
 
@@ -27,6 +25,4 @@ def check_page(folder: str) -> str:
         folder: where the page's scripts are, with a slash at its end.
     """
     text = (Path(__file__).parent / "check.html").read_text(encoding="utf-8")
-    # The connection is the one of viser's page, which names its version.
-    text = text.replace("{looks}", style_rules(BY_SYSTEM)).replace("{folder}", folder)
-    return text.replace("{protocol}", f"viser-v{viser.__version__}")
+    return text.replace("{looks}", style_rules(BY_SYSTEM)).replace("{folder}", folder)

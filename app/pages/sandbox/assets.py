@@ -9,16 +9,17 @@ from functools import cache
 from pathlib import Path
 
 from ...bundle import bundle, compact_style
-from ...gate.gate import CHECK, PAGE_PATHS, VIDEO, GateError, StaticFile
+from ...gate.gate import CHECK, CLASS, PAGE_PATHS, VIDEO, GateError, StaticFile
 from ...stage.looks import style_rules
 from ...viser_inside import PLACE, page_script
 from ..check.page import check_page
+from ..classroom.page import class_page
 from ..video.page import video_page
 from .features import FEATURES
 
 _APP = Path(__file__).parents[2]
 _MAIN = "pages/sandbox/main.js"
-_SCRIPTS = (_MAIN, "pages/check/check.js", "pages/video/video.js")
+_SCRIPTS = (_MAIN, "pages/classroom/main.js", "pages/check/check.js", "pages/video/video.js")
 """Each page's script; it is sent as one with all that it imports, since many small files cost more bytes."""
 _FOLDERS = tuple(_APP / name for name in ("ui", "features", "pages"))
 """Folders with images and fonts, which have the same relative paths as on the disk."""
@@ -51,7 +52,11 @@ def page_files() -> dict[str, StaticFile]:
         )
         for name, data in sources.items()
     }
-    others = {CHECK: _html(check_page(folder)), VIDEO: _html(video_page(folder))}
+    others = {
+        CHECK: _html(check_page(folder)),
+        CLASS: _html(class_page(folder)),
+        VIDEO: _html(video_page(folder)),
+    }
     return {**files, **dict.fromkeys(PAGE_PATHS, _html(_index(folder))), **others}
 
 

@@ -115,7 +115,7 @@ class PageView:
         changed = session.revision != self._last_revision or running != self._was_running
         self._last_revision, self._was_running = session.revision, running
         picture = picture_of(session)
-        if self._canvas.draw(picture, now, force=changed or not running):
+        if self._canvas.draw(picture, now, exactly=changed or not running):
             still.move(now)
         at_rest = still.is_at_rest(now)
         self._at_rest, self._broken = at_rest and running, len(broken_of(picture.damage))
@@ -128,7 +128,7 @@ class PageView:
                 looks = self._page.looks
                 colors = palette(session.scene.view.colors, looks.dark)
                 self._page.mail.send(Hud(html=readouts.hud(session, colors, at_rest, looks.meter)))
-        return Drawn(self._canvas.plan_number, now, exactly=changed or not running)
+        return Drawn(self._canvas.pictures.plan_number, now, exactly=changed or not running)
 
     def send_state(self, playing: bool) -> None:
         """Send the state of the page if it has changed; `playing`: the clock runs, or is about to."""

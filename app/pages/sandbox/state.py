@@ -7,7 +7,7 @@ import math
 from sim.scene.types import shown_name
 
 from ...session.framing import Bounds
-from ...stage.sketch import Mapping, world_size
+from ...stage.sketch import world_size
 from ...ui.page import Page
 from ...wire.to_page import PageState
 from .features import CONTROLS
@@ -43,7 +43,7 @@ def page_state(
         title=shown_name(session.scene),
         width=width,
         height=height,
-        view=() if bounds is None else _view(page.mapping, bounds),
+        view=() if bounds is None else page.mapping.box(bounds),
         unit=session.scene.view.unit,
         joint=session.joint if session.scene.angular_springs else -1,
         playing=playing,
@@ -64,8 +64,3 @@ def page_state(
         measuring=panel.measure_tab,
         lesson=session.lesson_begun if panel.has_lesson else None,
     )
-
-
-def _view(mapping: Mapping, bounds: Bounds) -> tuple[float, float, float, float]:
-    (left, low, _), (right, high, _) = mapping.to_world(bounds).tolist()
-    return left, right, min(low, high), max(low, high)

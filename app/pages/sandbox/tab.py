@@ -39,9 +39,10 @@ from ...ui.queues import BoundedQueue
 from ...ui.shelf import Shelf
 from ...ui.view import Canvas
 from ...wire import from_page
-from ...wire.carrier import Mail, listen
+from ...wire.carrier import Mail, by_viser, listen
 from ...wire.messages import Ask, FromPage, messages
 from ...wire.to_page import Hud, Keepsake, PageState, Run
+from ..ticked import CALM_FRAME, STOPPED, RunInThread
 from .address import PageAddress
 from .features import COMMANDS, FEATURES
 from .page_panel import PagePanel
@@ -53,14 +54,8 @@ from .requests import RequestHandler
 MAX_REQUESTS = 20
 """Requests of one page that the ticker serves in a frame, so that one page cannot starve the others."""
 
-CALM_FRAME = 1.0
-"""Seconds between two frames of a page on which nothing happens."""
-
 UNTOUCHED = 1.0
 """Seconds without input after which nothing happens on a page."""
-
-RunInThread = Callable[..., Future[Any]]
-"""Calls a function with arguments in another thread, as `ThreadPoolExecutor.submit`."""
 
 
 class Tab:
@@ -92,7 +87,7 @@ class Tab:
     ) -> None:
         self.client = client
         self._for_others, self._begin_class, self._is_taught = for_others, begin_class, is_taught
-        self._mail = Mail(client)
+        self._mail = Mail(by_viser(client))
         self._notices = NoticeBoard(client)
         self._requests: BoundedQueue[Callable[[Session], object]] = BoundedQueue(self.notify)
         self._number = secrets.token_hex(4)
@@ -109,16 +104,26 @@ class Tab:
         self._under_way: Future[Any] | None = None
         self._view = Canvas(client, self._mail, self._post)
         self._shared_view: SharedView | None = None
-        self._onlooker = Onlooker(client, self._mail, self._view, self._number)
+        self._onlooker = Onlooker(self._mail, self._view, self._number)
         listen(client, self.hear)
         self._view.build(scene, keeping.DEFAULT_LOOKS.dark)
         self._view.draw(Picture.at_start(scene), time.monotonic())
 
     def leave(self) -> None:
-        """Release what the page holds; it is gone."""
+        """See `Ticked`."""
         self._onlooker.leave()
         if self._role is not None:
             self._role.leave()
+
+    def flush(self) -> None:
+        """See `Ticked`."""
+        self.client.flush()
+
+    def stop(self) -> None:
+        """See `Ticked`."""
+        title, text = STOPPED
+        self.client.add_notification(title, text, color="red")
+        self.client.flush()
 
     @property
     def session(self) -> Session | None:
@@ -142,7 +147,7 @@ class Tab:
             requests=len(self._requests),
             nodes=self._view.nodes,
             mapping=page.mapping,
-            drawn=self._view.drawn,
+            drawn=self._view.pictures.drawn,
         )
 
     # --------------------------------------------------------------------- handlers, any thread

@@ -2,7 +2,7 @@
 /**
  * A small plot in a canvas: quantities over time, or over another one.
  *
- * @typedef {import("./quantities.js").Recording} Recording
+ * @typedef {Pick<import("./quantities.js").Recording, "times" | "values" | "swings">} Recording
  * @typedef {object} Plot
  * @property {string[]} names of the quantities
  * @property {string[]} units of each

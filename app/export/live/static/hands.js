@@ -2,7 +2,8 @@
 /**
  * Hands on the body of a live file: by mouse, pen and several fingers, and by keys alone while the canvas has the focus.
  *
- * @typedef {import("./body.js").Body} Body
+ * @typedef {Pick<import("./body.js").Body, "masses"> & {positions: ArrayLike<number> & {[i: number]: number},
+ *   velocities: {[i: number]: number}}} Moved
  * @typedef {import("./steps.js").Hand} Hand
  * @typedef {import("../../../stage/plan.js").Plan} Plan
  * @typedef {import("../../../stage/environment.js").Screen} Screen
@@ -27,7 +28,7 @@ export class Hands {
   #chosen = -1;
   #keys;
 
-  /** @param {HTMLCanvasElement} canvas @param {{body: Body, plan: Plan, place: Screen}} shown what is shown now */
+  /** @param {HTMLCanvasElement} canvas @param {{body: Moved, plan: Plan, place: Screen}} shown what is shown now */
   constructor(canvas, shown) {
     this.canvas = canvas;
     this.shown = shown;
@@ -113,6 +114,11 @@ export class Hands {
     this.#pointer = this.#spot(event);
     if (hand) Object.assign(hand, this.#pointer);
     else if (event.pointerType === "mouse") this.canvas.classList.toggle("near", this.#massAt(event) >= 0);
+  }
+
+  /** What each hand holds, by pointer; the keys have one, too. */
+  get held() {
+    return this.#led;
   }
 
   /** The hands, each with its mass and where that is to be. @returns {Hand[]} */

@@ -25,7 +25,9 @@ function placeOf({ low, high, logarithmic }, value) {
   return Math.round(PLACES * Math.min(Math.max(part, 0), 1));
 }
 
-/** @param {Setting} setting @param {(value: number) => void} change @returns {HTMLElement[]} */
+/** @typedef {{parts: HTMLElement[], set: (value: number | string) => void}} Control and what shows another value in it */
+
+/** @param {Setting} setting @param {(value: number) => void} change @returns {Control} */
 function slider(setting, change) {
   const input = make("input", "");
   const shown = make("output", "");
@@ -42,23 +44,31 @@ function slider(setting, change) {
     show(value);
     change(value);
   });
-  return [shown, input];
+  const set = (/** @type {number | string} */ value) => {
+    input.value = String(placeOf(setting, Number(value)));
+    show(Number(value));
+  };
+  return { parts: [shown, input], set };
 }
 
-/** @param {Setting} setting @param {[number | string, string][]} options @param {(value: number | string) => void} change */
+/** @param {Setting} setting @param {[number | string, string][]} options @param {(value: number | string) => void} change @returns {Control} */
 function list({ value: first }, options, change) {
   const choose = make("select", "");
   for (const [value, name] of options) choose.add(new Option(name, "", false, value === first));
   choose.addEventListener("change", () => change(options[choose.selectedIndex][0]));
-  return [choose];
+  return { parts: [choose], set: (value) => (choose.selectedIndex = options.findIndex(([one]) => one === value)) };
 }
 
-/** The row of a setting: a slider, or a list to choose from. @param {Setting} setting @param {(value: number | string) => void} change */
+/**
+ * The row of a setting, a slider or a list to choose from; `show` has it show another value.
+ *
+ * @param {Setting} setting @param {(value: number | string) => void} change
+ */
 export function settingRow(setting, change) {
   const row = make("div", "row");
   const label = make("label", "", setting.label);
-  const parts = setting.options ? list(setting, setting.options, change) : slider(setting, change);
+  const { parts, set } = setting.options ? list(setting, setting.options, change) : slider(setting, change);
   label.htmlFor = parts[parts.length - 1].id = `setting-${setting.key}`;
   row.append(label, ...parts);
-  return row;
+  return Object.assign(row, { show: set });
 }

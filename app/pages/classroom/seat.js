@@ -1,22 +1,24 @@
 // @ts-check
 /** A pupil's page in a class: one sentence that says what to do, and what it takes to do it. */
-import { onMessage, send } from "../../wire/channel.js";
+import { onMessage, pageState, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
-import { perform } from "../../wire/perform.js";
-import { giveUpConnection } from "../../ui/viser/connection.js";
-import { box, button, fold, typedLine, untranslated } from "./elements.js";
-import { OwnPrediction, Predictions } from "./prediction.js";
+import { element as known } from "../../export/static/parts.js";
+import { box, button, fold, typedLine, untranslated } from "../../features/classroom/elements.js";
+import { OWN_BODY } from "../../features/classroom/phases.js";
+import { plot } from "../../features/classroom/plot.js";
+import { OwnPrediction, Predictions } from "../../features/classroom/prediction.js";
+import { Card, deferWhilePressed } from "../../features/classroom/rerender.js";
+import { Alone } from "./alone.js";
+import { Bench } from "./bench.js";
+import { addHands } from "./hands.js";
+import { hangUp } from "./line.js";
 import { forgetAnswers, give, isSamePlace, onOutbox, openOutbox, unsent } from "./outbox.js";
-import { keepInPlace } from "./place.js";
-import { Card } from "./rerender.js";
 
 /** @typedef {import("../../wire/wire.js").Seat} Seat */
 /** @typedef {import("../../wire/wire.js").Asking} Asking */
 /** @typedef {import("../../wire/wire.js").Given} Given */
 /** @typedef {Capitalize<Given["kind"]>} Kind */
 
-/** Phases in which each pupil has a body of their own. */
-export const OWN_BODY = new Set(["try", "collect"]);
 /** Letters of a line, and of a name. */
 const MAX_LETTERS = 140;
 const MAX_NAME_LETTERS = 20;
@@ -36,39 +38,76 @@ let card;
 let spoken;
 /** @type {OwnPrediction} */
 let prediction;
+/** @type {Alone} */
+let alone;
 
-/** Makes a pupil's card. */
-export function addSeat() {
+/** Whether the body that is shown is this page's own. */
+const hasOwn = () => seat !== null && seat.asking !== null && OWN_BODY.has(seat.asking.phase) && !seat.follows && !seat.gathered && !seat.elsewhere;
+
+/**
+ * Makes a pupil's card.
+ *
+ * @param {import("./picture.js").Picture} picture
+ * @returns {{lineChanged: (away: boolean) => string}} says what a lost connection means, in words
+ */
+export function addSeat(picture) {
   const element = make("section", "softrod-class softrod-seat");
-  element.ariaLabel = "Class";
+  element.setAttribute("aria-label", "Class");
+  const parts = make("div", "softrod-card"), work = make("div", "softrod-bench"), below = make("div", "softrod-card");
+  element.append(parts, work, below);
   spoken = make("div", "softrod-tell");
   spoken.setAttribute("role", "status");
-  document.body.append(spoken);
-  keepInPlace(element);
-  const others = new Predictions();
-  card = new Card(element, () => (seat ? parts(seat) : []));
-  prediction = new OwnPrediction(show);
+  document.body.append(element, spoken);
+  const others = new Predictions(picture);
+  const bench = new Bench(work, (dial, value) => alone.change(dial, value));
+  const hands = addHands(picture, () => hasOwn() && !alone.isOn);
+  alone = new Alone(picture, bench, () => hands);
+  around = [
+    new Card(known("head", HTMLElement), () => (seat ? headOf(seat) : [])),
+    new Card(below, () => (seat ? belowOf(seat) : [])),
+  ];
+  card = new Card(parts, () => (seat ? partsOf(seat) : []));
+  prediction = new OwnPrediction(picture, show);
   openOutbox();
+  const defer = deferWhilePressed(document.body);
+  onMessage("pageState", () => defer(show));
   onMessage("seat", (told) => {
     if (told.asking?.stop !== seat?.asking?.stop || told.asking?.phase !== seat?.asking?.phase) {
       twin = 0;
       typed = refusal = "";
     }
     seat = told;
-    card.defer(show);
+    defer(show);
   });
   onMessage("predictions", ({ bodies }) => others.show(bodies));
   onMessage("classEnded", () => {
     forgetAnswers();
     prediction.show(false);
     spoken.textContent = "The class is over.";
+    seat = null;
     element.replaceChildren(make("h1", "", "The class is over."), make("p", "", "Nothing that you gave is kept here."));
+    hangUp();
   });
   onOutbox((refused) => {
     refusal = refused;
     show();
   });
+  return {
+    lineChanged(away) {
+      if (!away) {
+        if (alone.isOn) alone.end();
+        return "";
+      }
+      alone.begin(hasOwn());
+      show();
+      if (alone.isOn) return "Not connected: your body goes on here, and what it does meanwhile does not count. Reconnecting…";
+      return hasOwn() ? "Not connected: your body waits. Reconnecting…" : "";
+    },
+  };
 }
+
+/** The head of the page, and what stands below sliders and plots. @type {Card[]} */
+let around = [];
 
 /** What was given to what is asked now, or waits to be sent. @param {Pick<Asking, "stop" | "round">} asking @param {Kind} kind */
 function mine(asking, kind) {
@@ -85,8 +124,10 @@ const place = ({ stop, round }) => ({ stop, round, twin });
 function show() {
   if (!seat) return;
   const asking = seat.asking;
-  prediction.show(asking?.phase === "ask" && asking.predict > 0 && !seat.elsewhere);
-  const isFree = card.show([seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved]);
+  prediction.show(asking?.phase === "ask" && asking.predict > 0 && asking.round === 0 && !seat.elsewhere);
+  const shows = [seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved, prediction.said(unit()), isPlaying()];
+  for (const other of around) other.show(shows);
+  const isFree = card.show(shows);
   const task = [...card.element.querySelectorAll(".softrod-task, .softrod-on-wall, .softrod-warning")].map((text) => text.textContent).join(" ");
   if (spoken.textContent !== task) spoken.textContent = task;
   if (isFree) focusTask(asking);
@@ -109,28 +150,53 @@ function focusTask(asking) {
   if (!card.focus("fieldset, form input")) /** @type {HTMLElement | null} */ (document.querySelector(".softrod-own-grip"))?.focus();
 }
 
+/** Whether the clock of the page's own body runs. */
+const isPlaying = () => (alone.isOn ? alone.playing : Boolean(pageState().playing));
+
+/** The unit of lengths. */
+const unit = () => pageState().unit || "px";
+
+/** Who sits here, and the hand to raise. @param {Seat} seat @returns {HTMLElement[]} */
+function headOf({ name, color, hand, elsewhere, asking }) {
+  if (!asking || elsewhere) return [];
+  const named = untranslated(make("b", "softrod-seat-name", name));
+  named.style.setProperty("--softrod-seat", color);
+  const up = button(hand ? "Hand is up" : "Hand up", () => send({ do: "raiseHand", up: !hand }), { focus: "hand", pressed: hand, icon: "hand" });
+  return [named, up];
+}
+
 /** @param {Seat} seat @returns {HTMLElement[]} */
-function parts(seat) {
-  const { elsewhere, asking, hand } = seat;
+function partsOf(seat) {
+  const { elsewhere, asking } = seat;
   if (elsewhere) {
     const whose = elsewhere === "page" ? "Another page of this browser" : "Another device";
     // The server has room for a limited number of pages; this one is given up.
-    giveUpConnection();
+    hangUp();
     const back = button("Come back here", () => location.reload());
     return [make("p", "softrod-task", `${whose} has your seat now.`), ...(elsewhere === "page" ? [back] : [])];
   }
   if (!asking) return entrance(seat);
-  const name = untranslated(make("b", "softrod-seat-name", seat.name));
-  name.style.setProperty("--softrod-seat", seat.color);
-  const up = button(hand ? "Hand is up" : "Hand up", () => send({ do: "raiseHand", up: !hand }), { focus: "hand", pressed: hand, icon: "hand" });
   return [
-    box("header", "softrod-seat-head", name, up),
     make("p", "softrod-task", sentence(seat, asking)),
     ...(seat.on_wall ? [make("p", "softrod-on-wall", "Yours is on the wall now.")] : []),
     ...body(seat, asking),
     ...(refusal ? [make("p", "softrod-warning", refusal)] : []),
+  ];
+}
+
+/** What stands below sliders and plots. @param {Seat} seat @returns {HTMLElement[]} */
+function belowOf(seat) {
+  const { asking } = seat;
+  if (!asking || seat.elsewhere) return [];
+  const { phase, right, because } = asking;
+  const follow = button(seat.follows ? "Back to my own body" : "Look at the teacher's", () => send({ do: "follow", on: !seat.follows }), { focus: "follow" });
+  const mayFollow = OWN_BODY.has(phase) && !seat.gathered;
+  return [
     ...(unsent().length ? [make("p", "softrod-waiting", "Not at the teacher's yet: kept here, and sent as soon as that is possible.")] : []),
-    ...(asking.phase !== "lobby" ? [fold("This seat", lobby(seat), "about")] : []),
+    ...(mayFollow ? [box("div", "softrod-phases", ...(seat.follows ? [] : timeButtons()), follow)] : []),
+    ...(mayFollow && !seat.follows && phase === "collect" ? [...twins(seat), ...handIn(seat, asking)] : []),
+    ...(hasOwn() && (right >= 0 || because) ? [fold("The question, and why", [make("p", "", asking.question), verdict(asking)], "why")] : []),
+    ...(phase !== "lobby" ? [fold("This seat", lobbyOf(seat), "about")] : []),
   ];
 }
 
@@ -142,7 +208,7 @@ function sentence({ paused, away, follows, gathered }, { phase, predict, questio
   if (hasOwn && follows) return "This is your teacher's body. Yours waits.";
   if (hasOwn && paused) return "Paused: look to the front.";
   if (phase === "lobby") return "You are in. It begins soon.";
-  if (phase === "ask" && predict > 0) {
+  if (phase === "ask" && predict > 0 && round === 0) {
     return `Drag the pale body to where it will be after ${predict} s${question ? ", and answer" : ""}. Nobody sees it yet.`;
   }
   if (phase === "ask") return round > 0 ? "Answer once more. Nobody sees it yet." : "Answer. Nobody sees it yet.";
@@ -155,19 +221,16 @@ function sentence({ paused, away, follows, gathered }, { phase, predict, questio
 /** @param {Seat} seat @param {Asking} asking @returns {HTMLElement[]} */
 function body(seat, asking) {
   const { phase } = asking;
-  if (phase === "lobby") return lobby(seat);
-  if (phase === "ask") return [...twins(seat), ...(asking.question ? [choices(asking)] : []), ...(asking.predict > 0 ? [predictButton(asking)] : [])];
+  if (phase === "lobby") return lobbyOf(seat);
+  if (phase === "ask") return [...twins(seat), ...(asking.question ? [choices(asking)] : []), ...(asking.predict > 0 && asking.round === 0 ? predictButton(asking) : [])];
   if (phase === "explain") return [...twins(seat), explanation(asking)];
-  if (phase === "results" && asking.question) return [verdict(asking)];
+  if ((phase === "results" || phase === "reveal") && asking.question) return [verdict(asking)];
   if (!OWN_BODY.has(phase) || seat.gathered) return [];
-  const follow = button(seat.follows ? "Back to my own body" : "Look at the teacher's", () => send({ do: "follow", on: !seat.follows }), { focus: "follow" });
-  if (seat.follows) return [follow];
+  if (seat.follows) return [];
   return [
     ...(asking.goal ? [make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`)] : []),
     make("p", "", asking.do),
-    ...(asking.right >= 0 ? [verdict(asking)] : []),
-    box("div", "softrod-phases", button("Begin anew", () => perform("reset"), { focus: "reset" }), follow),
-    ...(phase === "collect" ? [...twins(seat), ...handIn(asking)] : []),
+    ...(asking.watch ? [make("p", "softrod-watch", asking.watch)] : []),
   ];
 }
 
@@ -192,9 +255,13 @@ function predictButton(asking) {
     show();
   };
   const isIn = mine(asking, "Prediction") && !prediction.moved;
-  const made = button(isIn ? "Your prediction is in" : "It will be there", predict, { focus: "predict", name: "softrod-strong" });
+  const said = prediction.said(unit());
+  const made = button(isIn ? "Your prediction is in" : said ? `Hand in ${said}` : "It will be there", predict, { focus: "predict", name: "softrod-strong" });
   made.disabled = !prediction.moved;
-  return made;
+  const [up, down] = /** @type {const} */ ([["▲", "up", 1], ["▼", "down", -1]]).map(([sign, word, way]) =>
+    button(sign, () => prediction.stepBy(way), { focus: `step ${word}`, label: `A little ${word}` }),
+  );
+  return [...(prediction.isSingle ? [box("div", "softrod-steps", up, make("output", "", said || "Drag it, or step it"), down)] : []), made];
 }
 
 /** @param {Asking} asking */
@@ -218,12 +285,35 @@ function verdict(asking) {
   return text;
 }
 
-/** The button that hands a run in, and what was handed in. @param {Asking} asking */
-function handIn(asking) {
+/** What has the body begin anew, and its clock stand or go on. */
+function timeButtons() {
+  /** @param {"reset" | "play"} command */
+  const perform = (command) => {
+    if (!alone.isOn) send({ do: "perform", command });
+    else if (command === "reset") alone.reset();
+    else alone.playing = !alone.playing;
+    show();
+  };
+  return [
+    button(isPlaying() ? "Pause" : "Play", () => perform("play"), { focus: "play" }),
+    button("Begin anew", () => perform("reset"), { focus: "reset" }),
+  ];
+}
+
+/** The number that would be handed in, the button that does it, what was handed in, and what the class found. @param {Seat} seat @param {Asking} asking */
+function handIn({ reading, found, own, over, turned }, asking) {
   const given = mine(asking, "Work");
-  const text = given ? "Hand in anew" : asking.collects ? `Hand in: ${asking.collects}` : "Hand in this run";
-  const made = button(text, () => give({ do: "giveWork", ...place(asking) }), { focus: "handin", name: "softrod-strong" });
-  return [made, ...(given?.sent ? [make("p", "softrod-verdict", `Handed in${given.text ? `: ${given.text}` : ""}.`)] : [])];
+  const what = asking.collects ? `${asking.collects}${reading ? `: ${reading}` : ""}` : "this run";
+  const text = asking.collects ? `Hand in ${reading || "it"}` : "Hand in this run";
+  const made = button(given ? `${text}, in place of the last` : text, () => give({ do: "giveWork", ...place(asking) }), { focus: "handin", name: "softrod-strong" });
+  made.disabled = Boolean(asking.collects) && !reading;
+  const none = asking.collects && !reading ? "There is nothing to read yet: let it move for a while." : "";
+  return [
+    ...(asking.collects ? [make("p", "softrod-reading", none || what)] : []),
+    made,
+    ...(given?.sent ? [make("p", "softrod-handed", `Handed in${given.text ? `: ${given.text}` : ""}.`)] : []),
+    ...(found.length ? [box("figure", "softrod-found", make("figcaption", "", "What the class found"), plot(found, over, asking.collects, { own, turned }))] : []),
+  ];
 }
 
 /** Which of two pupils answers. @param {Seat} seat */
@@ -249,7 +339,7 @@ function comeBack() {
 }
 
 /** What can be arranged about the seat. @param {Seat} seat @returns {HTMLElement[]} */
-function lobby({ two, digits, types_name }) {
+function lobbyOf({ two, digits, types_name }) {
   const move = digits ? `On the other device type ${digits}` : "Go on with another device";
   const parts = [
     button("Another name", () => send({ do: "newName" }), { focus: "name" }),

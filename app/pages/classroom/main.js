@@ -1,0 +1,52 @@
+// @ts-check
+/** Starts a class's page: a pupil's, or the wall, as the page's address says. It is drawn on a canvas, without viser. */
+import { ready } from "./older.js";
+import { element } from "../../export/static/parts.js";
+import { identify } from "../../ui/owner.js";
+import { make } from "../../ui/dialog.js";
+import { onMessage, send } from "../../wire/channel.js";
+import { openLine } from "./line.js";
+import { Picture } from "./picture.js";
+import { addSeat } from "./seat.js";
+import { addWall } from "./wall.js";
+
+/** What is said where the server gives no reason why there is no first connection. */
+const BLOCKED =
+  "The page has loaded, but its live connection fails: something on the way blocks WebSockets. Try another network, such as the hotspot of the teacher's computer.";
+const AWAY = "Not connected. Reconnecting…";
+
+/** Asks why the server refuses connections of this page: the browser does not show the answer of a WebSocket. */
+async function reasonOfRefusal() {
+  try {
+    const answer = await fetch("reach", { headers: { "X-Softrod-Origin": location.origin }, cache: "no-store" });
+    return answer.ok ? BLOCKED : await answer.text();
+  } catch {
+    return AWAY; // the server does not answer
+  }
+}
+
+if (ready) {
+  identify();
+  const picture = new Picture(element("canvas", HTMLCanvasElement), JSON.parse(element("shapes", HTMLScriptElement).textContent || ""));
+  const as = new URLSearchParams(location.search).get("as");
+  document.documentElement.dataset.softrodClass = as === "wall" ? "wall" : "seat";
+  const part = as === "wall" ? addWall(picture) : addSeat(picture);
+  const banner = element("banner", HTMLElement);
+  let wasConnected = false;
+  openLine((line) => {
+    const away = line !== "connected";
+    if (!away) wasConnected = true;
+    document.documentElement.toggleAttribute("data-softrod-away", away);
+    const words = part.lineChanged(away);
+    banner.textContent = away ? words || AWAY : "";
+    if (away && !wasConnected) reasonOfRefusal().then((text) => wasConnected || (banner.textContent = text));
+  });
+  onMessage("remark", ({ title, text }) => {
+    const said = make("p", "softrod-remark");
+    said.append(make("b", "", title), ` ${text}`);
+    element("remarks", HTMLElement).replaceChildren(said);
+    setTimeout(() => said.remove(), 12_000);
+  });
+  // For the browser tests.
+  Object.assign(window, { __softrod: { shown: () => picture, send, place: () => picture.place } });
+}

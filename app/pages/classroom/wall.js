@@ -1,0 +1,154 @@
+// @ts-check
+/** The wall: what a class sees on the projector, large enough for the last row, and without names. */
+import { element } from "../../export/static/parts.js";
+import { box, qrCode, typedAddress, untranslated, voteBars } from "../../features/classroom/elements.js";
+import { partsOf, sentencesOf } from "../../features/classroom/guide.js";
+import { OWN_BODY } from "../../features/classroom/phases.js";
+import { plot, power } from "../../features/classroom/plot.js";
+import { Predictions } from "../../features/classroom/prediction.js";
+import { make } from "../../ui/dialog.js";
+import { onMessage } from "../../wire/channel.js";
+import { hangUp } from "./line.js";
+import { Reveal } from "./reveal.js";
+
+/** @typedef {import("../../wire/wire.js").Wall} Wall */
+
+/** Milliseconds after which a wall that nobody has come to names a possible reason. */
+const EMPTY_AFTER = 60_000;
+/** What the class has to do in a phase that waits for all. */
+const WAITS = { ask: "have answered", explain: "have written a line", collect: "have handed in" };
+/** Most pupils who have a ring each that fills when they have answered. */
+const MAX_RINGS = 40;
+
+/**
+ * Makes the wall.
+ *
+ * @param {import("./picture.js").Picture} picture
+ * @returns {{lineChanged: (away: boolean) => string}} see `addSeat`
+ */
+export function addWall(picture) {
+  const side = make("aside", "softrod-class softrod-wall-side");
+  const corner = untranslated(make("div", "softrod-class softrod-wall-corner"));
+  document.body.append(side);
+  element("stage", HTMLElement).append(corner);
+  const predictions = new Predictions(picture);
+  const reveal = new Reveal(picture);
+  /** @type {Wall | null} */
+  let wall = null;
+  /** @type {import("../../features/classroom/prediction.js").Place[][]} */
+  let bodies = [];
+  let shown = "";
+  let hasWaited = false;
+  const draw = () => {
+    if (!wall) return;
+    const isReveal = wall.asking.phase === "reveal";
+    reveal.show(isReveal ? wall.start : [], bodies, wall.unit);
+    predictions.show(isReveal && wall.start.length ? [] : bodies);
+  };
+  const show = () => {
+    if (!wall) return;
+    const { phase } = wall.asking;
+    const now = JSON.stringify([wall, hasWaited]);
+    if (now === shown) return;
+    shown = now;
+    document.documentElement.dataset.softrodClass = phase === "lobby" ? "wall lobby" : "wall";
+    document.documentElement.dataset.softrodPhase = phase;
+    const parts = content(wall);
+    // With nothing beside it, the body has the whole width.
+    document.documentElement.toggleAttribute("data-softrod-wide", !parts.length);
+    if (hasWaited && phase === "lobby" && !wall.seats) {
+      parts.push(make("p", "softrod-warning", "Nobody yet? Networks may keep devices apart: try this laptop's hotspot."));
+    }
+    side.replaceChildren(...parts);
+    corner.replaceChildren(...wayIn(wall));
+    draw();
+  };
+  setTimeout(() => {
+    hasWaited = true;
+    show();
+  }, EMPTY_AFTER);
+  onMessage("predictions", (told) => {
+    bodies = told.bodies;
+    picture.include(bodies.reduce((all, places) => all.concat(places), []));
+    draw();
+  });
+  onMessage("wall", (told) => {
+    wall = told;
+    show();
+  });
+  onMessage("classEnded", () => {
+    predictions.show([]);
+    reveal.show([], [], "");
+    wall = null;
+    side.replaceChildren(make("h1", "", "The class is over."));
+    corner.replaceChildren();
+    hangUp();
+  });
+  return { lineChanged: () => "" };
+}
+
+/** How one comes in, while it may be wanted: with a QR code while pupils answer. @param {Wall} wall @returns {Node[]} */
+function wayIn({ asking: { phase }, address, code, qr }) {
+  if (phase === "lobby") return [];
+  const words = box("p", "", "Open ", make("b", "", typedAddress(address)), " and type ", make("b", "softrod-wall-letters", code));
+  return phase === "ask" ? [qrCode(qr, `${address}?room=${code}`), words] : [words];
+}
+
+/** How many of those who are here have done what is asked. @param {Wall} wall @returns {Element[]} */
+function count({ asking: { phase }, seats, answered }) {
+  const waits = WAITS[/** @type {keyof typeof WAITS} */ (phase)];
+  if (!waits) return [];
+  const rings = box("div", "softrod-rings", ...Array.from({ length: seats <= MAX_RINGS ? seats : 0 }, (_, i) => make("i", i < answered ? "softrod-done" : "")));
+  return [box("p", "softrod-wall-count", make("b", "", String(answered)), ` of ${seats} ${waits}`), rings];
+}
+
+/** @param {Wall} wall @returns {Element[]} */
+function content(wall) {
+  const { asking, bars, lines, code, address, qr, found, over, turned, law, doing, seats, steps } = wall;
+  const { phase, stop, question, choices, right, because, predict } = asking;
+  if (phase === "lobby") {
+    const scanned = qrCode(qr, `${address}?room=${code}`, "softrod-wall-qr");
+    const typed = box("p", "softrod-wall-address", "Scan this, or open ", untranslated(make("b", "", typedAddress(address))), " and type");
+    return [scanned, typed, untranslated(make("p", "softrod-wall-code", code)), make("p", "softrod-wall-count", `${seats} ${seats === 1 ? "is" : "are"} here`)];
+  }
+  if (phase === "show") return [];
+  const { given, asked } = partsOf(question);
+  const head = make("p", "softrod-wall-step", steps > 1 ? `Step ${stop + 1} of ${steps}` : "");
+  /** @type {Element[]} */
+  const parts = [head];
+  if (phase === "ask" || phase === "results" || phase === "run") {
+    if (given) parts.push(make("p", "softrod-wall-given", given));
+    if (asked) parts.push(make("h1", "", asked));
+    if (predict > 0) parts.push(make(asked ? "p" : "h1", "", `Where will it be after ${predict} s?`));
+    if (question) parts.push(voteBars(choices, phase === "ask" ? [] : bars, -1));
+  }
+  if (phase === "reveal") {
+    if (right >= 0) parts.push(make("p", "softrod-wall-number", choices[right]));
+    // The shortest sentence is the one to remember; the others say why.
+    const sentences = sentencesOf(because);
+    const first = sentences.reduce((short, one) => (short && short.length <= one.length ? short : one), "");
+    if (first) parts.push(make("h1", "softrod-wall-because", first));
+    if (question && bars.length) parts.push(voteBars(choices, bars, right));
+    const rest = sentences.filter((one) => one !== first).join(" ");
+    if (rest) parts.push(make("p", "softrod-wall-rest", rest));
+  }
+  if (phase === "explain") parts.push(make("h1", "", "Why did it do that? One line."));
+  if (OWN_BODY.has(phase)) {
+    // The plot needs the room.
+    if (!found.length) parts.push(make("p", "", asking.do));
+    if (asking.goal) parts.push(make("p", "", `Goal: ${asking.goal}`));
+    parts.push(counts(doing));
+    if (found.length) parts.push(plot(found, over, asking.collects, { law, turned }));
+    if (law) parts.push(make("p", "", power(law, asking.collects, over)));
+  }
+  for (const { text, color } of found.length || phase === "reveal" ? [] : lines) {
+    const quoted = make("blockquote", "", text);
+    quoted.style.setProperty("--softrod-seat", color);
+    parts.push(quoted);
+  }
+  return [...parts, ...count(wall)];
+}
+
+/** How many bodies do what, in large numbers. @param {Record<string, number>} doing */
+const counts = (doing) =>
+  box("ul", "softrod-counts", ...Object.entries(doing).map(([word, count]) => box("li", "", make("b", "", String(count)), make("span", "", word))));

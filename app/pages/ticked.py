@@ -1,0 +1,50 @@
+"""What the ticker needs of a page, of whichever kind."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Future
+from typing import Any, Protocol
+
+STOPPED = "This page has stopped", "There was an error on the server. Reload the page to go on."
+"""What the user of a page reads that is closed after an error."""
+
+CALM_FRAME = 1.0
+"""Seconds between two frames of a page on which nothing happens."""
+
+RunInThread = Callable[..., Future[Any]]
+"""Calls a function with arguments in another thread, as `ThreadPoolExecutor.submit`."""
+
+
+class Ticked(Protocol):
+    """A page, as the ticker uses it; all but `stir` belongs to the ticker's thread."""
+
+    @property
+    def is_calm(self) -> bool:
+        """True if an occasional frame is enough: nothing moves, and nobody does anything."""
+        ...
+
+    def frame(self, budget: float, beside: RunInThread) -> bool:
+        """Compute and send one frame; return True if anything may have been sent.
+
+        Args:
+            budget: seconds of computing time.
+            beside: runs the work of a heavy body.
+        """
+        ...
+
+    def flush(self) -> None:
+        """Hand what was sent to the network."""
+        ...
+
+    def stir(self) -> None:
+        """Note that a message arrived, of any kind; any thread may call."""
+        ...
+
+    def leave(self) -> None:
+        """Release what the page holds; it is gone."""
+        ...
+
+    def stop(self) -> None:
+        """Tell the page's user that it has stopped after an error."""
+        ...
