@@ -24,6 +24,11 @@ class Ticked(Protocol):
         """True if an occasional frame is enough: nothing moves, and nobody does anything."""
         ...
 
+    @property
+    def looks_on(self) -> bool:
+        """True if it moves no body of its own, and so needs no computing time."""
+        ...
+
     def frame(self, budget: float, beside: RunInThread) -> bool:
         """Compute and send one frame; return True if anything may have been sent.
 

@@ -120,8 +120,9 @@ class Ticker:
                 due = time.monotonic()
             began = time.monotonic()
             self._come_and_go()
+            computing = max(1, sum(not tab.looks_on for tab in self.tabs.values()))
             for client_id, tab in list(self.tabs.items()):
-                self._tick(client_id, tab, began)
+                self._tick(client_id, tab, began, computing)
             self._after()
             now = time.monotonic()
             self._frame = next_frame(self._frame, now - began)
@@ -132,14 +133,20 @@ class Ticker:
                 time.sleep(max(0.0, due - now))
             self._news.clear()
 
-    def _tick(self, client_id: int, tab: Ticked, began: float) -> None:
-        """Give a tab its frame, unless it is calm and has had one lately."""
+    def _tick(self, client_id: int, tab: Ticked, began: float, computing: int) -> None:
+        """Give a tab its frame, unless it is calm and has had one lately.
+
+        Args:
+            client_id, tab: its number, and the tab.
+            began: when this round began, s of wall time.
+            computing: how many tabs share the time.
+        """
         calm = tab.is_calm
         if calm and began < self._calm_due.get(client_id, 0.0):
             return
         self._calm_due[client_id] = began + CALM_FRAME
         try:
-            share = BUDGET * (CALM_FRAME if calm else self._frame) / len(self.tabs)
+            share = BUDGET * (CALM_FRAME if calm else self._frame) / computing
             if tab.frame(share, self._workers.submit):
                 tab.flush()
         except Exception:

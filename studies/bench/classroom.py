@@ -38,6 +38,9 @@ from .pages import Connection, Crowd, Visitor, connected, measure_crowd
 from .serving import served, warm
 from .tabs import visit_all
 
+CLASSES = (30, 60)
+"""Pupils of a class, as many as it has in one room, and as many as it has seats."""
+
 PUPILS = 30
 MASSES = 12
 """Of the rope, as many as the bodies of a lesson have, about."""
@@ -129,19 +132,22 @@ class Host:
         return self._process.stdout.readline()
 
 
-def visiting(host: Host, name: str, kind: str = "") -> AbstractAsyncContextManager[Connection]:
+def visiting(
+    host: Host, name: str, kind: str = "", source: str = "127.0.0.1"
+) -> AbstractAsyncContextManager[Connection]:
     """Connect a page of a class.
 
     Args:
         host: the class's server.
         name: of the page, by which it takes the place of a connection of its own that has died.
         kind: "desk" or "wall"; nothing for a pupil's.
+        source: see `connected`.
 
     Raises:
         OSError, WebSocketException: no server answers, or the gate refuses.
     """
     way = "at" if kind == "desk" else "line"
-    return connected(host.port, f"/{way}/{name}?room={host.code}" + (f"&as={kind}" if kind else ""))
+    return connected(host.port, f"/{way}/{name}?room={host.code}" + (f"&as={kind}" if kind else ""), source)
 
 
 def a_name(dice: random.Random) -> str:
@@ -155,7 +161,8 @@ async def _look_on(
 ) -> None:
     """Be a pupil, who leads a body in a circle as soon as each one has a body of their own."""
     dice = random.Random(f"pupil {number}")
-    async with visiting(host, a_name(dice)) as page:
+    # One address gets 40 seats.
+    async with visiting(host, a_name(dice), source=f"127.0.0.{1 + number // 30}") as page:
 
         async def lead() -> None:
             await leads.wait()
@@ -556,25 +563,26 @@ def bench_class(console: Console, repeats: int) -> None:
 
 def _bench_cost(console: Console, repeats: int, cache: str) -> None:
     best: dict[str, Crowd] = {}
-    names = ("strangers", "pupils", "followers")
+    strangers = f"{PUPILS} strangers"
+    kinds = [("pupils", count) for count in CLASSES] + [("followers", count) for count in CLASSES]
     for _ in range(repeats):
-        for name in names:
-            if name == "strangers":
-                with served("softrod", MASSES, cache) as server:
-                    crowd = asyncio.run(visit_all(server, PUPILS))
-            else:
-                with tempfile.TemporaryDirectory() as folder, Host(a_lesson(), Path(folder), cache) as host:
-                    crowd = asyncio.run(cost(host, PUPILS, name == "pupils"))
+        with served("softrod", MASSES, cache) as server:
+            crowd = asyncio.run(visit_all(server, PUPILS))
+        best[strangers] = min(best.get(strangers, crowd), crowd, key=lambda crowd: crowd.share)
+        for kind, count in kinds:
+            name = f"{count} {kind}"
+            with tempfile.TemporaryDirectory() as folder, Host(a_lesson(), Path(folder), cache) as host:
+                crowd = asyncio.run(cost(host, count, kind == "pupils"))
             best[name] = min(best.get(name, crowd), crowd, key=lambda crowd: crowd.share)
     rows = []
     for name, crowd in best.items():
-        shares = f"{100 * crowd.share:.0f}", f"{crowd.share / best['strangers'].share:.2f}"
+        shares = f"{100 * crowd.share:.0f}", f"{crowd.share / best[strangers].share:.2f}"
         rows.append((name, f"{crowd.fewest:.1f}", f"{crowd.clock:.2f}", *shares, f"{crowd.traffic:.0f}"))
     headings = "fewest frames/s", "slowest clock", "server, % of a core", "beside strangers", "kB/s"
     console.print(Table(("pages", *headings), rows))
     console.print(
-        f"{PUPILS} pages each: strangers and pupils with a rope of {MASSES} masses of their own, followers "
-        "with the teacher's. The server of a class has the teacher's page and the wall, too."
+        f"Strangers and pupils have a rope of {MASSES} masses of their own, followers the teacher's. The server "
+        "of a class has the teacher's page and the wall, too."
     )
 
 

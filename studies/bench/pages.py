@@ -109,18 +109,20 @@ class LineConnection(Connection):
 
 
 @contextlib.asynccontextmanager
-async def connected(port: int, path: str = "") -> AsyncIterator[Connection]:
+async def connected(port: int, path: str = "", source: str = "127.0.0.1") -> AsyncIterator[Connection]:
     """Connect a page.
 
     Args:
         port: of the server on this machine.
         path: of the WebSocket, with its slash and its query.
+        source: address of this machine that it connects from, by which the server tells visitors apart.
 
     Raises:
         OSError, WebSocketException: no server answers, or the gate refuses.
     """
     address = f"127.0.0.1:{port}"
-    async with connect(f"ws://{address}{path}", **options_of(address)) as connection:
+    here = {"local_addr": (source, 0)}
+    async with connect(f"ws://{address}{path}", **here, **options_of(address)) as connection:
         page = (LineConnection if path.startswith("/line/") else Connection)(connection)
         await page.begin()
         yield page

@@ -51,6 +51,10 @@ MAX_REQUESTS = 20
 LEAST_FRAME = 1.0 / 30.0
 """Seconds between two pictures of a page, at least: it draws those between them itself."""
 
+LOOK_EVERY = 1.0 / 15.0
+"""Seconds between two looks at the class for a page without a body of its own: the pictures of a moving body
+reach it at once, see `shared_view`."""
+
 KEPT_EVERY = 2.0
 """Seconds between two keepsakes of a body."""
 
@@ -102,7 +106,7 @@ class ClassTab:
         self._shared: SharedView | None = None
         self._planned: tuple[int, int] | None = None
         self._revision, self._was_running = -1, True
-        self._due = self._kept_due = 0.0
+        self._due = self._look_due = self._kept_due = 0.0
         self._kept: tuple[int, float] = (-1, -1.0)
         self._offered: tuple[object, ...] = ()
         self._plots: tuple[Plot, ...] = ()
@@ -146,6 +150,11 @@ class ClassTab:
         return False
 
     @property
+    def looks_on(self) -> bool:
+        """See `Ticked`."""
+        return self._shared is not None
+
+    @property
     def session(self) -> Session:
         """The page's simulation."""
         return self._session
@@ -182,7 +191,10 @@ class ClassTab:
                 return False
             self._under_way.result()
             self._under_way = None
+        elif self._shared is not None and now < self._look_due and not self._requests:
+            return False
         else:
+            self._look_due = now + LOOK_EVERY
             for _ in range(min(len(self._requests), MAX_REQUESTS)):
                 self._requests.take()()
             self._role.frame(session)
@@ -195,7 +207,7 @@ class ClassTab:
             self._advance(session, budget)
         if now < self._due and session.revision == self._revision and not session.has_commands:
             return True
-        self._due = now + LEAST_FRAME
+        self._due = max(self._due + LEAST_FRAME, now)
         self._show(session)
         self._keep(session)
         return True

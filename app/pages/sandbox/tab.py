@@ -224,6 +224,11 @@ class Tab:
         return self._calm and not (self._requests or self._notices.has_new or self._has_commands)
 
     @property
+    def looks_on(self) -> bool:
+        """See `Ticked`."""
+        return self._shared_view is not None
+
+    @property
     def _has_commands(self) -> bool:
         return self._session is not None and (self._session.has_commands or self._page.has_requests)
 
