@@ -20,6 +20,7 @@ _PRIVATE = re.compile(r"(?<=\.)#(?=[a-z])|^([ \t]*(?:(?:static|async|get|set) )*
 _PLACE = re.compile(r"\bimport\.meta\.url\b")
 _COMMENT = re.compile(r"[ \t]*/\*\*.*?\*/\n?|^[ \t]*//[^\n]*\n", re.DOTALL | re.MULTILINE)
 _STYLE_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_SELECTORS = re.compile(r"(?<=[{};])[^{};@]*:is\([^{};]*(?=\{)|^[^{};@]*:is\([^{};]*(?=\{)")
 _INDENT = re.compile(r"\n\s+")
 _LEFT = re.compile(r"^(import|export)\b.*", re.MULTILINE)
 _TYPE = re.compile(r'^ \* @typedef \{import\("\./[\w.]+"\)\.(\w+)\} \1\n', re.MULTILINE)
@@ -102,6 +103,40 @@ def compact_style(*paths: Path) -> str:
     """The text of style sheets without comments and indentation."""
     text = "\n".join(path.read_text(encoding="utf-8") for path in paths)
     return _INDENT.sub("\n", _STYLE_COMMENT.sub("", text))
+
+
+def without_is(style: str) -> str:
+    """Style rules with their `:is()` written out, for browsers that do not know it."""
+    return _SELECTORS.sub(lambda match: ", ".join(map(str.strip, _written_out(match[0]))) + " ", style)
+
+
+def _written_out(selectors: str) -> list[str]:
+    """The selectors of a list, none of which has an `:is()`."""
+    found: list[str] = []
+    for selector in _split(selectors):
+        begin = selector.find(":is(")
+        if begin < 0:
+            found.append(selector)
+            continue
+        end, depth = begin + len(":is("), 1
+        while depth:
+            depth += {"(": 1, ")": -1}.get(selector[end], 0)
+            end += 1
+        for choice in _split(selector[begin + len(":is(") : end - 1]):
+            found += _written_out(selector[:begin] + choice.strip() + selector[end:])
+    return found
+
+
+def _split(selectors: str) -> list[str]:
+    """The selectors of a list, by the commas that are in no brackets."""
+    parts, depth = [""], 0
+    for letter in selectors:
+        depth += {"(": 1, ")": -1}.get(letter, 0)
+        if letter == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    return parts
 
 
 def joined(start: Path) -> str:

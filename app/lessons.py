@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import re
 from collections.abc import Iterator
 
 import msgspec
@@ -12,11 +13,17 @@ import sim
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.motion.quantities import quantity
-from sim.scene.lesson import Goal, Reading
+from sim.scene.lesson import Goal, Reading, Step
 from sim.settings import CHOICES, scene_of_run, scene_of_step, setting_of
 
 from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot
+
+_PART = re.compile(r"(mass|spring|joint)(\d+)\.")
+"""What a quantity is of, and its number."""
+
+_WORDS = {"elongation": "stretch"}
+"""Of quantities, for pupils."""
 
 
 def check_lesson(scene: sim.Scene) -> None:
@@ -69,9 +76,39 @@ def lesson_code(scene: sim.Scene) -> str:
     return hashlib.sha256(msgspec.json.encode((len(scene.masses), asked))).hexdigest()[:8]
 
 
+def read_masses(step: Step, scene: sim.Scene) -> tuple[int, ...]:
+    """The masses that a step reads: those of its plots, of its goal, and of what it collects.
+
+    Of a joint they are the ends of its springs that it does not share, of a spring both ends.
+    """
+    names = [name for text in step.plots or () for name in (*parse_plot(text).names, parse_plot(text).over)]
+    names += [reading.quantity for reading in (step.goal, step.collect) if reading is not None]
+    found: set[int] = set()
+    for name in names:
+        part = _PART.match(name)
+        if part is None:
+            continue
+        kind, index = part[1], int(part[2])
+        springs = scene.linear_springs
+        if kind == "mass" and index < len(scene.masses):
+            found.add(index)
+        elif kind == "spring" and index < len(springs):
+            found |= {springs[index].a, springs[index].b}
+        elif kind == "joint" and index < len(scene.angular_springs):
+            joint = scene.angular_springs[index]
+            one, other = ({springs[s].a, springs[s].b} for s in (joint.a, joint.b))
+            found |= one ^ other
+    return tuple(sorted(found))
+
+
 def reading_text(reading: Reading, scene: sim.Scene) -> str:
-    """A reading in words, as in "period of mass1.y"."""
-    return f"period of {reading.quantity}" if reading.of == "period" else reading.quantity
+    """A reading in words, as in "stretch of spring 0" or "period of mass 1"."""
+    part = _PART.match(reading.quantity)
+    what = reading.quantity.rpartition(".")[2].replace("_", " ")
+    if part is None:
+        return f"period of {what}" if reading.of == "period" else what
+    owner = f"{part[1]} {part[2]}"
+    return f"period of {owner}" if reading.of == "period" else f"{_WORDS.get(what, what)} of {owner}"
 
 
 def goal_text(goal: Goal, scene: sim.Scene) -> str:

@@ -17,7 +17,7 @@ export type Found = { setting: number; found: number };
 /** The power law, found = factor * setting ** exponent, that the class's points are closest to. */
 export type Law = { factor: number; exponent: number };
 /** What a class looks at. */
-export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
+export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; masses: number[]; goal: string; collects: string };
 /** Something that the pupil at a page has given. */
 export type Given = { stop: number; round: number; twin: number; kind: "line" | "prediction" | "vote" | "work"; choice: number; text: string };
 /** A slider or a list of a pupil's page. */

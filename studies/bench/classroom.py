@@ -581,8 +581,8 @@ def _bench_cost(console: Console, repeats: int, cache: str) -> None:
     headings = "fewest frames/s", "slowest clock", "server, % of a core", "beside strangers", "kB/s"
     console.print(Table(("pages", *headings), rows))
     console.print(
-        f"Strangers and pupils have a rope of {MASSES} masses of their own, followers the teacher's. The server "
-        "of a class has the teacher's page and the wall, too."
+        f"Strangers and pupils have a rope of {MASSES} masses of their own, followers the teacher's. "
+        "The server of a class has the teacher's page and the wall, too."
     )
 
 

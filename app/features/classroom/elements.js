@@ -100,7 +100,7 @@ export function voteBars(choices, bars, right) {
     if (bars.length) {
       const bar = make("i", "");
       bar.style.setProperty("--softrod-part", String(bars[i] / most));
-      item.append(bar, make("b", "", String(bars[i])));
+      item.append(box("span", "softrod-track", bar), make("b", "", String(bars[i])));
     }
     if (i === right) item.dataset.right = "";
     return item;

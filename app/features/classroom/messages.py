@@ -214,6 +214,7 @@ class Asking(Struct, frozen=True, kw_only=True):
         right: the right choice, once it may be known; else -1.
         because: why it is right, then.
         predict: simulated time for which the body's place is asked for, s; 0 if it is not.
+        masses: whose places are asked for: those that the step reads; empty for all.
         goal: what is to be reached, in words; empty for nothing.
         collects: what each one hands in, in words; empty for the run alone.
     """
@@ -229,6 +230,7 @@ class Asking(Struct, frozen=True, kw_only=True):
     right: int
     because: str
     predict: float
+    masses: tuple[int, ...]
     goal: str
     collects: str
 

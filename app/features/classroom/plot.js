@@ -28,7 +28,8 @@ export function axis(numbers, logarithmic) {
   /** @param {number} number */
   const part = (number) => (scale(number) - low + margin) / (high - low + 2 * margin);
   const [from, to] = [low - margin, high + margin];
-  const marks = logarithmic ? powers(10 ** from, 10 ** to) : axisMarks(from, to, MAX_MARKS);
+  const isNarrow = high - low < Math.log10(WIDE_RANGE);
+  const marks = !logarithmic ? axisMarks(from, to, MAX_MARKS) : isNarrow ? axisMarks(10 ** from, 10 ** to, MAX_MARKS) : powers(10 ** from, 10 ** to);
   return { part, marks };
 }
 
@@ -52,7 +53,7 @@ const short = (number) => (number !== 0 && (Math.abs(number) >= 1e5 || Math.abs(
 
 /** A power law in words. @param {Law} law @param {string} what @param {string} over */
 export const power = ({ factor, exponent }, what, over) =>
-  `${what} = ${Number(factor.toPrecision(3))} × ${over}^${exponent.toFixed(2)}`.replaceAll("-", "−");
+  `${what} = ${Number(factor.toPrecision(3))} × ${over}^${exponent.toFixed(2)}`.replace(/-/g, "−");
 
 /**
  * The plot. An axis is logarithmic where its numbers span a wide range; with a law both are, so that it is a straight line.

@@ -97,6 +97,8 @@ export class OwnPrediction {
   grips = [];
   isOn = false;
   moved = false;
+  /** The masses that are asked for; none for all. @type {number[]} */
+  asked = [];
 
   /** Where its masses were at first. @type {Place[]} */
   start = [];
@@ -104,7 +106,7 @@ export class OwnPrediction {
   step = 1;
   scale = 1;
 
-  /** @param {Marks} marks @param {() => void} changed called when it was moved */
+  /** @param {Marks} marks @param {() => void} changed called when it begins, and when it was moved */
   constructor(marks, changed) {
     this.marks = marks;
     this.changed = changed;
@@ -112,10 +114,11 @@ export class OwnPrediction {
     marks.onRedraw((seen) => this.draw(seen));
   }
 
-  /** Begins a prediction where the body is, or ends it. @param {boolean} on */
-  show(on) {
+  /** Begins a prediction where the body is, or ends it. @param {boolean} on @param {number[]} [asked] the masses that are asked for; none for all */
+  show(on, asked = []) {
     if (on === this.isOn) return;
     this.isOn = on;
+    this.asked = asked;
     this.places = [];
     this.moved = false;
     if (on) this.marks.insert(this.svg);
@@ -128,24 +131,30 @@ export class OwnPrediction {
     return this.places.map(([x, y]) => /** @type {Place} */ ([wireNumber(x), wireNumber(y)]));
   }
 
-  /** Whether the body has one free mass alone, whose place can be said and stepped. */
-  get isSingle() {
-    return this.places.length - this.held.size === 1;
+  /** The masses that can be dragged. */
+  get free() {
+    const free = this.places.map((_, i) => i).filter((i) => !this.held.has(i));
+    const asked = free.filter((i) => this.asked.includes(i));
+    return asked.length ? asked : free;
   }
 
-  /** How far from its start the one free mass was put, in words; empty for other bodies, and before. @param {string} unit of lengths */
+  /** Whether there is one of these alone, whose place can be said and stepped. */
+  get isSingle() {
+    return this.free.length === 1;
+  }
+
+  /** How far from its start that mass was put, in words; empty for other bodies, and before. @param {string} unit of lengths */
   said(unit) {
     if (!this.moved || !this.isSingle) return "";
-    const mass = this.places.findIndex((_, i) => !this.held.has(i));
+    const [mass] = this.free;
     const dx = (this.places[mass][0] - this.start[mass][0]) / this.scale, dy = (this.places[mass][1] - this.start[mass][1]) / this.scale;
     const [by, word] = Math.abs(dy) >= Math.abs(dx) ? [dy, dy < 0 ? "lower" : "higher"] : [dx, dx < 0 ? "to the left" : "to the right"];
     return `${Number(Math.abs(by).toPrecision(3))} ${unit} ${word}`;
   }
 
-  /** Moves the one free mass a little. @param {number} way 1 for up */
+  /** Moves that mass a little. @param {number} way 1 for up */
   stepBy(way) {
-    const mass = this.places.findIndex((_, i) => !this.held.has(i));
-    if (mass < 0) return;
+    const [mass] = this.free;
     const [x, y] = this.places[mass];
     this.move(mass, [x, y + way * STEP]);
   }
@@ -162,6 +171,7 @@ export class OwnPrediction {
       this.springs = springsOf(seen, this.places);
       this.held = new Set([...plan.pinned, ...(plan.driven >= 0 ? [plan.driven] : [])]);
       this.makeGrips();
+      this.changed();
     }
     set(this.path, { d: outline(this.places, seen) });
     for (const grip of this.grips) {
@@ -172,7 +182,7 @@ export class OwnPrediction {
 
   makeGrips() {
     for (const grip of this.grips) grip.remove();
-    const free = this.places.map((_, i) => i).filter((i) => !this.held.has(i));
+    const free = this.free;
     const every = Math.ceil(free.length / MAX_GRIPS);
     // The last one, at the free end of a rope, has a grip, and is on top.
     const masses = free.filter((_, i) => (free.length - 1 - i) % every === 0);
@@ -224,10 +234,12 @@ const FEW = 6;
 /** Smallest radius of a disc, px: the last row sees it. */
 const LEAST_DISC = 7;
 
-/** The free masses of a body that predictions show as discs. @param {Plan} plan */
-export function tipsOf({ radius, pinned, driven }) {
+/** The free masses of a body that predictions show as discs: those that were asked for. @param {Plan} plan @param {number[]} asked */
+export function tipsOf({ radius, pinned, driven }, asked) {
   const held = new Set([...pinned, driven]);
   const free = Array.from(radius.keys()).filter((mass) => !held.has(mass));
+  const wanted = free.filter((mass) => asked.includes(mass));
+  if (wanted.length && wanted.length <= FEW) return wanted;
   return free.length > FEW ? free.slice(-1) : free;
 }
 
@@ -236,6 +248,8 @@ export class Predictions {
   svg = makeSvg("svg", "softrod-marks softrod-predictions");
   /** @type {Place[][]} */
   bodies = [];
+  /** @type {number[]} */
+  asked = [];
 
   /** @param {Marks} marks */
   constructor(marks) {
@@ -243,9 +257,10 @@ export class Predictions {
     marks.onRedraw((seen) => this.draw(seen));
   }
 
-  /** @param {Place[][]} bodies */
-  show(bodies) {
+  /** @param {Place[][]} bodies @param {number[]} [asked] the masses that were asked for; none for all */
+  show(bodies, asked = []) {
     this.bodies = bodies;
+    this.asked = asked;
     this.svg.replaceChildren(...bodies.map(() => makeSvg("path", "")));
     if (bodies.length && !this.svg.parentNode) this.marks.insert(this.svg);
     if (!bodies.length) this.svg.remove();
@@ -255,7 +270,7 @@ export class Predictions {
   /** @param {Sight} seen */
   draw(seen) {
     const { plan, on } = seen;
-    const tips = tipsOf(plan);
+    const tips = tipsOf(plan, this.asked);
     this.bodies.forEach((places, i) => {
       const discs = tips.filter((mass) => places[mass]).map((mass) => {
         const [x, y] = places[mass], r = Math.max(plan.radius[mass] * on.step, LEAST_DISC);

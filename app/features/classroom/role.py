@@ -19,7 +19,7 @@ from sim.errors import InputError, SettingError
 from sim.motion.quantities import quantity
 from sim.settings import setting_of
 
-from ...lessons import goal_text, reading_text
+from ...lessons import goal_text, read_masses, reading_text
 from ...session.framing import Bounds
 from ...session.session import Session
 from ...stage.plan import own_rest_angles
@@ -206,6 +206,7 @@ def asking(room: Room, reveal: bool = False) -> Asking:
         right=question.answer if question is not None and is_told else -1,
         because=question.because if question is not None and is_told else "",
         predict=(step.predict or 0.0) if step is not None else 0.0,
+        masses=read_masses(step, scene) if step is not None and step.predict else (),
         goal=goal_text(step.goal, scene) if step is not None and step.goal is not None else "",
         collects=reading_text(step.collect, scene) if step is not None and step.collect is not None else "",
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from ...bundle import compact_style
+from ...bundle import compact_style, without_is
 from ...stage.looks import style_rules
 from ...stage.shapes import meshes
 from ...stage.sketch import COILS
@@ -28,7 +28,7 @@ def class_page(folder: str) -> str:
         (
             faces.replace('url("', f'url("{folder}ui/fonts/'),
             style_rules(_NEVER),
-            compact_style(*(_APP / name for name in _SHEETS)),
+            without_is(compact_style(*(_APP / name for name in _SHEETS))),
         )
     )
     shapes = {

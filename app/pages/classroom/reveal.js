@@ -12,12 +12,14 @@ import { tipsOf } from "../../features/classroom/prediction.js";
 /** Radius of a dot, and the room for one, px. */
 const DOT = 12;
 const ROOM = 28;
-/** Pixels from the body to its lines, their length, and to the column of dots. */
+/** Pixels from a mass to its lines, their length, and from the body to the columns of dots. */
 const BESIDE = 18;
 const LINE = 120;
-const COLUMN = 330;
+const COLUMNS = 60;
 /** Displacement below which a body has stayed where it was, px on the screen. */
 const STAYED = 12;
+/** Room for a text, px. */
+const TEXT = 220;
 /** Half the height of a letter, px. */
 const HALF = 9;
 
@@ -28,6 +30,8 @@ export class Reveal {
   /** @type {Place[][]} */
   #bodies = [];
   #unit = "px";
+  /** The masses that were asked for; none for all. @type {number[]} */
+  #asked = [];
 
   /** @param {import("./picture.js").Picture} picture */
   constructor(picture) {
@@ -35,11 +39,12 @@ export class Reveal {
     picture.onRedraw((seen) => this.#draw(seen));
   }
 
-  /** Shows it, or takes it away (no start). @param {Place[]} start where the masses were @param {Place[][]} bodies predictions @param {string} unit of lengths */
-  show(start, bodies, unit) {
+  /** Shows it, or takes it away (no start). @param {Place[]} start where the masses were @param {Place[][]} bodies predictions @param {string} unit of lengths @param {number[]} asked the masses that were asked for */
+  show(start, bodies, unit, asked) {
     this.#start = start;
     this.#bodies = bodies;
     this.#unit = unit;
+    this.#asked = asked;
     if (start.length && !this.svg.parentNode) this.picture.insert(this.svg);
     if (!start.length) this.svg.remove();
     this.picture.redraw();
@@ -53,14 +58,14 @@ export class Reveal {
     if (start.length !== plan.radius.length) return;
     /** @param {Place} place */
     const at = ([x, y]) => ({ x: on.x + x * on.step, y: on.y - y * on.step });
-    const gone = tipsOf(plan).map((mass) => {
+    const gone = tipsOf(plan, this.#asked).map((mass) => {
       const from = at(start[mass]), to = { x: places[2 * mass], y: places[2 * mass + 1] };
       return { mass, from, to, far: Math.hypot(to.x - from.x, to.y - from.y) };
     });
     const most = gone.reduce((best, one) => (one.far > best.far ? one : best), gone[0]);
     if (!most) return;
     if (most.far > STAYED) this.#lines(most, plan, on.step);
-    this.#dots(most, plan.radius[most.mass] * on.step, at);
+    this.#dots(most, plan.radius[most.mass] * on.step, places, at);
   }
 
   /** How far the mass has gone that went farthest. @param {{mass: number, from: {x: number, y: number}, to: {x: number, y: number}, far: number}} gone @param {Seen["plan"]} plan @param {number} step */
@@ -85,19 +90,24 @@ export class Reveal {
   /**
    * A dot for each prediction, in columns beside the body: as high as its mass was put.
    *
-   * @param {{mass: number, to: {x: number, y: number}, from: {x: number, y: number}}} gone @param {number} radius of the mass, px
-   * @param {(place: Place) => {x: number, y: number}} at
+   * @param {{mass: number, to: {x: number, y: number}}} gone @param {number} radius of the mass, px
+   * @param {Float64Array} places of all masses, px @param {(place: Place) => {x: number, y: number}} at
    */
-  #dots({ mass, from, to }, radius, at) {
+  #dots({ mass, to }, radius, places, at) {
     const put = this.#bodies.filter((places) => places[mass]).map((places) => at(places[mass]));
     if (!put.length) return;
-    const left = Math.max(from.x, to.x) + radius + COLUMN;
     /** @type {Map<number, number>} */
     const bins = new Map();
-    for (const { y } of put.sort((one, two) => one.y - two.y)) {
+    const rows = put.map(({ y }) => {
       const bin = Math.round(y / ROOM), count = bins.get(bin) || 0;
       bins.set(bin, count + 1);
-      const isRight = Math.abs(y - to.y) <= Math.max(radius, ROOM / 2);
+      return { bin, count, isRight: Math.abs(y - to.y) <= Math.max(radius, ROOM / 2) };
+    });
+    // Right of all of the body and its lines, as far as there is room.
+    const body = Math.max(to.x + LINE + TEXT, ...Array.from(places).filter((_, i) => i % 2 === 0));
+    const width = Math.max(TEXT, ROOM * Math.max(...bins.values()));
+    const left = Math.max(Math.min(body + COLUMNS, this.picture.canvas.clientWidth - width - ROOM), 2 * ROOM);
+    for (const { bin, count, isRight } of rows) {
       set(makeSvg("circle", isRight ? "softrod-reveal-right" : "softrod-reveal-dot", this.svg), { cx: left + ROOM * count, cy: bin * ROOM, r: DOT });
     }
     const top = Math.min(...bins.keys()) * ROOM - 2 * ROOM;

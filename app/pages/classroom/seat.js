@@ -22,6 +22,8 @@ import { forgetAnswers, give, isSamePlace, onOutbox, openOutbox, unsent } from "
 /** Letters of a line, and of a name. */
 const MAX_LETTERS = 140;
 const MAX_NAME_LETTERS = 20;
+/** Simulated seconds per second of a body that moves slowly. */
+const SLOW = 0.25;
 
 /** @type {Seat | null} */
 let seat = null;
@@ -79,7 +81,7 @@ export function addSeat(picture) {
     seat = told;
     defer(show);
   });
-  onMessage("predictions", ({ bodies }) => others.show(bodies));
+  onMessage("predictions", ({ bodies }) => others.show(bodies, seat?.asking?.masses));
   onMessage("classEnded", () => {
     forgetAnswers();
     prediction.show(false);
@@ -124,8 +126,8 @@ const place = ({ stop, round }) => ({ stop, round, twin });
 function show() {
   if (!seat) return;
   const asking = seat.asking;
-  prediction.show(asking?.phase === "ask" && asking.predict > 0 && asking.round === 0 && !seat.elsewhere);
-  const shows = [seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved, prediction.said(unit()), isPlaying()];
+  prediction.show(asking?.phase === "ask" && asking.predict > 0 && asking.round === 0 && !seat.elsewhere, asking?.masses);
+  const shows = [seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved, prediction.isSingle, prediction.said(unit()), isPlaying(), isSlow()];
   for (const other of around) other.show(shows);
   const isFree = card.show(shows);
   const task = [...card.element.querySelectorAll(".softrod-task, .softrod-on-wall, .softrod-warning")].map((text) => text.textContent).join(" ");
@@ -152,6 +154,9 @@ function focusTask(asking) {
 
 /** Whether the clock of the page's own body runs. */
 const isPlaying = () => (alone.isOn ? alone.playing : Boolean(pageState().playing));
+
+/** Whether the page's own body moves slowly. */
+const isSlow = () => (pageState().speed ?? 1) < 1;
 
 /** The unit of lengths. */
 const unit = () => pageState().unit || "px";
@@ -296,7 +301,8 @@ function timeButtons() {
   };
   return [
     button(isPlaying() ? "Pause" : "Play", () => perform("play"), { focus: "play" }),
-    button("Begin anew", () => perform("reset"), { focus: "reset" }),
+    button("Reset", () => perform("reset"), { focus: "reset" }),
+    ...(alone.isOn ? [] : [button("¼×", () => send({ do: "speed", speed: isSlow() ? 1 : SLOW }), { focus: "slow", pressed: isSlow(), label: "At a quarter of the speed" })]),
   ];
 }
 

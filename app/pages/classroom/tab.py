@@ -26,6 +26,7 @@ from ...features.classroom import messages
 from ...features.classroom.role import NOTHING, Role
 from ...features.classroom.shared_view import Onlooker
 from ...features.hands.feature import hand_commands
+from ...features.time.messages import Speed
 from ...session import commands
 from ...session.pacing import LONGEST_FRAME
 from ...session.plots import Plot, parse_plot
@@ -128,6 +129,8 @@ class ClassTab:
                 self._requests.add(lambda: role.introduce(said, session))
             case messages.InSeat() | messages.Checked():
                 self._requests.add(lambda: role.hear(said, session))
+            case Speed(speed):
+                session.post(commands.Speed(speed))
             case from_page.Visit():
                 session.post(commands.Visit())
             case from_page.Perform(command) if command in PERFORMED and "play" in self._controls:

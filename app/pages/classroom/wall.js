@@ -42,8 +42,8 @@ export function addWall(picture) {
   const draw = () => {
     if (!wall) return;
     const isReveal = wall.asking.phase === "reveal";
-    reveal.show(isReveal ? wall.start : [], bodies, wall.unit);
-    predictions.show(isReveal && wall.start.length ? [] : bodies);
+    reveal.show(isReveal ? wall.start : [], bodies, wall.unit, wall.asking.masses);
+    predictions.show(isReveal && wall.start.length ? [] : bodies, wall.asking.masses);
   };
   const show = () => {
     if (!wall) return;
@@ -78,7 +78,7 @@ export function addWall(picture) {
   });
   onMessage("classEnded", () => {
     predictions.show([]);
-    reveal.show([], [], "");
+    reveal.show([], [], "", []);
     wall = null;
     side.replaceChildren(make("h1", "", "The class is over."));
     corner.replaceChildren();

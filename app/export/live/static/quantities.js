@@ -131,6 +131,6 @@ export class Recording {
     const inside = runs && this.reading >= (low ?? -Infinity) && this.reading <= (high ?? Infinity);
     if (!inside) this.since = NaN;
     else if (!(now >= this.since)) this.since = now;
-    this.reached ||= inside && now - this.since >= seconds;
+    if (inside && now - this.since >= seconds) this.reached = true;
   }
 }
