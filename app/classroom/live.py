@@ -300,6 +300,13 @@ class Class:
         present = msgspec.json.decode(kept.encode(self.room), type=Room)
         return self._maker.submit(pack, present, dict(self._logs))
 
+    def teacher_sheet(self) -> Future[bytes]:
+        """Make the present lesson into a sheet to print, in a thread.
+
+        The future fails with an `InputError` where the scene has no lesson.
+        """
+        return self._maker.submit(_sheet, self.room.scenes[self.room.stops[self.room.at].scene])
+
     def lesson_file(self) -> Future[bytes]:
         """Make the scene of the present stop into a file that works without a server, in a thread.
 
@@ -424,6 +431,12 @@ def _live_file(scene: sim.Scene) -> bytes:
     from ..export.live.live import live_html
 
     return live_html(sim.Simulation(scene).capture())[0]
+
+
+def _sheet(scene: sim.Scene) -> bytes:
+    from ..export.teacher_sheet import sheet_html
+
+    return sheet_html(scene)
 
 
 DEFAULT_SCENE = "lesson-hooke"

@@ -23,6 +23,7 @@ from .live.live import live_html
 from .live.program import javascript_program
 from .model import PX_PER_METRE, glb
 from .replay import replay_html
+from .teacher_sheet import sheet_html
 
 PICTURE = 1280
 """Pixels of a picture's longer side."""
@@ -193,6 +194,10 @@ FORMATS = (
         "The body itself, which moves and is dragged in any browser without a network, FILE.html.", "body",
         lambda source, _: _noted("html", live_html(source.body)),
         Button("Live file", "live.html", "Live file of the body as it is now (HTML)", "world"),
+    ),
+    Format(
+        "sheet", ("html",), "A lesson on one side of paper, for its teacher, FILE.html.", "body",
+        lambda source, _: Made({"html": sheet_html(source.body.scene)}),
     ),
     Format(
         "glb", ("glb",), "A model of the end in three dimensions, FILE.glb.", "end", _model,

@@ -81,7 +81,7 @@ export type Checked = { do: "checked"; trip: number; rate: number; works: boolea
 /** The class goes to a stop and a phase. */
 export type Stage = { do: "stage"; stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try"; round?: number };
 /** Something that needs no place. */
-export type Arrange = { do: "arrange"; what: "again" | "asMine" | "close" | "end" | "gather" | "giveBack" | "givenNames" | "goOn" | "law" | "lessonFile" | "noLaw" | "open" | "ownNames" | "pause" | "reset" | "zip" };
+export type Arrange = { do: "arrange"; what: "again" | "asMine" | "close" | "end" | "gather" | "giveBack" | "givenNames" | "goOn" | "law" | "lessonFile" | "noLaw" | "open" | "ownNames" | "pause" | "reset" | "sheet" | "zip" };
 /** An answer is picked out, or no longer. */
 export type Star = { do: "star"; answer: string; on: boolean };
 /** An answer is to be shown alone on the wall; none for "". */

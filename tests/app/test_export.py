@@ -254,7 +254,7 @@ def test_the_command_writes_all_four(tmp_path: Path, softrod: Softrod) -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ((), "--live, --glb, --animation, --motion, --json, --csv, --python, --c or --javascript"),
+        ((), "--live, --sheet, --glb, --animation, --motion, --json, --csv, --python, --c or --javascript"),
         (("--gif", "a.png"), "must end in .gif"),
         (("--gif", "nowhere/a.gif"), "the folder nowhere does not exist"),
         (("--gif", "a.gif", "--seconds", 0), "0.2..60 s"),

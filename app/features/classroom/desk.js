@@ -339,6 +339,7 @@ function foot({ open, own_names }) {
     "softrod-phases",
     button(open ? "Close the door" : "Open the door", () => arrange(open ? "close" : "open")),
     button(own_names ? "Names by us" : "Let them type names", () => arrange(own_names ? "givenNames" : "ownNames")),
+    button("Save a sheet to print", () => arrange("sheet")),
     button("Save all as a zip", () => arrange("zip")),
     button("End", () => confirm("End the class? Everything that was given is deleted.") && arrange("end")),
   );

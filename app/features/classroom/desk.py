@@ -186,6 +186,10 @@ class DeskRole(ClassRole):
                 name = f"{room.scenes[room.stops[room.at].scene].name}.html"
                 self._making = self._making or (name, "The lesson's file", self.classroom.lesson_file())
                 return
+            case "sheet":
+                name = f"{room.scenes[room.stops[room.at].scene].name}-teacher.html"
+                self._making = self._making or (name, "The sheet", self.classroom.teacher_sheet())
+                return
             case "end":
                 self.classroom.end()
                 return

@@ -150,7 +150,8 @@ class Arrange(Lead, frozen=True):
     All bodies are to stand, to go on, or to begin anew, or are to be the teacher's as it is now; all are to
     look at the teacher's, or to have their own back; the run is to be seen again, slowly; the class's plot is
     to have the law of its points, or no longer; the door and whether names can be typed; what was given is to
-    be saved as a file, or the present lesson as one that lives without a server; and the end.
+    be saved as a file, the present lesson as one that lives without a server, or as a sheet for its teacher;
+    and the end.
     """
 
     what: Literal[
@@ -169,6 +170,7 @@ class Arrange(Lead, frozen=True):
         "givenNames",
         "zip",
         "lessonFile",
+        "sheet",
         "end",
     ]
 

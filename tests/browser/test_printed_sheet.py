@@ -1,0 +1,27 @@
+"""A teacher's sheet fits on one side of paper."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser
+
+import sim
+from app.export.teacher_sheet import sheet_html
+from sim.store.files import built_in_folder
+from tests.amount import part_of
+
+LESSONS = sorted(path.stem for path in (built_in_folder() / "lessons").glob("*.json"))
+
+
+@pytest.mark.parametrize("name", part_of(LESSONS, 4))
+def test_every_lesson_s_sheet_is_one_side(name: str, browser: Browser, tmp_path: Path) -> None:
+    path = tmp_path / "sheet.html"
+    path.write_bytes(sheet_html(sim.load_scene(name)))
+    page = browser.new_page()
+    page.goto(path.as_uri())
+    printed = page.pdf(prefer_css_page_size=True)
+    assert len(re.findall(rb"/Type\s*/Page\b(?!s)", printed)) == 1
+    page.close()
