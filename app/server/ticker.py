@@ -17,8 +17,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 import viser
 
-from ..pages.ticked import CALM_FRAME, Ticked
 from ..session.session import FRAME
+from ..ui.ticked import CALM_FRAME, Ticked
 
 BUDGET = 0.7
 """Part of a frame for the solver, for all tabs; the rest is for drawing and the network."""

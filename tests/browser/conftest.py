@@ -18,9 +18,9 @@ from playwright.sync_api import Browser, BrowserContext, Page, Playwright, Viewp
 
 import sim
 from app.pages.sandbox.tab import Tab
-from app.pages.ticked import RunInThread
 from app.server import serve as server_of_pages
 from app.server.serve import serving
+from app.ui.ticked import RunInThread
 from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.driver import ARTIFACTS, LIMIT, Desk, Served, rough_context
 

@@ -37,6 +37,7 @@ from ...stage.plan import own_rest_angles
 from ...stage.sketch import Mapping, Sketch, world_size
 from ...ui.controls import Controls
 from ...ui.queues import BoundedQueue
+from ...ui.ticked import STOPPED, RunInThread
 from ...ui.view import picture_of
 from ...wire import from_page
 from ...wire.carrier import Mail
@@ -44,7 +45,6 @@ from ...wire.line import Line
 from ...wire.messages import FromPage
 from ...wire.to_page import PageState
 from ..sandbox.preparation import Preparation
-from ..ticked import STOPPED, RunInThread
 
 MAX_REQUESTS = 20
 """Requests of one page that are served in a frame."""

@@ -37,12 +37,12 @@ from ...ui.notice_board import NoticeBoard
 from ...ui.page import Page
 from ...ui.queues import BoundedQueue
 from ...ui.shelf import Shelf
+from ...ui.ticked import CALM_FRAME, STOPPED, RunInThread
 from ...ui.view import Canvas
 from ...wire import from_page
 from ...wire.carrier import Mail, by_viser, listen
 from ...wire.messages import Ask, FromPage, messages
 from ...wire.to_page import Hud, Keepsake, PageState, Run
-from ..ticked import CALM_FRAME, STOPPED, RunInThread
 from .address import PageAddress
 from .features import COMMANDS, FEATURES
 from .page_panel import PagePanel
