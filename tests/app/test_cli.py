@@ -20,8 +20,8 @@ import platformdirs
 import pytest
 
 import sim
-from app.pages.sandbox.preparation import compile_status
 from app.session.log import Keys, read_log
+from app.session.preparation import compile_status
 from sim.errors import InputError
 from tests.app.command import Result, Softrod, refused, rows_of
 

@@ -30,6 +30,7 @@ from ...features.time.messages import Speed
 from ...session import commands
 from ...session.pacing import LONGEST_FRAME
 from ...session.plots import Plot, parse_plot
+from ...session.preparation import Preparation
 from ...session.session import Session
 from ...stage.colors import plain
 from ...stage.pictures import Pictures
@@ -44,7 +45,6 @@ from ...wire.carrier import Mail
 from ...wire.line import Line
 from ...wire.messages import FromPage
 from ...wire.to_page import PageState
-from ..sandbox.preparation import Preparation
 
 MAX_REQUESTS = 20
 """Requests of one page that are served in a frame."""

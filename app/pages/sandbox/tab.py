@@ -27,6 +27,7 @@ from ...features.measure.feature import MeasureFeature
 from ...session import commands
 from ...session.pacing import LONGEST_FRAME, is_large
 from ...session.plots import PlotSpec
+from ...session.preparation import Preparation
 from ...session.session import Notice, Session
 from ...stage.plan import Picture
 from ...ui.controls import Controls
@@ -47,7 +48,6 @@ from .address import PageAddress
 from .features import COMMANDS, FEATURES
 from .page_panel import PagePanel
 from .page_view import PageView
-from .preparation import Preparation
 from .probe import Probe
 from .requests import RequestHandler
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 from sim.methods.registry import METHODS
 
-from ...session.session import Refresh, Session
+from .session import Refresh, Session
 
 
 def compile_status(ready: int, of: int, busy_with: str, awaited: str) -> str:
