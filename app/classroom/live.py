@@ -230,9 +230,10 @@ class Class:
         one, other = (motion_bounds(scene(stop)) for scene in (self.scene, self.run_scene))
         return np.array((np.minimum(one[0], other[0]), np.maximum(one[1], other[1])))
 
-    def first_setting(self) -> str:
-        """Return the key of the first number that the present step has a slider for; empty without one."""
-        controls = self.room.step.controls if self.room.step is not None else ()
+    def first_setting(self, stop: int) -> str:
+        """Return the key of the first number that a stop's step has a slider for; empty without one."""
+        step = self.room.step_at(stop)
+        controls = step.controls if step is not None else ()
         return next((key for key in controls if key not in CHOICES), "")
 
     def present(self) -> set[int]:
@@ -241,14 +242,14 @@ class Class:
         return {number for number in self.pupils if number in seats and not seats[number].removed}
 
     def keep_body(self, seat: int, keepsake: bytes) -> None:
-        """Store the state of a pupil's body at the present stop, for when its page comes back."""
-        self._bodies[seat] = self.room.at, keepsake
+        """Store the state of a pupil's body at its stop, for when its page comes back."""
+        self._bodies[seat] = self.room.place_of(seat).stop, keepsake
         self._bodies_are_new = True
 
     def body(self, seat: int) -> bytes | None:
-        """Return the keepsake of a pupil's body at the present stop."""
+        """Return the keepsake of a pupil's body at its stop."""
         stop, keepsake = self._bodies.get(seat, (-1, b""))
-        return keepsake if stop == self.room.at else None
+        return keepsake if stop == self.room.place_of(seat).stop else None
 
     def hand_in(
         self, answer: Answer, log: bytes, step: Step, scene: sim.Scene, been: Collection[str] = ()
@@ -316,6 +317,8 @@ class Class:
 
     def poll_writer(self) -> None:
         """Write what is new, if it is time, and see what has been written: only that is acknowledged."""
+        if self.room.is_home and not self.room.told and time.time() >= (self.room.until or 0.0):
+            self.room.tell()
         self._take_verdicts()
         self._take_written()
         self._take_end()
@@ -461,8 +464,8 @@ class Classes:
         self._classes = {code: one for code, one in self._classes.items() if not one.ended}
         return iter(list(self._classes.values()))
 
-    def begin(self, scenes: Sequence[sim.Scene]) -> Class:
-        """Begin a class with these scenes.
+    def begin(self, scenes: Sequence[sim.Scene], until: float = 0.0) -> Class:
+        """Begin a class with these scenes, or homework until a time, s since 1970.
 
         Raises:
             Refused: they have too many steps, or there are too many classes.
@@ -471,6 +474,8 @@ class Classes:
         if len(taken) >= MAX_CLASSES:
             raise Refused(f"A server holds {MAX_CLASSES} classes at most.")
         room = Room(code="", key=secrets.token_urlsafe(16), scenes=tuple(scenes))
+        if until:
+            room.until = until
         if len(room.stops) > MAX_STOPS:
             raise Refused(f"A class has {MAX_STOPS} steps at most; these scenes have {len(room.stops)}.")
         while True:
@@ -482,12 +487,16 @@ class Classes:
                 kept.release(lock)
             taken.add(room.code)
 
-    def resume(self, scenes: Sequence[sim.Scene] | None, count: int, new: bool = False) -> None:
+    def resume(
+        self, scenes: Sequence[sim.Scene] | None, count: int, new: bool = False, until: float = 0.0
+    ) -> None:
         """Resume the classes on the disk, and begin those that are missing.
 
         Args:
             scenes: their scenes; None for whatever they have.
             count: how many there are to be at least.
+            until: begins homework until then, s since 1970; 0 for classes. Homework that is resumed gets the
+                new time.
             new: whether to delete those on the disk instead, except for those that another server runs.
 
         Raises:
@@ -513,6 +522,11 @@ class Classes:
                         f"Another softrod on this computer goes on with class {code}: end that one first, or "
                         "begin another class by --new."
                     )
+                if until and not room.is_home:
+                    kept.release(lock)
+                    raise Refused(f"Class {code} is no homework: end it first, or forget it by --new.")
+                if until:
+                    room.until, room.told = until, msgspec.UNSET
                 self._add(Class(room, kept.read_bodies(code), lock))
             elif is_free:
                 kept.release(lock)
@@ -522,7 +536,7 @@ class Classes:
                 )
         more = scenes or next((one.room.scenes for one in self), None) or (sim.load_scene(DEFAULT_SCENE),)
         for _ in range(count - len(list(self))):
-            self.begin(more)
+            self.begin(more, until)
 
     def teach(self, lesson: Lesson) -> bool:
         """Whether one of the running classes goes through a lesson."""

@@ -13,7 +13,7 @@ from __future__ import annotations
 import hashlib
 import secrets
 from collections.abc import Collection, Sequence
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import msgspec
 from msgspec import Struct
@@ -29,6 +29,7 @@ from .answers import (
     AnyContent,
     Content,
     Phase,
+    Prediction,
     Refused,
     Vote,
     kinds_of,
@@ -70,6 +71,7 @@ class Seat(Struct):
         removed: whether the teacher has sent it away.
         move: two digits by which another device can take it over, or empty.
         follows: whether it looks at the teacher's body where it could have its own.
+        at: index of the stop where it is, in homework.
     """
 
     number: int
@@ -82,6 +84,7 @@ class Seat(Struct):
     removed: bool = False
     move: str = ""
     follows: bool = False
+    at: int | msgspec.UnsetType = msgspec.UNSET
 
 
 class Stop(Struct, frozen=True):
@@ -94,6 +97,14 @@ class Stop(Struct, frozen=True):
 def digest(secret: str) -> str:
     """Return what is stored of a secret."""
     return hashlib.sha256(secret.encode()).hexdigest()
+
+
+class Place(NamedTuple):
+    """Where somebody is: a stop of the plan, and what is done there, for the first or the second time."""
+
+    stop: int
+    phase: Phase
+    round: int = 0
 
 
 class Asked(Struct):
@@ -129,6 +140,9 @@ class Room(Struct, kw_only=True):
         on_wall: the answer that is shown alone on the wall, or empty.
         seat_on_wall: number of the seat whose body the wall shows, or 0.
         law: whether the class's plot shows the law that its points follow.
+        until: of homework, the time at which its answers are told, s since 1970; a class has none, and is
+            written without.
+        told: whether what is right in homework may be known.
         version: counts the changes.
     """
 
@@ -148,6 +162,8 @@ class Room(Struct, kw_only=True):
     on_wall: str = ""
     seat_on_wall: int = 0
     law: bool = False
+    until: float | msgspec.UnsetType = msgspec.UNSET
+    told: bool | msgspec.UnsetType = msgspec.UNSET
     version: int = 0
 
     # --------------------------------------------------------------------- the plan
@@ -172,9 +188,63 @@ class Room(Struct, kw_only=True):
         return self.step_at(self.at)
 
     @property
-    def may_reveal_answer(self) -> bool:
-        """Whether the right answer of the present question may be known."""
-        return self.phase in OWN_BODY or self.phase in (Phase.REVEAL, Phase.EXPLAIN)
+    def is_home(self) -> bool:
+        """Whether this is homework: each pupil goes through the stops alone, and answers stay sealed."""
+        return bool(self.until)
+
+    @property
+    def is_told(self) -> bool:
+        """Whether what is right in homework may be known."""
+        return bool(self.told)
+
+    @property
+    def place(self) -> Place:
+        """Where the class is."""
+        return Place(self.at, self.phase, self.round)
+
+    def place_of(self, number: int) -> Place:
+        """Return where a seat is: with the class, or in homework where it has gone by itself.
+
+        There each stop first asks, and lets the body move once all has been answered.
+        """
+        seat = self.seats.get(number)
+        if not self.is_home or seat is None:
+            return self.place
+        at = seat.at or 0
+        step = self.step_at(at)
+        wants = set[type[Content]]()
+        if step is not None and step.question is not None:
+            wants.add(Vote)
+        if step is not None and step.predict is not None:
+            wants.add(Prediction)
+        mine = (one for one in self.answers.values() if one.seat == number)
+        gave = {type(one.content) for one in mine if one.stop == at}
+        return Place(at, Phase.COLLECT if wants <= gave else Phase.ASK)
+
+    def walk(self, number: int, stop: int) -> None:
+        """Let a seat go to another stop of its homework.
+
+        Raises:
+            Refused: there is no such seat or stop, or all are where the class is.
+        """
+        seat = self._seat(number)
+        if not self.is_home:
+            raise Refused("The class goes on together.")
+        if not 0 <= stop < len(self.stops):
+            raise Refused("The homework has no such step.")
+        seat.at = stop
+        self.version += 1
+
+    def tell(self) -> None:
+        """Let all know what is right in the homework; what is answered from now on is late."""
+        self.told = True
+        self.version += 1
+
+    def may_reveal(self, place: Place) -> bool:
+        """Whether the right answer of a question may be known at a place."""
+        if self.is_home:
+            return self.is_told
+        return place.phase in OWN_BODY or place.phase in (Phase.REVEAL, Phase.EXPLAIN)
 
     @property
     def vote_round(self) -> int:
@@ -459,6 +529,8 @@ class Room(Struct, kw_only=True):
         previous = self.previous(answer)
         if previous is not None and previous.turn >= answer.turn:
             return False
+        if previous is not None and self.is_home and asked.phase is Phase.ASK:
+            raise Refused("You have seen it run: your first answer counts.")
         if previous is not None and asked.shown:
             raise Refused("The answers have been shown; yours stays as it was.")
         if previous is None and sum(a.seat == number for a in self.answers.values()) >= MAX_ANSWERS:
@@ -557,6 +629,8 @@ class Room(Struct, kw_only=True):
         return self.answers[id]
 
     def _asked(self, stop: int, round: int, phase: Phase) -> Asked | None:
+        if self.is_home:
+            return Asked(stop, 0, phase, self.is_told) if round == 0 else None
         key = (stop, round, phase)
         return next((asked for asked in self.asked if (asked.stop, asked.round, asked.phase) == key), None)
 

@@ -102,6 +102,19 @@ function choose(number) {
 function parts(desk) {
   const seat = desk.seats.find(({ number }) => number === chosen);
   const present = seat ? alone(desk, seat) : seats(desk);
+  if (desk.home) {
+    return [
+      head(desk),
+      homework(desk),
+      ...beforehand(desk),
+      ...asked(desk),
+      ...collected(desk),
+      ...given(desk),
+      present,
+      fold("Answers from files", [imports(() => card.defer(show))]),
+      fold("Door, names, saving, end", [foot(desk)]),
+    ];
+  }
   return [
     head(desk),
     now(desk),
@@ -131,6 +144,24 @@ function head({ code, address, saved, trouble }) {
   const writing = trouble ? make("b", "softrod-warning", "not kept") : make("span", "softrod-quiet", saved ? "" : "saving…");
   writing.title = trouble;
   return box("header", "", letters, untranslated(make("span", "", typedAddress(address))), writing, wall);
+}
+
+/** Homework: until when, how many have done what, and which step is looked at. @param {Desk} desk */
+function homework({ home, told, done, stops, asking: { stop } }) {
+  const tell = () => confirm("Tell all now what is right? What is answered from then on counts as late.") && arrange("tell");
+  const rows = stops.map(({ title }, i) => {
+    const [answered, handedIn] = done[i];
+    const text = `${i + 1}. ${title}: ${answered} answered, ${handedIn} handed in`;
+    return box("li", "", button(text, () => go([i, "show", 0]), { focus: `stop${i}`, pressed: i === stop }));
+  });
+  return box(
+    "section",
+    "softrod-desk-now",
+    make("h2", "", told ? "Homework: told" : `Homework until ${home}`),
+    make("p", "", told ? "All see what is right; what they answer now is late." : "Pupils come in by the address at any time, without you. What is right is told then, or when you tell it."),
+    ...(told ? [] : [button("Tell what is right now", tell, { focus: "tell" })]),
+    box("ol", "softrod-homework", ...rows),
+  );
 }
 
 /** The label of a place of the plan on a button. @param {[number, Phase, number]} place @param {number} at */
@@ -208,7 +239,7 @@ function asked({ asking: { phase, question, choices, predict }, bars, right, ans
     ...(question ? [make("p", "", question), voteBars(choices, bars, right)] : []),
     ...(predict > 0 ? [make("p", "softrod-quiet", `${predictions} of ${counted(seats)} have dragged a prediction.`)] : []),
   );
-  return [phase === "ask" || phase === "results" ? part : fold("The question", [part])];
+  return [phase === "ask" || phase === "results" || desk?.home ? part : fold("The question", [part])];
 }
 
 /** What a tile says of a seat, beside its name. @param {DeskSeat} seat @param {boolean} hasOwn whether it has a body of its own */
@@ -298,7 +329,7 @@ function given({ answers, seats, on_wall, asking }) {
 /** The class's plot. @param {Desk} desk */
 function collected({ answers, asking, over, turned, law, shows_law }) {
   const found = answers.flatMap(({ setting, found, doubt }) => (setting === null || found === null || doubt ? [] : [{ setting, found }]));
-  if (!found.length || asking.phase !== "collect") return [];
+  if (!found.length || (asking.phase !== "collect" && !desk?.home)) return [];
   const words = law && shows_law ? [make("p", "", power(law, asking.collects, over))] : [];
   return [box("section", "", plot(found, over, asking.collects, { law: shows_law ? law : null, turned }), ...words)];
 }

@@ -31,6 +31,7 @@ from .role import (
     abscissa,
     asking,
     found_by,
+    home_text,
     is_turned,
     law_of,
     places_of,
@@ -190,6 +191,8 @@ class DeskRole(ClassRole):
                 name = f"{room.scenes[room.stops[room.at].scene].name}-teacher.html"
                 self._making = self._making or (name, "The sheet", self.classroom.teacher_sheet())
                 return
+            case "tell":
+                room.tell()
             case "end":
                 self.classroom.end()
                 return
@@ -310,7 +313,7 @@ class DeskRole(ClassRole):
     # --------------------------------------------------------------------- what the page shows
     def _state(self) -> Desk:
         room, classroom = self.room, self.classroom
-        answered, found = room.answered(), found_by(room)
+        answered, found = room.answered(), found_by(room, room.at)
         after, step = room.next(), room.step
         return Desk(
             code=room.code,
@@ -335,8 +338,8 @@ class DeskRole(ClassRole):
             ),
             bars=tuple(room.bars(room.at, room.vote_round)),
             right=step.question.answer if step is not None and step.question is not None else -1,
-            over=abscissa(classroom),
-            turned=is_turned(classroom),
+            over=abscissa(classroom, room.at),
+            turned=is_turned(classroom, room.at),
             law=law_of(found),
             shows_law=room.law,
             on_wall=room.on_wall,
@@ -348,7 +351,17 @@ class DeskRole(ClassRole):
             paused=room.paused,
             saved=classroom.written == room.version,
             trouble=classroom.trouble,
+            home=home_text(room),
+            told=room.is_told,
+            done=tuple(self._done(stop) for stop in range(len(room.stops))) if room.is_home else (),
         )
+
+    def _done(self, stop: int) -> tuple[int, int]:
+        """How many have answered the question of a stop of homework, and how many have handed in."""
+        asked, gave = ({"vote", "prediction"}, {"work"})
+        answers = [one for one in self.room.answers.values() if one.stop == stop]
+        one, other = ({a.seat for a in answers if a.content.kind in kinds} for kinds in (asked, gave))
+        return len(one), len(other)
 
     def _seat(self, seat: rooms.Seat, answered: bool) -> DeskSeat:
         status = self.classroom.statuses.get(seat.number, PupilStatus())

@@ -125,6 +125,12 @@ class Checked(FromPage, frozen=True):
     doubts: bool
 
 
+class WalkTo(InSeat, frozen=True):
+    """The page goes to another stop of its homework."""
+
+    stop: Annotated[int, Meta(ge=0, le=99)]
+
+
 class Follow(InSeat, frozen=True):
     """The page is to show the teacher's body where it could show its own, or its own again."""
 
@@ -171,6 +177,7 @@ class Arrange(Lead, frozen=True):
         "zip",
         "lessonFile",
         "sheet",
+        "tell",
         "end",
     ]
 
@@ -291,6 +298,9 @@ class Seat(State, frozen=True, kw_only=True):
         found: of the class's plot, for a pupil who has put a point on it; else empty.
         own: that point.
         over, turned, law: of that plot, see `Wall`.
+        home: when what is right in homework is told, in words; empty for a class.
+        told: whether it is.
+        steps: of the plan.
     """
 
     code: str = ""
@@ -315,6 +325,9 @@ class Seat(State, frozen=True, kw_only=True):
     over: str = ""
     turned: bool = False
     law: Law | None = None
+    home: str = ""
+    told: bool = False
+    steps: int = 0
     asking: Asking | None = None
     given: tuple[Given, ...] = ()
 
@@ -543,6 +556,8 @@ class Desk(State, frozen=True, kw_only=True):
         check: the address at which a device tries whether it can take part.
         check_qr: a picture of its QR code; empty once the class has begun.
         tried: what the last devices found that did.
+        home, told: see `Seat`.
+        done: of homework, how many have answered each stop's question, and how many have handed in there.
     """
 
     code: str
@@ -571,6 +586,9 @@ class Desk(State, frozen=True, kw_only=True):
     paused: bool
     saved: bool
     trouble: str
+    home: str
+    told: bool
+    done: tuple[tuple[int, int], ...]
 
 
 class Taken(Event, frozen=True, kw_only=True):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
+from datetime import datetime
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -14,7 +15,7 @@ import sim
 from app.classroom.answers import Answer, Phase, Prediction, Work
 from app.classroom.law import power_law
 from app.classroom.live import Class, SharedView
-from app.classroom.room import Room
+from app.classroom.room import Place, Room
 from sim.errors import InputError, SettingError
 from sim.motion.quantities import quantity
 from sim.settings import setting_of
@@ -189,16 +190,23 @@ class ClassRole(Role):
         return known != self._known
 
 
-def asking(room: Room, reveal: bool = False) -> Asking:
-    """Return what the class looks at; with `reveal` also the right answer while pupils may not know it."""
-    step, scene = room.step, room.scenes[room.stops[room.at].scene]
+def asking(room: Room, reveal: bool = False, place: Place | None = None) -> Asking:
+    """Return what the class looks at.
+
+    Args:
+        room: of the class.
+        reveal: whether to tell the right answer while pupils may not know it.
+        place: of a pupil who is elsewhere than the class; None for the class's.
+    """
+    stop, phase, round = place = place or room.place
+    step, scene = room.step_at(stop), room.scenes[room.stops[stop].scene]
     question = step.question if step is not None else None
-    is_told = question is not None and (reveal or room.may_reveal_answer)
+    is_told = question is not None and (reveal or room.may_reveal(place))
     return Asking(
-        stop=room.at,
-        phase=room.phase.value,
-        round=room.round,
-        title=room.title(room.at),
+        stop=stop,
+        phase=phase.value,
+        round=round,
+        title=room.title(stop),
         do=step.do if step is not None else "",
         watch=step.watch if step is not None else "",
         question=question.text if question is not None else "",
@@ -212,10 +220,18 @@ def asking(room: Room, reveal: bool = False) -> Asking:
     )
 
 
+def home_text(room: Room) -> str:
+    """Return when what is right in homework is told, as "15 January, 08:00"; empty for a class."""
+    if not room.is_home:
+        return ""
+    at = datetime.fromtimestamp(room.until or 0.0)
+    return f"{at.day} {at:%B}, {at:%H:%M}"
+
+
 def predictions(classroom: Class) -> Predictions:
     """Return the predictions that may be seen now; one alone, if that is on the wall."""
     room = classroom.room
-    if room.phase not in SHOWN:
+    if room.phase not in SHOWN or room.is_home:
         return Predictions()
     given = room.given(room.at, 0, Prediction)
     shown = [one for one in given if one[0].id == room.on_wall] or given
@@ -232,11 +248,11 @@ _known: WeakKeyDictionary[Class, tuple[tuple[Answer, ...], Predictions]] = WeakK
 """The predictions that each class saw last: all of its pages ask for the same."""
 
 
-def found_by(room: Room) -> tuple[Found, ...]:
-    """Return the points of the class's plot: what was handed in at the present stop, over what was set."""
+def found_by(room: Room, stop: int) -> tuple[Found, ...]:
+    """Return the points of the class's plot: what was handed in at a stop, over what was set."""
     return tuple(
         Found(setting=work.setting, found=work.found)
-        for _, work in room.given(room.at, 0, Work)
+        for _, work in room.given(stop, 0, Work)
         if work.setting is not None and work.found is not None and not work.doubt
     )
 
@@ -247,18 +263,19 @@ def law_of(found: Sequence[Found]) -> Law | None:
     return None if law is None else Law(factor=law.factor, exponent=law.exponent)
 
 
-def abscissa(classroom: Class) -> str:
-    """Return the label of the class's plot's abscissa: what the first slider of the present step sets."""
-    key = classroom.first_setting()
+def abscissa(classroom: Class, stop: int) -> str:
+    """Return the label of the class's plot's abscissa: what the first slider of a stop's step sets."""
+    key = classroom.first_setting(stop)
     try:
-        return setting_of(classroom.scene(classroom.room.at), key).label.lower() if key else ""
+        return setting_of(classroom.scene(stop), key).label.lower() if key else ""
     except SettingError:
         return key
 
 
-def is_turned(classroom: Class) -> bool:
-    """Return whether the class's plot grows downwards: it shows a y of a scene whose y does."""
-    step, scene = classroom.room.step, classroom.room.scenes[classroom.room.stops[classroom.room.at].scene]
+def is_turned(classroom: Class, stop: int) -> bool:
+    """Return whether the class's plot of a stop grows downwards: it shows a y of a scene whose y does."""
+    room = classroom.room
+    step, scene = room.step_at(stop), room.scenes[room.stops[stop].scene]
     if step is None or step.collect is None or step.collect.of == "period" or not scene.view.y_down:
         return False
     try:

@@ -25,9 +25,11 @@ from app.classroom.live import Class, PupilStatus, SharedView, Word
 from app.classroom.room import MAX_ANSWERS, digest
 from sim.errors import InputError, SettingError
 from sim.motion.quantities import quantity
+from sim.scene.lesson import Step
 from sim.settings import setting_of
 
 from ...session import commands
+from ...session.framing import Bounds
 from ...session.session import Session
 from ...stage.sketch import Mapping
 from ...ui.controls import Controls
@@ -42,6 +44,7 @@ from .role import (
     abscissa,
     asking,
     found_by,
+    home_text,
     is_turned,
     law_of,
     places_of,
@@ -75,7 +78,7 @@ class SeatRole(ClassRole):
         self._secret = ""
         self._number = 0
         self._problem = ""
-        self._stop = -1
+        self._stop: tuple[int, bool] = -1, False  # that the body is of, and whether it moves
         self._paused = False
         self._session: Session | None = None
         self._unwritten: deque[tuple[int, str]] = deque(maxlen=MAX_ANSWERS)
@@ -98,25 +101,43 @@ class SeatRole(ClassRole):
         return seat if has else None
 
     @property
-    def shared_view(self) -> SharedView | None:
+    def _place(self) -> rooms.Place:
+        return self.room.place_of(self._number)
+
+    @property
+    def _step(self) -> Step | None:
+        return self.room.step_at(self._place.stop)
+
+    @property
+    def _moves(self) -> bool:
+        """Whether the page has a body of its own that may move."""
         seat, room = self.seat, self.room
-        has_own = seat is not None and room.phase in OWN_BODY and not room.gathered and not seat.follows
-        return None if has_own else self.classroom.shared_view
+        if seat is None or self._place.phase not in OWN_BODY:
+            return False
+        return room.is_home or not (room.gathered or seat.follows)
+
+    @property
+    def shared_view(self) -> SharedView | None:
+        return None if self._moves or self.room.is_home else self.classroom.shared_view
+
+    @property
+    def bounds(self) -> Bounds | None:
+        return self.classroom.bounds(self._place.stop)
 
     @property
     def controls(self) -> Controls | None:
-        if self.shared_view is not None or self.seat is None or self.room.phase not in OWN_BODY:
+        if not self._moves or self.shared_view is not None:
             return NOTHING
-        step = self.room.step
+        step = self._step
         return Controls(("play", *(step.controls if step is not None else ())))
 
     @property
     def plots(self) -> tuple[str, ...]:
-        step = self.room.step
+        step = self._step
         return (step.plots or ()) if step is not None else ()
 
     def allows(self, said: from_page.FromPage) -> bool:
-        return isinstance(said, _ALWAYS) or (self.shared_view is None and isinstance(said, OwnBody))
+        return isinstance(said, _ALWAYS) or (self._moves and isinstance(said, OwnBody))
 
     def introduce(self, who: from_page.Who, session: Session) -> None:
         # A page belongs to one browser, and cannot take seat after seat.
@@ -144,6 +165,8 @@ class SeatRole(ClassRole):
                     self.room.version += 1
                 case messages.LeaveBy():
                     self.room.offer_move(self._own_seat().number)
+                case messages.WalkTo(stop):
+                    self.room.walk(self._own_seat().number, stop)
                 case messages.Follow(on):
                     self.room.follow(self._own_seat().number, on)
         except Refused as error:
@@ -163,7 +186,7 @@ class SeatRole(ClassRole):
             self._mail.send(predictions(self.classroom))
 
     def keep(self, keepsake: bytes) -> bool:
-        if self.seat is not None and self._stop == self.room.at:
+        if self._moves and self._stop == (self._place.stop, True):
             self.classroom.keep_body(self._number, keepsake)
         return True
 
@@ -176,10 +199,10 @@ class SeatRole(ClassRole):
 
     # --------------------------------------------------------------------- called by the teacher's page
     def begin(self) -> None:
-        self._stop = self.room.at
+        stop, moves = self._stop = self._place.stop, self._moves
         try:
             # As a page alone has it once its step has run: what the step says to do begins there.
-            self.show(self.classroom.run_scene(self.room.at))
+            self.show(self.classroom.run_scene(stop) if moves else self.classroom.scene(stop))
         except SettingError as error:
             self._mail.send(Taken(ids=(), refused=f"This step cannot begin: {error}."))
 
@@ -187,14 +210,14 @@ class SeatRole(ClassRole):
         if self._session is not None:
             # The class's own card has the step; the scene's card would repeat it.
             self._session.post(commands.Open(msgspec.structs.replace(scene, lesson=None)))
-            self._session.post(commands.Play(not self.room.paused))
+            self._session.post(commands.Play(self._moves and not self.room.paused))
 
     # --------------------------------------------------------------------- the pupil's body
     def _update_body(self, session: Session) -> None:
         """Begin or resume the pupil's body, watch it, and pause it with all others."""
-        if self._stop != self.room.at:
-            if (keepsake := self.classroom.body(self._number)) is not None:
-                self._stop = self.room.at
+        if self._stop != (here := (self._place.stop, self._moves)):
+            if self._moves and (keepsake := self.classroom.body(self._number)) is not None:
+                self._stop = here
                 session.post(commands.Resume(keepsake, None))
             else:
                 self.begin()
@@ -210,7 +233,7 @@ class SeatRole(ClassRole):
         if self._opening != session.openings:
             self._opening, self._reached, self._touched, self._found = session.openings, False, False, None
             self._reading_text = ""
-            step = self.room.step
+            step = self._step
             goal, collect = (step.goal, step.collect) if step is not None else (None, None)
             try:
                 self._watch = GoalWatch(goal, session.scene) if goal is not None else None
@@ -231,7 +254,7 @@ class SeatRole(ClassRole):
 
     def _read_out(self, scene: sim.Scene) -> str:
         """What would be handed in now, as the pupil reads it."""
-        step = self.room.step
+        step = self._step
         if self._found is None or step is None or step.collect is None:
             return ""
         unit = "s" if step.collect.of == "period" else quantity(step.collect.quantity, scene).unit
@@ -249,9 +272,10 @@ class SeatRole(ClassRole):
 
     def _class_found(self) -> tuple[Found, ...]:
         """The class's plot, for a pupil who has put a point on it."""
-        room = self.room
-        has_given = any(answer.seat == self._number for answer, _ in room.given(room.at, 0, Work))
-        return found_by(room) if room.phase is Phase.COLLECT and has_given else ()
+        room, (stop, phase, _) = self.room, self._place
+        has_given = any(answer.seat == self._number for answer, _ in room.given(stop, 0, Work))
+        may_see = not room.is_home or room.is_told
+        return found_by(room, stop) if phase is Phase.COLLECT and has_given and may_see else ()
 
     def _law(self) -> Law | None:
         return law_of(self._class_found()) if self.room.law else None
@@ -297,8 +321,8 @@ class SeatRole(ClassRole):
         if content is None:
             return  # not acknowledged, so that the page repeats it
         answer = Answer(said.id, said.turn, seat.number, said.twin, said.stop, said.round, content)
-        if isinstance(content, Work) and self._session is not None and (step := self.room.step) is not None:
-            scene, recorder = self.classroom.run_scene(self.room.at), self._session.recorder
+        if isinstance(content, Work) and self._session is not None and (step := self._step) is not None:
+            scene, recorder = self.classroom.run_scene(self._place.stop), self._session.recorder
             self.classroom.hand_in(answer, recorder.file(), step, scene, frozenset(recorder.visited))
         else:
             self.room.take(seat.number, answer)
@@ -329,7 +353,7 @@ class SeatRole(ClassRole):
             Refused: there is no run to hand in.
         """
         session = self._session
-        if session is None or self.shared_view is not None or said.stop != self.room.at:
+        if session is None or self.shared_view is not None or said.stop != self._place.stop:
             raise Refused("There is no run to hand in now.")
         if session.replay is not None:
             raise Refused("A log is being played; there is nothing to hand in.")
@@ -349,7 +373,7 @@ class SeatRole(ClassRole):
 
     def _setting(self, scene: sim.Scene) -> float | None:
         """Return the value of the first number that the step has a slider for."""
-        key = self.classroom.first_setting()
+        key = self.classroom.first_setting(self._place.stop)
         try:
             return float(setting_of(scene, key).read(scene)) if key else None
         except SettingError:
@@ -363,6 +387,7 @@ class SeatRole(ClassRole):
                 return Seat(elsewhere="page" if taken.token == digest(self._secret) else "device")
             closed = self._problem or "The teacher has closed this seat."
             return Seat(problem=closed if self._secret else "")
+        place = self._place
         mine = [answer for answer in room.answers.values() if answer.seat == seat.number]
         return Seat(
             code=room.code,
@@ -376,7 +401,7 @@ class SeatRole(ClassRole):
             follows=self.shared_view is not None,
             gathered=room.gathered,
             paused=room.paused,
-            away=not self.classroom.teachers,
+            away=not (self.classroom.teachers or room.is_home),
             on_wall=room.is_on_wall(seat.number),
             reached=self._reached,
             reading=self._reading_text,
@@ -385,17 +410,20 @@ class SeatRole(ClassRole):
                 (
                     Found(setting=answer.content.setting, found=answer.content.found)
                     for answer in reversed(mine)
-                    if answer.stop == room.at
+                    if answer.stop == place.stop
                     and isinstance(answer.content, Work)
                     and answer.content.setting is not None
                     and answer.content.found is not None
                 ),
                 None,
             ),
-            over=abscissa(self.classroom),
-            turned=is_turned(self.classroom),
+            over=abscissa(self.classroom, place.stop),
+            turned=is_turned(self.classroom, place.stop),
             law=self._law(),
-            asking=asking(room),
+            asking=asking(room, place=place),
+            home=home_text(room),
+            told=room.is_told,
+            steps=len(room.stops),
             given=tuple(
                 Given(
                     stop=answer.stop,
@@ -406,6 +434,6 @@ class SeatRole(ClassRole):
                     text=answer.content.words,
                 )
                 for answer in mine
-                if answer.stop == room.at
+                if answer.stop == place.stop
             ),
         )

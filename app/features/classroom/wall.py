@@ -6,6 +6,7 @@ import numpy as np
 
 from app.classroom.answers import OWN_BODY, Line, Phase, Vote, Work
 from app.classroom.live import Class, SharedView
+from app.classroom.room import Place
 from sim.errors import SettingError
 
 from ...session.session import Session
@@ -54,7 +55,7 @@ class WallRole(ClassRole):
         doing = self._count_bodies() if room.phase in OWN_BODY else {}
         if not self._is_new(tuple(doing.values())):
             return
-        found, answered = found_by(room), room.answered()
+        found, answered = found_by(room, room.at), room.answered()
         voted = room.phase in SHOWN and bool(room.given(room.at, 0, Vote))
         present = self.classroom.present()
         lines = room.given(room.at, 0, Line) if room.phase is not Phase.EXPLAIN else []
@@ -65,7 +66,7 @@ class WallRole(ClassRole):
                 qr=self._qr,
                 seats=len(present),
                 answered=len(answered & present),
-                asking=asking(room),
+                asking=asking(room, place=Place(room.at, Phase.LOBBY) if room.is_home else None),
                 bars=tuple(room.bars(room.at, room.vote_round)) if voted else (),
                 lines=tuple(
                     WallLine(text=line.text, color=room.seats[answer.seat].color)
@@ -75,8 +76,8 @@ class WallRole(ClassRole):
                 alone=bool(room.on_wall or room.seat_on_wall),
                 paused=room.paused,
                 found=found,
-                over=abscissa(self.classroom),
-                turned=is_turned(self.classroom),
+                over=abscissa(self.classroom, room.at),
+                turned=is_turned(self.classroom, room.at),
                 law=law_of(found) if room.law else None,
                 doing=doing,
                 start=self._start() if room.phase is Phase.REVEAL else (),

@@ -196,8 +196,9 @@ function belowOf(seat) {
   const { phase, right, because } = asking;
   const follow = button(seat.follows ? "Back to my own body" : "Look at the teacher's", () => send({ do: "follow", on: !seat.follows }), { focus: "follow" });
   const mayFollow = OWN_BODY.has(phase) && !seat.gathered;
+  if (seat.home) return [...waiting(), ...homework(seat, asking), fold("This seat", lobbyOf(seat), "about")];
   return [
-    ...(unsent().length ? [make("p", "softrod-waiting", "Not at the teacher's yet: kept here, and sent as soon as that is possible.")] : []),
+    ...waiting(),
     ...(mayFollow ? [box("div", "softrod-phases", ...(seat.follows ? [] : timeButtons()), follow)] : []),
     ...(mayFollow && !seat.follows && phase === "collect" ? [...twins(seat), ...handIn(seat, asking)] : []),
     ...(hasOwn() && (right >= 0 || because) ? [fold("The question, and why", [make("p", "", asking.question), verdict(asking)], "why")] : []),
@@ -205,9 +206,35 @@ function belowOf(seat) {
   ];
 }
 
+/** What is said while answers wait to be sent. */
+const waiting = () => (unsent().length ? [make("p", "softrod-waiting", "Not at the teacher's yet: kept here, and sent as soon as that is possible.")] : []);
+
+/** What stands below sliders and plots in homework: a line, the run to hand in, and the way to other steps. @param {Seat} seat @param {Asking} asking */
+function homework(seat, asking) {
+  const { stop, question, right } = asking;
+  /** @param {number} to */
+  const walk = (to) => send({ do: "walkTo", stop: to });
+  const isLast = stop + 1 >= seat.steps;
+  const back = button("Back", () => walk(stop - 1), { focus: "walk back" });
+  const next = isLast ? make("p", "softrod-quiet", "That was the last step.") : button(`Next: step ${stop + 2} of ${seat.steps}`, () => walk(stop + 1), { focus: "walk on" });
+  return [
+    ...(hasOwn() ? [box("div", "softrod-phases", ...timeButtons()), ...twins(seat)] : []),
+    ...(hasOwn() && question ? [make("p", "softrod-task", "Why is it so? One line."), explanation(asking)] : []),
+    ...(hasOwn() ? handIn(seat, asking) : []),
+    ...(hasOwn() && question ? [right >= 0 ? verdict(asking) : box("p", "softrod-quiet", ...verdict(asking).childNodes, ` What is right is told on ${seat.home}.`)] : []),
+    box("div", "softrod-phases", ...(stop > 0 ? [back] : []), next),
+  ];
+}
+
 /** What to do, in one sentence. @param {Seat} seat @param {Asking} asking */
-function sentence({ paused, away, follows, gathered }, { phase, predict, question, round }) {
+function sentence({ paused, away, follows, gathered, home, told }, { phase, predict, question, round }) {
   const hasOwn = OWN_BODY.has(phase);
+  if (home && phase === "ask") {
+    const drag = predict > 0 ? `drag the pale body to where it will be after ${predict} s` : "";
+    const what = [drag, question ? "answer" : ""].filter(Boolean).join(", and ");
+    return `First ${what}: then it moves. ${told ? "" : `Nobody sees it before ${home}.`}`.trim();
+  }
+  if (home) return "Now try it: this body is yours.";
   if (away && phase !== "lobby" && !hasOwn) return "Your teacher's page is away for a moment: wait.";
   if (hasOwn && gathered) return "Look to the front: this is your teacher's body. Yours waits.";
   if (hasOwn && follows) return "This is your teacher's body. Yours waits.";
@@ -229,6 +256,13 @@ function body(seat, asking) {
   if (phase === "lobby") return lobbyOf(seat);
   if (phase === "ask") return [...twins(seat), ...(asking.question ? [choices(asking)] : []), ...(asking.predict > 0 && asking.round === 0 ? predictButton(asking) : [])];
   if (phase === "explain") return [...twins(seat), explanation(asking)];
+  if (seat.home && hasOwn()) {
+    return [
+      ...(asking.goal ? [make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`)] : []),
+      make("p", "", asking.do),
+      ...(asking.watch ? [make("p", "softrod-watch", asking.watch)] : []),
+    ];
+  }
   if ((phase === "results" || phase === "reveal") && asking.question) return [verdict(asking)];
   if (!OWN_BODY.has(phase) || seat.gathered) return [];
   if (seat.follows) return [];
