@@ -20,6 +20,7 @@ import numpy as np
 from filelock import BaseFileLock
 
 import sim
+from sim.errors import SceneError
 from sim.scene.lesson import Lesson, Step
 from sim.settings import CHOICES, scene_of_run, scene_of_step
 
@@ -147,6 +148,8 @@ class Class:
         statuses: what each seat's body does, by its number.
         checks: the last devices that checked whether they can take part.
         wall_feed: what the wall shows of the seat that is on it; None without one.
+        base: the address by which pupils come in, if the teacher has chosen one of several networks; else the
+            one by which each page was opened.
         run: the log of the present stop's run, once that has stopped; empty before.
         written: version of the room that is on the disk.
         trouble: why nothing can be stored now, in the system's words; empty while all is stored.
@@ -172,6 +175,7 @@ class Class:
         self.statuses: dict[int, PupilStatus] = {}
         self.checks: deque[DeviceCheck] = deque(maxlen=MAX_CHECKS)
         self.wall_feed: SharedView | None = None
+        self.base = ""
         self.run = b""
         self.written = -1
         self.trouble = ""
@@ -215,6 +219,19 @@ class Class:
             scene = scene if place.step is None else made_by(scene, place.step)
             self._scenes[stop, made_by] = msgspec.structs.replace(scene, lesson=None)
         return self._scenes[stop, made_by]
+
+    def choose(self, name: str) -> None:
+        """Have the class go through a scene of that name instead, while nothing has begun.
+
+        Raises:
+            Refused: the class has begun, or there is no such scene.
+        """
+        try:
+            self.room.choose((sim.load_scene(name),))
+        except SceneError as error:
+            raise Refused(str(error)) from None
+        self._scenes.clear()
+        self._bounds.clear()
 
     def bounds(self, stop: int) -> Bounds | None:
         """Return (2, 2) px, the box around the motion of a stop's body as its step and its run begin.

@@ -384,6 +384,19 @@ class Room(Struct, kw_only=True):
             self.on_wall = ""
         self.version += 1
 
+    def choose(self, scenes: tuple[sim.Scene, ...]) -> None:
+        """Go through other scenes, while nothing has begun.
+
+        Raises:
+            Refused: something has been given, or the class has begun.
+        """
+        if self.phase is not Phase.LOBBY or self.asked or self.answers or self.is_home:
+            raise Refused("The class has begun: its lesson can no longer be chosen.")
+        self.scenes, self.at = scenes, 0
+        if len(self.stops) > MAX_STOPS:
+            raise Refused(f"A class has {MAX_STOPS} steps at most; this scene has {len(self.stops)}.")
+        self.version += 1
+
     # --------------------------------------------------------------------- the pupils
     def enter(self, secret: str, here: Collection[int] | None = None, granted: Collection[int] = ()) -> Seat:
         """Return the seat of a browser: the one that it had, or a new one.

@@ -41,6 +41,7 @@ from ..gate.address import (
     class_exposure,
     interfaces,
     is_virtual,
+    local_addresses,
     public_address,
 )
 from ..gate.gate import CLASS, Connection, GatedServer, Visit, exposure, open_server, page_addresses
@@ -94,7 +95,7 @@ class _Tabs:
 
         def role(mail: Mail) -> Role | None:
             download = partial(client.send_file_download, save_immediately=True)
-            return desk_of_query(visit, mail, self._classes, self._base(visit), download)
+            return desk_of_query(visit, mail, self._classes, self._base(visit), download, self._networks())
 
         first = (classroom and first_scene(classroom)) or self._scene
         begin = None if gate.loopback and self._public is None else self._begin_class
@@ -109,6 +110,15 @@ class _Tabs:
         With several networks, pupils are in the one that the teacher's page was opened in.
         """
         return self._for_others(f"http://{visit.host}/")
+
+    def _networks(self) -> list[str]:
+        """The addresses by which others may reach the server, if there are several."""
+        if self._public is not None or self._host != "0.0.0.0":
+            return []
+        names = interfaces()
+        port = self.server.get_port()
+        real = [address for address in local_addresses() if not is_virtual(names.get(address, ""))]
+        return [f"http://{address}:{port}/" for address in real] if len(real) > 1 else []
 
     def make_class_tab(self, line: Line, visit: Visit) -> ClassTab:
         """The tab of a page of a class, which is no teacher's."""

@@ -81,7 +81,7 @@ class Wall(Somebody):
     """The page for the projector."""
 
     def __init__(self, classroom: Class) -> None:
-        super().__init__(lambda mail: WallRole(classroom, mail, ADDRESS, ""))
+        super().__init__(lambda mail: WallRole(classroom, mail, ADDRESS))
 
 
 class Teacher(Somebody):
@@ -90,7 +90,7 @@ class Teacher(Somebody):
     role: DeskRole
 
     def __init__(self, classroom: Class, session: Session | None = None) -> None:
-        super().__init__(lambda mail: DeskRole(classroom, mail, ADDRESS, "", no_download), session)
+        super().__init__(lambda mail: DeskRole(classroom, mail, ADDRESS, no_download), session)
         self.introduce(9, classroom.room.key)
         self.frame()
 

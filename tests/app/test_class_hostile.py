@@ -277,8 +277,8 @@ def test_a_hundred_forged_acts_of_a_teacher_and_none_is_done(classes: Classes, c
     Teacher(classroom)  # the true one is there meanwhile
     makes = (
         SeatRole,
-        lambda room, mail: WallRole(room, mail, "", ""),
-        lambda room, mail: DeskRole(room, mail, "", "", no_download),
+        lambda room, mail: WallRole(room, mail, ""),
+        lambda room, mail: DeskRole(room, mail, "", no_download),
     )
     for make, key, kind in itertools.product(makes, keys, messages(class_messages.Lead)):
         role = make(classroom, Letters())  # a page is another role after every connection

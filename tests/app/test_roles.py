@@ -60,8 +60,8 @@ def test_no_page_has_the_right_answer_before_it_is_told() -> None:
     "make",
     [
         SeatRole,
-        lambda room, mail: WallRole(room, mail, "", ""),
-        lambda room, mail: DeskRole(room, mail, "", "", no_download),
+        lambda room, mail: WallRole(room, mail, ""),
+        lambda room, mail: DeskRole(room, mail, "", no_download),
     ],
 )
 def test_only_a_teacher_leads(
@@ -319,3 +319,40 @@ def test_the_law_is_on_the_wall_only_when_it_is_asked_for(classroom: Class) -> N
     assert wall.role.shared_view.picture.positions.tolist() == [[0.0, 0.0]] * 4
     classroom.room.put_on_wall("")
     assert wall.role.shared_view is classroom.shared_view
+
+
+def test_a_teacher_chooses_the_lesson_before_the_class_begins_and_not_after(classroom: Class) -> None:
+    teacher, pupil, wall = Teacher(classroom), Pupil(classroom), Wall(classroom)
+    pupil.frame()
+    names = [one.name for one in teacher.shown(Desk).lessons]
+    assert (names[0], names[-1], len(names)) == ("lesson-hooke", "lesson-worm-floor", 14)
+    teacher.say(class_messages.ChooseLesson("lesson-worm"))
+    teacher.frame()
+    told = teacher.shown(Desk)
+    assert (told.lesson, len(told.stops)) == ("lesson-worm", 4)
+    assert teacher.session.scene.name == "lesson-worm"
+    assert wall.shown(class_messages.Wall).steps == 4
+    teacher.say(class_messages.ChooseLesson("no-such-lesson"))
+    assert "no-such-lesson" in teacher.session.notices[-1].text
+    teacher.say(class_messages.Stage(0, "ask"))
+    assert not teacher.shown(Desk).lessons
+    teacher.say(class_messages.Stage(0, "lobby"), class_messages.ChooseLesson("lesson-hooke"))
+    assert teacher.session.notices[-1].text == "The class has begun: its lesson can no longer be chosen."
+    assert classroom.room.scenes[0].name == "lesson-worm"
+
+
+def test_of_several_networks_the_teacher_chooses_the_pupils(classroom: Class) -> None:
+    networks = ["http://192.168.1.7:8080/", "http://10.42.0.1:8080/"]
+    teacher = Somebody(lambda mail: DeskRole(classroom, mail, networks[0], no_download, networks))
+    teacher.introduce(9, classroom.room.key)
+    wall = Wall(classroom)
+    assert teacher.shown(Desk).address == networks[0]
+    assert wall.shown(class_messages.Wall).address == ADDRESS, "the one that it was opened at"
+    teacher.say(class_messages.ChooseNetwork(networks[1]))
+    told = teacher.shown(Desk)
+    assert (told.address, told.check) == (networks[1], f"{networks[1]}check?room={classroom.room.code}")
+    shown = wall.shown(class_messages.Wall)
+    assert shown.address == networks[1]
+    assert shown.qr == told.qr
+    teacher.say(class_messages.ChooseNetwork("http://evil.example/"))
+    assert teacher.shown(Desk).address == networks[1]

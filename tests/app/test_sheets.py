@@ -197,7 +197,7 @@ def test_a_full_class_takes_no_more() -> None:
 def test_the_teachers_page_alone_brings_answers() -> None:
     classroom, session = Class(a_room()), Session(sim.rope(4), wait=False)
     letters = Letters()
-    role = DeskRole(classroom, letters, "", "", lambda *_: None)
+    role = DeskRole(classroom, letters, "", lambda *_: None)
     said = class_messages.Bring(json.dumps(FULL))
     assert not role.allows(said)
     role.hear(said, session)
@@ -214,7 +214,7 @@ def test_the_teachers_page_alone_brings_answers() -> None:
 def test_the_teachers_page_saves_the_lesson_as_a_file() -> None:
     classroom, session = Class(a_room()), Session(sim.rope(4), wait=False)
     saved: dict[str, bytes] = {}
-    role = DeskRole(classroom, Letters(), "", "", saved.__setitem__)
+    role = DeskRole(classroom, Letters(), "", saved.__setitem__)
     role.introduce(from_page.Who("0" * 32, "", "key"), session)
     classroom.room.go(1, Phase.SHOW)
     made = classroom.lesson_file()

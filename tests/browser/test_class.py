@@ -354,6 +354,39 @@ def test_on_a_phone_a_pupil_comes_in_by_letters_and_answers_by_touch(school: Sch
     expect(phone.locator(".softrod-handed")).to_contain_text("Handed in")
 
 
+def test_a_pupil_s_body_goes_on_without_a_network_and_is_the_server_s_again(school: School) -> None:
+    room = school.classroom.room
+    with FRAME_LOCK:
+        teacher = Teacher(school.classroom, Session(a_lesson()))
+    wire = Wire(school.port)
+    address = seat_address(f"http://127.0.0.1:{wire.port}/", room.code)
+    phone = school.open(address, PHONE, touch=True, script=HURRIED)
+    expect(phone.locator(".softrod-task")).to_have_text("You are in. It begins soon.")
+    with FRAME_LOCK:
+        room.go(0, Phase.TRY)
+        teacher.frame()
+    time = "window.__softrod.shown().frame.time"
+    until(phone, lambda: phone.evaluate(time) > 0.2, "it moves")
+    wire.mute = True
+    expect(phone.locator("#banner")).to_contain_text("your body goes on here")
+    before = phone.evaluate(time)
+    until(phone, lambda: phone.evaluate(time) > before + 0.3, "it goes on")
+    place = phone.evaluate("[...window.__softrod.shown().frame.positions]")
+    assert abs(place[2] - 300.0) < 5.0, "as before: it swings up and down"
+    assert 190.0 < place[3] < 290.0
+    # What it does now is not handed in; sliders and buttons act on it.
+    phone.locator("[data-focus=play]").tap()
+    stands = phone.evaluate(time)
+    phone.locator("[data-focus=play]").tap()
+    until(phone, lambda: phone.evaluate(time) > stands, "it plays on")
+    wire.mute = False
+    expect(phone.locator("#banner")).to_be_empty()
+    expect(phone.locator(".softrod-task")).to_have_text("Try it: this body is yours.")
+    later = phone.evaluate(time)
+    until(phone, lambda: phone.evaluate(time) > later, "the server's body is shown, and moves")
+    wire.close()
+
+
 def test_answers_from_the_lessons_file_by_code_and_as_a_file(
     school: School, browser: Browser, tmp_path: Path
 ) -> None:

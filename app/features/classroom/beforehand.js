@@ -1,28 +1,70 @@
 // @ts-check
-/** What a teacher looks at before the class: the way in, and whether a phone can take part from here. */
+/** What a teacher looks at before the class, one after the other: the lesson, the network, a check, the wall. */
+import { send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { box, qrCode, typedAddress } from "./elements.js";
 
 /** @param {import("../../wire/wire.js").Desk} desk @returns {HTMLElement[]} */
-export function beforehand({ address, code, qr, check, check_qr, tried, seats }) {
-  if (!check_qr) return [];
+export function beforehand(desk) {
+  if (!desk.check_qr) return [];
+  const parts = [...lesson(desk), ...network(desk), check(desk), wayIn(desk)];
+  return parts.map(([title, ...content], i) => box("section", "softrod-beforehand", make("h3", "", `${i + 1}. ${title}`), ...content));
+}
+
+/** @typedef {[title: string, ...content: HTMLElement[]]} Part */
+
+/**
+ * A list to choose from.
+ *
+ * @param {string} name @param {string} focus @param {{value: string, text: string}[]} options @param {string} chosen
+ * @param {(value: string) => void} choose
+ */
+function list(name, focus, options, chosen, choose) {
+  const select = make("select", "");
+  select.setAttribute("aria-label", name);
+  select.dataset.focus = focus;
+  for (const { value, text } of options) select.add(new Option(text, value, false, value === chosen));
+  select.addEventListener("change", () => choose(select.value));
+  return select;
+}
+
+/** @param {import("../../wire/wire.js").Desk} desk @returns {Part[]} */
+function lesson({ lessons, lesson, stops }) {
+  if (!lessons.length) return [];
+  const known = lessons.map(({ name, title }) => ({ value: name, text: title }));
+  const options = known.some(({ value }) => value === lesson) ? known : [{ value: lesson, text: stops[0].title }, ...known];
+  const choice = list("Lesson", "lesson", options, lesson, (name) => name && send({ do: "chooseLesson", name }));
+  return [["Which lesson?", choice, make("p", "softrod-quiet", `It has ${stops.length} ${stops.length === 1 ? "step" : "steps"}.`)]];
+}
+
+/** @param {import("../../wire/wire.js").Desk} desk @returns {Part[]} */
+function network({ networks, address }) {
+  if (!networks.length) return [];
+  const options = networks.map((one) => ({ value: one, text: typedAddress(one) }));
+  const choice = list("Address", "network", options, address, (one) => send({ do: "chooseNetwork", address: one }));
+  return [["In which network are the pupils?", choice, make("p", "softrod-quiet", "This computer is in several. The addresses of pupils' devices begin alike.")]];
+}
+
+/** @param {import("../../wire/wire.js").Desk} desk @returns {Part} */
+function check({ check, check_qr, tried, seats }) {
   const link = Object.assign(make("a", "", typedAddress(check)), { href: check, target: "_blank" });
   link.dataset.focus = "check";
-  const list = box("ul", "", ...tried.map((one) => make("li", one.works ? "" : "softrod-warning", words(one))));
-  list.setAttribute("role", "status");
+  const found = box("ul", "", ...tried.map((one) => make("li", one.works ? "" : "softrod-warning", words(one))));
+  found.setAttribute("role", "status");
   const nothing = "If a phone finds nothing at this address, the network keeps devices apart: use this computer's own hotspot.";
   return [
-    box("section", "softrod-way-in", make("h3", "", "The way in"), qrCode(qr, `${address}?room=${code}`), make("p", "softrod-quiet", "The wall shows it, too, large.")),
-    box(
-      "section",
-      "softrod-beforehand",
-      make("h3", "", "Does the network let them in?"),
-      qrCode(check_qr, check),
-      box("p", "", "Before the class, with a phone that is in the pupils' network: ", link),
-      list,
-      ...(tried.length || seats.length ? [] : [make("p", "softrod-quiet", nothing)]),
-    ),
+    "Does the network let them in?",
+    box("div", "softrod-scan", qrCode(check_qr, check), box("p", "", "Scan this with a phone that is in the pupils' network, or open ", link)),
+    found,
+    ...(tried.length || seats.length ? [] : [make("p", "softrod-quiet", nothing)]),
   ];
+}
+
+/** @param {import("../../wire/wire.js").Desk} desk @returns {Part} */
+function wayIn({ address, code, qr }) {
+  const wall = Object.assign(make("a", "softrod-small", "Open the wall"), { href: `?room=${code}&as=wall`, target: "_blank" });
+  wall.dataset.focus = "openWall";
+  return ["Put the wall on the projector", box("p", "", wall), qrCode(qr, `${address}?room=${code}`, "softrod-way-in"), make("p", "softrod-quiet", "The wall shows this, too, large: it is the pupils' way in.")];
 }
 
 /** @param {import("../../wire/wire.js").DeskTried} tried */

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from typing import Literal
 
@@ -34,6 +34,7 @@ from .role import (
     home_text,
     is_turned,
     law_of,
+    lesson_names,
     places_of,
     predictions,
 )
@@ -56,18 +57,21 @@ class DeskRole(ClassRole):
     Args:
         classroom: the class.
         mail: to the page's script.
-        address: by which pupils come in.
-        qr: a picture of its QR code, as an address.
+        address: by which pupils come in, unless the teacher chooses another.
         download: has the browser save a file of that name.
+        networks: addresses of this computer to choose from.
     """
 
     def __init__(
-        self, classroom: Class, mail: Mail, address: str, qr: str, download: Callable[[str, bytes], None]
+        self,
+        classroom: Class,
+        mail: Mail,
+        address: str,
+        download: Callable[[str, bytes], None],
+        networks: Sequence[str] = (),
     ) -> None:
-        super().__init__(classroom, mail)
-        self._address, self._qr, self._download = address, qr, download
-        self._check = check_address(address, classroom.room.code)
-        self._check_qr = qr_code(self._check)
+        super().__init__(classroom, mail, address)
+        self._download, self._networks = download, tuple(networks)
         self._is_teacher = False
         self._place: tuple[int, Phase, int] | None = None
         self._run_time = 0.0  # at which the log of the run was taken
@@ -108,6 +112,14 @@ class DeskRole(ClassRole):
                     room.star(answer, on)
                 case messages.ToWall(answer):
                     room.put_on_wall(answer)
+                case messages.ChooseLesson(name):
+                    self.classroom.choose(name)
+                    self._open(session)
+                    session.post(commands.Play(False))
+                case messages.ChooseNetwork(address):
+                    if address in self._networks:
+                        self.classroom.base = address
+                        room.version += 1
                 case messages.Bring(text):
                     self._import(text)
                 case messages.OneSeat(seat, what):
@@ -315,12 +327,13 @@ class DeskRole(ClassRole):
         room, classroom = self.room, self.classroom
         answered, found = room.answered(), found_by(room, room.at)
         after, step = room.next(), room.step
+        before, check = room.phase is Phase.LOBBY, check_address(self.address, room.code)
         return Desk(
             code=room.code,
-            address=self._address,
-            qr=self._qr,
-            check=self._check,
-            check_qr=self._check_qr if room.phase is Phase.LOBBY else "",
+            address=self.address,
+            qr=self.qr,
+            check=check,
+            check_qr=qr_code(check) if before else "",
             tried=tuple(DeskTried(**vars(check)) for check in classroom.checks),
             stops=tuple(
                 DeskStop(title=room.title(i), phases=tuple((p.value, round) for p, round in room.order(i)))
@@ -351,6 +364,9 @@ class DeskRole(ClassRole):
             paused=room.paused,
             saved=classroom.written == room.version,
             trouble=classroom.trouble,
+            lessons=lesson_names() if before and not room.is_home else (),
+            lesson=room.scenes[0].name if len(room.scenes) == 1 else "",
+            networks=self._networks if before else (),
             home=home_text(room),
             told=room.is_told,
             done=tuple(self._done(stop) for stop in range(len(room.stops))) if room.is_home else (),

@@ -11,10 +11,11 @@
 /** The sentences of a text. @param {string} text */
 export const sentencesOf = (text) => text.match(/[^.?!]+(?:[.?!](?!\s|$)[^.?!]*)*[.?!]*\s*/g)?.map((one) => one.trim()) ?? [];
 
-/** What a question says is so, and what it asks: its last sentence. @param {string} question */
+/** What a question says is so, and what it asks: its last sentence, which the choices may complete. @param {string} question */
 export function partsOf(question) {
   const sentences = sentencesOf(question);
-  return { given: sentences.slice(0, -1).join(" "), asked: sentences.at(-1) ?? "" };
+  const asked = sentences.at(-1) ?? "";
+  return { given: sentences.slice(0, -1).join(" "), asked: !asked || /[.?!]$/.test(asked) ? asked : `${asked} …` };
 }
 
 /**

@@ -15,6 +15,7 @@ from ...wire.messages import (
     OwnBody,
     PhaseName,
     Point,
+    SceneName,
     State,
 )
 from ...wire.sections import Section
@@ -148,6 +149,18 @@ class Stage(Lead, frozen=True):
     stop: Annotated[int, Meta(ge=0, le=99)]
     phase: PhaseName
     round: Annotated[int, Meta(ge=0, le=1)] = 0
+
+
+class ChooseLesson(Lead, frozen=True):
+    """The class is to go through another scene; before it begins."""
+
+    name: SceneName
+
+
+class ChooseNetwork(Lead, frozen=True):
+    """Pupils are in the network of one of this computer's addresses."""
+
+    address: Annotated[str, Meta(max_length=300)]
 
 
 class Arrange(Lead, frozen=True):
@@ -528,6 +541,13 @@ class DeskTried(Struct, frozen=True, kw_only=True):
     doubts: bool
 
 
+class LessonName(Struct, frozen=True, kw_only=True):
+    """A scene that the class could go through: its name, and its title."""
+
+    name: str
+    title: str
+
+
 class DeskStop(Struct, frozen=True, kw_only=True):
     """A stop of the class's plan."""
 
@@ -556,6 +576,10 @@ class Desk(State, frozen=True, kw_only=True):
         check: the address at which a device tries whether it can take part.
         check_qr: a picture of its QR code; empty once the class has begun.
         tried: what the last devices found that did.
+        lessons: to choose from before the class begins, and
+        lesson: the name of the one that is chosen.
+        networks: addresses by which pupils may come in, of which one can be chosen; empty where there is
+            nothing to choose.
         home, told: see `Seat`.
         done: of homework, how many have answered each stop's question, and how many have handed in there.
     """
@@ -586,6 +610,9 @@ class Desk(State, frozen=True, kw_only=True):
     paused: bool
     saved: bool
     trouble: str
+    lessons: tuple[LessonName, ...]
+    lesson: str
+    networks: tuple[str, ...]
     home: str
     told: bool
     done: tuple[tuple[int, int], ...]

@@ -152,11 +152,11 @@ export class OwnPrediction {
     return `${Number(Math.abs(by).toPrecision(3))} ${unit} ${word}`;
   }
 
-  /** Moves that mass a little. @param {number} way 1 for up */
-  stepBy(way) {
+  /** Moves that mass a little. @param {number} across 1 for right @param {number} up 1 for up */
+  stepBy(across, up) {
     const [mass] = this.free;
     const [x, y] = this.places[mass];
-    this.move(mass, [x, y + way * STEP]);
+    this.move(mass, [x + across * STEP, y + up * STEP]);
   }
 
   /** @param {Sight} seen */

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Sequence
 from datetime import datetime
+from functools import cache
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -18,7 +20,9 @@ from app.classroom.live import Class, SharedView
 from app.classroom.room import Place, Room
 from sim.errors import InputError, SettingError
 from sim.motion.quantities import quantity
+from sim.scene.types import shown_name
 from sim.settings import setting_of
+from sim.store.files import built_in_folder
 
 from ...lessons import goal_text, read_masses, reading_text
 from ...session.framing import Bounds
@@ -30,7 +34,8 @@ from ...ui.view import picture_of
 from ...wire import from_page
 from ...wire.carrier import Mail
 from ...wire.line import Line
-from .messages import Asking, ClassEnded, Found, Law, Predictions, Seat
+from ..files.sharing import qr_code
+from .messages import Asking, ClassEnded, Found, Law, LessonName, Predictions, Seat
 from .shared_view import broadcast, same_view
 
 NOTHING = Controls(())
@@ -115,26 +120,45 @@ class Entrance(Role):
         self._mail.send(Seat(problem=self._problem))
 
 
+@cache
+def lesson_names() -> tuple[LessonName, ...]:
+    """Return the lessons that come with softrod, in the order of their titles' numbers."""
+    scenes = [sim.load_scene(path.stem) for path in sorted((built_in_folder() / "lessons").glob("*.json"))]
+    found = [LessonName(name=scene.name, title=shown_name(scene)) for scene in scenes]
+    return tuple(sorted(found, key=lambda one: [int(n) for n in re.findall(r"\d+", one.title)][:1]))
+
+
 class ClassRole(Role):
     """What one page is in a class.
 
     Args:
         classroom: the class.
         mail: to the page's script.
+        address: by which pupils come in, with a slash at its end.
 
     Attributes:
         classroom: as above.
     """
 
-    def __init__(self, classroom: Class, mail: Mail) -> None:
+    def __init__(self, classroom: Class, mail: Mail, address: str = "") -> None:
         self.classroom = classroom
-        self._mail = mail
+        self._mail, self._own_address = mail, address
         self._told_end = False
         self._known: tuple[Any, ...] = ()
         self._first_opening = MAX_OPENINGS * next(_numbers)
         self._plan = -1, -1  # of the session, when it was shown last
         self._plan_number = 0
         self._angles = np.empty(0)
+
+    @property
+    def address(self) -> str:
+        """By which pupils come in, with a slash at its end."""
+        return self.classroom.base or self._own_address
+
+    @property
+    def qr(self) -> str:
+        """A picture of the QR code of the class's address, as an address."""
+        return qr_code(f"{self.address}?room={self.room.code}")
 
     @property
     def bounds(self) -> Bounds | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import sim
 from app.classroom.live import Class, Classes
@@ -11,7 +11,6 @@ from sim.errors import SettingError
 from ...gate.address import page_query
 from ...gate.gate import Visit
 from ...wire.carrier import Mail
-from ..files.sharing import qr_code
 from .desk import DeskRole
 from .role import Entrance, Role
 from .seat import SeatRole
@@ -61,7 +60,12 @@ def is_class_page(query: str, classes: Classes, owned: bool) -> bool:
 
 
 def desk_of_query(
-    visit: Visit, mail: Mail, classes: Classes, base: str, download: Callable[[str, bytes], None]
+    visit: Visit,
+    mail: Mail,
+    classes: Classes,
+    base: str,
+    download: Callable[[str, bytes], None],
+    networks: Sequence[str] = (),
 ) -> Role | None:
     """Return the role of a page of viser's on a server that has classes; None for an ordinary page.
 
@@ -71,13 +75,14 @@ def desk_of_query(
         classes: of the server.
         base: the address by which others reach the server, with a slash at its end.
         download: has the page's browser save a file of that name.
+        networks: addresses of the server in several networks, of which the teacher may choose one.
     """
     if is_class_page(visit.query, classes, visit.is_local):
         return Entrance(mail, "")  # its own script would not have connected here
     classroom = class_of_query(visit.query, classes)
     if classroom is None:
         return None
-    return DeskRole(classroom, mail, base, qr_code(seat_address(base, classroom.room.code)), download)
+    return DeskRole(classroom, mail, base, download, networks)
 
 
 def role_of_query(visit: Visit, mail: Mail, classes: Classes, base: str) -> Role:
@@ -88,7 +93,7 @@ def role_of_query(visit: Visit, mail: Mail, classes: Classes, base: str) -> Role
     if classroom is None:
         return Entrance(mail, f"There is no class {code} here now." if code else "")
     if fields.get("as", "") == "wall":
-        return WallRole(classroom, mail, base, qr_code(seat_address(base, code)))
+        return WallRole(classroom, mail, base)
     return SeatRole(classroom, mail, visit.visitor)
 
 

@@ -34,13 +34,11 @@ class WallRole(ClassRole):
     Args:
         classroom: the class.
         mail: to the page's script.
-        address: by which pupils come in.
-        qr: a picture of its QR code, as an address.
+        address: by which pupils come in, unless the teacher chooses another.
     """
 
-    def __init__(self, classroom: Class, mail: Mail, address: str, qr: str) -> None:
-        super().__init__(classroom, mail)
-        self._address, self._qr = address, qr
+    def __init__(self, classroom: Class, mail: Mail, address: str) -> None:
+        super().__init__(classroom, mail, address)
         self._work_view: tuple[str, SharedView | None] = "", None  # by the id of the answer
         self._works = 0
 
@@ -62,8 +60,8 @@ class WallRole(ClassRole):
         self._mail.send(
             Wall(
                 code=room.code,
-                address=self._address,
-                qr=self._qr,
+                address=self.address,
+                qr=self.qr,
                 seats=len(present),
                 answered=len(answered & present),
                 asking=asking(room, place=Place(room.at, Phase.LOBBY) if room.is_home else None),

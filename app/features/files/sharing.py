@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Literal
 
 import segno
@@ -73,6 +74,7 @@ def _controls(scene: Scene, which: Literal["all", "play", "sliders"]) -> str:
     return f"controls={','.join(['play', *sliders])}"
 
 
+@lru_cache(maxsize=32)
 def qr_code(text: str) -> str:
     """A picture of a QR code, as an address that an image can have."""
     return segno.make(text, error="l", micro=False).svg_data_uri(border=4, light="#fff")

@@ -22,6 +22,8 @@ import { forgetAnswers, give, isSamePlace, onOutbox, openOutbox, unsent } from "
 /** Letters of a line, and of a name. */
 const MAX_LETTERS = 140;
 const MAX_NAME_LETTERS = 20;
+/** Buttons that move what is predicted: sign, word, and the way across and up. */
+const STEPS = /** @type {const} */ ([["◀", "to the left", -1, 0], ["▲", "up", 0, 1], ["▼", "down", 0, -1], ["▶", "to the right", 1, 0]]);
 /** Simulated seconds per second of a body that moves slowly. */
 const SLOW = 0.25;
 
@@ -297,10 +299,10 @@ function predictButton(asking) {
   const said = prediction.said(unit());
   const made = button(isIn ? "Your prediction is in" : said ? `Hand in ${said}` : "It will be there", predict, { focus: "predict", name: "softrod-strong" });
   made.disabled = !prediction.moved;
-  const [up, down] = /** @type {const} */ ([["▲", "up", 1], ["▼", "down", -1]]).map(([sign, word, way]) =>
-    button(sign, () => prediction.stepBy(way), { focus: `step ${word}`, label: `A little ${word}` }),
+  const steps = STEPS.map(([sign, word, across, up]) =>
+    button(sign, () => prediction.stepBy(across, up), { focus: `step ${word}`, label: `A little ${word}` }),
   );
-  return [...(prediction.isSingle ? [box("div", "softrod-steps", up, make("output", "", said || "Drag it, or step it"), down)] : []), made];
+  return [...(prediction.isSingle ? [box("div", "softrod-steps", ...steps)] : []), made];
 }
 
 /** @param {Asking} asking */
