@@ -12,10 +12,12 @@ import { tipsOf } from "../../features/classroom/prediction.js";
 /** Radius of a dot, and the room for one, px. */
 const DOT = 12;
 const ROOM = 28;
-/** Pixels from a mass to its lines, their length, and from the body to the columns of dots. */
+/** Pixels from a mass to its lines, their length, and from the whole body to the dots. */
 const BESIDE = 18;
 const LINE = 120;
-const COLUMNS = 60;
+const BESIDE_ALL = 60;
+/** What stands at the foot of the canvas, px. */
+const FOOT = 90;
 /** Displacement below which a body has stayed where it was, px on the screen. */
 const STAYED = 12;
 /** Room for a text, px. */
@@ -75,7 +77,9 @@ export class Reveal {
     const length = Number((far / step / plan.scale).toPrecision(3));
     const [by, words] = isUpright ? [to.y - from.y, ["lower", "higher"]] : [to.x - from.x, ["to the right", "to the left"]];
     const text = `${length} ${this.#unit} ${words[by > 0 ? 0 : 1]}`;
-    const x = Math.max(from.x, to.x) + r, y = Math.min(from.y, to.y) - r;
+    // Left of it, where there is no room at the right.
+    const right = Math.max(from.x, to.x) + r, isLeft = isUpright && right + LINE + TEXT > this.picture.canvas.clientWidth;
+    const x = isLeft ? Math.min(from.x, to.x) - r - LINE : right, y = Math.min(from.y, to.y) - r;
     const [before, after, arrow] = isUpright
       ? [`M${x} ${from.y}h${LINE}`, `M${x} ${to.y}h${LINE}`, `M${x + LINE / 2} ${from.y}V${to.y}m-9 ${-12 * Math.sign(by)}l9 ${12 * Math.sign(by)} 9 ${-12 * Math.sign(by)}`]
       : [`M${from.x} ${y}v${-LINE}`, `M${to.x} ${y}v${-LINE}`, `M${from.x} ${y - LINE / 2}H${to.x}m${-12 * Math.sign(by)} -9l${12 * Math.sign(by)} 9 ${-12 * Math.sign(by)} 9`];
@@ -83,37 +87,46 @@ export class Reveal {
     set(makeSvg("path", "softrod-reveal-arrow", this.svg), { d: arrow });
     set(makeSvg("path", "softrod-reveal-after", this.svg), { d: after });
     const label = makeSvg("text", "softrod-reveal-far", this.svg);
-    set(label, isUpright ? { x: x + LINE + 10, y: to.y + HALF } : { x: Math.max(from.x, to.x) + 10, y: y - LINE / 2 + HALF });
+    if (isLeft) set(label, { "text-anchor": "end" });
+    set(label, isUpright ? { x: isLeft ? x - 10 : x + LINE + 10, y: to.y + HALF } : { x: Math.max(from.x, to.x) + 10, y: y - LINE / 2 + HALF });
     label.textContent = text;
   }
 
   /**
-   * A dot for each prediction, in columns beside the body: as high as its mass was put.
+   * A dot for each prediction, where its mass was put: in rows beside the body, or in columns below it, if it went to the side.
    *
-   * @param {{mass: number, to: {x: number, y: number}}} gone @param {number} radius of the mass, px
+   * @param {{mass: number, from: {x: number, y: number}, to: {x: number, y: number}}} gone @param {number} radius of the mass, px
    * @param {Float64Array} places of all masses, px @param {(place: Place) => {x: number, y: number}} at
    */
-  #dots({ mass, to }, radius, places, at) {
-    const put = this.#bodies.filter((places) => places[mass]).map((places) => at(places[mass]));
+  #dots({ mass, from, to }, radius, places, at) {
+    const put = this.#bodies.filter((one) => one[mass]).map((one) => at(one[mass]));
     if (!put.length) return;
+    const isUpright = Math.abs(to.y - from.y) >= Math.abs(to.x - from.x);
+    /** @param {{x: number, y: number}} place */
+    const along = ({ x, y }) => (isUpright ? y : x);
     /** @type {Map<number, number>} */
     const bins = new Map();
-    const rows = put.map(({ y }) => {
-      const bin = Math.round(y / ROOM), count = bins.get(bin) || 0;
+    const dots = put.map((place) => {
+      const bin = Math.round(along(place) / ROOM), count = bins.get(bin) || 0;
       bins.set(bin, count + 1);
-      return { bin, count, isRight: Math.abs(y - to.y) <= Math.max(radius, ROOM / 2) };
+      return { bin, count, isRight: Math.abs(along(place) - along(to)) <= Math.max(radius, ROOM / 2) };
     });
-    // Right of all of the body and its lines, as far as there is room.
-    const body = Math.max(to.x + LINE + TEXT, ...Array.from(places).filter((_, i) => i % 2 === 0));
-    const width = Math.max(TEXT, ROOM * Math.max(...bins.values()));
-    const left = Math.max(Math.min(body + COLUMNS, this.picture.canvas.clientWidth - width - ROOM), 2 * ROOM);
-    for (const { bin, count, isRight } of rows) {
-      set(makeSvg("circle", isRight ? "softrod-reveal-right" : "softrod-reveal-dot", this.svg), { cx: left + ROOM * count, cy: bin * ROOM, r: DOT });
+    const { clientWidth, clientHeight } = this.picture.canvas;
+    const longest = ROOM * Math.max(...bins.values()), [first, last] = [Math.min(...bins.keys()) * ROOM, Math.max(...bins.keys()) * ROOM];
+    const edge = Array.from(places).filter((_, i) => i % 2 === Number(!isUpright));
+    // Beside all of the body and its lines, as far as there is room.
+    const line = isUpright ? to.x + radius + BESIDE + LINE + TEXT : 0;
+    const beside = Math.max(line <= clientWidth ? line : 0, ...edge) + BESIDE_ALL;
+    const room = isUpright ? clientWidth - Math.max(TEXT, longest) : clientHeight - longest - FOOT;
+    const begin = Math.max(Math.min(beside, room), 2 * ROOM);
+    for (const { bin, count, isRight } of dots) {
+      const [cx, cy] = isUpright ? [begin + ROOM * count, bin * ROOM] : [bin * ROOM, begin + ROOM * count];
+      set(makeSvg("circle", isRight ? "softrod-reveal-right" : "softrod-reveal-dot", this.svg), { cx, cy, r: DOT });
     }
-    const top = Math.min(...bins.keys()) * ROOM - 2 * ROOM;
-    set(makeSvg("path", "softrod-reveal-axis", this.svg), { d: `M${left - ROOM} ${top + ROOM}V${(Math.max(...bins.keys()) + 1) * ROOM}` });
+    const axis = isUpright ? `M${begin - ROOM} ${first - ROOM}V${last + ROOM}` : `M${first - ROOM} ${begin - ROOM}H${last + ROOM}`;
+    set(makeSvg("path", "softrod-reveal-axis", this.svg), { d: axis });
     const title = makeSvg("text", "softrod-reveal-title", this.svg);
-    set(title, { x: left - ROOM, y: top + HALF });
+    set(title, isUpright ? { x: begin - ROOM, y: first - 2 * ROOM + HALF } : { x: last + 2 * ROOM, y: begin - ROOM + HALF });
     title.textContent = "where you put it";
   }
 }

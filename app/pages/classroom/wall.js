@@ -17,6 +17,8 @@ import { Reveal } from "./reveal.js";
 const EMPTY_AFTER = 60_000;
 /** What the class has to do in a phase that waits for all. */
 const WAITS = { ask: "have answered", explain: "have written a line", collect: "have handed in" };
+/** Letters of an answer that stands as large as a number. */
+const SHORT = 9;
 /** Most pupils who have a ring each that fills when they have answered. */
 const MAX_RINGS = 40;
 
@@ -42,8 +44,10 @@ export function addWall(picture) {
   const draw = () => {
     if (!wall) return;
     const isReveal = wall.asking.phase === "reveal";
-    reveal.show(isReveal ? wall.start : [], bodies, wall.unit, wall.asking.masses);
-    predictions.show(isReveal && wall.start.length ? [] : bodies, wall.asking.masses);
+    // Where a moment was asked for, the body stands at it.
+    const start = isReveal && wall.asking.predict > 0 ? wall.start : [];
+    reveal.show(start, bodies, wall.unit, wall.asking.masses);
+    predictions.show(start.length ? [] : bodies, wall.asking.masses);
   };
   const show = () => {
     if (!wall) return;
@@ -123,7 +127,7 @@ function content(wall) {
     if (question) parts.push(voteBars(choices, phase === "ask" ? [] : bars, -1));
   }
   if (phase === "reveal") {
-    if (right >= 0) parts.push(make("p", "softrod-wall-number", choices[right]));
+    if (right >= 0) parts.push(make("p", choices[right].length <= SHORT ? "softrod-wall-number" : "softrod-wall-number softrod-long", choices[right]));
     // The shortest sentence is the one to remember; the others say why.
     const sentences = sentencesOf(because);
     const first = sentences.reduce((short, one) => (short && short.length <= one.length ? short : one), "");
