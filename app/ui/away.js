@@ -4,12 +4,11 @@
  * now nor later.
  */
 import { stopSending } from "../wire/channel.js";
+import { reasonOfRefusal } from "../wire/reach.js";
 import { make } from "./dialog.js";
 import { lost } from "./kept/keep.js";
 
 const TEXT = "Not connected: your body waits. Reconnecting…";
-/** For the wall of a class, which has no body of its own. */
-const WALL = "Not connected. Reconnecting…";
 /** If the server gives no reason why there is no first connection. */
 const BLOCKED =
   "The page has loaded, but its live connection fails: something on the way blocks WebSockets. Try another network, such as the hotspot of the computer that softrod runs on.";
@@ -26,8 +25,7 @@ export const awaySince = () => lostAt;
 /** @param {Event} event */
 function isAllowed(event) {
   if (event instanceof KeyboardEvent) return event.ctrlKey || event.metaKey || BROWSER_KEYS.has(event.key) || /^F\d/.test(event.key);
-  // The answers of a pupil are stored until there is a connection.
-  return event.target instanceof Element && event.target.closest(".softrod-close, .softrod-seat, .softrod-own-prediction") !== null;
+  return event.target instanceof Element && event.target.closest(".softrod-close") !== null;
 }
 
 /** @param {Event} event */
@@ -35,16 +33,6 @@ function swallow(event) {
   if (lostAt === Infinity || isAllowed(event)) return;
   event.preventDefault();
   event.stopImmediatePropagation();
-}
-
-/** Asks why the server refuses connections of this page: the browser does not show the answer of a WebSocket. */
-async function reasonOfRefusal() {
-  try {
-    const answer = await fetch("reach", { headers: { "X-Softrod-Origin": location.origin }, cache: "no-store" });
-    return answer.ok ? BLOCKED : await answer.text();
-  } catch {
-    return TEXT; // the server does not answer
-  }
 }
 
 /** Ends every drag and releases every key, as when the window loses the focus. */
@@ -74,8 +62,7 @@ export function watchConnectionLoss() {
     }
     if (!away) lostAt = Infinity;
     document.documentElement.toggleAttribute("data-softrod-away", away);
-    const wall = document.documentElement.dataset.softrodClass?.split(" ").includes("wall");
-    banner.textContent = away ? (wall ? WALL : TEXT) : "";
-    if (!wasConnected) reasonOfRefusal().then((text) => wasConnected || (banner.textContent = text));
+    banner.textContent = away ? TEXT : "";
+    if (!wasConnected) reasonOfRefusal(BLOCKED, TEXT).then((text) => wasConnected || (banner.textContent = text));
   };
 }

@@ -5,6 +5,7 @@ import { element } from "../../export/static/parts.js";
 import { identify } from "../../ui/owner.js";
 import { make } from "../../ui/dialog.js";
 import { onMessage, send } from "../../wire/channel.js";
+import { reasonOfRefusal } from "../../wire/reach.js";
 import { openLine } from "./line.js";
 import { Picture } from "./picture.js";
 import { addSeat } from "./seat.js";
@@ -14,16 +15,6 @@ import { addWall } from "./wall.js";
 const BLOCKED =
   "The page has loaded, but its live connection fails: something on the way blocks WebSockets. Try another network, such as the hotspot of the teacher's computer.";
 const AWAY = "Not connected. Reconnecting…";
-
-/** Asks why the server refuses connections of this page: the browser does not show the answer of a WebSocket. */
-async function reasonOfRefusal() {
-  try {
-    const answer = await fetch("reach", { headers: { "X-Softrod-Origin": location.origin }, cache: "no-store" });
-    return answer.ok ? BLOCKED : await answer.text();
-  } catch {
-    return AWAY; // the server does not answer
-  }
-}
 
 if (ready) {
   identify();
@@ -39,7 +30,7 @@ if (ready) {
     document.documentElement.toggleAttribute("data-softrod-away", away);
     const words = part.lineChanged(away);
     banner.textContent = away ? words || AWAY : "";
-    if (away && !wasConnected) reasonOfRefusal().then((text) => wasConnected || (banner.textContent = text));
+    if (away && !wasConnected) reasonOfRefusal(BLOCKED, AWAY).then((text) => wasConnected || (banner.textContent = text));
   });
   onMessage("remark", ({ title, text }) => {
     const said = make("p", "softrod-remark");
