@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import ssl
 from collections.abc import Iterator
 from contextlib import ExitStack
@@ -140,7 +141,7 @@ def test_a_class_behind_nginx_needs_nothing_from_outside_and_tells_no_secret(
     assert len(there.room.seats) == 1
     assert not here.room.seats
     assert not outside
-    assert {socket.partition("at/")[0].replace("wss:", "https:") for socket in sockets} == {base}
+    assert {re.split("(?:at|line)/", socket)[0].replace("wss:", "https:") for socket in sockets} == {base}
     assert not errors
     # The proxy's owner reads which rooms there are, and no secret: neither in addresses nor as Referer.
     log = proxy.access_log()
