@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -207,7 +208,8 @@ def test_a_scene_that_is_saved_as_the_gallery_opens_does_not_keep_it_shut(open_p
 def test_a_visitor_copies_the_owner_s_scenes_and_the_owner_s_key_makes_them_one_s_own(
     open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(Gate, "is_local", lambda *_: False)
+    visit = Gate.visit
+    monkeypatch.setattr(Gate, "visit", lambda gate, number: replace(visit(gate, number), is_local=False))
     files.save_user_scene(sim.load_scene("ring"), "theirs")
     desk = open_page()
     desk.gallery()
