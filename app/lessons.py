@@ -22,7 +22,7 @@ from .session.plots import Plot, parse_plot
 _PART = re.compile(r"(mass|spring|joint)(\d+)\.")
 """What a quantity is of, and its number."""
 
-_WORDS = {"elongation": "stretch"}
+_WORDS = {"elongation": "stretch", "dt over limit": "time step, as a part of its limit"}
 """Of quantities, for pupils."""
 
 
@@ -101,12 +101,17 @@ def read_masses(step: Step, scene: sim.Scene) -> tuple[int, ...]:
     return tuple(sorted(found))
 
 
-def reading_text(reading: Reading, scene: sim.Scene) -> str:
+def quantity_text(name: str) -> str:
+    """A quantity in words, as in "stretch of spring 0"."""
+    return reading_text(Reading(quantity=name))
+
+
+def reading_text(reading: Reading, scene: sim.Scene | None = None) -> str:
     """A reading in words, as in "stretch of spring 0" or "period of mass 1"."""
     part = _PART.match(reading.quantity)
     what = reading.quantity.rpartition(".")[2].replace("_", " ")
     if part is None:
-        return f"period of {what}" if reading.of == "period" else what
+        return f"period of {what}" if reading.of == "period" else _WORDS.get(what, what)
     owner = f"{part[1]} {part[2]}"
     return f"period of {owner}" if reading.of == "period" else f"{_WORDS.get(what, what)} of {owner}"
 

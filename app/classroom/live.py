@@ -31,6 +31,7 @@ from ..stage.sketch import Floats
 from . import kept, names
 from .answers import Answer, Refused, Work
 from .judge import Verdict, judge
+from .plotted import Plotted
 from .room import MAX_STOPS, Room, digest
 from .takeaway import pack
 
@@ -150,6 +151,7 @@ class Class:
         wall_feed: what the wall shows of the seat that is on it; None without one.
         base: the address by which pupils come in, if the teacher has chosen one of several networks; else the
             one by which each page was opened.
+        plots: of the body that all look at.
         run: the log of the present stop's run, once that has stopped; empty before.
         written: version of the room that is on the disk.
         trouble: why nothing can be stored now, in the system's words; empty while all is stored.
@@ -176,6 +178,7 @@ class Class:
         self.checks: deque[DeviceCheck] = deque(maxlen=MAX_CHECKS)
         self.wall_feed: SharedView | None = None
         self.base = ""
+        self.plots = Plotted()
         self.run = b""
         self.written = -1
         self.trouble = ""

@@ -23,7 +23,7 @@ export type Given = { stop: number; round: number; twin: number; kind: "line" | 
 /** A slider or a list of a pupil's page. */
 export type Dial = { key: string; label: string; unit: string; low: number; high: number; logarithmic: boolean; value: number | string; options: [string, string][]; sets: string[] };
 /** A plot of a step. */
-export type Curve = { names: string[]; units: string[]; over: string; over_unit: string; turned: boolean };
+export type Curve = { names: string[]; labels: string[]; units: string[]; over: string; over_label: string; over_unit: string; turned: boolean };
 /** A line that the teacher has picked out. */
 export type WallLine = { text: string; color: string };
 /** What a device found that tried whether it can take part; see `from_page.Checked`. */

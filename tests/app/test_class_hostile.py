@@ -22,6 +22,7 @@ from app.classroom import kept
 from app.classroom.answers import (
     MAX_LINE_LENGTH,
     MAX_MARKS_PER_LETTER,
+    OWN_BODY,
     Phase,
     Prediction,
     Refused,
@@ -174,7 +175,7 @@ def test_only_the_class_tells_what_is_right_in_its_lesson(
 
 
 def test_nor_does_a_pupil_s_own_page_before_the_class_is_there(port: int, classroom: Class) -> None:
-    """All that it is told, for every phase before the reveal."""
+    """All that it is told, phase by phase."""
     scene = sim.load_scene("lesson-hooke")
     assert scene.lesson is not None
     question = scene.lesson.steps[0].question
@@ -183,15 +184,15 @@ def test_nor_does_a_pupil_s_own_page_before_the_class_is_there(port: int, classr
     page = LinePage(port, f"room={classroom.room.code}").begin()
     page.say(who(1))
     assert eventually(lambda: page.told("seat")[-1]["code"])
-    room = classroom.room
+    room, told = classroom.room, list[dict[str, Any]]()
     for phase, round in room.order(0):
         room.go(0, phase, round)
         assert eventually(lambda: page.told("seat")[-1]["asking"]["phase"] == phase.value)  # noqa: B023
-        is_told = any(question.because in letter.text for letter in page.letters)
-        if phase is Phase.REVEAL:
-            assert is_told
-            return
-        assert not is_told
+        told = [seat["asking"] for seat in page.told("seat") if seat["asking"]]
+        # The headline with the reveal, and all of it once each has written a line of their own.
+        assert any(one["right"] >= 0 for one in told) == (phase in (Phase.REVEAL, Phase.EXPLAIN, *OWN_BODY))
+        assert any(one["because"] == question.because for one in told) == (phase in OWN_BODY)
+    assert any(one["because"] == "Twice the weight is twice the stretch." for one in told)
     page.close()
 
 

@@ -203,6 +203,7 @@ def test_a_lesson_runs_what_it_asked_about(visit: Visits, tmp_path: Path) -> Non
     hangs, gravity = "__softrod.now().body.positions[3]", "__softrod.now().shown.body.gravity[1]"
     assert (page.evaluate(hangs), page.evaluate(gravity)) == (220.0, 1000.0)
     page.get_by_role("button", name="200 px").click()
+    page.get_by_role("button", name="It will be there").click()
     until(page, lambda: page.evaluate(hangs) > 290.0, "it falls further than it would have")
     assert page.evaluate(gravity) == 2000.0
     page.get_by_role("button", name="Check my answer").click()

@@ -18,7 +18,7 @@ test("a question is what is so, then what is asked", () => {
   assert.deepEqual(sentencesOf("By 1.41 times. Or 2"), ["By 1.41 times.", "Or 2"]);
 });
 
-test("of every shipped step something is said and done in each phase, and what is right is told in the reveal, not before", () => {
+test("of every shipped step something is said and done in each phase, and why it is right is told once each has written a line, not before", () => {
   const files = readdirSync(LESSONS).filter((name) => name.endsWith(".json"));
   assert.ok(files.length >= 12);
   for (const file of files) {
@@ -31,7 +31,7 @@ test("of every shipped step something is said and done in each phase, and what i
           const { say, do: task } = guide(asking({ ...words, phase, round }));
           assert.ok(say && task, `${file}, ${step.title}, ${phase}`);
           const tells = question && `${say} ${task}`.includes(question.because);
-          assert.equal(Boolean(tells), Boolean(question) && phase === "reveal", `${file}, ${step.title}, ${phase}`);
+          assert.equal(Boolean(tells), Boolean(question) && phase === "explain", `${file}, ${step.title}, ${phase}`);
         }
       }
     }
@@ -39,7 +39,7 @@ test("of every shipped step something is said and done in each phase, and what i
 });
 
 test("who is to drag a prediction is told so, and where the run stands", () => {
-  assert.match(guide(asking({ question: "It falls. Where will it be?", predict: 1.5 })).say, /^Where will it be\? Drag the pale body .* after 1\.5 s\.$/);
+  assert.match(guide(asking({ question: "It falls. Where will it be?", predict: 1.5 })).say, /^Where will it be\? Drag the pale body .*, 1\.5 s after it is let go\.$/);
   assert.match(guide(asking({ phase: "run", predict: 1.5 })).do, /stands still at 1\.5 s/);
   assert.equal(guide(asking({ phase: "collect", collects: "period of mass1.y" })).say, "Hand in the period of mass1.y.");
 });

@@ -36,8 +36,8 @@ const PHASES = {
   try: "Let them try",
   collect: "Collect",
 };
-/** Phases that wait for each pupil. @type {Phase[]} */
-const WAITS = ["ask", "explain", "collect"];
+/** Phases that wait for each pupil, and what for. @type {Partial<Record<Phase, string>>} */
+const WAITED = { ask: "have answered", explain: "have written a line", collect: "have handed in" };
 /** Percentage of right answers below which the step is taught once more (Mazur 1997). */
 const TEACH_BELOW = 35;
 /** Percentage of right answers up to which pupils talk in pairs, and are asked again (Mazur 1997). */
@@ -178,7 +178,7 @@ function now({ stops, asking, next, seats }) {
   const words = guide(asking);
   const about = box("p", "softrod-desk-about", make("b", "", labelOf([stop, phase, round], stop)));
   about.setAttribute("role", "status");
-  if (WAITS.includes(phase)) about.append(`: ${seats.filter(({ here, answered }) => here && answered).length} of ${counted(seats)} have.`);
+  if (WAITED[phase]) about.append(`: ${seats.filter(({ here, answered }) => here && answered).length} of ${counted(seats)} ${WAITED[phase]}.`);
   const lines = make("dl", "softrod-desk-guide");
   lines.append(make("dt", "", "Say"), make("dd", "softrod-desk-say", words.say), make("dt", "", "Do"), make("dd", "", words.do));
   return box(
@@ -206,7 +206,8 @@ function advice({ asking: { stop, phase, round }, bars, right, seats, stops }) {
   const way = part < TEACH_BELOW ? [stop, "show", 0] : part <= PAIRS_UP_TO && round === 0 ? [stop, "ask", 1] : null;
   const isThere = way && stops[stop].phases.some(([phase, round]) => phase === way[1] && round === way[2]);
   const buttons = isThere && phase === "results" ? [button(labelOf(way, stop), () => go(way), { focus: "advice" })] : [];
-  return [box("div", "softrod-desk-advice", make("p", "", `${part} % right: ${text}.`), ...buttons)];
+  const some = votes < here.length ? ` of the ${votes} who have answered` : "";
+  return [box("div", "softrod-desk-advice", make("p", "", `${part} % right${some}: ${text}.`), ...buttons)];
 }
 
 /** What can be done with all in the present phase. @param {Desk} desk */

@@ -39,7 +39,7 @@ from .role import (
     predictions,
 )
 
-STARTS_PAUSED = frozenset((Phase.SHOW, Phase.ASK))
+STARTS_PAUSED = frozenset((Phase.LOBBY, Phase.SHOW, Phase.ASK))
 """Phases that begin with the body as its step has it, paused."""
 
 HAS_RUN = frozenset((Phase.RUN, Phase.REVEAL, Phase.EXPLAIN))
@@ -298,8 +298,13 @@ class DeskRole(ClassRole):
         """Prepare the body for the class's phase, and show it to all."""
         room, place = self.room, (self.room.at, self.room.phase, self.room.round)
         # The page begins with the class's present body, or with what its browser had stored of it.
+        is_first = self._place is None
         before, self._place = self._place or place, place
-        if before != place:
+        if is_first and room.phase in STARTS_PAUSED:
+            session.post(commands.Play(False))
+        elif is_first and (room.phase in HAS_RUN or room.phase in OWN_BODY):
+            self._open(session)
+        elif before != place:
             is_other = before[0] != room.at
             if is_other or room.phase not in HAS_RUN or room.phase is Phase.RUN:
                 self._run_time, self.classroom.run = 0.0, b""
@@ -311,12 +316,13 @@ class DeskRole(ClassRole):
                 session.post(commands.Play(True))
         else:
             self._follow_run(session)
-        classroom = self.classroom
+        classroom, step = self.classroom, room.step
+        classroom.plots.follow(session, (step.plots or ()) if step is not None else ())
         classroom.shared_view = self._share(session, classroom.shared_view, classroom.audience)
 
     def _open(self, session: Session) -> None:
         try:
-            runs = self.room.phase in HAS_RUN
+            runs = self.room.phase in HAS_RUN or self.room.phase in OWN_BODY
             scene = self.classroom.run_scene if runs else self.classroom.scene
             session.post(commands.Open(scene(self.room.at)))
         except SettingError as error:

@@ -373,14 +373,16 @@ class Curve(Struct, frozen=True, kw_only=True):
     """A plot of a step.
 
     Attributes:
-        names, units: of its quantities.
+        names, labels, units: of its quantities: as files and as people call them.
         over, over_unit: the quantity on the horizontal axis; empty for the time.
         turned: whether it grows downwards.
     """
 
     names: tuple[str, ...]
+    labels: tuple[str, ...]
     units: tuple[str, ...]
     over: str
+    over_label: str
     over_unit: str
     turned: bool
 

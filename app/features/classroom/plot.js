@@ -11,6 +11,10 @@ const SIZE = { width: 400, height: 270 };
 const MARGIN = { left: 62, below: 52, above: 30, right: 26 };
 /** Ratio of the largest to the smallest number from which an axis is logarithmic. */
 const WIDE_RANGE = 5;
+/** Pieces of the curve of a law. */
+const PIECES = 40;
+/** How near to 1 an exponent is left out. */
+const PLAIN = 0.005;
 /** Marks of a linear axis. */
 const MAX_MARKS = 5;
 
@@ -52,11 +56,13 @@ function powers(low, high) {
 const short = (number) => (number !== 0 && (Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3) ? number.toExponential() : String(number)).replace("-", "−");
 
 /** A power law in words. @param {Law} law @param {string} what @param {string} over */
-export const power = ({ factor, exponent }, what, over) =>
-  `${what} = ${Number(factor.toPrecision(3))} × ${over}^${exponent.toFixed(2)}`.replace(/-/g, "−");
+export const power = ({ factor, exponent }, what, over) => {
+  const grows = Math.abs(exponent - 1) < PLAIN ? over : `${over}^${exponent.toFixed(2)}`;
+  return `${what} = ${Number(factor.toPrecision(3))} × ${grows}`.replace(/-/g, "−");
+};
 
 /**
- * The plot. An axis is logarithmic where its numbers span a wide range; with a law both are, so that it is a straight line.
+ * The plot. An axis is logarithmic where its numbers span a wide range.
  *
  * @param {Found[]} found
  * @param {string} over
@@ -72,7 +78,7 @@ export function plot(found, over, what, { law = null, own = null, turned = false
   /** @param {number[]} numbers */
   const axisOf = (numbers) => {
     const least = Math.min(...numbers);
-    return axis(numbers, least > 0 && (law !== null || Math.max(...numbers) > WIDE_RANGE * least));
+    return axis(numbers, least > 0 && Math.max(...numbers) > WIDE_RANGE * least);
   };
   const settings = found.map(({ setting }) => setting);
   const x = axisOf(settings), y = axisOf(found.map((one) => one.found));
@@ -98,9 +104,9 @@ export function plot(found, over, what, { law = null, own = null, turned = false
   }
   add("path", { d: `M${left} ${above}V${low}H${right}` });
   if (law) {
-    const ends = [Math.min(...settings), Math.max(...settings)];
-    const [from, to] = ends.map((end) => `${across(end)} ${up(law.factor * end ** law.exponent)}`);
-    add("path", { class: "softrod-plot-law", d: `M${from}L${to}` });
+    const [least, most] = [Math.min(...settings), Math.max(...settings)];
+    const along = Array.from({ length: PIECES + 1 }, (_, i) => least * (most / least) ** (i / PIECES));
+    add("path", { class: "softrod-plot-law", d: `M${along.map((at) => `${across(at)} ${up(law.factor * at ** law.exponent)}`).join("L")}` });
   }
   for (const { setting, found: value } of found) add("circle", { cx: across(setting), cy: up(value), r: 6 });
   if (own) {

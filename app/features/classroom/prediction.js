@@ -4,6 +4,7 @@
  * the others follow as a chain of massless springs would: each spring is brought back towards its length, again and again
  * (Jakobsen 2001, Advanced Character Physics).
  */
+import { roundUp } from "../../stage/axes.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { wireNumber } from "../../stage/screen.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
@@ -26,8 +27,8 @@ import { ARROWS } from "../../ui/hands/arrow_keys.js";
 const ROUNDS = 30;
 /** Pixels by which an arrow key moves a mass; a tenth with Shift. */
 const KEY_STEP = 20;
-/** By how much a button moves a mass, in the page's world: 1/120 of the scene's frame. */
-const STEP = 0.05;
+/** By how much a button moves a mass at least, in the page's world: 1/150 of the scene's frame. It is a round number of px. */
+const STEP = 0.04;
 /** Radius of a grip for a finger, px; half of it where there are more grips than `CROWDED`. */
 const REACH = 22;
 const CROWDED = 12;
@@ -119,6 +120,8 @@ export class OwnPrediction {
     if (on === this.isOn) return;
     this.isOn = on;
     this.asked = asked;
+    // Nothing around the grips takes a finger's drag for a scroll.
+    document.documentElement.toggleAttribute("data-softrod-predicting", on);
     this.places = [];
     this.moved = false;
     if (on) this.marks.insert(this.svg);
@@ -145,18 +148,19 @@ export class OwnPrediction {
 
   /** How far from its start that mass was put, in words; empty for other bodies, and before. @param {string} unit of lengths */
   said(unit) {
-    if (!this.moved || !this.isSingle) return "";
+    if (!this.isSingle) return "";
     const [mass] = this.free;
     const dx = (this.places[mass][0] - this.start[mass][0]) / this.scale, dy = (this.places[mass][1] - this.start[mass][1]) / this.scale;
     const [by, word] = Math.abs(dy) >= Math.abs(dx) ? [dy, dy < 0 ? "lower" : "higher"] : [dx, dx < 0 ? "to the left" : "to the right"];
-    return `${Number(Math.abs(by).toPrecision(3))} ${unit} ${word}`;
+    return by ? `${Number(Math.abs(by).toPrecision(3))} ${unit} ${word}` : "";
   }
 
   /** Moves that mass a little. @param {number} across 1 for right @param {number} up 1 for up */
   stepBy(across, up) {
     const [mass] = this.free;
     const [x, y] = this.places[mass];
-    this.move(mass, [x + across * STEP, y + up * STEP]);
+    const step = roundUp(STEP / this.scale) * this.scale;
+    this.move(mass, [x + across * step, y + up * step]);
   }
 
   /** @param {Sight} seen */

@@ -17,9 +17,11 @@ import sim
 from app.classroom.answers import Answer, Phase, Prediction, Work
 from app.classroom.law import power_law
 from app.classroom.live import Class, SharedView
+from app.classroom.plotted import Plotted
 from app.classroom.room import Place, Room
 from sim.errors import InputError, SettingError
 from sim.motion.quantities import quantity
+from sim.scene.lesson import Question
 from sim.scene.types import shown_name
 from sim.settings import setting_of
 from sim.store.files import built_in_folder
@@ -42,6 +44,9 @@ NOTHING = Controls(())
 
 SHOWN = frozenset((Phase.RESULTS, Phase.RUN, Phase.REVEAL, Phase.EXPLAIN))
 """Phases in which all see what was predicted."""
+
+HEADLINE = 64
+"""Letters of a first sentence that says why, up to which it stands on the wall with the right answer."""
 
 MAX_PLACES = 60
 """Masses in a small picture of a body."""
@@ -78,6 +83,11 @@ class Role:
     def plots(self) -> tuple[str, ...]:
         """The plots of the page's own body, as `app.session.plots.parse_plot` reads them."""
         return ()
+
+    @property
+    def front_plots(self) -> Plotted | None:
+        """The plots of the body that all look at, if the page shows them."""
+        return None
 
     @property
     def shared_view(self) -> SharedView | None:
@@ -236,12 +246,20 @@ def asking(room: Room, reveal: bool = False, place: Place | None = None) -> Aski
         question=question.text if question is not None else "",
         choices=question.choices if question is not None else (),
         right=question.answer if question is not None and is_told else -1,
-        because=question.because if question is not None and is_told else "",
+        because=_because(question, phase, reveal) if question is not None and is_told else "",
         predict=(step.predict or 0.0) if step is not None else 0.0,
         masses=read_masses(step, scene) if step is not None and step.predict else (),
         goal=goal_text(step.goal, scene) if step is not None and step.goal is not None else "",
         collects=reading_text(step.collect, scene) if step is not None and step.collect is not None else "",
     )
+
+
+def _because(question: Question, phase: Phase, reveal: bool) -> str:
+    """Why an answer is right: until all have written their own line, a headline alone, if there is one."""
+    if reveal or phase not in (Phase.REVEAL, Phase.EXPLAIN):
+        return question.because
+    first = re.split(r"(?<=[.?!])\s", question.because, maxsplit=1)[0]
+    return first if len(first) <= HEADLINE else ""
 
 
 def home_text(room: Room) -> str:

@@ -6,6 +6,7 @@ import numpy as np
 
 from app.classroom.answers import OWN_BODY, Line, Phase, Vote, Work
 from app.classroom.live import Class, SharedView
+from app.classroom.plotted import Plotted
 from app.classroom.room import Place
 from sim.errors import SettingError
 
@@ -41,6 +42,10 @@ class WallRole(ClassRole):
         super().__init__(classroom, mail, address)
         self._work_view: tuple[str, SharedView | None] = "", None  # by the id of the answer
         self._works = 0
+
+    @property
+    def front_plots(self) -> Plotted | None:
+        return self.classroom.plots if self.room.phase in (Phase.RUN, Phase.REVEAL) else None
 
     @property
     def shared_view(self) -> SharedView | None:

@@ -105,13 +105,14 @@ export class Bench {
     const drawn = JSON.stringify(work.curves) !== JSON.stringify(before.curves);
     if (drawn || work.opening !== before.opening) this.#record = new Record();
     if (!drawn) return;
-    this.#charts = work.curves.map(({ over_unit, ...curve }) => makeChart({ ...curve, overUnit: over_unit }));
+    this.#charts = work.curves.map(({ labels, units, over_label, over_unit, turned }) => makeChart({ names: labels, units, over: over_label, overUnit: over_unit, turned }));
     this.plots.replaceChildren(...this.#charts.map(({ element }) => element));
   }
 
   /** Takes what the plots show now. @param {number} time @param {number[]} values in the order of `names` */
   take(time, values) {
-    this.#record.take(time, this.names.map((name, i) => [name, values[i]]));
+    const labels = this.#work.curves.flatMap((curve) => (curve.over ? [...curve.labels, curve.over_label] : curve.labels));
+    this.#record.take(time, labels.map((label, i) => [label, values[i]]));
     if (!this.#asked) requestAnimationFrame(() => this.#draw());
     this.#asked = true;
   }

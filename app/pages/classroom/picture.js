@@ -13,15 +13,20 @@
  * @property {Float64Array} places of the masses in the canvas, px
  */
 import { paint, screenOf } from "../../export/static/paint.js";
+import { roundUp } from "../../stage/axes.js";
 import { Glide } from "../../stage/glide.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "../../stage/plan.js";
 import { onScreen, worldAt } from "../../stage/screen.js";
-import { callAll, onMessage } from "../../wire/channel.js";
+import { callAll, onMessage, pageState } from "../../wire/channel.js";
 
 /** Free space around the body's motion, as a part of its size. */
 const ROOM = 0.3;
 /** Free space around what else is to be seen, in the page's world: a twentieth of the scene's frame. */
 const MARGIN = 0.3;
+/** Least length of the scale bar, its distance from the edge, px, and the size of its letters, as a part of the page's. */
+const BAR = 60;
+const INSET = 18;
+const LETTERS = 0.85;
 /** The view grows with its body up to so many times its size; then it goes with the body. */
 const GROWTH = 2.5;
 
@@ -82,7 +87,9 @@ export class Picture {
       this.redraw();
     });
     onMessage("frame", ({ numbers, wall }) => {
-      this.#glide.take(readFrame(numbers), wall, performance.now() / 1e3);
+      const frame = readFrame(numbers);
+      this.latest = [...this.latest.slice(-1), frame];
+      this.#glide.take(frame, wall, performance.now() / 1e3);
       this.#ask();
     });
     onMessage("pageState", ({ scene, width, height, view }) => {
@@ -92,7 +99,7 @@ export class Picture {
       }
       this.#scene = scene;
       this.#hasView = false;
-      this.#box = [-width / 2, width / 2, -height / 2, height / 2];
+      this.#box = this.#first = [-width / 2, width / 2, -height / 2, height / 2];
       if (view && view.length) this.#look(/** @type {Box} */ (view));
       this.redraw();
     });
@@ -100,12 +107,16 @@ export class Picture {
   }
 
   #hasView = false;
+  /** What was shown of the world before the body went farther. @type {Box} */
+  #first = [-3, 3, -3, 3];
+  /** The last two frames from the server, for whoever goes on from there. @type {Frame[]} */
+  latest = [];
 
   /** Shows the body's motion, with some room. @param {Box} view */
   #look(view) {
     const room = ROOM * sizeOf(view);
     this.#hasView = true;
-    this.#box = [view[0] - room, view[1] + room, view[2] - room, view[3] + room];
+    this.#box = this.#first = [view[0] - room, view[1] + room, view[2] - room, view[3] + room];
     this.redraw();
   }
 
@@ -154,11 +165,6 @@ export class Picture {
     return Object.keys(coils).reduce((best, name) => (off(name) < off(best) ? name : best));
   }
 
-  /** The last two frames from the server, for whoever goes on from there. */
-  get latest() {
-    return this.#glide.frames;
-  }
-
   /** Shows frames of the page itself, until the server's come again. @param {Frame} frame */
   show(frame) {
     this.#own = frame;
@@ -196,17 +202,41 @@ export class Picture {
   #draw(frame) {
     const { plan } = this;
     if (!plan || frame.generation !== plan.generation) return;
+    // It begins anew: what it did before is no reason to be far away.
+    if (this.frame && frame.time < this.frame.time) this.#box = this.#first;
     this.frame = frame;
     this.#moment = frame.time;
     this.#follow(boxOf(plan, frame.positions));
     paint(this.#stage, this.canvas, { plan, frame, damage: this.damage.generation === plan.generation ? this.damage : UNHARMED });
     const on = this.place;
+    this.#scale(plan, on);
     callAll(this.#listeners, { plan, frame, on, places: onScreen(plan, frame.positions, on) });
+  }
+
+  /** A bar of a round length at the top right. @param {Plan} plan @param {Screen} on */
+  #scale(plan, on) {
+    const to = this.canvas.getContext("2d");
+    if (!to) return;
+    const pixel = plan.scale * on.step, length = roundUp(BAR / pixel), unit = pageState().unit || "px";
+    const end = this.canvas.clientWidth - INSET, begin = end - length * pixel;
+    const styles = getComputedStyle(document.documentElement);
+    const letters = parseFloat(getComputedStyle(document.body).fontSize) * LETTERS;
+    Object.assign(to, { strokeStyle: styles.getPropertyValue("--softrod-text"), fillStyle: styles.getPropertyValue("--softrod-text"), lineWidth: 2 });
+    Object.assign(to, { textAlign: "center", textBaseline: "top", font: `${letters}px ${styles.getPropertyValue("--softrod-font")}` });
+    to.beginPath();
+    to.moveTo(begin, INSET - 5);
+    to.lineTo(begin, INSET + 5);
+    to.moveTo(begin, INSET);
+    to.lineTo(end, INSET);
+    to.moveTo(end, INSET - 5);
+    to.lineTo(end, INSET + 5);
+    to.stroke();
+    to.fillText(`${length} ${unit}`, (begin + end) / 2, INSET + 7);
   }
 
   /** Has places seen, too. @param {[x: number, y: number][]} places of the page's world */
   include(places) {
-    for (const [x, y] of places) this.#box = around(this.#box, [x - MARGIN, x + MARGIN, y - MARGIN, y + MARGIN]);
+    for (const [x, y] of places) this.#box = this.#first = around(this.#box, [x - MARGIN, x + MARGIN, y - MARGIN, y + MARGIN]);
   }
 
   /** Keeps the body in view. @param {Box} body */

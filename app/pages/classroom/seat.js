@@ -104,7 +104,7 @@ export function addSeat(picture) {
       }
       alone.begin(hasOwn());
       show();
-      if (alone.isOn) return "Not connected: your body goes on here, and what it does meanwhile does not count. Reconnecting…";
+      if (alone.isOn) return "Not connected: your body goes on here, which does not count. Reconnecting…";
       return hasOwn() ? "Not connected: your body waits. Reconnecting…" : "";
     },
   };
@@ -201,7 +201,7 @@ function belowOf(seat) {
   if (seat.home) return [...waiting(), ...homework(seat, asking), fold("This seat", lobbyOf(seat), "about")];
   return [
     ...waiting(),
-    ...(mayFollow ? [box("div", "softrod-phases", ...(seat.follows ? [] : timeButtons()), follow)] : []),
+    ...(mayFollow ? [box("div", "softrod-phases", follow)] : []),
     ...(mayFollow && !seat.follows && phase === "collect" ? [...twins(seat), ...handIn(seat, asking)] : []),
     ...(hasOwn() && (right >= 0 || because) ? [fold("The question, and why", [make("p", "", asking.question), verdict(asking)], "why")] : []),
     ...(phase !== "lobby" ? [fold("This seat", lobbyOf(seat), "about")] : []),
@@ -220,7 +220,7 @@ function homework(seat, asking) {
   const back = button("Back", () => walk(stop - 1), { focus: "walk back" });
   const next = isLast ? make("p", "softrod-quiet", "That was the last step.") : button(`Next: step ${stop + 2} of ${seat.steps}`, () => walk(stop + 1), { focus: "walk on" });
   return [
-    ...(hasOwn() ? [box("div", "softrod-phases", ...timeButtons()), ...twins(seat)] : []),
+    ...(hasOwn() ? twins(seat) : []),
     ...(hasOwn() && question ? [make("p", "softrod-task", "Why is it so? One line."), explanation(asking)] : []),
     ...(hasOwn() ? handIn(seat, asking) : []),
     ...(hasOwn() && question ? [right >= 0 ? verdict(asking) : box("p", "softrod-quiet", ...verdict(asking).childNodes, ` What is right is told on ${seat.home}.`)] : []),
@@ -232,7 +232,7 @@ function homework(seat, asking) {
 function sentence({ paused, away, follows, gathered, home, told }, { phase, predict, question, round }) {
   const hasOwn = OWN_BODY.has(phase);
   if (home && phase === "ask") {
-    const drag = predict > 0 ? `drag the pale body to where it will be after ${predict} s` : "";
+    const drag = predict > 0 ? `drag the pale body to where it will be, ${predict} s after it is let go` : "";
     const what = [drag, question ? "answer" : ""].filter(Boolean).join(", and ");
     return `First ${what}: then it moves. ${told ? "" : `Nobody sees it before ${home}.`}`.trim();
   }
@@ -243,7 +243,7 @@ function sentence({ paused, away, follows, gathered, home, told }, { phase, pred
   if (hasOwn && paused) return "Paused: look to the front.";
   if (phase === "lobby") return "You are in. It begins soon.";
   if (phase === "ask" && predict > 0 && round === 0) {
-    return `Drag the pale body to where it will be after ${predict} s${question ? ", and answer" : ""}. Nobody sees it yet.`;
+    return `Drag the pale body to where it will be, ${predict} s after it is let go${question ? "; and answer" : ""}. Nobody sees it yet.`;
   }
   if (phase === "ask") return round > 0 ? "Answer once more. Nobody sees it yet." : "Answer. Nobody sees it yet.";
   if (phase === "explain") return "Why did it do that? Write one line.";
@@ -263,6 +263,7 @@ function body(seat, asking) {
       ...(asking.goal ? [make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`)] : []),
       make("p", "", asking.do),
       ...(asking.watch ? [make("p", "softrod-watch", asking.watch)] : []),
+      box("div", "softrod-phases", ...timeButtons()),
     ];
   }
   if ((phase === "results" || phase === "reveal") && asking.question) return [verdict(asking)];
@@ -272,16 +273,18 @@ function body(seat, asking) {
     ...(asking.goal ? [make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`)] : []),
     make("p", "", asking.do),
     ...(asking.watch ? [make("p", "softrod-watch", asking.watch)] : []),
+    box("div", "softrod-phases", ...timeButtons()),
   ];
 }
 
 /** @param {Asking} asking */
 function choices(asking) {
-  const given = mine(asking, "Vote");
+  const given = mine(asking, "Vote"), before = asking.round > 0 ? mine({ ...asking, round: 0 }, "Vote") : undefined;
   const buttons = asking.choices.map((text, choice) =>
     button(text, () => give({ do: "giveVote", ...place(asking), choice }), { focus: `choice${choice}`, name: "softrod-choice", pressed: given?.choice === choice }),
   );
-  const fieldset = box("fieldset", "", make("legend", "", asking.question), ...buttons);
+  const had = before && before.choice >= 0 ? [make("p", "softrod-quiet", `Before you chose: ${asking.choices[before.choice]}`)] : [];
+  const fieldset = box("fieldset", "", make("legend", "", asking.question), ...had, ...buttons);
   // So that a screen reader reads the question first.
   fieldset.tabIndex = -1;
   fieldset.dataset.focus = "question";
@@ -297,7 +300,7 @@ function predictButton(asking) {
   };
   const isIn = mine(asking, "Prediction") && !prediction.moved;
   const said = prediction.said(unit());
-  const made = button(isIn ? "Your prediction is in" : said ? `Hand in ${said}` : "It will be there", predict, { focus: "predict", name: "softrod-strong" });
+  const made = button(isIn ? `Your prediction is in${said ? `: ${said}` : ""}` : said ? `Hand in ${said}` : "It will be there", predict, { focus: "predict", name: "softrod-strong" });
   made.disabled = !prediction.moved;
   const steps = STEPS.map(([sign, word, across, up]) =>
     button(sign, () => prediction.stepBy(across, up), { focus: `step ${word}`, label: `A little ${word}` }),

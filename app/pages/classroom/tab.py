@@ -11,10 +11,9 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from typing import Any
 
-import numpy as np
-
 import sim
 from app.classroom.live import SharedView
+from app.classroom.plotted import Plotted
 from sim.compiling.compiler import Compiler
 from sim.errors import InputError, SettingError
 from sim.scene.types import shown_name
@@ -27,9 +26,10 @@ from ...features.classroom.role import NOTHING, Role
 from ...features.classroom.shared_view import Onlooker
 from ...features.hands.feature import hand_commands
 from ...features.time.messages import Speed
+from ...lessons import quantity_text
 from ...session import commands
 from ...session.pacing import LONGEST_FRAME
-from ...session.plots import Plot, parse_plot
+from ...session.plots import Plot
 from ...session.preparation import Preparation
 from ...session.session import Session
 from ...stage.colors import plain
@@ -55,6 +55,9 @@ LEAST_FRAME = 1.0 / 30.0
 LOOK_EVERY = 1.0 / 15.0
 """Seconds between two looks at the class for a page without a body of its own: the pictures of a moving body
 reach it at once, see `shared_view`."""
+
+TRY_AGAIN = "Try other values, and press Reset."
+"""What is said of a body that has exploded."""
 
 KEPT_EVERY = 2.0
 """Seconds between two keepsakes of a body."""
@@ -110,7 +113,7 @@ class ClassTab:
         self._due = self._look_due = self._kept_due = 0.0
         self._kept: tuple[int, float] = (-1, -1.0)
         self._offered: tuple[object, ...] = ()
-        self._plots: tuple[Plot, ...] = ()
+        self._plotted = Plotted()
         self._read = -1.0
         line.receive = self.hear
 
@@ -228,8 +231,10 @@ class ClassTab:
             self._planned = None
         if self._shared is None:
             return False
-        if before is None:
-            self._offer((), session)
+        plots = self._role.front_plots
+        self._offer((), session, plots)
+        if plots is not None:
+            self._send_readings(plots)
         session.notices.clear()
         self._onlooker.show(self._shared, False, session.now(), self._role.bounds)
         return True
@@ -246,10 +251,14 @@ class ClassTab:
         self._revision, self._was_running = session.revision, running
         self._pictures.draw(picture_of(session), now, exactly=changed or not running)
         self._mail.send(self._state(session))
-        self._offer(self._names, session)
-        self._read_plots(session)
+        controls = self._names
+        self._plotted.follow(session, self._role.plots if controls else ())
+        self._offer(controls, session)
+        self._send_readings(self._plotted)
         for notice in session.notices:
-            self._mail.send(messages.Remark(title=notice.title, text=notice.text))
+            # What the limit is, is for the pupil to find out.
+            text = TRY_AGAIN if notice.about == "runaway" else notice.text
+            self._mail.send(messages.Remark(title=notice.title, text=text))
         session.notices.clear()
 
     def _state(self, session: Session) -> PageState:
@@ -279,38 +288,38 @@ class ClassTab:
             self._role.keep(session.keepsake())
 
     # --------------------------------------------------------------------- what the pupil works with
-    def _offer(self, controls: tuple[str, ...], session: Session) -> None:
-        """Send sliders, plots, and the body with which the page goes on alone, if any of them has changed."""
-        plots = self._role.plots if controls else ()
-        offered = controls, plots, session.openings, session.revision if controls else -1
+    def _offer(self, controls: tuple[str, ...], session: Session, front: Plotted | None = None) -> None:
+        """Send sliders, plots, and the body with which the page goes on alone, if any of them has changed.
+
+        Args:
+            controls: of the page's own body; none while it looks at another one.
+            session: of its own body.
+            front: the plots of the body that it looks at.
+        """
+        shown = front or self._plotted
+        plots = shown.plots if front or controls else ()
+        offered = controls, plots, shown.opening, session.revision if controls else -1
         if offered == self._offered:
             return
         is_new = offered[:3] != self._offered[:3]
         self._offered = offered
-        scene = session.scene
         if is_new:
-            self._plots = tuple(_plots(plots, scene))
             self._read = -1.0
             self._mail.send(_alone(session) if controls else messages.Alone())
         self._mail.send(
             messages.Bench(
-                opening=session.openings,
-                dials=tuple(_dials(controls, scene)),
-                curves=tuple(map(_curve, self._plots)),
+                opening=shown.opening,
+                dials=tuple(_dials(controls, session.scene)),
+                curves=tuple(map(_curve, plots)),
             )
         )
 
-    def _read_plots(self, session: Session) -> None:
-        """Send what the plots show, if time has passed."""
-        if not self._plots or session.simulation.time == self._read:
-            return
-        self._read = session.simulation.time
-        values: list[float] = []
-        for plot in self._plots:
-            plot.sample(session)
-            values += plot.rows[-1][1:].tolist() if len(plot.rows) else [np.nan] * len(plot.quantities)
-        numbers = messages.Readings.pack(now=[session.openings, self._read], values=values)
-        self._mail.send(messages.Readings(numbers=numbers))
+    def _send_readings(self, plotted: Plotted) -> None:
+        """Send what plots show, if time has passed."""
+        if plotted.plots and plotted.time != self._read:
+            self._read = plotted.time
+            numbers = messages.Readings.pack(now=[plotted.opening, self._read], values=plotted.values)
+            self._mail.send(messages.Readings(numbers=numbers))
 
 
 def _dials(keys: tuple[str, ...], scene: sim.Scene) -> list[messages.Dial]:
@@ -347,23 +356,15 @@ def _slider(setting: Setting, scene: sim.Scene, sets: tuple[str, ...]) -> messag
     )
 
 
-def _plots(specs: tuple[str, ...], scene: sim.Scene) -> list[Plot]:
-    plots = []
-    for text in specs:
-        try:
-            plots.append(Plot(parse_plot(text), scene))
-        except InputError:
-            continue  # the teacher's body may have other parts than the step's
-    return plots
-
-
 def _curve(plot: Plot) -> messages.Curve:
     names = plot.spec.names
     units = tuple(quantity.unit for quantity in plot.quantities)
     return messages.Curve(
         names=names,
+        labels=tuple(map(quantity_text, names)),
         units=units[: len(names)],
         over=plot.spec.over,
+        over_label=quantity_text(plot.spec.over) if plot.spec.over else "",
         over_unit=units[-1] if plot.spec.over else "",
         turned=all(plot.turned),
     )

@@ -2,12 +2,13 @@
 /** The wall: what a class sees on the projector, large enough for the last row, and without names. */
 import { element } from "../../export/static/parts.js";
 import { box, qrCode, typedAddress, untranslated, voteBars } from "../../features/classroom/elements.js";
-import { partsOf, sentencesOf } from "../../features/classroom/guide.js";
+import { partsOf } from "../../features/classroom/guide.js";
 import { OWN_BODY } from "../../features/classroom/phases.js";
 import { plot, power } from "../../features/classroom/plot.js";
 import { Predictions } from "../../features/classroom/prediction.js";
 import { make } from "../../ui/dialog.js";
 import { onMessage } from "../../wire/channel.js";
+import { Bench } from "./bench.js";
 import { hangUp } from "./line.js";
 import { Reveal } from "./reveal.js";
 
@@ -33,6 +34,7 @@ export function addWall(picture) {
   const corner = untranslated(make("div", "softrod-class softrod-wall-corner"));
   document.body.append(side);
   element("stage", HTMLElement).append(corner);
+  const bench = new Bench(make("div", ""), () => false);
   const predictions = new Predictions(picture);
   const reveal = new Reveal(picture);
   /** @type {Wall | null} */
@@ -63,6 +65,7 @@ export function addWall(picture) {
     if (hasWaited && phase === "lobby" && !wall.seats) {
       parts.push(make("p", "softrod-warning", "Nobody yet? Networks may keep devices apart: try this laptop's hotspot."));
     }
+    if (phase === "run") parts.push(bench.plots);
     side.replaceChildren(...parts);
     corner.replaceChildren(...wayIn(wall));
     draw();
@@ -121,27 +124,24 @@ function content(wall) {
   /** @type {Element[]} */
   const parts = [head];
   if (phase === "ask" || phase === "results" || phase === "run") {
-    if (given) parts.push(make("p", "softrod-wall-given", given));
+    // The run has its plot here.
+    if (given && phase !== "run") parts.push(make("p", "softrod-wall-given", given));
     if (asked) parts.push(make("h1", "", asked));
-    if (predict > 0) parts.push(make(asked ? "p" : "h1", "", `Where will it be after ${predict} s?`));
+    if (predict > 0) parts.push(make(asked ? "p" : "h1", "", `Where will it be, ${predict} s after it is let go?`));
     if (question) parts.push(voteBars(choices, phase === "ask" ? [] : bars, -1));
   }
   if (phase === "reveal") {
     if (right >= 0) parts.push(make("p", choices[right].length <= SHORT ? "softrod-wall-number" : "softrod-wall-number softrod-long", choices[right]));
-    // The shortest sentence is the one to remember; the others say why.
-    const sentences = sentencesOf(because);
-    const first = sentences.reduce((short, one) => (short && short.length <= one.length ? short : one), "");
-    if (first) parts.push(make("h1", "softrod-wall-because", first));
+    if (because) parts.push(make("h1", "softrod-wall-because", because));
     if (question && bars.length) parts.push(voteBars(choices, bars, right));
-    const rest = sentences.filter((one) => one !== first).join(" ");
-    if (rest) parts.push(make("p", "softrod-wall-rest", rest));
+    parts.push(make("p", "softrod-wall-rest", "Next: tell your neighbour why."));
   }
   if (phase === "explain") parts.push(make("h1", "", "Why did it do that? One line."));
   if (OWN_BODY.has(phase)) {
     // The plot needs the room.
     if (!found.length) parts.push(make("p", "", asking.do));
     if (asking.goal) parts.push(make("p", "", `Goal: ${asking.goal}`));
-    parts.push(counts(doing));
+    if (asking.goal || doing.exploded) parts.push(counts(doing));
     if (found.length) parts.push(plot(found, over, asking.collects, { law, turned }));
     if (law) parts.push(make("p", "", power(law, asking.collects, over)));
   }

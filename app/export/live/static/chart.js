@@ -68,7 +68,9 @@ export function makeChart(plot) {
       const part = (value - low) / (high - low);
       return TOP + (turned ? part : 1 - part) * (height - TOP - BOTTOM);
     };
-    Object.assign(to, { lineWidth: 1, strokeStyle: styled("line"), fillStyle: styled("text"), font: `12px ${styled("font")}` });
+    // On a projector letters are larger.
+    const letters = Math.max(12, 0.5 * parseFloat(getComputedStyle(element).fontSize));
+    Object.assign(to, { lineWidth: 1, strokeStyle: styled("line"), fillStyle: styled("text"), font: `${letters}px ${styled("font")}` });
     to.beginPath();
     to.textAlign = "right";
     to.textBaseline = "middle";
