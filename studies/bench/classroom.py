@@ -488,10 +488,10 @@ def counted(pupils: list[Pupil], teacher: Teacher, room: Room) -> Outcome:
             waits = any(said in pupil.waiting for said in all_said)
             replaced += len(all_said) - 1
             # A change that came too late was refused: then the one before it counts, acknowledged or not.
-            last = [max(accepted, key=lambda said: said.turn).id] if accepted else has[:1]
+            counts = [said.turn for said in all_said if said.id in has]
             if len(has) > 1:
                 twice += 1
-            elif has and has == last and not waits:
+            elif counts and all(said.turn <= counts[0] for said in accepted) and not waits:
                 once += 1
             else:
                 lost += 1
