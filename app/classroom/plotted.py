@@ -29,8 +29,8 @@ class Plotted:
         self.time = -1.0
         self._specs: tuple[str, ...] = ()
 
-    def follow(self, session: Session, specs: tuple[str, ...]) -> bool:
-        """Take a sample of each plot, and return whether time has passed.
+    def follow(self, session: Session, specs: tuple[str, ...]) -> None:
+        """Take a sample of each plot.
 
         Args:
             session: of the body.
@@ -39,11 +39,9 @@ class Plotted:
         if (session.openings, specs) != (self.opening, self._specs):
             self.opening, self._specs, self.time = session.openings, specs, -1.0
             self.plots = tuple(_plots(specs, session.scene))
-        time, before = session.simulation.time, self.time
-        self.time = time
+        self.time = session.simulation.time
         for plot in self.plots:
             plot.sample(session)
-        return time != before
 
     @property
     def values(self) -> NDArray[np.float64]:
