@@ -143,6 +143,7 @@ class Room(Struct, kw_only=True):
         until: of homework, the time at which its answers are told, s since 1970; a class has none, and is
             written without.
         told: whether what is right in homework may be known.
+        began: when the class left the lobby for the first time, s since 1970; not before it has.
         version: counts the changes.
     """
 
@@ -164,6 +165,7 @@ class Room(Struct, kw_only=True):
     law: bool = False
     until: float | msgspec.UnsetType = msgspec.UNSET
     told: bool | msgspec.UnsetType = msgspec.UNSET
+    began: float | msgspec.UnsetType = msgspec.UNSET
     version: int = 0
 
     # --------------------------------------------------------------------- the plan
@@ -395,6 +397,12 @@ class Room(Struct, kw_only=True):
         self.scenes, self.at = scenes, 0
         if len(self.stops) > MAX_STOPS:
             raise Refused(f"A class has {MAX_STOPS} steps at most; this scene has {len(self.stops)}.")
+        self.version += 1
+
+    def lower_hands(self) -> None:
+        """Take all hands down."""
+        for seat in self.seats.values():
+            seat.hand = False
         self.version += 1
 
     # --------------------------------------------------------------------- the pupils

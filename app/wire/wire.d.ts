@@ -89,7 +89,7 @@ export type ChooseLesson = { do: "chooseLesson"; name: string };
 /** Pupils are in the network of one of this computer's addresses. */
 export type ChooseNetwork = { do: "chooseNetwork"; address: string };
 /** Something that needs no place. */
-export type Arrange = { do: "arrange"; what: "again" | "asMine" | "close" | "end" | "gather" | "giveBack" | "givenNames" | "goOn" | "law" | "lessonFile" | "noLaw" | "open" | "ownNames" | "pause" | "reset" | "sheet" | "tell" | "zip" };
+export type Arrange = { do: "arrange"; what: "again" | "asMine" | "close" | "end" | "gather" | "giveBack" | "givenNames" | "goOn" | "law" | "lessonFile" | "lowerHands" | "noLaw" | "open" | "ownNames" | "pause" | "reset" | "sheet" | "tell" | "zip" };
 /** An answer is picked out, or no longer. */
 export type Star = { do: "star"; answer: string; on: boolean };
 /** An answer is to be shown alone on the wall; none for "". */
@@ -201,10 +201,10 @@ export type Alone = { tell: "alone"; opening: number; body: string; method: stri
 export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; over: string; turned: boolean; law: Law | null; doing: Record<string, number>; start: [number, number][]; steps: number; unit: string };
 /** Where the class has said that the masses will be, in the page's world: one body a prediction, without names. */
 export type Predictions = { tell: "predictions"; bodies: [number, number][][] };
-/** Where the bodies of the seats are, by their numbers: thousandths of the scene's frame from its left and upper edge. */
-export type Posters = { tell: "posters"; places: Record<string, [number, number][]>; springs: [number, number][] };
+/** Where bodies are: thousandths of the scene's frame from its left and upper edge. */
+export type Posters = { tell: "posters"; places: Record<string, [number, number][]>; start: [number, number][]; springs: [number, number][] };
 /** What the teacher's page has to know of the class. */
-export type Desk = { tell: "desk"; code: string; address: string; qr: string; check: string; check_qr: string; tried: DeskTried[]; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; over: string; turned: boolean; law: Law | null; shows_law: boolean; on_wall: string; seat_on_wall: number; gathered: boolean; again: "no" | "now" | "yes"; open: boolean; own_names: boolean; paused: boolean; saved: boolean; trouble: string; lessons: LessonName[]; lesson: string; networks: string[]; home: string; told: boolean; done: [number, number][] };
+export type Desk = { tell: "desk"; code: string; address: string; qr: string; check: string; check_qr: string; tried: DeskTried[]; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; over: string; turned: boolean; law: Law | null; shows_law: boolean; on_wall: string; seat_on_wall: number; gathered: boolean; again: "no" | "now" | "yes"; open: boolean; own_names: boolean; paused: boolean; saved: boolean; trouble: string; lessons: LessonName[]; lesson: string; networks: string[]; home: string; told: boolean; done: [number, number][]; elapsed: number };
 /** Something that the user of the page is to read once. */
 export type Remark = { tell: "remark"; title: string; text: string };
 /** The server has these answers, or has refused one: then it says why. */

@@ -146,6 +146,8 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     pupil.get_by_role("button", name="Hand up").press("Enter")
     expect(desk.locator(".softrod-desk-hands")).to_have_text(name)
     expect(desk.locator(".softrod-desk-hands path")).to_be_visible()
+    desk.get_by_role("button", name="Lower hands").click()
+    until(desk, lambda: not any(seat.hand for seat in room.seats.values()), "the hand is down")
     pupil.evaluate("document.activeElement.blur()")
     school.stands_out("lobby")
     school.go(desk, Phase.SHOW)
@@ -181,6 +183,11 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     expect(desk.locator(".softrod-desk-advice")).to_have_text(
         "50 % right: let them talk in pairs, then ask again."
     )
+    # The teacher alone sees who chose and predicted what, in a small picture of the body.
+    expect(desk.locator(".softrod-tiles")).to_contain_text("at 240")
+    dots = desk.locator(".softrod-tiles .softrod-poster-dots")
+    expect(dots).to_have_attribute("d", re.compile(r"^M\d+ \d+h0$"))
+    expect(desk.locator(".softrod-desk-progress")).to_contain_text(re.compile("Phase 2 of 8.*0 min so far"))
     school.go(desk, Phase.RESULTS)
     expect(desk.locator("[data-focus=advice]")).to_have_text("Ask again")
     expect(wall.locator(".softrod-bars b")).to_have_text(["1", "1"])
@@ -270,7 +277,7 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     keys.press("Enter")
     expect(pupil.locator(".softrod-seat-name")).to_have_text(name)
     assert len(room.seats) == 2
-    desk.locator("[data-focus=back]").click()
+    desk.locator("[data-focus=allSeats]").click()
 
     # A later page of the browser has the seat; the earlier one gives its connection up, until it is wanted.
     later = pupil.context.new_page()
@@ -297,7 +304,7 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     school.stands_out("collect")
 
     with desk.expect_download() as download:
-        desk.get_by_text("Door, names, saving, end").click()
+        desk.get_by_label("More", exact=True).click()
         desk.get_by_role("button", name="Save all as a zip").click()
     with zipfile.ZipFile(download.value.path()) as file:  # `tests/app/test_takeaway.py` has what is in it
         assert "answers.csv" in file.namelist()
@@ -451,6 +458,7 @@ def test_answers_from_the_lessons_file_by_code_and_as_a_file(
     context.close()
 
     desk = school.open(desk_address(school.base, school.classroom), LAPTOP)
+    desk.get_by_label("More", exact=True).click()
     desk.get_by_text("Answers from files").click()
     box = desk.locator(".softrod-brought")
     box.get_by_label("Or the text").fill(f"{text[:9]}{'A' if text[9] != 'A' else 'B'}{text[10:]} {text}")

@@ -141,7 +141,7 @@ def test_a_class_of_lesson_1(lesson: Lesson) -> None:
     expect(wall.locator(".softrod-class-plot circle")).to_have_count(3)
     desk.get_by_role("button", name="Show the law").click()
     expect(wall.locator(".softrod-wall-side")).to_contain_text("stretch of spring 0 = 0.05 × gravity")
-    desk.get_by_text("Door, names, saving, end").click()
+    desk.get_by_label("More", exact=True).click()
     with desk.expect_download() as download:
         desk.get_by_role("button", name="Save all as a zip").click()
     with zipfile.ZipFile(download.value.path()) as file:

@@ -1,28 +1,25 @@
 // @ts-check
 /**
- * The teacher's part of the page: what comes next, what the class does now, who is there, and what was given. What is
- * seldom wanted is folded.
+ * The teacher's page: at the left what to say and do, and what comes next; at the right the class as it is, or the
+ * controls of the teacher's own body. What is seldom wanted is in a menu.
  */
 import { onMessage, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { beforehand } from "./beforehand.js";
-import { box, button, fold, icon, typedAddress, untranslated, voteBars } from "./elements.js";
+import { box, button, fold, icon, typedAddress, untranslated } from "./elements.js";
 import { guide } from "./guide.js";
 import { hearImports, importResults, imports } from "./imports.js";
-import { keepInPlace } from "./place.js";
 import { OWN_BODY } from "./phases.js";
-import { plot, power } from "./plot.js";
-import { keepPosters, poster, still } from "./poster.js";
+import { keepPosters } from "./poster.js";
 import { Predictions } from "./prediction.js";
+import { chosenSeat, counted, onChosen, present } from "./present.js";
 import { Card } from "./rerender.js";
 import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
 
 /** @typedef {import("../../wire/wire.js").Desk} Desk */
-/** @typedef {import("../../wire/wire.js").DeskSeat} DeskSeat */
-/** @typedef {import("../../wire/wire.js").DeskAnswer} DeskAnswer */
 /** @typedef {import("../../wire/wire.js").Arrange} Arrange */
-/** @typedef {import("../../wire/wire.js").OneSeat} OneSeat */
 /** @typedef {keyof typeof PHASES} Phase */
+/** @typedef {[stop: number, phase: Phase, round: number]} Place */
 
 /** Labels of the phases on their buttons. */
 const PHASES = {
@@ -42,108 +39,114 @@ const WAITED = { ask: "have answered", explain: "have written a line", collect: 
 const TEACH_BELOW = 35;
 /** Percentage of right answers up to which pupils talk in pairs, and are asked again (Mazur 1997). */
 const PAIRS_UP_TO = 70;
-/** The answers that are listed, by kind; the bars have the votes. @type {[DeskAnswer["kind"], title: string][]} */
-const LISTED = [["work", "Handed in"], ["line", "Lines"], ["prediction", "Predictions"]];
-/** States of a body that its tile names; all others are moving. */
-const NAMED_STATES = new Set(["at rest", "paused", "exploded", "goal reached"]);
+/** Milliseconds after which the minutes are looked at again. */
+const MINUTES_EVERY = 5000;
 
-/** The seat that is looked at alone, or 0. */
-let chosen = 0;
 /** @type {Desk | null} */
 let desk = null;
-/** @type {Card} */
-let card;
+/** When it was told, ms since the page began. */
+let toldAt = 0;
+/** Whether the controls of the teacher's own body are at the right, instead of the class. */
+let showsControls = false;
 
 /** Makes the teacher's part. */
 export function addDesk() {
-  const element = make("aside", "softrod-class softrod-desk");
-  element.ariaLabel = "Class";
+  const lead = make("aside", "softrod-class softrod-desk");
+  lead.ariaLabel = "What to say and do";
+  const room = make("aside", "softrod-class softrod-desk-room");
+  room.ariaLabel = "The class";
+  const both = box("div", "softrod-desk-parts", lead, room);
   const predictions = new Predictions({ onRedraw: onMarksRedraw, insert: insertMarksLayer, redraw: redrawMarks, at: () => null });
-  card = new Card(element, () => (desk ? parts(desk) : []));
+  const left = new Part(lead, parts, importResults);
+  const right = new Part(room, present, chosenSeat);
   onMessage("predictions", ({ bodies }) => predictions.show(bodies));
-  keepPosters(element);
+  keepPosters();
   onMessage("desk", (told) => {
-    if (!desk) keepInPlace(element);
-    card.defer(() => {
-      desk = told;
-      show();
-    });
+    if (!desk) document.body.append(both);
+    [desk, toldAt] = [told, performance.now()];
+    left.show();
+    right.show();
   });
-  hearImports(() => card.defer(show));
+  document.addEventListener("pointerdown", ({ target }) => {
+    const menu = /** @type {HTMLDetailsElement | null} */ (lead.querySelector(".softrod-desk-more"));
+    if (menu && !menu.contains(/** @type {Node} */ (target))) menu.open = false;
+  });
+  setInterval(() => showMinutes(lead), MINUTES_EVERY);
+  hearImports(() => left.show());
+  refresh = () => left.show();
+  onChosen((focus) => {
+    right.show();
+    right.card.focus(focus);
+  });
   onMessage("classEnded", () => {
     predictions.show([]);
-    element.replaceChildren(make("h2", "", "The class is over"), make("p", "", "Nothing that was given is kept on this computer."));
+    room.remove();
+    lead.replaceChildren(make("h2", "", "The class is over"), make("p", "", "Nothing that was given is kept on this computer."));
   });
 }
 
-/** The place of the class when the part was scrolled. */
-let scrolledAt = "";
+/** Shows the left-hand part again. */
+let refresh = () => {};
 
-function show() {
-  if (!desk) return;
-  if (!desk.seats.some(({ number }) => number === chosen)) chosen = 0;
-  const { stop, phase, round } = desk.asking;
-  const at = `${stop} ${phase} ${round}`;
-  // In another phase, what comes next is at the top.
-  const scrolled = at === scrolledAt ? card.element.scrollTop : 0;
-  scrolledAt = at;
-  card.show([desk, chosen, importResults()]);
-  card.element.scrollTop = scrolled;
-}
+/** One half of the page, which is remade when what it shows has changed, and is scrolled to its top in another phase. */
+class Part {
+  #at = "";
 
-/** Looks at a seat alone, or at all (0). @param {number} number */
-function choose(number) {
-  chosen = number;
-  show();
-  card.focus(number ? "[data-focus=back]" : ".softrod-seats button");
-}
-
-/** @param {Desk} desk @returns {HTMLElement[]} */
-function parts(desk) {
-  const seat = desk.seats.find(({ number }) => number === chosen);
-  const present = seat ? alone(desk, seat) : seats(desk);
-  if (desk.home) {
-    return [
-      head(desk),
-      homework(desk),
-      ...beforehand(desk),
-      ...asked(desk),
-      ...collected(desk),
-      ...given(desk),
-      present,
-      fold("Answers from files", [imports(() => card.defer(show))]),
-      fold("Door, names, saving, end", [foot(desk)]),
-    ];
+  /** @param {HTMLElement} element @param {(desk: Desk) => HTMLElement[]} make @param {() => unknown} more what it shows besides the class */
+  constructor(element, make, more) {
+    this.card = new Card(element, () => (desk ? make(desk) : []));
+    this.more = more;
   }
-  return [
-    head(desk),
-    now(desk),
-    ...beforehand(desk),
-    ...advice(desk),
-    actions(desk),
-    ...asked(desk),
-    ...collected(desk),
-    // While pupils write, their lines come first.
-    ...(desk.asking.phase === "explain" ? [...given(desk), present] : [present, ...given(desk)]),
-    fold("All phases of this step", [phases(desk)]),
-    fold("Answers from files", [imports(() => card.defer(show))]),
-    fold("Door, names, saving, end", [foot(desk)]),
-  ];
+
+  show() {
+    this.card.defer(() => {
+      if (!desk) return;
+      const { stop, phase, round } = desk.asking;
+      const at = `${stop} ${phase} ${round}`, { element } = this.card;
+      const scrolled = at === this.#at ? element.scrollTop : 0;
+      this.#at = at;
+      this.card.show([{ ...desk, elapsed: 0 }, showsControls, this.more()]);
+      element.scrollTop = scrolled;
+    });
+  }
+}
+
+/** What is at the left. @param {Desk} desk @returns {HTMLElement[]} */
+function parts(desk) {
+  if (desk.home) return [head(desk), homework(desk), ...beforehand(desk)];
+  return [head(desk), now(desk), ...beforehand(desk), ...advice(desk), actions(desk), onward(desk)];
 }
 
 /** @param {Arrange["what"]} what */
 const arrange = (what) => send({ do: "arrange", what });
-/** @param {[stop: number, phase: Phase, round: number]} place */
+/** @param {Place} place */
 const go = ([stop, phase, round]) => send({ do: "stage", stop, phase, round });
 
 /** @param {Desk} desk */
-function head({ code, address, saved, trouble }) {
+function head(desk) {
+  const { code, address, saved, trouble, seats } = desk;
   const letters = untranslated(make("b", "softrod-desk-code", code));
+  const here = make("span", "softrod-chip", `${counted(seats)} here`);
   const wall = Object.assign(make("a", "softrod-small", "Wall"), { href: `?room=${code}&as=wall`, target: "_blank" });
   wall.dataset.focus = "wall";
+  const controls = button("Controls", showControls, { focus: "controls", pressed: showsControls, label: "Controls of my own body" });
   const writing = trouble ? make("b", "softrod-warning", "not kept") : make("span", "softrod-quiet", saved ? "" : "saving…");
   writing.title = trouble;
-  return box("header", "", letters, untranslated(make("span", "", typedAddress(address))), writing, wall);
+  const way = box("p", "softrod-quiet", "Pupils type ", untranslated(make("b", "", typedAddress(address))), ` and ${code}.`);
+  const more = fold("", [box("div", "softrod-desk-menu", way, foot(desk), fold("Answers from files", [imports(refresh)]))], "More");
+  more.classList.add("softrod-desk-more");
+  const summary = /** @type {HTMLElement} */ (more.firstElementChild);
+  summary.ariaLabel = "More";
+  summary.append(icon("more"));
+  return box("header", "", letters, here, writing, controls, wall, more);
+}
+
+/** Shows the controls of the teacher's own body, or the class again. */
+function showControls() {
+  showsControls = !showsControls;
+  document.documentElement.toggleAttribute("data-softrod-controls", showsControls);
+  document.querySelector(".softrod-desk-parts")?.scrollTo(0, 0);
+  refresh();
 }
 
 /** Homework: until when, how many have done what, and which step is looked at. @param {Desk} desk */
@@ -164,11 +167,38 @@ function homework({ home, told, done, stops, asking: { stop } }) {
   );
 }
 
-/** The label of a place of the plan on a button. @param {[number, Phase, number]} place @param {number} at */
+/** The label of a place of the plan on a button. @param {Place} place @param {number} at */
 const labelOf = ([stop, phase, round], at) => (stop === at ? `${PHASES[phase]}${round > 0 ? " again" : ""}` : `Step ${stop + 1}`);
 
-/** What comes next, and what the class does now. @param {Desk} desk */
-function now({ stops, asking, next, seats }) {
+/** How many minutes the class has had. */
+function minutes() {
+  if (!desk || desk.elapsed < 0) return "";
+  return `${Math.floor((desk.elapsed + (performance.now() - toldAt) / 1000) / 60)} min so far`;
+}
+
+/** @param {HTMLElement} element */
+function showMinutes(element) {
+  const shown = element.querySelector(".softrod-desk-minutes");
+  if (shown) shown.textContent = minutes();
+}
+
+/** The phases of a step; being asked again is left out, unless that is what is done. @param {Desk["stops"]} stops @param {Desk["asking"]} asking */
+const wayOf = (stops, { stop, round }) => stops[stop].phases.filter(([, time]) => time === 0 || round > 0);
+
+/** How far the step is. @param {Desk} desk @returns {HTMLElement[]} */
+function progress({ stops, asking }) {
+  const { phase, round } = asking;
+  const phases = wayOf(stops, asking);
+  const at = phases.findIndex(([one, time]) => one === phase && time === round);
+  if (at < 0) return [];
+  const bar = box("div", "softrod-desk-bar", ...phases.map((_, i) => Object.assign(make("i", ""), { className: i < at ? "softrod-past" : i === at ? "softrod-now" : "" })));
+  bar.ariaHidden = "true";
+  return [box("div", "softrod-desk-progress", make("span", "", `Phase ${at + 1} of ${phases.length}`), make("span", "softrod-desk-minutes", minutes()), bar)];
+}
+
+/** What the class does now, and what to say and do. @param {Desk} desk */
+function now(desk) {
+  const { stops, asking, seats } = desk;
   const { stop, phase, round } = asking;
   const pick = make("select", "");
   pick.ariaLabel = "Step";
@@ -176,23 +206,42 @@ function now({ stops, asking, next, seats }) {
   stops.forEach(({ title }, i) => pick.add(new Option(`${i + 1}. ${title}`, String(i), false, i === stop)));
   pick.addEventListener("change", () => send({ do: "stage", stop: Number(pick.value), phase: "show" }));
   const words = guide(asking);
-  const about = box("p", "softrod-desk-about", make("b", "", labelOf([stop, phase, round], stop)));
+  const about = box("div", "softrod-desk-about", make("b", "", labelOf([stop, phase, round], stop)));
   about.setAttribute("role", "status");
-  if (WAITED[phase]) about.append(`: ${seats.filter(({ here, answered }) => here && answered).length} of ${counted(seats)} ${WAITED[phase]}.`);
+  if (WAITED[phase]) about.append(make("span", "", `${seats.filter(({ here, answered }) => here && answered).length} of ${counted(seats)} ${WAITED[phase]}`));
   const lines = make("dl", "softrod-desk-guide");
   lines.append(make("dt", "", "Say"), make("dd", "softrod-desk-say", words.say), make("dt", "", "Do"), make("dd", "", words.do));
-  return box(
-    "section",
-    "softrod-desk-now",
-    ...(stops.length > 1 ? [pick] : []),
-    next ? button(`Next: ${labelOf(next, stop)}`, () => go(next), { focus: "next", name: "softrod-strong" }) : make("p", "softrod-quiet", "That was the last step."),
-    about,
-    lines,
-  );
+  return box("section", "softrod-desk-now", ...(stops.length > 1 ? [pick] : []), ...progress(desk), about, lines);
 }
 
-/** How many pupils are waited for: those who are here. @param {DeskSeat[]} seats */
-const counted = (seats) => seats.filter(({ here }) => here).length;
+/** Where the class came from, as the plan has it; null at its beginning. @param {Desk} desk @returns {Place | null} */
+function before({ stops, asking }) {
+  const { stop, phase, round } = asking;
+  const way = wayOf(stops, asking);
+  const at = way.findIndex(([one, time]) => one === phase && time === round);
+  if (at > 0) return [stop, ...way[at - 1]];
+  const last = stops[stop - 1]?.phases.at(-1);
+  return at === 0 && last ? [stop - 1, ...last] : null;
+}
+
+/** Where the class goes from here; it stays in sight. @param {Desk} desk */
+function onward(desk) {
+  const { stops, asking: { stop, ...now }, next } = desk;
+  const back = before(desk);
+  const all = fold("All phases", [
+    box("div", "softrod-phases", ...stops[stop].phases.map(([phase, round]) => {
+      const pressed = phase === now.phase && round === now.round;
+      return button(labelOf([stop, phase, round], stop), () => go([stop, phase, round]), { pressed });
+    })),
+  ]);
+  return box(
+    "footer",
+    "softrod-desk-onward",
+    next ? button(`Next: ${labelOf(next, stop)}`, () => go(next), { focus: "next", name: "softrod-strong" }) : make("p", "softrod-quiet", "That was the last step."),
+    ...(back ? [button("Back", () => go(back), { focus: "back", name: "softrod-plain", label: `Back to: ${labelOf(back, stop)}` })] : []),
+    all,
+  );
+}
 
 /** What the percentage of right answers suggests, once all have answered or all see it. @param {Desk} desk @returns {HTMLElement[]} */
 function advice({ asking: { stop, phase, round }, bars, right, seats, stops }) {
@@ -228,140 +277,6 @@ function actions({ asking, paused, gathered, again, law, shows_law }) {
         ]
       : []),
   );
-}
-
-/** @param {Desk} desk */
-function asked({ asking: { phase, question, choices, predict }, bars, right, answers, seats }) {
-  if (!question && !(predict > 0)) return [];
-  const predictions = answers.filter(({ kind }) => kind === "prediction").length;
-  const part = box(
-    "section",
-    "",
-    ...(question ? [make("p", "", question), voteBars(choices, bars, right)] : []),
-    ...(predict > 0 ? [make("p", "softrod-quiet", `${predictions} of ${counted(seats)} have dragged a prediction.`)] : []),
-  );
-  return [phase === "ask" || phase === "results" || desk?.home ? part : fold("The question", [part])];
-}
-
-/** What a tile says of a seat, beside its name. @param {DeskSeat} seat @param {boolean} hasOwn whether it has a body of its own */
-function state({ here, follows, doing }, hasOwn) {
-  if (!here) return "away";
-  if (hasOwn && follows) return "looks at yours";
-  return hasOwn && NAMED_STATES.has(doing) ? doing : "";
-}
-
-/** The name of a seat as it is shown. @param {keyof HTMLElementTagNameMap} kind @param {DeskSeat} seat @param {string} [more] */
-function nameOf(kind, { name, two, hand }, more = "") {
-  const label = untranslated(make(kind, "", `${name}${two ? " (two)" : ""}${more}`));
-  if (hand) label.append(icon("hand"));
-  return label;
-}
-
-/** @param {Desk} desk */
-function seats({ seats, asking, seat_on_wall, gathered }) {
-  const hasOwn = OWN_BODY.has(asking.phase);
-  const up = seats.filter(({ hand }) => hand).map(({ name }) => name);
-  const tiles = seats.map((seat) => {
-    const { number, name, color, here, two, hand, answered } = seat;
-    const said = [state(seat, hasOwn && !gathered), number === seat_on_wall ? "on the wall" : ""].filter(Boolean).join(", ");
-    const label = [name, two ? "two" : "", said, answered ? "has answered" : "", hand ? "hand is up" : ""].filter(Boolean).join(", ");
-    const tile = button("", () => choose(number), { focus: `seat${number}`, name: "softrod-tile", label });
-    if (hasOwn) tile.append(poster(number));
-    tile.append(nameOf("span", seat, answered ? " ✓" : ""));
-    if (said) tile.append(make("small", "", said));
-    const item = box("li", "", tile);
-    item.style.setProperty("--softrod-seat", color);
-    item.toggleAttribute("data-away", !here);
-    return item;
-  });
-  return box(
-    "section",
-    "",
-    make("h3", "", `${seats.filter(({ here }) => here).length} of ${seats.length} are here`),
-    ...(up.length ? [box("p", "softrod-desk-hands", icon("hand"), up.join(", "))] : []),
-    box("ul", hasOwn ? "softrod-seats softrod-tiles" : "softrod-seats", ...tiles),
-  );
-}
-
-/** One seat, larger, and what can be done with it. @param {Desk} desk @param {DeskSeat} seat */
-function alone({ asking, seat_on_wall, answers, gathered }, seat) {
-  const { number, name, color, digits, doing } = seat;
-  const hasOwn = OWN_BODY.has(asking.phase);
-  const isShown = seat_on_wall === number;
-  /** @param {OneSeat["what"]} what */
-  const act = (what) => send({ do: "oneSeat", seat: number, what });
-  const own = hasOwn ? [button("Put on the wall", () => act(isShown ? "hide" : "show"), { pressed: isShown }), button("Reset this one", () => act("reset"))] : [];
-  const said = state(seat, hasOwn && !gathered) || (hasOwn ? doing : "");
-  const part = box(
-    "section",
-    "softrod-desk-seat",
-    box("header", "", nameOf("h3", seat), make("span", "softrod-quiet", said), button("Back to all", () => choose(0), { focus: "back" })),
-    ...(hasOwn ? [poster(number)] : []),
-    box(
-      "div",
-      "softrod-phases",
-      ...own,
-      button(digits ? `On the other device: ${digits}` : "Move to another device", () => act("move")),
-      button("Remove", () => confirm(`Close the seat of ${name}? What it gave goes, too.`) && act("sendAway")),
-    ),
-    ...(digits ? [make("p", "softrod-quiet", `There, come in, choose “This seat” and type ${digits}.`)] : []),
-    ...answers.filter((answer) => answer.seat === number).map((answer) => make("p", "", `Gave: ${wordsOf(answer, asking.choices)}`)),
-  );
-  part.style.setProperty("--softrod-seat", color);
-  return part;
-}
-
-/** An answer in words. @param {DeskAnswer} answer @param {string[]} choices of the question */
-function wordsOf({ kind, text, choice, late, doubt }, choices) {
-  const what = { vote: choices[choice] ?? "", prediction: "a prediction", line: text, work: text || "a run" }[kind];
-  return `${what}${late ? " (late)" : ""}${doubt && `: ${doubt}`}`;
-}
-
-/** The answers that are listed. @param {Desk} desk */
-function given({ answers, seats, on_wall, asking }) {
-  return LISTED.flatMap(([kind, title]) => {
-    const items = answers.filter((answer) => answer.kind === kind).map((answer) => item(answer, seats, on_wall));
-    const list = box("ul", "softrod-lines", ...items);
-    // The lines are open while they are written; predictions are over the body already.
-    return !items.length ? [] : [kind === "line" && asking.phase === "explain" ? list : fold(`${title}: ${items.length}`, [list], title)];
-  });
-}
-
-/** The class's plot. @param {Desk} desk */
-function collected({ answers, asking, over, turned, law, shows_law }) {
-  const found = answers.flatMap(({ setting, found, doubt }) => (setting === null || found === null || doubt ? [] : [{ setting, found }]));
-  if (!found.length || (asking.phase !== "collect" && !desk?.home)) return [];
-  const words = law && shows_law ? [make("p", "", power(law, asking.collects, over))] : [];
-  return [box("section", "", plot(found, over, asking.collects, { law: shows_law ? law : null, turned }), ...words)];
-}
-
-/** @param {DeskAnswer} answer @param {DeskSeat[]} seats @param {string} on_wall */
-function item(answer, seats, on_wall) {
-  const { id, seat, kind, starred, places } = answer;
-  const { name = "", color = "" } = seats.find(({ number }) => number === seat) ?? {};
-  const isShown = on_wall === id;
-  const what = kind === "prediction" ? `the prediction of ${name} alone` : `the body of ${name}`;
-  const item = box(
-    "li",
-    "",
-    ...(places.length ? [still(places)] : []),
-    make("span", "", `${name}: ${wordsOf(answer, [])}`),
-    kind === "line"
-      ? button("", () => send({ do: "star", answer: id, on: !starred }), {
-          focus: `star${id}`, name: "softrod-cross", label: `Show this line on the wall, by ${name}`, pressed: starred, icon: "star",
-        })
-      : button("Wall", () => send({ do: "toWall", answer: isShown ? "" : id }), { focus: `wall${id}`, label: `Show ${what} on the wall`, pressed: isShown }),
-  );
-  item.style.setProperty("--softrod-seat", color);
-  return item;
-}
-
-/** All phases of the present step. @param {Desk} desk */
-function phases({ stops, asking: { stop, ...now } }) {
-  const buttons = stops[stop].phases.map(([phase, round]) =>
-    button(labelOf([stop, phase, round], stop), () => go([stop, phase, round]), { pressed: phase === now.phase && round === now.round }),
-  );
-  return box("div", "softrod-phases", ...buttons);
 }
 
 /** @param {Desk} desk */

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
+from time import time
 from typing import Literal
 
 import numpy as np
 
 from app.classroom import room as rooms
 from app.classroom import sheets
-from app.classroom.answers import OWN_BODY, Answer, Phase, Refused, Vote, Work
+from app.classroom.answers import OWN_BODY, Answer, Phase, Prediction, Refused, Vote, Work
 from app.classroom.live import Class, PupilStatus, SharedView, is_key
 from sim.errors import InputError, SettingError
 
+from ...lessons import read_masses
 from ...pages.check.page import check_address
 from ...session import commands
 from ...session.log import decode_log
@@ -79,7 +81,8 @@ class DeskRole(ClassRole):
         self._replay_begins = False
         # A file for the browser to save that is being made: its name, a title, and its bytes.
         self._making: tuple[str, str, Future[bytes]] | None = None
-        self._posters: tuple[tuple[int, PupilStatus], ...] | None = None
+        # Where the class was, and what the bodies did, when the page was told last.
+        self._posters: tuple[int, tuple[tuple[int, PupilStatus], ...]] | None = None
 
     @property
     def controls(self) -> Controls | None:
@@ -108,6 +111,7 @@ class DeskRole(ClassRole):
             match said:
                 case messages.Stage(stop, phase, round):
                     room.go(stop, Phase(phase), round)
+                    room.began = room.began or time()
                 case messages.Star(answer, on):
                     room.star(answer, on)
                 case messages.ToWall(answer):
@@ -145,18 +149,12 @@ class DeskRole(ClassRole):
             self._lead(session)
             while classroom.notices:
                 session.notices.append(Notice("warning", *classroom.notices.popleft()))
-        has_own = self.room.phase in OWN_BODY
-        posters = tuple(classroom.statuses.items()) if has_own else ()
+        statuses = classroom.statuses if self.room.phase in OWN_BODY else {}
+        posters = self.room.at, tuple(statuses.items())
         if posters != self._posters:
             self._posters = posters
-            springs = classroom.scene(self.room.at).linear_springs if has_own else ()
-            self._mail.send(
-                Posters(
-                    places={str(number): status.places for number, status in posters},
-                    springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MAX_PLACES),
-                )
-            )
-        words = (status.word for _, status in posters)
+            self._mail.send(self._draw_posters(statuses))
+        words = ((status.word, status.begun) for status in statuses.values())
         if self._is_new(classroom.written, classroom.trouble, self._again, tuple(classroom.checks), *words):
             self._mail.send(self._state())
             self._mail.send(predictions(classroom))
@@ -190,6 +188,8 @@ class DeskRole(ClassRole):
                 room.gather(what == "gather")
             case "again":
                 self._replay(session)
+            case "lowerHands":
+                room.lower_hands()
             case "law" | "noLaw":
                 room.law = what == "law"
             case "zip":
@@ -376,6 +376,16 @@ class DeskRole(ClassRole):
             home=home_text(room),
             told=room.is_told,
             done=tuple(self._done(stop) for stop in range(len(room.stops))) if room.is_home else (),
+            elapsed=time() - room.began if room.began else -1.0,
+        )
+
+    def _draw_posters(self, statuses: Mapping[int, PupilStatus]) -> Posters:
+        scene = self.classroom.scene(self.room.at)
+        springs = ((spring.a, spring.b) for spring in scene.linear_springs)
+        return Posters(
+            places={str(number): status.places for number, status in statuses.items()},
+            start=places_of(np.array([mass.position for mass in scene.masses]).reshape(-1, 2), scene),
+            springs=tuple(pair for pair in springs if max(pair) < MAX_PLACES),
         )
 
     def _done(self, stop: int) -> tuple[int, int]:
@@ -387,6 +397,7 @@ class DeskRole(ClassRole):
 
     def _seat(self, seat: rooms.Seat, answered: bool) -> DeskSeat:
         status = self.classroom.statuses.get(seat.number, PupilStatus())
+        idle = self.room.phase in OWN_BODY and not status.begun and status.word != "exploded"
         return DeskSeat(
             number=seat.number,
             name=seat.name,
@@ -395,7 +406,7 @@ class DeskRole(ClassRole):
             two=seat.twins,
             hand=seat.hand,
             answered=answered,
-            doing=status.word,
+            doing="not begun" if idle else status.word,
             follows=seat.follows,
             digits=seat.move,
         )
@@ -403,7 +414,12 @@ class DeskRole(ClassRole):
     def _answer(self, answer: Answer) -> DeskAnswer:
         content = answer.content
         work = content if isinstance(content, Work) else Work()
-        scene = self.classroom.scene(answer.stop) if work.points else None
+        scene, points = self.classroom.scene(answer.stop), work.points
+        if isinstance(content, Prediction):
+            step = self.room.step_at(answer.stop)
+            held = {anchor.mass for anchor in scene.anchors}
+            asked = (read_masses(step, scene) if step is not None else ()) or range(len(scene.masses))
+            points = tuple(content.points[mass] for mass in asked if mass not in held)
         return DeskAnswer(
             id=answer.id,
             seat=answer.seat,
@@ -416,5 +432,5 @@ class DeskRole(ClassRole):
             setting=work.setting,
             reached=work.reached,
             doubt=work.doubt,
-            places=() if scene is None else places_of(np.array(work.points), scene),
+            places=places_of(np.array(points), scene) if points else (),
         )

@@ -167,10 +167,10 @@ class Arrange(Lead, frozen=True):
     """Something that needs no place.
 
     All bodies are to stand, to go on, or to begin anew, or are to be the teacher's as it is now; all are to
-    look at the teacher's, or to have their own back; the run is to be seen again, slowly; the class's plot is
-    to have the law of its points, or no longer; the door and whether names can be typed; what was given is to
-    be saved as a file, the present lesson as one that lives without a server, or as a sheet for its teacher;
-    and the end.
+    look at the teacher's, or to have their own back; the run is to be seen again, slowly; all hands go down;
+    the class's plot is to have the law of its points, or no longer; the door and whether names can be typed;
+    what was given is to be saved as a file, the present lesson as one that lives without a server, or as a
+    sheet for its teacher; and the end.
     """
 
     what: Literal[
@@ -181,6 +181,7 @@ class Arrange(Lead, frozen=True):
         "gather",
         "giveBack",
         "again",
+        "lowerHands",
         "law",
         "noLaw",
         "open",
@@ -483,10 +484,16 @@ class Predictions(State, frozen=True, kw_only=True):
 
 
 class Posters(State, frozen=True, kw_only=True):
-    """Where the bodies of the seats are, by their numbers: thousandths of the scene's frame from its left and
-    upper edge."""
+    """Where bodies are: thousandths of the scene's frame from its left and upper edge.
+
+    Attributes:
+        places: of the seats' own bodies, by their numbers; none while they have none.
+        start: of the body as the step begins.
+        springs: between which masses.
+    """
 
     places: dict[str, tuple[tuple[int, int], ...]]
+    start: tuple[tuple[int, int], ...]
     springs: tuple[tuple[int, int], ...]
 
 
@@ -496,7 +503,7 @@ class DeskSeat(Struct, frozen=True, kw_only=True):
     Attributes:
         here: whether a page of it is connected.
         answered: whether it has given what is asked for.
-        doing: what its body does, in a word.
+        doing: what its body does, in a word or two.
         follows: whether it looks at the teacher's body where it could have its own.
         digits: by which another device takes the seat over; empty if it is not to.
     """
@@ -517,7 +524,8 @@ class DeskAnswer(Struct, frozen=True, kw_only=True):
     """An answer, as the teacher sees it.
 
     Attributes:
-        places: of a run that was handed in, where its masses were, as of `Posters`.
+        places: in thousandths as in `Posters`: where the masses of a run that was handed in were; or where
+            those that were asked for will be, in a prediction.
     """
 
     id: str
@@ -584,6 +592,7 @@ class Desk(State, frozen=True, kw_only=True):
             nothing to choose.
         home, told: see `Seat`.
         done: of homework, how many have answered each stop's question, and how many have handed in there.
+        elapsed: since the class left the lobby, s; negative before.
     """
 
     code: str
@@ -618,6 +627,7 @@ class Desk(State, frozen=True, kw_only=True):
     home: str
     told: bool
     done: tuple[tuple[int, int], ...]
+    elapsed: float
 
 
 class Taken(Event, frozen=True, kw_only=True):

@@ -61,13 +61,7 @@ plan_numbers = itertools.count(1_000_000)
 
 
 class Role:
-    """What one page is, if it is not an ordinary page. Only the ticker calls it, except for `allows`.
-
-    Attributes:
-        place: HTML above the panel's sliders, where the page's script finds room.
-    """
-
-    place = '<div id="softrod-class-place"></div>'
+    """What one page is, if it is not an ordinary page. Only the ticker calls it, except for `allows`."""
 
     @property
     def controls(self) -> Controls | None:

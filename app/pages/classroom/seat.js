@@ -258,17 +258,8 @@ function body(seat, asking) {
   if (phase === "lobby") return lobbyOf(seat);
   if (phase === "ask") return [...twins(seat), ...(asking.question ? [choices(asking)] : []), ...(asking.predict > 0 && asking.round === 0 ? predictButton(asking) : [])];
   if (phase === "explain") return [...twins(seat), explanation(asking)];
-  if (seat.home && hasOwn()) {
-    return [
-      ...(asking.goal ? [make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`)] : []),
-      make("p", "", asking.do),
-      ...(asking.watch ? [make("p", "softrod-watch", asking.watch)] : []),
-      box("div", "softrod-phases", ...timeButtons()),
-    ];
-  }
   if ((phase === "results" || phase === "reveal") && asking.question) return [verdict(asking)];
-  if (!OWN_BODY.has(phase) || seat.gathered) return [];
-  if (seat.follows) return [];
+  if (!OWN_BODY.has(phase) || seat.gathered || seat.follows) return [];
   return [
     ...(asking.goal ? [make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`)] : []),
     make("p", "", asking.do),

@@ -132,7 +132,7 @@ class ClassTab:
                 self._requests.add(lambda: role.introduce(said, session))
             case messages.InSeat() | messages.Checked():
                 self._requests.add(lambda: role.hear(said, session))
-            case Speed(speed):
+            case Speed(speed) if "play" in self._controls:
                 session.post(commands.Speed(speed))
             case from_page.Visit():
                 session.post(commands.Visit())

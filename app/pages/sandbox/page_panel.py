@@ -15,14 +15,13 @@ class PagePanel:
     Args:
         page: the page.
         features: its features.
-        place: HTML at the top of the Play tab that says which place in a class the page has; empty for none.
 
     Attributes:
         has_lesson: a lesson is shown.
     """
 
-    def __init__(self, page: Page, features: tuple[Feature, ...], place: str) -> None:
-        self._page, self._features, self._place = page, features, place
+    def __init__(self, page: Page, features: tuple[Feature, ...]) -> None:
+        self._page, self._features = page, features
         self._make()
 
     def _make(self) -> None:
@@ -30,10 +29,6 @@ class PagePanel:
         self.has_lesson = self._page.has_lesson
         for feature in self._features:
             feature.attach(self._panel)
-        play = self._panel.find("Play")
-        if self._place and play is not None:
-            with play:
-                self._page.client.gui.add_html(self._place, order=0)
         self._panel.finish()
 
     def update(self, wanted: Controls) -> None:

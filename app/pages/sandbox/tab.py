@@ -339,7 +339,7 @@ class Tab:
         self._handler = RequestHandler(
             self._page, self._features, lambda saved: self._page.soon(lambda: self._resume(saved))
         )
-        panel = PagePanel(self._page, self._features, role.place if role is not None else "")
+        panel = PagePanel(self._page, self._features)
         self._shown = PageView(
             self._page, self._features, self._view, panel, self._number, self._wanted_controls
         )

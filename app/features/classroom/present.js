@@ -1,0 +1,226 @@
+// @ts-check
+/** The right-hand part of the teacher's page: the class as it is. Who is there, what their bodies do, and what they gave. */
+import { send } from "../../wire/channel.js";
+import { make } from "../../ui/dialog.js";
+import { box, button, fold, icon, untranslated, voteBars } from "./elements.js";
+import { OWN_BODY, PREDICTED } from "./phases.js";
+import { plot, power } from "./plot.js";
+import { poster, still } from "./poster.js";
+
+/** @typedef {import("../../wire/wire.js").Desk} Desk */
+/** @typedef {import("../../wire/wire.js").DeskSeat} DeskSeat */
+/** @typedef {import("../../wire/wire.js").DeskAnswer} DeskAnswer */
+/** @typedef {import("../../wire/wire.js").OneSeat} OneSeat */
+
+/** The answers that are listed, by kind; the bars have the votes. @type {[DeskAnswer["kind"], title: string][]} */
+const LISTED = [["work", "Handed in"], ["line", "Lines"], ["prediction", "Predictions"]];
+/** States of a body that its tile names; all others are moving. */
+const NAMED_STATES = new Set(["not begun", "at rest", "paused", "exploded", "goal reached"]);
+
+/** The seat that is looked at alone, or 0. */
+let chosen = 0;
+/** Shows the part again. */
+let again = () => {};
+
+/** Has it shown again whenever another seat is looked at. @param {(focus: string) => void} show gets what is to have the focus */
+export function onChosen(show) {
+  again = () => show(chosen ? "[data-focus=allSeats]" : ".softrod-seats button");
+}
+
+/** The seat that is looked at alone, or 0. */
+export const chosenSeat = () => chosen;
+
+/** Looks at a seat alone, or at all (0). @param {number} number */
+function choose(number) {
+  chosen = number;
+  again();
+}
+
+/** What there is to see of the class. @param {Desk} desk @returns {HTMLElement[]} */
+export function present(desk) {
+  if (!desk.seats.some(({ number }) => number === chosen)) chosen = 0;
+  const seat = desk.seats.find(({ number }) => number === chosen);
+  const who = seat ? alone(desk, seat) : seats(desk);
+  const { phase } = desk.asking;
+  // While pupils write, their lines come first; what they find belongs together in one picture.
+  if (phase === "explain") return [...given(desk), who, ...asked(desk)];
+  return [...counts(desk), ...asked(desk), ...collected(desk), who, ...given(desk)];
+}
+
+/** @param {number} number @param {string} text @param {string} [name] @returns {HTMLElement} */
+function count(number, text, name = "") {
+  const item = box("li", name, make("b", "", String(number)), make("span", "", text));
+  return item;
+}
+
+/** How far they are while each one has a body of their own. @param {Desk} desk @returns {HTMLElement[]} */
+function counts({ asking: { phase }, seats, home }) {
+  if (home || !OWN_BODY.has(phase)) return [];
+  const here = seats.filter((seat) => seat.here);
+  const done = here.filter(({ answered }) => answered).length;
+  const idle = here.filter((seat) => !seat.answered && seat.doing === "not begun").length;
+  const exploded = here.filter(({ doing }) => doing === "exploded").length;
+  const items = [
+    ...(phase === "collect" ? [count(done, "have handed in", "softrod-done")] : []),
+    count(here.length - (phase === "collect" ? done : 0) - idle - (phase === "collect" ? 0 : exploded), "are trying"),
+    ...(phase === "try" && exploded ? [count(exploded, "have exploded", "softrod-idle")] : []),
+    ...(idle ? [count(idle, "have not begun", "softrod-idle")] : []),
+  ];
+  return [box("ul", "softrod-desk-counts", ...items)];
+}
+
+/** The question, and who has chosen what; only the teacher sees that before it is shown. @param {Desk} desk @returns {HTMLElement[]} */
+function asked({ asking: { phase, question, choices, predict }, bars, right, seats, answers, home }) {
+  if (!(question || predict > 0) || !(PREDICTED.has(phase) || home)) return [];
+  const predictions = answers.filter(({ kind }) => kind === "prediction").length;
+  const sealed = make("span", "softrod-chip", "only you see this");
+  // The wrong choice of most: one of them is asked why.
+  const most = Math.max(0, ...bars.filter((_, i) => i !== right));
+  const wrong = choices[bars.findIndex((bar, i) => i !== right && bar === most)];
+  const ask = phase === "results" && most > 0 && right >= 0 ? [make("p", "softrod-quiet", `${most} chose “${wrong}”: ask one of them why.`)] : [];
+  return [
+    box(
+      "section",
+      "",
+      box("header", "", make("h3", "", phase === "ask" || home ? "What they chose so far" : "What they chose"), ...(phase === "ask" || home ? [sealed] : [])),
+      ...(question ? [voteBars(choices, bars, right)] : []),
+      ...ask,
+      ...(predict > 0 ? [make("p", "softrod-quiet", `${predictions} of ${counted(seats)} have dragged a prediction.`)] : []),
+    ),
+  ];
+}
+
+/** What a tile says of a seat, beside its name. @param {DeskSeat} seat @param {boolean} hasOwn whether it has a body of its own */
+function state({ here, follows, doing }, hasOwn) {
+  if (!here) return "away";
+  if (hasOwn && follows) return "looks at yours";
+  return hasOwn && NAMED_STATES.has(doing) ? doing : "";
+}
+
+/** The name of a seat as it is shown. @param {keyof HTMLElementTagNameMap} kind @param {DeskSeat} seat @param {string} [more] */
+function nameOf(kind, { name, two, hand }, more = "") {
+  const label = untranslated(make(kind, "", `${name}${two ? " (two)" : ""}${more}`));
+  if (hand) label.append(icon("hand"));
+  return label;
+}
+
+/** How many pupils are waited for: those who are here. @param {DeskSeat[]} seats */
+export const counted = (seats) => seats.filter(({ here }) => here).length;
+
+/** What a seat gave to what is asked, on its tile. @param {Desk} desk @param {number} seat */
+function gaveOf({ answers, asking: { phase, choices } }, seat) {
+  if (!PREDICTED.has(phase)) return { choice: "", dots: /** @type {[number, number][]} */ ([]) };
+  const mine = answers.filter((answer) => answer.seat === seat);
+  const vote = mine.find(({ kind }) => kind === "vote");
+  return { choice: vote ? choices[vote.choice] ?? "" : "", dots: mine.find(({ kind }) => kind === "prediction")?.places ?? [] };
+}
+
+/** @param {Desk} desk */
+function seats(desk) {
+  const { seats, asking, seat_on_wall, gathered } = desk;
+  const hasOwn = OWN_BODY.has(asking.phase);
+  const hasPicture = hasOwn || (PREDICTED.has(asking.phase) && asking.predict > 0);
+  const up = seats.filter(({ hand }) => hand).map(({ name }) => name);
+  const tiles = seats.map((seat) => {
+    const { number, name, color, here, two, hand, answered } = seat;
+    const { choice, dots } = gaveOf(desk, number);
+    const said = [state(seat, hasOwn && !gathered), choice, number === seat_on_wall ? "on the wall" : ""].filter(Boolean).join(", ");
+    const label = [name, two ? "two" : "", said, dots.length ? "has predicted" : "", answered ? "has answered" : "", hand ? "hand is up" : ""].filter(Boolean).join(", ");
+    const tile = button("", () => choose(number), { focus: `seat${number}`, name: "softrod-tile", label });
+    if (hasPicture) tile.append(poster(hasOwn ? number : 0, dots));
+    tile.append(nameOf("span", seat), ...(said ? [make("small", "", said)] : []));
+    if (answered) tile.append(icon("done"));
+    const item = box("li", "", tile);
+    item.style.setProperty("--softrod-seat", color);
+    item.toggleAttribute("data-away", !here);
+    item.toggleAttribute("data-hand", hand);
+    return item;
+  });
+  const here = counted(seats), away = seats.length - here;
+  const hands = up.length
+    ? [box("span", "softrod-desk-hands", icon("hand"), up.join(", ")), button("Lower hands", () => send({ do: "arrange", what: "lowerHands" }))]
+    : [];
+  return box(
+    "section",
+    "",
+    box("header", "", make("h3", "", "Who is here"), make("span", "softrod-quiet", `${here}${away ? `, and ${away} away` : ""}`)),
+    ...(hands.length ? [box("div", "softrod-desk-hands-up", ...hands)] : []),
+    ...(tiles.length ? [] : [make("p", "softrod-quiet", "Nobody yet.")]),
+    box("ul", hasPicture ? "softrod-seats softrod-tiles" : "softrod-seats", ...tiles),
+  );
+}
+
+/** One seat, larger, and what can be done with it. @param {Desk} desk @param {DeskSeat} seat */
+function alone(desk, seat) {
+  const { asking, seat_on_wall, answers, gathered } = desk;
+  const { number, name, color, digits, doing } = seat;
+  const hasOwn = OWN_BODY.has(asking.phase);
+  const isShown = seat_on_wall === number;
+  const { dots } = gaveOf(desk, number);
+  /** @param {OneSeat["what"]} what */
+  const act = (what) => send({ do: "oneSeat", seat: number, what });
+  const own = hasOwn ? [button("Put on the wall", () => act(isShown ? "hide" : "show"), { pressed: isShown }), button("Reset this one", () => act("reset"))] : [];
+  const said = state(seat, hasOwn && !gathered) || (hasOwn ? doing : "");
+  const part = box(
+    "section",
+    "softrod-desk-seat",
+    box("header", "", nameOf("h3", seat), make("span", "softrod-quiet", said), button("Back to all", () => choose(0), { focus: "allSeats" })),
+    ...(hasOwn || dots.length ? [poster(hasOwn ? number : 0, dots)] : []),
+    box(
+      "div",
+      "softrod-phases",
+      ...own,
+      button(digits ? `On the other device: ${digits}` : "Move to another device", () => act("move")),
+      button("Remove", () => confirm(`Close the seat of ${name}? What it gave goes, too.`) && act("sendAway")),
+    ),
+    ...(digits ? [make("p", "softrod-quiet", `There, come in, choose “This seat” and type ${digits}.`)] : []),
+    ...answers.filter((answer) => answer.seat === number).map((answer) => make("p", "", `Gave: ${wordsOf(answer, asking.choices)}`)),
+  );
+  part.style.setProperty("--softrod-seat", color);
+  return part;
+}
+
+/** An answer in words. @param {DeskAnswer} answer @param {string[]} choices of the question */
+function wordsOf({ kind, text, choice, late, doubt }, choices) {
+  const what = { vote: choices[choice] ?? "", prediction: "a prediction", line: text, work: text || "a run" }[kind];
+  return `${what}${late ? " (late)" : ""}${doubt && `: ${doubt}`}`;
+}
+
+/** The answers that are listed. @param {Desk} desk */
+function given({ answers, seats, on_wall, asking }) {
+  return LISTED.flatMap(([kind, title]) => {
+    const items = answers.filter((answer) => answer.kind === kind).map((answer) => item(answer, seats, on_wall));
+    const list = box("ul", "softrod-lines", ...items);
+    // The lines are open while they are written; predictions are over the body already.
+    return !items.length ? [] : [kind === "line" && asking.phase === "explain" ? list : fold(`${title}: ${items.length}`, [list], title)];
+  });
+}
+
+/** The class's plot. @param {Desk} desk */
+function collected({ answers, asking, over, turned, law, shows_law, home }) {
+  const found = answers.flatMap(({ setting, found, doubt }) => (setting === null || found === null || doubt ? [] : [{ setting, found }]));
+  if (!found.length || (asking.phase !== "collect" && !home)) return [];
+  const words = law && shows_law ? [make("p", "", power(law, asking.collects, over))] : [];
+  return [box("section", "", make("h3", "", "What they found so far"), plot(found, over, asking.collects, { law: shows_law ? law : null, turned }), ...words)];
+}
+
+/** @param {DeskAnswer} answer @param {DeskSeat[]} seats @param {string} on_wall */
+function item(answer, seats, on_wall) {
+  const { id, seat, kind, starred, places } = answer;
+  const { name = "", color = "" } = seats.find(({ number }) => number === seat) ?? {};
+  const isShown = on_wall === id;
+  const what = kind === "prediction" ? `the prediction of ${name} alone` : `the body of ${name}`;
+  const item = box(
+    "li",
+    "",
+    ...(kind === "work" && places.length ? [still(places)] : []),
+    make("span", "", `${name}: ${wordsOf(answer, [])}`),
+    kind === "line"
+      ? button("", () => send({ do: "star", answer: id, on: !starred }), {
+          focus: `star${id}`, name: "softrod-cross", label: `Show this line on the wall, by ${name}`, pressed: starred, icon: "star",
+        })
+      : button("Wall", () => send({ do: "toWall", answer: isShown ? "" : id }), { focus: `wall${id}`, label: `Show ${what} on the wall`, pressed: isShown }),
+  );
+  item.style.setProperty("--softrod-seat", color);
+  return item;
+}
