@@ -495,7 +495,8 @@ class Classes:
             raise Refused(f"A server holds {MAX_CLASSES} classes at most.")
         room = Room(code="", key=secrets.token_urlsafe(16), scenes=tuple(scenes))
         if until:
-            room.until = until
+            # Nobody is there to see who sits where, so they say who they are.
+            room.until, room.own_names = until, True
         if len(room.stops) > MAX_STOPS:
             raise Refused(f"A class has {MAX_STOPS} steps at most; these scenes have {len(room.stops)}.")
         while True:

@@ -32,6 +32,7 @@ from .answers import (
     Prediction,
     Refused,
     Vote,
+    Work,
     kinds_of,
     sanitize_line,
 )
@@ -213,15 +214,29 @@ class Room(Struct, kw_only=True):
         if not self.is_home or seat is None:
             return self.place
         at = seat.at or 0
-        step = self.step_at(at)
-        wants = set[type[Content]]()
-        if step is not None and step.question is not None:
-            wants.add(Vote)
-        if step is not None and step.predict is not None:
-            wants.add(Prediction)
+        is_open = self._wanted(at, Phase.ASK) <= self._gave(number, at)
+        return Place(at, Phase.COLLECT if is_open else Phase.ASK)
+
+    def _wanted(self, stop: int, *phases: Phase) -> set[type[Content]]:
+        """What a stop asks of everybody in some phases, but for a line."""
+        step = self.step_at(stop)
+        kinds: dict[type[Content], object] = {}
+        if step is not None:
+            kinds = {Vote: step.question, Prediction: step.predict, Work: step.collect or step.goal}
+        return {kind for kind, asked in kinds.items() if asked is not None and kind.phase in phases}
+
+    def _gave(self, number: int, stop: int) -> set[type[Content]]:
+        """What a seat has given at a stop."""
         mine = (one for one in self.answers.values() if one.seat == number)
-        gave = {type(one.content) for one in mine if one.stop == at}
-        return Place(at, Phase.COLLECT if wants <= gave else Phase.ASK)
+        return {type(one.content) for one in mine if one.stop == stop}
+
+    def done(self, number: int) -> tuple[bool, ...]:
+        """Return for each stop whether a seat has given all that it asks for."""
+        asked = (Phase.ASK, Phase.COLLECT)
+        return tuple(
+            self._wanted(stop, *asked) <= self._gave(number, stop) and bool(self._gave(number, stop))
+            for stop in range(len(self.stops))
+        )
 
     def walk(self, number: int, stop: int) -> None:
         """Let a seat go to another stop of its homework.
@@ -278,6 +293,12 @@ class Room(Struct, kw_only=True):
         then = (Phase.RUN, Phase.REVEAL, Phase.EXPLAIN, Phase.TRY, Phase.COLLECT)
         return *first, *again, *((phase, 0) for phase in then)
 
+    @property
+    def _collects(self) -> bool:
+        """Whether there is something to hand in: of a step, a number or a goal."""
+        step = self.step
+        return step is None or step.collect is not None or step.goal is not None
+
     def next(self) -> tuple[int, Phase, int] | None:
         """Return where the class goes next: stop, phase and round; None at the end."""
         if self.phase is Phase.LOBBY:
@@ -286,6 +307,8 @@ class Room(Struct, kw_only=True):
         after = order.index((self.phase, self.round)) + 1
         if after < len(order) and order[after] == (Phase.ASK, 1) and not self.is_split:
             after += 2
+        if after < len(order) and order[after] == (Phase.COLLECT, 0) and not self._collects:
+            after += 1
         if after < len(order):
             return self.at, *order[after]
         return (self.at + 1, Phase.SHOW, 0) if self.at + 1 < len(self.stops) else None

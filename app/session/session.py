@@ -555,6 +555,7 @@ class Session:
         self._begin_history()
         self.companions.begin(self.simulation, self.history)
         self.pacer.restart()
+        self.stability_watch.look_soon()
 
     def resume(self, keepsake: bytes, versions: Versions | None) -> None:
         """Continue from a keepsake.

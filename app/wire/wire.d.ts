@@ -14,10 +14,8 @@ export type GoalDraft = { quantity: string; of: "period" | "value"; low: number 
 export type ReadingDraft = { quantity: string; of: "period" | "value" };
 /** What one seat found: a point of the class's plot. */
 export type Found = { setting: number; found: number };
-/** The power law, found = factor * setting ** exponent, that the class's points are closest to. */
-export type Law = { factor: number; exponent: number };
 /** What a class looks at. */
-export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; masses: number[]; goal: string; collects: string };
+export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; runs: boolean; predict: number; masses: number[]; goal: string; collects: string };
 /** Something that the pupil at a page has given. */
 export type Given = { stop: number; round: number; twin: number; kind: "line" | "prediction" | "vote" | "work"; choice: number; text: string };
 /** A slider or a list of a pupil's page. */
@@ -26,6 +24,8 @@ export type Dial = { key: string; label: string; unit: string; low: number; high
 export type Curve = { names: string[]; labels: string[]; units: string[]; over: string; over_label: string; over_unit: string; turned: boolean };
 /** A line that the teacher has picked out. */
 export type WallLine = { text: string; color: string };
+/** The power law, found = factor * setting ** exponent, that the class's points are closest to. */
+export type Law = { factor: number; exponent: number };
 /** What a device found that tried whether it can take part; see `from_page.Checked`. */
 export type DeskTried = { trip: number; rate: number; works: boolean; doubts: boolean };
 /** A stop of the class's plan. */
@@ -192,7 +192,7 @@ export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
 export type FromPage = SetNumber | SetWord | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | WalkTo | Follow | Checked | Stage | ChooseLesson | ChooseNetwork | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | FirstPlot | Seen | PutMode | DriveMode | CloseCard | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
 /** What a pupil's page has to know of the class. */
-export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; reading: string; found: Found[]; own: Found | null; over: string; turned: boolean; law: Law | null; home: string; told: boolean; steps: number; asking: Asking | null; given: Given[] };
+export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; is_given: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; reading: string; found: Found[]; own: Found | null; over: string; turned: boolean; home: string; told: boolean; done: boolean[]; asking: Asking | null; given: Given[] };
 /** What a pupil has to work with: sliders, plots, and arrow keys. */
 export type Bench = { tell: "bench"; opening: number; dials: Dial[]; curves: Curve[] };
 /** A body with which a page goes on where its connection ends. */

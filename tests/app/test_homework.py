@@ -30,7 +30,8 @@ def test_a_pupil_first_answers_and_then_has_a_body_that_moves(homework: Class) -
     pupil, room = Pupil(homework), homework.room
     told = pupil.shown(Seat)
     assert told.home.startswith("2 October, ")
-    assert told.steps == 4
+    assert told.done == (False,) * 4
+    assert (told.types_name, told.is_given) == (True, True)
     assert told.asking is not None
     assert (told.asking.phase, told.asking.right, told.away) == ("ask", -1, False)
     assert pupil.session.scene.gravity == (0.0, 1000.0)

@@ -111,7 +111,7 @@ def test_a_class_of_lesson_1(lesson: Lesson) -> None:
     lesson.next("Show answers")
     expect(wall.locator(".softrod-predictions path")).to_have_count(3)
     lesson.next("Run it")
-    expect(desk.locator(".softrod-desk-guide")).to_contain_text("stands still at 4 s")
+    expect(desk.locator(".softrod-desk-guide")).to_contain_text("stops at 4 s")
     until(desk, lambda: "Again, slowly" in desk.locator(".softrod-desk").inner_text(), "the run stands")
     lesson.next("Reveal")
     expect(wall.locator(".softrod-wall-number")).to_have_text("100 px")

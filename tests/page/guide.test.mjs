@@ -9,7 +9,7 @@ const LESSONS = new URL("../../presets/lessons/", import.meta.url);
 const PHASES = /** @type {const} */ (["lobby", "show", "ask", "results", "run", "reveal", "explain", "try", "collect"]);
 
 /** @param {Partial<import("../../app/features/classroom/guide.js").Asking>} more */
-const asking = (more) => ({ stop: 0, phase: /** @type {const} */ ("ask"), round: 0, title: "", do: "", watch: "", question: "", choices: [], right: -1, because: "", predict: 0, masses: [], goal: "", collects: "", ...more });
+const asking = (more) => ({ stop: 0, phase: /** @type {const} */ ("ask"), round: 0, title: "", do: "", watch: "", question: "", choices: [], right: -1, because: "", predict: 0, masses: [], goal: "", collects: "", runs: false, ...more });
 
 test("a question is what is so, then what is asked", () => {
   assert.deepEqual(partsOf("Gravity pulls it 0.5 px down. How far, if it is doubled?"), { given: "Gravity pulls it 0.5 px down.", asked: "How far, if it is doubled?" });
@@ -39,7 +39,7 @@ test("of every shipped step something is said and done in each phase, and why it
 });
 
 test("who is to drag a prediction is told so, and where the run stands", () => {
-  assert.match(guide(asking({ question: "It falls. Where will it be?", predict: 1.5 })).say, /^Where will it be\? Drag the pale body .*, 1\.5 s after it is let go\.$/);
-  assert.match(guide(asking({ phase: "run", predict: 1.5 })).do, /stands still at 1\.5 s/);
+  assert.match(guide(asking({ question: "It falls. Where will it be?", predict: 1.5 })).say, /^Where will it be\? Drag the pale body .* 1\.5 s after the start\.$/);
+  assert.match(guide(asking({ phase: "run", predict: 1.5 })).do, /stops at 1\.5 s/);
   assert.equal(guide(asking({ phase: "collect", collects: "period of mass1.y" })).say, "Hand in the period of mass1.y.");
 });

@@ -113,7 +113,10 @@ class Part {
 
 /** What is at the left. @param {Desk} desk @returns {HTMLElement[]} */
 function parts(desk) {
-  if (desk.home) return [head(desk), homework(desk), ...beforehand(desk)];
+  if (desk.home) {
+    const ahead = beforehand(desk);
+    return [head(desk), homework(desk), ...(ahead.length ? [fold("How pupils come in", ahead)] : [])];
+  }
   return [head(desk), now(desk), ...beforehand(desk), ...advice(desk), actions(desk), onward(desk)];
 }
 
@@ -151,7 +154,7 @@ function showControls() {
 
 /** Homework: until when, how many have done what, and which step is looked at. @param {Desk} desk */
 function homework({ home, told, done, stops, asking: { stop } }) {
-  const tell = () => confirm("Tell all now what is right? What is answered from then on counts as late.") && arrange("tell");
+  const tell = () => confirm("Tell everybody the right answers now? What comes in after that counts as late.") && arrange("tell");
   const rows = stops.map(({ title }, i) => {
     const [answered, handedIn] = done[i];
     const text = `${i + 1}. ${title}: ${answered} answered, ${handedIn} handed in`;
@@ -160,9 +163,9 @@ function homework({ home, told, done, stops, asking: { stop } }) {
   return box(
     "section",
     "softrod-desk-now",
-    make("h2", "", told ? "Homework: told" : `Homework until ${home}`),
-    make("p", "", told ? "All see what is right; what they answer now is late." : "Pupils come in by the address at any time, without you. What is right is told then, or when you tell it."),
-    ...(told ? [] : [button("Tell what is right now", tell, { focus: "tell" })]),
+    make("h2", "", told ? "Homework: answers told" : `Homework until ${home}`),
+    make("p", "", told ? "Everybody sees the right answers. What comes in now counts as late." : "Pupils come in at any time, without you. They see the right answers then, or as soon as you tell them."),
+    ...(told ? [] : [button("Tell the right answers now", tell, { focus: "tell" })]),
     box("ol", "softrod-homework", ...rows),
   );
 }
@@ -182,8 +185,12 @@ function showMinutes(element) {
   if (shown) shown.textContent = minutes();
 }
 
-/** The phases of a step; being asked again is left out, unless that is what is done. @param {Desk["stops"]} stops @param {Desk["asking"]} asking */
-const wayOf = (stops, { stop, round }) => stops[stop].phases.filter(([, time]) => time === 0 || round > 0);
+/** The phases that a step goes through, as `Room.next` does. @param {Desk["stops"]} stops @param {Desk["asking"]} asking */
+function wayOf(stops, asking) {
+  const { stop, round, phase } = asking;
+  const collects = asking.collects || asking.goal || !asking.do || phase === "collect";
+  return stops[stop].phases.filter(([one, time]) => (time === 0 || round > 0) && (one !== "collect" || collects));
+}
 
 /** How far the step is. @param {Desk} desk @returns {HTMLElement[]} */
 function progress({ stops, asking }) {

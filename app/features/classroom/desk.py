@@ -37,6 +37,7 @@ from .role import (
     is_turned,
     law_of,
     lesson_names,
+    moved_text,
     places_of,
     predictions,
 )
@@ -325,6 +326,8 @@ class DeskRole(ClassRole):
             runs = self.room.phase in HAS_RUN or self.room.phase in OWN_BODY
             scene = self.classroom.run_scene if runs else self.classroom.scene
             session.post(commands.Open(scene(self.room.at)))
+            step = self.room.step if runs else None
+            session.post(commands.Compare((step.ghost or "") if step is not None else "", ""))
         except SettingError as error:
             session.notices.append(Notice("error", "This step cannot begin", str(error)))
 
@@ -397,6 +400,7 @@ class DeskRole(ClassRole):
 
     def _seat(self, seat: rooms.Seat, answered: bool) -> DeskSeat:
         status = self.classroom.statuses.get(seat.number, PupilStatus())
+        done = self.room.done(seat.number) if self.room.is_home else ()
         idle = self.room.phase in OWN_BODY and not status.begun and status.word != "exploded"
         return DeskSeat(
             number=seat.number,
@@ -406,7 +410,7 @@ class DeskRole(ClassRole):
             two=seat.twins,
             hand=seat.hand,
             answered=answered,
-            doing="not begun" if idle else status.word,
+            doing=f"{sum(done)} of {len(done)} steps" if done else "not begun" if idle else status.word,
             follows=seat.follows,
             digits=seat.move,
         )
@@ -414,18 +418,20 @@ class DeskRole(ClassRole):
     def _answer(self, answer: Answer) -> DeskAnswer:
         content = answer.content
         work = content if isinstance(content, Work) else Work()
-        scene, points = self.classroom.scene(answer.stop), work.points
+        scene, points, text = self.classroom.scene(answer.stop), work.points, content.words
         if isinstance(content, Prediction):
             step = self.room.step_at(answer.stop)
             held = {anchor.mass for anchor in scene.anchors}
             asked = (read_masses(step, scene) if step is not None else ()) or range(len(scene.masses))
-            points = tuple(content.points[mass] for mass in asked if mass not in held)
+            free = [mass for mass in asked if mass not in held]
+            points = tuple(content.points[mass] for mass in free)
+            text = moved_text(scene, free, points)
         return DeskAnswer(
             id=answer.id,
             seat=answer.seat,
             kind=content.kind,
             choice=content.choice if isinstance(content, Vote) else -1,
-            text=content.words,
+            text=text,
             late=answer.late,
             starred=answer.starred,
             found=work.found,

@@ -54,12 +54,41 @@ export function button(text, press, { focus = text, name = "softrod-small", pres
  *
  * @param {string} label before the line; empty for one that has its own
  * @param {Partial<HTMLInputElement>} properties of the input
- * @param {[text: string, name?: string]} send text and class of the button
+ * @param {[text: string, name?: string]} button text and class of the button
  * @param {(text: string) => void} take gets what was typed
  * @param {string} [focus]
  */
-export function typedLine(label, properties, [text, name = "softrod-small"], take, focus = "") {
-  const input = Object.assign(make("input", ""), { autocomplete: "off", ...properties });
+export function typedLine(label, properties, button, take, focus = "") {
+  const input = make("input", "");
+  Object.assign(input, { autocomplete: "off", ...properties });
+  return typed(input, label, button, take, focus);
+}
+
+/**
+ * As `typedLine`, with room for a sentence; Enter sends it.
+ *
+ * @param {string} label @param {Partial<HTMLTextAreaElement>} properties @param {[text: string, name?: string]} button
+ * @param {(text: string) => void} take @param {string} focus
+ */
+export function typedText(label, properties, button, take, focus) {
+  const area = make("textarea", "");
+  Object.assign(area, { rows: 2, ...properties });
+  area.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" || event.isComposing) return;
+    event.preventDefault();
+    form.querySelector("button")?.click();
+  });
+  const form = typed(area, label, button, take, focus);
+  return form;
+}
+
+/**
+ * A form of something that is typed.
+ *
+ * @param {HTMLInputElement | HTMLTextAreaElement} input @param {string} label @param {[text: string, name?: string]} button
+ * @param {(text: string) => void} take @param {string} focus
+ */
+function typed(input, label, [text, name = "softrod-small"], take, focus) {
   if (focus) input.dataset.focus = focus;
   const form = box("form", "", label ? box("label", "", label, input) : input, make("button", name, text));
   form.addEventListener("submit", (event) => {

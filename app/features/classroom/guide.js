@@ -24,29 +24,29 @@ export function partsOf(question) {
  * @param {Asking} asking
  * @returns {{say: string, do: string}}
  */
-export function guide({ phase, round, question, because, predict, do: task, collects }) {
+export function guide({ phase, round, question, because, predict, do: task, collects, runs }) {
   const { given, asked } = partsOf(question);
-  const drag = predict > 0 ? `Drag the pale body to where it will be, ${predict} s after it is let go.` : "";
+  const drag = predict > 0 ? `Drag the pale body to where it will be ${predict} s after the start.` : "";
   switch (phase) {
     case "lobby":
       return { say: "Open the address on the wall, and type the four letters.", do: "Put the wall on the projector. Go on when all are here." };
     case "show":
-      return { say: given || "Look at the body: what holds it, and what pulls it?", do: "Point at the parts; press Play to let it go. All see what you do with the body." };
+      return { say: given || "Look at the body: what holds it, and what pulls it?", do: `Point at the parts. ${question && !runs ? "Do not press Play yet: it runs after the question." : "Press Play to let it go: that is not yet the case of the question."}` };
     case "ask":
-      if (round > 0) return { say: "Convince your neighbour, for a minute. Then answer again.", do: "Listen, and do not tell which is right." };
-      return { say: [asked, drag].filter(Boolean).join(" "), do: "Wait until all have answered, and do not tell which is right." };
+      if (round > 0) return { say: "Convince your neighbour, for a minute. Then answer again.", do: "Listen. Do not say which is right." };
+      return { say: [asked, drag].filter(Boolean).join(" "), do: "Wait until everybody has answered. Do not say which is right." };
     case "results":
-      if (round > 0) return { say: "Who has changed their mind, and why?", do: "The right answer is not told yet: the run shows it." };
-      return { say: "Who wants to say why they chose theirs?", do: "Hear two who answered differently. The right answer is not told yet." };
+      if (round > 0) return { say: "Who has changed their mind, and why?", do: "Do not give the right answer yet: the run will show it." };
+      return { say: "Who would like to say why they chose what they chose?", do: "Hear two who answered differently. Do not give the right answer yet." };
     case "run":
-      return { say: "Watch what it does.", do: predict > 0 ? `It stands still at ${predict} s. Compare it with the predictions.` : "Let it run until all have seen it." };
+      return { say: "Watch what it does.", do: predict > 0 ? `It stops at ${predict} s. Compare it with the predictions.` : "Let it run until everybody has seen what happens." };
     case "reveal":
-      return { say: "So that is what it does. Tell your neighbour why.", do: "The wall shows the predictions beside it, then what is right. Give it a moment before you speak." };
+      return { say: "That is the answer. Tell your neighbour why.", do: `The wall shows ${predict > 0 ? "the predictions beside the body, then " : ""}the right answer. Give it a moment before you speak.` };
     case "explain":
-      return { say: "Write in one line: why is it so?", do: `Star two lines: they are on the wall as you go on. Then tell it in your own words. ${because}`.trim() };
+      return { say: "Why? Answer in one sentence.", do: `Star two answers: they go on the wall in the next phase. Then explain it in your own words. ${because}`.trim() };
     case "try":
-      return { say: task, do: "Walk around. A hand that is up stands on its tile." };
+      return { say: task, do: "Walk around. Raised hands show at the right." };
     default:
-      return { say: collects ? `Hand in the ${collects}.` : "Hand in what you found.", do: collects ? "When most have, look at the class's plot together: what does it say? If there is a button for it, show the law." : "When most have, put one of them on the wall." };
+      return { say: collects ? `Hand in the ${collects}.` : "Hand in what you found.", do: collects ? "When most have, look at the class's plot together: what does it say? Show the law, if there is a button for it." : "When most have, put one of them on the wall." };
   }
 }

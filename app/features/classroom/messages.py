@@ -236,6 +236,7 @@ class Asking(Struct, frozen=True, kw_only=True):
         question, choices: empty if nothing is asked.
         right: the right choice, once it may be known; else -1.
         because: why it is right, then.
+        runs: whether what runs then is another case than the body as it stands.
         predict: simulated time for which the body's place is asked for, s; 0 if it is not.
         masses: whose places are asked for: those that the step reads; empty for all.
         goal: what is to be reached, in words; empty for nothing.
@@ -252,6 +253,7 @@ class Asking(Struct, frozen=True, kw_only=True):
     choices: tuple[str, ...]
     right: int
     because: str
+    runs: bool
     predict: float
     masses: tuple[int, ...]
     goal: str
@@ -300,6 +302,7 @@ class Seat(State, frozen=True, kw_only=True):
         two: whether two pupils sit here.
         hand: whether a hand is up.
         types_name: whether names can be typed.
+        is_given: whether the pupil's name is still the one that the class gave.
         digits: by which another device takes the seat over; empty if it is not to.
         follows: whether the page shows the teacher's body.
         gathered: whether it has to, where it could have its own.
@@ -311,10 +314,10 @@ class Seat(State, frozen=True, kw_only=True):
         reading: the number that would be handed in now, with its unit; empty while there is none.
         found: of the class's plot, for a pupil who has put a point on it; else empty.
         own: that point.
-        over, turned, law: of that plot, see `Wall`.
+        over, turned: of that plot, see `Wall`.
         home: when what is right in homework is told, in words; empty for a class.
         told: whether it is.
-        steps: of the plan.
+        done: of homework, which steps have been answered wholly; empty for a class.
     """
 
     code: str = ""
@@ -325,6 +328,7 @@ class Seat(State, frozen=True, kw_only=True):
     two: bool = False
     hand: bool = False
     types_name: bool = False
+    is_given: bool = False
     digits: str = ""
     follows: bool = False
     gathered: bool = False
@@ -338,10 +342,9 @@ class Seat(State, frozen=True, kw_only=True):
     own: Found | None = None
     over: str = ""
     turned: bool = False
-    law: Law | None = None
     home: str = ""
     told: bool = False
-    steps: int = 0
+    done: tuple[bool, ...] = ()
     asking: Asking | None = None
     given: tuple[Given, ...] = ()
 

@@ -94,7 +94,7 @@ function asked({ asking: { phase, question, choices, predict }, bars, right, sea
 function state({ here, follows, doing }, hasOwn) {
   if (!here) return "away";
   if (hasOwn && follows) return "looks at yours";
-  return hasOwn && NAMED_STATES.has(doing) ? doing : "";
+  return (hasOwn && NAMED_STATES.has(doing)) || doing.includes("steps") ? doing : "";
 }
 
 /** The name of a seat as it is shown. @param {keyof HTMLElementTagNameMap} kind @param {DeskSeat} seat @param {string} [more] */
@@ -108,8 +108,8 @@ function nameOf(kind, { name, two, hand }, more = "") {
 export const counted = (seats) => seats.filter(({ here }) => here).length;
 
 /** What a seat gave to what is asked, on its tile. @param {Desk} desk @param {number} seat */
-function gaveOf({ answers, asking: { phase, choices } }, seat) {
-  if (!PREDICTED.has(phase)) return { choice: "", dots: /** @type {[number, number][]} */ ([]) };
+function gaveOf({ answers, home, asking: { phase, choices } }, seat) {
+  if (!PREDICTED.has(phase) && !home) return { choice: "", dots: /** @type {[number, number][]} */ ([]) };
   const mine = answers.filter((answer) => answer.seat === seat);
   const vote = mine.find(({ kind }) => kind === "vote");
   return { choice: vote ? choices[vote.choice] ?? "" : "", dots: mine.find(({ kind }) => kind === "prediction")?.places ?? [] };
@@ -119,7 +119,7 @@ function gaveOf({ answers, asking: { phase, choices } }, seat) {
 function seats(desk) {
   const { seats, asking, seat_on_wall, gathered } = desk;
   const hasOwn = OWN_BODY.has(asking.phase);
-  const hasPicture = hasOwn || (PREDICTED.has(asking.phase) && asking.predict > 0);
+  const hasPicture = hasOwn || ((PREDICTED.has(asking.phase) || Boolean(desk.home)) && asking.predict > 0);
   const up = seats.filter(({ hand }) => hand).map(({ name }) => name);
   const tiles = seats.map((seat) => {
     const { number, name, color, here, two, hand, answered } = seat;
@@ -182,7 +182,7 @@ function alone(desk, seat) {
 
 /** An answer in words. @param {DeskAnswer} answer @param {string[]} choices of the question */
 function wordsOf({ kind, text, choice, late, doubt }, choices) {
-  const what = { vote: choices[choice] ?? "", prediction: "a prediction", line: text, work: text || "a run" }[kind];
+  const what = { vote: choices[choice] ?? "", prediction: text || "a prediction", line: text, work: text || "a run" }[kind];
   return `${what}${late ? " (late)" : ""}${doubt && `: ${doubt}`}`;
 }
 

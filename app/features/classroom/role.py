@@ -241,6 +241,7 @@ def asking(room: Room, reveal: bool = False, place: Place | None = None) -> Aski
         choices=question.choices if question is not None else (),
         right=question.answer if question is not None and is_told else -1,
         because=_because(question, phase, reveal) if question is not None and is_told else "",
+        runs=step is not None and bool(step.run),
         predict=(step.predict or 0.0) if step is not None else 0.0,
         masses=read_masses(step, scene) if step is not None and step.predict else (),
         goal=goal_text(step.goal, scene) if step is not None and step.goal is not None else "",
@@ -340,6 +341,23 @@ def places_of(positions: np.ndarray, scene: sim.Scene) -> tuple[tuple[int, int],
         y = 1.0 - y
     rounded = np.clip(np.rint(1000.0 * np.column_stack((x, y))), -1000, 2000).astype(int)
     return tuple((x, y) for x, y in rounded.tolist())
+
+
+def moved_text(scene: sim.Scene, masses: Sequence[int], points: Sequence[tuple[float, float]]) -> str:
+    """Return how far a mass has been moved from its start, as in "87.2 px lower"; empty for several masses.
+
+    Args:
+        scene: as it starts.
+        masses: indices of those that were moved.
+        points: where each of them is now, in the scene's units.
+    """
+    if len(masses) != 1:
+        return ""
+    (x, y), (to_x, to_y) = scene.masses[masses[0]].position, points[0]
+    across, down = to_x - x, (to_y - y) if scene.view.y_down else y - to_y
+    if abs(down) >= abs(across):
+        return f"{abs(down):.3g} {scene.view.unit} {'lower' if down > 0.0 else 'higher'}"
+    return f"{abs(across):.3g} {scene.view.unit} to the {'right' if across > 0.0 else 'left'}"
 
 
 def in_world(mapping: Mapping, points: ArrayLike) -> tuple[tuple[float, float], ...]:

@@ -37,7 +37,7 @@ from ...wire import from_page, line
 from ...wire.carrier import Mail
 from ...wire.messages import OwnBody
 from . import messages
-from .messages import Found, Given, Law, Seat, Taken
+from .messages import Found, Given, Predictions, Seat, Taken
 from .role import (
     NOTHING,
     ClassRole,
@@ -45,8 +45,8 @@ from .role import (
     asking,
     found_by,
     home_text,
+    in_world,
     is_turned,
-    law_of,
     places_of,
     predictions,
 )
@@ -90,6 +90,7 @@ class SeatRole(ClassRole):
         self._opening = -1
         self._reached = self._touched = False
         self._found: float | None = None
+        self._stood = False  # at the moment that was predicted
         self._status_due = 0.0
         self._reading_text = ""
 
@@ -181,9 +182,9 @@ class SeatRole(ClassRole):
             self._mail.send(Taken(ids=ready))
         if self.seat is not None and self.shared_view is None:
             self._update_body(session)
-        if self._is_new(self.seat is None, self._problem, self._reached, self._reading_text):
+        if self._is_new(self.seat is None, self._problem, self._reached, self._reading_text, self._touched):
             self._mail.send(self._state())
-            self._mail.send(predictions(self.classroom))
+            self._mail.send(self._predictions() if self.room.is_home else predictions(self.classroom))
 
     def keep(self, keepsake: bytes) -> bool:
         if self._moves and self._stop == (self._place.stop, True):
@@ -200,9 +201,11 @@ class SeatRole(ClassRole):
     # --------------------------------------------------------------------- called by the teacher's page
     def begin(self) -> None:
         stop, moves = self._stop = self._place.stop, self._moves
+        self._stood = False
         try:
             # As a page alone has it once its step has run: what the step says to do begins there.
             self.show(self.classroom.run_scene(stop) if moves else self.classroom.scene(stop))
+            self._accompany(stop if moves else None)
         except SettingError as error:
             self._mail.send(Taken(ids=(), refused=f"This step cannot begin: {error}."))
 
@@ -211,6 +214,13 @@ class SeatRole(ClassRole):
             # The class's own card has the step; the scene's card would repeat it.
             self._session.post(commands.Open(msgspec.structs.replace(scene, lesson=None)))
             self._session.post(commands.Play(self._moves and not self.room.paused))
+
+    def _accompany(self, stop: int | None) -> None:
+        """Have the body move at its usual speed, with the second body of a stop's step, if it has one."""
+        step = self.room.step_at(stop) if stop is not None else None
+        if self._session is not None:
+            self._session.post(commands.Compare((step.ghost or "") if step is not None else "", ""))
+            self._session.post(commands.Speed(1.0))
 
     # --------------------------------------------------------------------- the pupil's body
     def _update_body(self, session: Session) -> None:
@@ -222,11 +232,29 @@ class SeatRole(ClassRole):
             else:
                 self.begin()
         self._watch_body(session)
+        self._stand(session)
         if self.room.seat_on_wall == self._number:
             self.classroom.wall_feed = self._share(session, self.classroom.wall_feed, self._audience)
         if self._paused != self.room.paused:
             self._paused = self.room.paused
             session.post(commands.Play(not self._paused))
+
+    def _stand(self, session: Session) -> None:
+        """In homework, stop the first run at the moment that was predicted."""
+        step = self._step
+        predict = step.predict if step is not None and self.room.is_home and self._moves else None
+        if predict and not self._stood and session.playing and session.simulation.time >= predict:
+            self._stood = True
+            session.post(commands.Play(False))
+
+    def _predictions(self) -> Predictions:
+        """What the pupil has predicted in homework, until they do something with the body."""
+        stop = self._place.stop
+        mine = [one for answer, one in self.room.given(stop, 0, Prediction) if answer.seat == self._number]
+        if not mine or not self._moves or self._touched:
+            return Predictions()
+        mapping = Mapping.of(self.classroom.scene(stop))
+        return Predictions(bodies=(in_world(mapping, mine[-1].points),))
 
     def _watch_body(self, session: Session) -> None:
         """Check whether the body reaches the goal, read off what is collected, and report what it does."""
@@ -276,9 +304,6 @@ class SeatRole(ClassRole):
         has_given = any(answer.seat == self._number for answer, _ in room.given(stop, 0, Work))
         may_see = not room.is_home or room.is_told
         return found_by(room, stop) if phase is Phase.COLLECT and has_given and may_see else ()
-
-    def _law(self) -> Law | None:
-        return law_of(self._class_found()) if self.room.law else None
 
     # --------------------------------------------------------------------- seat and answers
     def _enter(self) -> None:
@@ -397,6 +422,7 @@ class SeatRole(ClassRole):
             two=seat.twins,
             hand=seat.hand,
             types_name=room.own_names,
+            is_given=seat.name == seat.given,
             digits=seat.move,
             follows=self.shared_view is not None,
             gathered=room.gathered,
@@ -419,11 +445,10 @@ class SeatRole(ClassRole):
             ),
             over=abscissa(self.classroom, place.stop),
             turned=is_turned(self.classroom, place.stop),
-            law=self._law(),
             asking=asking(room, place=place),
             home=home_text(room),
             told=room.is_told,
-            steps=len(room.stops),
+            done=room.done(seat.number) if room.is_home else (),
             given=tuple(
                 Given(
                     stop=answer.stop,

@@ -3,7 +3,8 @@
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { element as known } from "../../export/static/parts.js";
-import { box, button, fold, typedLine, untranslated } from "../../features/classroom/elements.js";
+import { box, button, fold, typedLine, typedText, untranslated } from "../../features/classroom/elements.js";
+import { partsOf as textsOf } from "../../features/classroom/guide.js";
 import { OWN_BODY } from "../../features/classroom/phases.js";
 import { plot } from "../../features/classroom/plot.js";
 import { OwnPrediction, Predictions } from "../../features/classroom/prediction.js";
@@ -79,6 +80,8 @@ export function addSeat(picture) {
     if (told.asking?.stop !== seat?.asking?.stop || told.asking?.phase !== seat?.asking?.phase) {
       twin = 0;
       typed = refusal = "";
+      // What is to be done now is at the top.
+      element.scrollTop = 0;
     }
     seat = told;
     defer(show);
@@ -183,7 +186,9 @@ function partsOf(seat) {
     return [make("p", "softrod-task", `${whose} has your seat now.`), ...(elsewhere === "page" ? [back] : [])];
   }
   if (!asking) return entrance(seat);
+  const who = seat.home && seat.is_given ? [make("p", "softrod-task", "Who are you? Type your name, so that your teacher knows whose answers these are."), nameLine()] : [];
   return [
+    ...who,
     make("p", "softrod-task", sentence(seat, asking)),
     ...(seat.on_wall ? [make("p", "softrod-on-wall", "Yours is on the wall now.")] : []),
     ...body(seat, asking),
@@ -214,39 +219,48 @@ const waiting = () => (unsent().length ? [make("p", "softrod-waiting", "Not at t
 /** What stands below sliders and plots in homework: a line, the run to hand in, and the way to other steps. @param {Seat} seat @param {Asking} asking */
 function homework(seat, asking) {
   const { stop, question, right } = asking;
+  const { done } = seat;
   /** @param {number} to */
   const walk = (to) => send({ do: "walkTo", stop: to });
-  const isLast = stop + 1 >= seat.steps;
-  const back = button("Back", () => walk(stop - 1), { focus: "walk back" });
-  const next = isLast ? make("p", "softrod-quiet", "That was the last step.") : button(`Next: step ${stop + 2} of ${seat.steps}`, () => walk(stop + 1), { focus: "walk on" });
+  const steps = done.map((isDone, i) =>
+    button(`${i + 1}${isDone ? " ✓" : ""}`, () => walk(i), { focus: `walk ${i}`, label: `Step ${i + 1}${isDone ? ", done" : ""}`, pressed: i === stop }),
+  );
+  const open = done.flatMap((isDone, i) => (isDone ? [] : [i + 1]));
+  const left = open.length ? `Still to do: step${open.length > 1 ? "s" : ""} ${open.join(", ")}.` : "All steps are done. You can close this page.";
+  const next = stop + 1 < done.length ? [button(`Next: step ${stop + 2} of ${done.length}`, () => walk(stop + 1), { focus: "walk on", name: done[stop] ? "softrod-strong" : "softrod-small" })] : [];
   return [
     ...(hasOwn() ? twins(seat) : []),
-    ...(hasOwn() && question ? [make("p", "softrod-task", "Why is it so? One line."), explanation(asking)] : []),
-    ...(hasOwn() ? handIn(seat, asking) : []),
-    ...(hasOwn() && question ? [right >= 0 ? verdict(asking) : box("p", "softrod-quiet", ...verdict(asking).childNodes, ` What is right is told on ${seat.home}.`)] : []),
-    box("div", "softrod-phases", ...(stop > 0 ? [back] : []), next),
+    ...(hasOwn() && question ? [make("p", "softrod-task", "Why? Answer in one sentence."), explanation(asking)] : []),
+    ...(hasOwn() && collects(asking) ? handIn(seat, asking) : []),
+    ...(hasOwn() && question ? [right >= 0 ? verdict(asking) : box("p", "softrod-quiet", ...verdict(asking).childNodes, ` You will see the right answer on ${seat.home}.`)] : []),
+    ...next,
+    box("div", "softrod-phases", ...steps),
+    make("p", "softrod-quiet", left),
   ];
 }
+
+/** Whether there is something to hand in: a number, or a goal. @param {Asking} asking */
+const collects = ({ collects, goal, do: task }) => Boolean(collects || goal || !task);
 
 /** What to do, in one sentence. @param {Seat} seat @param {Asking} asking */
 function sentence({ paused, away, follows, gathered, home, told }, { phase, predict, question, round }) {
   const hasOwn = OWN_BODY.has(phase);
   if (home && phase === "ask") {
-    const drag = predict > 0 ? `drag the pale body to where it will be, ${predict} s after it is let go` : "";
-    const what = [drag, question ? "answer" : ""].filter(Boolean).join(", and ");
-    return `First ${what}: then it moves. ${told ? "" : `Nobody sees it before ${home}.`}`.trim();
+    const drag = predict > 0 ? `drag the pale body to where it will be ${predict} s after the start` : "";
+    const what = [drag, question ? "choose an answer" : ""].filter(Boolean).join(" and ");
+    return `${what[0].toUpperCase()}${what.slice(1)}. Then it runs. ${told ? "What you give now counts as late." : ""}`.trim();
   }
-  if (home) return "Now try it: this body is yours.";
+  if (home) return "Now it is your turn: this body is yours.";
   if (away && phase !== "lobby" && !hasOwn) return "Your teacher's page is away for a moment: wait.";
   if (hasOwn && gathered) return "Look to the front: this is your teacher's body. Yours waits.";
   if (hasOwn && follows) return "This is your teacher's body. Yours waits.";
   if (hasOwn && paused) return "Paused: look to the front.";
   if (phase === "lobby") return "You are in. It begins soon.";
   if (phase === "ask" && predict > 0 && round === 0) {
-    return `Drag the pale body to where it will be, ${predict} s after it is let go${question ? "; and answer" : ""}. Nobody sees it yet.`;
+    return `Drag the pale body to where it will be ${predict} s after the start${question ? ", and choose an answer" : ""}. Nobody else can see it yet.`;
   }
-  if (phase === "ask") return round > 0 ? "Answer once more. Nobody sees it yet." : "Answer. Nobody sees it yet.";
-  if (phase === "explain") return "Why did it do that? Write one line.";
+  if (phase === "ask") return `${round > 0 ? "Choose once more." : "Choose an answer."} Nobody else can see it yet.`;
+  if (phase === "explain") return "Why? Answer in one sentence.";
   if (phase === "try") return "Try it: this body is yours.";
   if (phase === "collect") return "Hand in what you found.";
   return "Look to the front.";
@@ -263,7 +277,7 @@ function body(seat, asking) {
   return [
     ...(asking.goal ? [make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`)] : []),
     make("p", "", asking.do),
-    ...(asking.watch ? [make("p", "softrod-watch", asking.watch)] : []),
+    ...(asking.watch ? [box("p", "softrod-watch", make("b", "", "Watch: "), asking.watch)] : []),
     box("div", "softrod-phases", ...timeButtons()),
   ];
 }
@@ -275,7 +289,8 @@ function choices(asking) {
     button(text, () => give({ do: "giveVote", ...place(asking), choice }), { focus: `choice${choice}`, name: "softrod-choice", pressed: given?.choice === choice }),
   );
   const had = before && before.choice >= 0 ? [make("p", "softrod-quiet", `Before you chose: ${asking.choices[before.choice]}`)] : [];
-  const fieldset = box("fieldset", "", make("legend", "", asking.question), ...had, ...buttons);
+  const { given: told, asked } = textsOf(asking.question);
+  const fieldset = box("fieldset", "", make("legend", "", `${told} ${asked}`.trim()), ...had, ...buttons);
   // So that a screen reader reads the question first.
   fieldset.tabIndex = -1;
   fieldset.dataset.focus = "question";
@@ -304,8 +319,9 @@ function explanation(asking) {
   const given = mine(asking, "Line");
   /** @param {string} text */
   const take = (text) => text && give({ do: "giveLine", ...place(asking), text });
-  const form = typedLine("Because ", { maxLength: MAX_LETTERS, value: typed || given?.text || "" }, [given ? "Change it" : "Give it", "softrod-strong"], take, "line");
-  form.addEventListener("input", ({ target }) => (typed = /** @type {HTMLInputElement} */ (target).value));
+  const form = typedText("Because ", { maxLength: MAX_LETTERS, value: typed || given?.text || "" }, [given ? "Change it" : "Send", "softrod-strong"], take, "line");
+  form.addEventListener("input", ({ target }) => (typed = /** @type {HTMLTextAreaElement} */ (target).value));
+  if (given?.sent && !typed) form.append(make("p", "softrod-handed", "Sent ✓"));
   return form;
 }
 
@@ -316,7 +332,10 @@ function verdict(asking) {
   const given = mine({ ...asking, round: last }, "Vote") ?? mine({ ...asking, round: 0 }, "Vote");
   const text = make("p", "softrod-verdict");
   if (given && given.choice >= 0) text.append("You chose: ", make("b", "", asking.choices[given.choice]), ". ");
-  if (asking.right >= 0) text.append("Right is: ", make("b", "", asking.choices[asking.right]), `. ${asking.because}`);
+  if (asking.right >= 0) {
+    text.append("The right answer: ", make("b", "", asking.choices[asking.right]), `. ${asking.because}`);
+    if (given) text.classList.add(given.choice === asking.right ? "softrod-right" : "softrod-wrong");
+  }
   return text;
 }
 
@@ -341,9 +360,9 @@ function handIn({ reading, found, own, over, turned }, asking) {
   const given = mine(asking, "Work");
   const what = asking.collects ? `${asking.collects}${reading ? `: ${reading}` : ""}` : "this run";
   const text = asking.collects ? `Hand in ${reading || "it"}` : "Hand in this run";
-  const made = button(given ? `${text}, in place of the last` : text, () => give({ do: "giveWork", ...place(asking) }), { focus: "handin", name: "softrod-strong" });
+  const made = button(given ? `${text} instead` : text, () => give({ do: "giveWork", ...place(asking) }), { focus: "handin", name: "softrod-strong" });
   made.disabled = Boolean(asking.collects) && !reading;
-  const none = asking.collects && !reading ? "There is nothing to read yet: let it move for a while." : "";
+  const none = asking.collects && !reading ? "Nothing to read yet: let it move for a while." : "";
   return [
     ...(asking.collects ? [make("p", "softrod-reading", none || what)] : []),
     made,
@@ -382,9 +401,14 @@ function lobbyOf({ two, digits, types_name }) {
     button("We are two", () => send({ do: "sitTogether", two: !two }), { focus: "two", pressed: two }),
     button(move, () => send({ do: "leaveBy" }), { focus: "move" }),
   ];
+  const own = types_name ? [nameLine()] : [];
+  return [box("div", "softrod-lobby", ...parts), ...own, comeBack()];
+}
+
+/** Where a pupil types their own name. */
+function nameLine() {
   const named = { maxLength: MAX_NAME_LETTERS, ariaLabel: "Your name", placeholder: "Your name" };
-  const own = types_name ? [typedLine("", named, ["That is me"], (wanted) => send({ do: "newName", wanted }))] : [];
-  return [box("div", "softrod-lobby", ...parts, ...own), comeBack()];
+  return typedLine("", named, ["That is me"], (wanted) => send({ do: "newName", wanted }), "own name");
 }
 
 /** The page of somebody who is in no class: which one do they come to? @param {Seat} seat */

@@ -127,7 +127,7 @@ function content(wall) {
     // The run has its plot here.
     if (given && phase !== "run") parts.push(make("p", "softrod-wall-given", given));
     if (asked) parts.push(make("h1", "", asked));
-    if (predict > 0) parts.push(make(asked ? "p" : "h1", "", `Where will it be, ${predict} s after it is let go?`));
+    if (predict > 0) parts.push(make(asked ? "p" : "h1", "", `Where will it be ${predict} s after the start?`));
     if (question) parts.push(voteBars(choices, phase === "ask" ? [] : bars, -1));
   }
   if (phase === "reveal") {
@@ -136,7 +136,7 @@ function content(wall) {
     if (question && bars.length) parts.push(voteBars(choices, bars, right));
     parts.push(make("p", "softrod-wall-rest", "Next: tell your neighbour why."));
   }
-  if (phase === "explain") parts.push(make("h1", "", "Why did it do that? One line."));
+  if (phase === "explain") parts.push(make("h1", "", "Why? Answer in one sentence."));
   if (OWN_BODY.has(phase)) {
     // The plot needs the room.
     if (!found.length) parts.push(make("p", "", asking.do));

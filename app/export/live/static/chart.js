@@ -97,13 +97,16 @@ export function makeChart(plot) {
     const now = performance.now();
     if (now < due) return;
     due = now + 250;
+    const found = names.map((name) => (over ? null : record.swings(name)));
     const words = names.map((name, i) => {
-      const values = curves[i];
-      const found = over ? null : record.swings(name);
-      const swing = found ? `, period ${said(found.period)} s, amplitude ${said(found.amplitude)} ${units[i]}` : "";
-      return values.length ? `${name} ${said(values[values.length - 1])} ${units[i]}${swing}`.trim() : "";
+      const values = curves[i], swing = found[i];
+      const told = swing ? `, period ${said(swing.period)} s, amplitude ${said(swing.amplitude)} ${units[i]}` : "";
+      return values.length ? `${name} ${said(values[values.length - 1])} ${units[i]}${told}`.trim() : "";
     });
-    reading.textContent = names.length > 2 ? "" : words.join("; ");
+    /** @param {"period" | "amplitude"} what */
+    const of = (what) => found.map((swing) => said(swing?.[what] ?? 0)).join(", ");
+    const many = found.every(Boolean) ? `Periods ${of("period")} s; amplitudes ${of("amplitude")} ${units[0]}` : "";
+    reading.textContent = names.length > 2 ? many : words.join("; ");
     canvas.ariaLabel = words.join("; ");
   }
   return { element, draw };

@@ -11,12 +11,24 @@ import { said } from "./readings.js";
 const PLACES = 1000;
 /** Digits of a number that a slider sets. */
 const DIGITS = 3;
+/** Places about a pointer in which it finds the roundest number: a thumb sets no single place. */
+const ROUND = 5;
 
 /** The number at a place of a slider. @param {Setting} setting @param {number} place 0 to PLACES */
 function valueAt({ low, high, logarithmic }, place) {
   const part = place / PLACES;
   const value = logarithmic ? low * (high / low) ** part : low + (high - low) * part;
   return Number(value.toPrecision(DIGITS));
+}
+
+/** The roundest number near a place of a slider. @param {Setting} setting @param {number} place */
+function roundAt(setting, place) {
+  const exact = valueAt(setting, place);
+  for (let digits = 1; digits < DIGITS; digits++) {
+    const value = Number(exact.toPrecision(digits));
+    if (Math.abs(placeOf(setting, value) - place) <= ROUND) return value;
+  }
+  return exact;
 }
 
 /** The place of a number on a slider. @param {Setting} setting @param {number} value */
@@ -39,8 +51,11 @@ function slider(setting, change) {
   const first = Number(setting.value);
   Object.assign(input, { type: "range", min: "0", max: String(PLACES), value: String(placeOf(setting, first)) });
   show(first);
+  let isPointed = false; // keys set every place
+  input.addEventListener("pointerdown", () => (isPointed = true));
+  input.addEventListener("keydown", () => (isPointed = false));
   input.addEventListener("input", () => {
-    const value = valueAt(setting, Number(input.value));
+    const value = (isPointed ? roundAt : valueAt)(setting, Number(input.value));
     show(value);
     change(value);
   });
