@@ -233,7 +233,7 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     expect(wall.locator(".softrod-wall-number")).to_have_text("at 240")
     expect(wall.locator(".softrod-reveal circle")).to_have_count(1)
     expect(wall.locator(".softrod-reveal-far")).to_contain_text("lower")
-    expect(pupil.locator(".softrod-verdict")).to_contain_text("Right is: at 240")
+    expect(pupil.locator(".softrod-verdict")).to_contain_text("The right answer: at 240")
     assert name not in wall.locator("body").inner_text()
     school.stands_out("reveal")
 

@@ -119,7 +119,7 @@ def test_a_class_of_lesson_1(lesson: Lesson) -> None:
     expect(wall.locator(".softrod-reveal circle")).to_have_count(3)
     expect(wall.locator(".softrod-reveal-right")).to_have_count(1)
     for pupil in pupils:
-        expect(pupil.locator(".softrod-verdict")).to_contain_text("Right is: 100 px")
+        expect(pupil.locator(".softrod-verdict")).to_contain_text("The right answer: 100 px")
     lesson.next("Explain in a line")
     for pupil in pupils:
         pupil.get_by_label("Because").fill("twice the pull")

@@ -174,6 +174,11 @@ def test_the_rope_explodes_in_its_run_as_its_limit_says() -> None:
     assert run.divergence is not None
     calm = after(apply_assignments(scene_of_run(asked, 0), ("dt=0.0025",)), 3.0)
     assert calm.divergence is None
+    # Four times as stiff, it explodes at a step that the softer rope can take.
+    stiffer = scene_of_run(asked, 1)
+    assert after(stiffer, 3.0).divergence is not None
+    softer = apply_assignments(scene_of_run(asked, 0), (f"dt={stiffer.integrator.dt}",))
+    assert after(softer, 3.0).divergence is None
 
 
 def test_a_period_does_not_know_the_amplitude() -> None:
