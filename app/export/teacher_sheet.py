@@ -73,7 +73,7 @@ def _step(number: int, step: Step, scene: sim.Scene) -> str:
 
 
 def _run_words(run: StepRun, scene: sim.Scene) -> str:
-    """What a run changes, and pulls."""
+    """What a run changes, pulls and leads."""
     said = []
     for assignment in run.settings:
         key, _, value = assignment.partition("=")
@@ -92,4 +92,9 @@ def _run_words(run: StepRun, scene: sim.Scene) -> str:
         ways = [(abs(x), "right" if x > 0.0 else "left"), (abs(down), "down" if down > 0.0 else "up")]
         way = " and ".join(f"{by:g} {scene.view.unit} {word}" for by, word in ways if by)
         said.append(f"mass {pull.mass} is pulled {way} and let go")
+    said += [
+        f"mass {one.mass} is led round a circle of {one.circle.radius:g} {scene.view.unit}, "
+        f"{one.circle.frequency:g} times a second"
+        for one in run.leads
+    ]
     return f"{'; '.join(said)}."

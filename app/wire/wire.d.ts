@@ -45,9 +45,13 @@ export type Question = { text: string; choices: string[]; answer: number; becaus
 /** One step of a lesson. */
 export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; run: StepRun; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
 /** What is shown once a step has asked: the case that its question is about. */
-export type StepRun = { settings: string[]; pulls: Pull[] };
+export type StepRun = { settings: string[]; pulls: Pull[]; leads: Lead[] };
 /** A mass that is moved before a run begins, and let go as it does. */
 export type Pull = { mass: number; by: [number, number] };
+/** A mass that is led while a run goes on, as an anchor that moves. */
+export type Lead = { mass: number; circle: Circle };
+/** The motion of an anchor that goes round a circle. */
+export type Circle = { radius: number; frequency: number; ramp: number };
 /** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
 export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
 /** Something that is read off a run. */
@@ -160,6 +164,8 @@ export type MoveStep = { do: "moveStep"; step: number; to: number };
 export type ChangeStep = { do: "changeStep"; step: number; changes: StepChanges };
 /** Give a step the present settings, plots or arrows, or have it run the body as it is now. */
 export type TakeInStep = { do: "takeInStep"; step: number; what: "arrows" | "plots" | "run" | "settings" };
+/** Have the run of a step lead a mass round a circle; none for a radius of 0. */
+export type LeadInStep = { do: "leadInStep"; step: number; mass: number; radius: number; frequency: number };
 /** Begin a step as a pupil sees it. */
 export type TryStep = { do: "tryStep"; step: number };
 /** Return from a step that was begun by `TryStep`. */
@@ -190,7 +196,7 @@ export type Unsent = { do: "unsent"; what: TextKind };
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
 /** A part of a text that is too long for one message. */
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
-export type FromPage = SetNumber | SetWord | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | WalkTo | Follow | Checked | Stage | ChooseLesson | ChooseNetwork | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | TryStep | EndTrying | DropLesson | FirstPlot | Seen | PutMode | DriveMode | CloseCard | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
+export type FromPage = SetNumber | SetWord | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | WalkTo | Follow | Checked | Stage | ChooseLesson | ChooseNetwork | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | LeadInStep | TryStep | EndTrying | DropLesson | FirstPlot | Seen | PutMode | DriveMode | CloseCard | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
 /** What a pupil's page has to know of the class. */
 export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; is_given: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; reading: string; found: Found[]; own: Found | null; over: string; turned: boolean; home: string; told: boolean; done: boolean[]; asking: Asking | null; given: Given[] };
 /** What a pupil has to work with: sliders, plots, and arrow keys. */

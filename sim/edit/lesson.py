@@ -6,13 +6,14 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from msgspec import UNSET
 from numpy.typing import NDArray
 
 from ..errors import InputError, SceneError, SettingError
 from ..methods.registry import METHODS
 from ..motion.quantities import quantity
-from ..scene.lesson import MAX_PULLS, Lesson, Pull, Reading, Step, StepRun
-from ..scene.parts import Mass
+from ..scene.lesson import MAX_PULLS, Lead, Lesson, Pull, Reading, Step, StepRun
+from ..scene.parts import Circle, Mass
 from ..scene.types import Scene
 from ..scene.validate import validate
 from ..settings import CHOICES, scene_of_step, setting_of, settings_of
@@ -195,7 +196,8 @@ def run_as(scene: Scene, number: int, now: Scene, positions: Floats, opened: Sce
         raise SceneError(
             f"{where}: all is as it is when the step begins; change a number or drag a mass first"
         )
-    run = StepRun(settings=_assignments(changed), pulls=pulls)
+    led = _step(scene, number).run
+    run = StepRun(settings=_assignments(changed), pulls=pulls, leads=led.leads if led else ())
     usual, steps = _values(opened), []
     for i, each in enumerate(_steps(scene)):
         own = _by_key(each.settings)
@@ -204,6 +206,37 @@ def run_as(scene: Scene, number: int, now: Scene, positions: Floats, opened: Sce
         steps.append(
             msgspec.structs.replace(each, settings=settings, **({"run": run} if i == number else {}))
         )
+    return _edit(f"run of step {number + 1}", scene, steps)
+
+
+def lead_in_run(scene: Scene, number: int, mass: int, radius: float, frequency: float) -> Edit:
+    """Have the run of a step lead a mass round a circle, from where the mass is as the run begins.
+
+    Args:
+        scene: the one with the lesson.
+        number: of the step.
+        mass: index of the mass.
+        radius, frequency: of its circle, px and Hz, see `Circle`; with a radius of 0 it is no longer led.
+
+    Raises:
+        SceneError: there is no such step or mass, or a number is out of its range; names the field.
+    """
+    step = _step(scene, number)
+    run = step.run or StepRun()
+    leads = [lead for lead in run.leads if lead.mass != mass]
+    where = f"lesson.steps[{number}].run.leads"
+    if not 0 <= mass < len(scene.masses):
+        raise SceneError(f"{where}.mass: mass {mass} does not exist (0..{len(scene.masses) - 1})")
+    if radius != 0.0:
+        if len(leads) >= MAX_PULLS:
+            raise SceneError(f"{where}: a run leads {MAX_PULLS} masses at most")
+        for name, value, low, high in (("radius", radius, 0.0, 1e4), ("frequency", frequency, -100.0, 100.0)):
+            if not low <= value <= high:
+                raise SceneError(f"{where}.{name}: {value:g} is not in {low:g}..{high:g}")
+        leads.append(Lead(mass=mass, circle=Circle(radius=radius, frequency=frequency)))
+    changed = msgspec.structs.replace(run, leads=tuple(leads))
+    steps = list(_steps(scene))
+    steps[number] = msgspec.structs.replace(step, run=UNSET if changed == StepRun() else changed)
     return _edit(f"run of step {number + 1}", scene, steps)
 
 
@@ -262,9 +295,9 @@ def _edit(label: str, scene: Scene, steps: list[Step]) -> Edit:
     lesson = Lesson(steps=tuple(steps)) if steps else None
     if len(steps) > 20:
         raise SceneError("lesson.steps: a lesson has 20 steps at most")
-    # With a body of its own, since that of the scene may be large: it has as many masses as are pulled.
-    pulled = [pull.mass for step in steps for pull in (step.run.pulls if step.run else ())]
-    masses = (Mass(position=(0.0, 0.0)),) * min(1 + max(pulled, default=0), len(scene.masses))
+    # With a body of its own, since that of the scene may be large: it has as many masses as are moved.
+    moved = [one.mass for step in steps if step.run for one in (*step.run.pulls, *step.run.leads)]
+    masses = (Mass(position=(0.0, 0.0)),) * min(1 + max(moved, default=0), len(scene.masses))
     validate(Scene(name="lesson", masses=masses, lesson=lesson))
     own = {"name": OWN_LESSON, "title": ""} if is_built_in(scene.name) else {}
     return Edit(label, msgspec.structs.replace(scene, lesson=lesson, **own))

@@ -12,6 +12,7 @@ import msgspec
 from msgspec import Meta
 
 from .numbers import Index, Vector
+from .parts import Circle
 
 Sentence = Annotated[str, Meta(min_length=1, max_length=600)]
 Line = Annotated[str, Meta(min_length=1, max_length=160)]
@@ -19,7 +20,7 @@ Assignment = Annotated[str, Meta(min_length=3, max_length=100)]
 
 
 MAX_PULLS = 20
-"""Masses that a run moves."""
+"""Masses that a run moves, and that it leads."""
 
 
 class Question(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -75,16 +76,30 @@ class Pull(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     by: Vector
 
 
+class Lead(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A mass that is led while a run goes on, as an anchor that moves.
+
+    Attributes:
+        mass: its index.
+        circle: on which it is led, from where it is as the run begins.
+    """
+
+    mass: Index
+    circle: Circle
+
+
 class StepRun(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """What is shown once a step has asked: the case that its question is about.
 
     Attributes:
         settings: what it changes of that with which the step begins, as `--set` has it, at most 10.
         pulls: masses that are moved first, at most 20.
+        leads: masses that are led, at most 20.
     """
 
     settings: Annotated[tuple[Assignment, ...], Meta(max_length=10)] = ()
     pulls: Annotated[tuple[Pull, ...], Meta(max_length=MAX_PULLS)] = ()
+    leads: Annotated[tuple[Lead, ...], Meta(max_length=MAX_PULLS)] = ()
 
 
 class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -170,14 +170,15 @@ def _lesson_problems(scene: Scene) -> Iterator[str]:
 
 
 def _run_problems(run: StepRun, n: int, where: str) -> Iterator[str]:
-    if not run.settings and not run.pulls:
-        yield f"{where}: it needs settings, pulls or both"
-    pulled = [pull.mass for pull in run.pulls]
-    for i, mass in enumerate(pulled):
-        if mass >= n:
-            yield f"{where}.pulls[{i}].mass: mass {mass} does not exist ({_span(n)})"
-        if mass in pulled[:i]:
-            yield f"{where}.pulls[{i}].mass: mass {mass} is pulled twice"
+    if not (run.settings or run.pulls or run.leads):
+        yield f"{where}: it needs settings, pulls or leads"
+    for field, verb, moved in (("pulls", "pulled", run.pulls), ("leads", "led", run.leads)):
+        masses = [one.mass for one in moved]
+        for i, mass in enumerate(masses):
+            if mass >= n:
+                yield f"{where}.{field}[{i}].mass: mass {mass} does not exist ({_span(n)})"
+            if mass in masses[:i]:
+                yield f"{where}.{field}[{i}].mass: mass {mass} is {verb} twice"
 
 
 def _recipe_problems(scene: Scene) -> Iterator[str]:

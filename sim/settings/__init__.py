@@ -19,8 +19,8 @@ from ..errors import SceneError, SettingError
 from ..forces.joints import LAWS
 from ..methods.registry import METHODS
 from ..scene.columns import has_any
-from ..scene.lesson import Pull, Step
-from ..scene.parts import Beat
+from ..scene.lesson import Lead, Pull, Step
+from ..scene.parts import Anchor, Beat
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
 from ..scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Restitution, Wall, Wind
@@ -178,7 +178,7 @@ def scene_of_step(scene: Scene, number: int) -> Scene:
 
 
 def scene_of_run(scene: Scene, number: int) -> Scene:
-    """The scene of a step as it is when its run begins: with what that changes, and its masses pulled.
+    """The scene of a step as it is when its run begins: with what that changes, pulls and leads.
 
     Args and errors: as for `scene_of_step`.
     """
@@ -187,7 +187,8 @@ def scene_of_run(scene: Scene, number: int) -> Scene:
     if not run:
         return scene
     scene = _applied(scene, run.settings, f"{where}.settings")
-    return _pulled(scene, run.pulls, f"{where}.pulls") if run.pulls else scene
+    scene = _pulled(scene, run.pulls, f"{where}.pulls") if run.pulls else scene
+    return _led(scene, run.leads, f"{where}.leads") if run.leads else scene
 
 
 def _step(scene: Scene, number: int) -> Step:
@@ -219,6 +220,16 @@ def _pulled(scene: Scene, pulls: Sequence[Pull], where: str) -> Scene:
         x, y = positions[pull.mass]
         positions[pull.mass] = x + pull.by[0], y + pull.by[1]
     return msgspec.structs.replace(scene, pose=msgspec.structs.replace(pose, positions=tuple(positions)))
+
+
+def _led(scene: Scene, leads: Sequence[Lead], where: str) -> Scene:
+    """The scene with some masses held, each going round a circle; its parts are its own from then on."""
+    anchors = {anchor.mass: anchor for anchor in scene.anchors}
+    for i, lead in enumerate(leads):
+        if lead.mass >= len(scene.masses):
+            raise SettingError(f"{where}[{i}].mass: mass {lead.mass} does not exist any more")
+        anchors[lead.mass] = Anchor(mass=lead.mass, circle=lead.circle)
+    return msgspec.structs.replace(scene, bodies=(), links=(), anchors=tuple(anchors.values()))
 
 
 def shift_rest_angles(scene: Scene, degrees: float) -> Scene:

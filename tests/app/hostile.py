@@ -116,6 +116,7 @@ class HostilePage:
             subprotocols=[Subprotocol(HANDSHAKE[-1][1])],
             compression=None,
             max_size=None,
+            open_timeout=60.0,  # a machine may be busy
             proxy=None,
             source_address=(source, 0),
         )

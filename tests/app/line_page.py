@@ -53,6 +53,7 @@ class LinePage:
             origin=Origin(f"{scheme.replace('ws', 'http')}://{host}"),
             compression=None,
             max_size=None,
+            open_timeout=60.0,  # a machine may be busy
             ssl=tls,
         )
         self._reader = threading.Thread(target=self._read, daemon=True)

@@ -23,7 +23,8 @@ from app.wire.from_page import Perform
 from app.wire.messages import read
 from sim.edit.build import add_mass
 from sim.edit.lesson import add_step
-from sim.scene.lesson import Lesson, Pull, Question, Step, StepRun
+from sim.scene.lesson import Lead, Lesson, Pull, Question, Step, StepRun
+from sim.scene.parts import Circle
 from sim.settings import CHOICES, scene_of_run, scene_of_step, setting_of
 from sim.store.files import built_in_folder, decode_scene, encode_scene
 from tests.amount import part_of
@@ -92,10 +93,31 @@ def test_a_run_changes_what_the_step_sets_and_moves_masses_before_it_lets_them_g
     assert decode_scene(encode_scene(scene), "a") == scene
 
 
+def test_a_run_leads_masses_round_circles_as_anchors_go() -> None:
+    circle = Circle(radius=20.0, frequency=0.7)
+    scene = with_lesson(
+        Step(title="A", do="B", run=StepRun(leads=(Lead(mass=0, circle=circle), Lead(mass=5, circle=circle))))
+    )
+    begins, runs = scene_of_step(scene, 0), scene_of_run(scene, 0)
+    assert {anchor.mass: anchor.circle for anchor in runs.anchors} == {0: circle, 5: circle}
+    one, other = sim.Simulation(runs), sim.Simulation(begins)
+    for simulation in (one, other):
+        simulation.advance(0.7)
+    t = 0.7
+    phase = 2.0 * math.pi * 0.7 * (t - 0.1 * (1.0 - math.exp(-t / 0.1)))
+    start = begins.masses[5].position
+    there = (start[0] + 20.0 * math.sin(phase), start[1] + 20.0 * (1.0 - math.cos(phase)))
+    assert one.positions[5] == pytest.approx(there, abs=0.2)
+    assert np.abs(one.positions - other.positions).max() > 10.0
+    assert decode_scene(encode_scene(scene), "a") == scene
+
+
 @pytest.mark.parametrize(
     ("run", "said"),
     [
-        (StepRun(), "it needs settings, pulls or both"),
+        (StepRun(), "it needs settings, pulls or leads"),
+        (StepRun(leads=(Lead(mass=40, circle=Circle(radius=5.0)),)), "leads[0].mass: mass 40 does not exist"),
+        (StepRun(leads=(Lead(mass=2, circle=Circle(radius=5.0)),) * 2), "leads[1].mass: mass 2 is led twice"),
         (StepRun(pulls=(Pull(mass=40, by=(1.0, 0.0)),)), "pulls[0].mass: mass 40 does not exist"),
         (StepRun(pulls=(Pull(mass=2, by=(1.0, 0.0)),) * 2), "pulls[1].mass: mass 2 is pulled twice"),
         (StepRun(pulls=(Pull(mass=2, by=(math.nan, 0.0)),)), "pulls[0].by"),

@@ -110,6 +110,20 @@ def test_a_step_runs_the_case_that_was_made_beside_the_form() -> None:
     assert run.settings == ("gravity=700.0",)
     assert [pull.mass for pull in run.pulls] == [11]
     assert form.letters.last(LessonForm).runs[0].startswith("Gravity 700 px/s²; mass 11 is pulled by (")
+    form.say(asks.LeadInStep(0, 3, 20.0, 0.7))
+    led = form.steps[0].run
+    assert led
+    assert (led.pulls, [(lead.mass, lead.circle.radius) for lead in led.leads]) == (run.pulls, [(3, 20.0)])
+    assert form.letters.last(LessonForm).runs[0].endswith("mass 3 is led round a circle of 20 px at 0.7 Hz")
+    form.say(asks.TakeInStep(0, "run"))
+    kept = form.steps[0].run
+    assert kept
+    assert kept.leads == led.leads, "what is led is not read off the body"
+    for mass, radius, said in ((40, 5.0, "Mass 40 does not exist"), (3, -1.0, "-1 is not in 0..10000")):
+        form.say(asks.LeadInStep(0, mass, radius, 1.0))
+        assert said in form.taken.refused
+    form.say(asks.LeadInStep(0, 3, 0.0, 1.0))
+    assert form.steps[0].run == run
     form.say(change(0, run=None))
     assert not form.steps[0].run
     form.undo()

@@ -124,6 +124,8 @@ class LessonMaker:
             case asks.TakeInStep(step, "run"):
                 scene, opened, positions = session.scene, session.opened, session.simulation.positions
                 self._change(ask, lambda now: lesson.run_as(now, step, scene, positions, opened), "run")
+            case asks.LeadInStep(step, mass, radius, frequency):
+                self._change(ask, lambda now: lesson.lead_in_run(now, step, mass, radius, frequency), "run")
             case asks.TakeInStep(step, "plots"):
                 self._change_step(ask, {"plots": self._measured().plots})
             case asks.TakeInStep(step):
@@ -259,7 +261,12 @@ def describe_run(scene: sim.Scene, run: StepRun | UnsetType) -> str:
     if not run:
         return ""
     pulls = (f"mass {p.mass} is pulled by ({p.by[0]:g}, {p.by[1]:g}) {scene.view.unit}" for p in run.pulls)
-    return "; ".join(filter(None, (describe_settings(scene, run.settings), *pulls)))
+    leads = (
+        f"mass {one.mass} is led round a circle of {one.circle.radius:g} {scene.view.unit} at "
+        f"{one.circle.frequency:g} Hz"
+        for one in run.leads
+    )
+    return "; ".join(filter(None, (describe_settings(scene, run.settings), *pulls, *leads)))
 
 
 def describe_settings(scene: sim.Scene, settings: tuple[str, ...]) -> str:

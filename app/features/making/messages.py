@@ -104,6 +104,14 @@ class TakeInStep(OfStep, frozen=True):
     what: Literal["settings", "run", "plots", "arrows"]
 
 
+class LeadInStep(OfStep, frozen=True):
+    """Have the run of a step lead a mass round a circle; none for a radius of 0."""
+
+    mass: Annotated[int, Meta(ge=0, le=1_000_000)]
+    radius: Number
+    frequency: Number
+
+
 class TryStep(OfStep, frozen=True):
     """Begin a step as a pupil sees it."""
 

@@ -49,6 +49,9 @@ export class StepForm {
     this.nowSettings = make("p", "softrod-making-hint");
     this.runs = make("p", "softrod-making-now");
     this.dropRun = makeButton("Run as it begins", () => this.change({ run: null }));
+    this.led = this.numberField("Mass", "run.leads.mass", () => {});
+    this.radius = this.numberField("circle (px)", "run.leads.radius", () => {});
+    this.turns = this.numberField("turns (Hz)", "run.leads.frequency", () => {});
     this.controlsTitle = make("summary", "");
     this.controls = make("div", "softrod-making-checks");
     const controls = make("details", "");
@@ -84,6 +87,8 @@ export class StepForm {
         "Runs with, once the question is answered",
         this.runs, box("softrod-making-row", makeButton("Run as it is now", () => this.take("run")), this.dropRun), refusal("run"),
         make("p", "softrod-making-hint", "Reset, pause, and change the numbers or drag the masses that the question is about."),
+        box("softrod-making-row", this.led.box, this.radius.box, this.turns.box),
+        makeButton("Lead this mass round", () => this.lead()),
       ),
       controls,
       section(
@@ -145,6 +150,15 @@ export class StepForm {
   take(what) {
     this.flush();
     send({ do: "takeInStep", step: this.number, what });
+  }
+
+  /** Has the run lead a mass. */
+  lead() {
+    this.flush();
+    const [mass, radius, frequency] = [this.led, this.radius, this.turns].map((field) => this.read(field));
+    if (mass === undefined || radius === undefined || frequency === undefined) return;
+    if (mass === null || !Number.isInteger(mass) || mass < 0) return this.refuse("run", "run.leads.mass", "Type the number of a mass, from 0.");
+    send({ do: "leadInStep", step: this.number, mass, radius: radius ?? 0, frequency: frequency ?? 1 });
   }
 
   changeGoal() {
@@ -228,6 +242,10 @@ export class StepForm {
     this.takeSettings.disabled = offers.settings === begins;
     this.runs.textContent = runs ? `${runs}.` : "As it begins.";
     this.dropRun.hidden = !step.run;
+    const [lead] = step.run?.leads ?? [];
+    if (lead && this.isNew("leads", lead)) {
+      for (const [{ input }, value] of /** @type {const} */ ([[this.led, lead.mass], [this.radius, lead.circle.radius], [this.turns, lead.circle.frequency ?? 1]])) input.value = String(value);
+    }
     this.showControls(step.controls, offers);
     this.plots.textContent = step.plots?.length ? `Plots: ${step.plots.join("; ")}.` : "No plots.";
     this.takePlots.disabled = offers.plots.length === 0;
