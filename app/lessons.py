@@ -13,7 +13,7 @@ import sim
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.motion.quantities import quantity
-from sim.scene.lesson import Goal, Reading, Step
+from sim.scene.lesson import Goal, Reading, Step, StepRun
 from sim.settings import CHOICES, scene_of_run, scene_of_step, setting_of
 
 from .session.ghost import REFERENCE
@@ -126,3 +126,31 @@ def goal_text(goal: Goal, scene: sim.Scene) -> str:
     span = f"{low} to {high}" if low and high else f"at least {low}" if low else f"at most {high}"
     held = f", for {goal.seconds:g} s" if goal.seconds else ""
     return f"{reading_text(goal, scene)}: {span} {unit}".rstrip() + held
+
+
+def run_text(run: StepRun, scene: sim.Scene) -> str:
+    """A run in words, as in "Gravity 2000 px/s²; mass 1 is pulled 150 px down and let go"."""
+    said = []
+    for assignment in run.settings:
+        key, _, value = assignment.partition("=")
+        if key in CHOICES:
+            said.append(f"{CHOICES[key].label}: {CHOICES[key].options.get(value, value)}")
+            continue
+        try:
+            setting = setting_of(scene, key)
+        except sim.SettingError:
+            said.append(assignment)
+        else:
+            said.append(f"{setting.label} {value} {setting.unit.replace('px', scene.view.unit)}".rstrip())
+    for pull in run.pulls:
+        x, y = pull.by
+        down = y if scene.view.y_down else -y
+        ways = [(abs(x), "right" if x > 0.0 else "left"), (abs(down), "down" if down > 0.0 else "up")]
+        way = " and ".join(f"{by:g} {scene.view.unit} {word}" for by, word in ways if by)
+        said.append(f"mass {pull.mass} is pulled {way} and let go")
+    said += [
+        f"mass {one.mass} is led round a circle of {one.circle.radius:g} {scene.view.unit}, "
+        f"{one.circle.frequency:g} times a second"
+        for one in run.leads
+    ]
+    return f"{'; '.join(said)}."

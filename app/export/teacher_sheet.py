@@ -7,12 +7,12 @@ from pathlib import Path
 
 import sim
 from sim.errors import InputError
-from sim.scene.lesson import Step, StepRun
+from sim.scene.lesson import Step
 from sim.scene.types import shown_name
-from sim.settings import CHOICES, SettingError, scene_of_step, setting_of
+from sim.settings import scene_of_step
 
 from ..bundle import compact_style
-from ..lessons import goal_text, reading_text
+from ..lessons import goal_text, reading_text, run_text
 from ..stage.looks import style_rules
 from .html_file import document
 
@@ -58,7 +58,7 @@ def _step(number: int, step: Step, scene: sim.Scene) -> str:
     if step.predict is not None:
         rows.append(("Predict", f"Each drags the pale body to where it will be after {step.predict:g} s."))
     if step.run:
-        rows.append(("Run", html.escape(_run_words(step.run, begins))))
+        rows.append(("Run", html.escape(run_text(step.run, begins))))
     if question is not None:
         rows.append(("Reveal", html.escape(question.because)))
     rows.append(("Try", html.escape(step.do)))
@@ -70,31 +70,3 @@ def _step(number: int, step: Step, scene: sim.Scene) -> str:
         rows.append(("Collect", html.escape(f"The {reading_text(step.collect, begins)}.")))
     listed = "".join(f"<dt>{word}</dt><dd>{text}</dd>" for word, text in rows)
     return f"<section><h2>{number + 1} {html.escape(step.title)}</h2><dl>{listed}</dl></section>"
-
-
-def _run_words(run: StepRun, scene: sim.Scene) -> str:
-    """What a run changes, pulls and leads."""
-    said = []
-    for assignment in run.settings:
-        key, _, value = assignment.partition("=")
-        if key in CHOICES:
-            said.append(f"{CHOICES[key].label}: {CHOICES[key].options.get(value, value)}")
-            continue
-        try:
-            setting = setting_of(scene, key)
-        except SettingError:
-            said.append(assignment)
-        else:
-            said.append(f"{setting.label} {value} {setting.unit.replace('px', scene.view.unit)}".rstrip())
-    for pull in run.pulls:
-        x, y = pull.by
-        down = y if scene.view.y_down else -y
-        ways = [(abs(x), "right" if x > 0.0 else "left"), (abs(down), "down" if down > 0.0 else "up")]
-        way = " and ".join(f"{by:g} {scene.view.unit} {word}" for by, word in ways if by)
-        said.append(f"mass {pull.mass} is pulled {way} and let go")
-    said += [
-        f"mass {one.mass} is led round a circle of {one.circle.radius:g} {scene.view.unit}, "
-        f"{one.circle.frequency:g} times a second"
-        for one in run.leads
-    ]
-    return f"{'; '.join(said)}."

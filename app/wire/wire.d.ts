@@ -15,7 +15,7 @@ export type ReadingDraft = { quantity: string; of: "period" | "value" };
 /** What one seat found: a point of the class's plot. */
 export type Found = { setting: number; found: number };
 /** What a class looks at. */
-export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; runs: boolean; predict: number; masses: number[]; goal: string; collects: string };
+export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; runs: string; predict: number; masses: number[]; goal: string; collects: string };
 /** Something that the pupil at a page has given. */
 export type Given = { stop: number; round: number; twin: number; kind: "line" | "prediction" | "vote" | "work"; choice: number; text: string };
 /** A slider or a list of a pupil's page. */

@@ -109,12 +109,16 @@ def test_a_step_runs_the_case_that_was_made_beside_the_form() -> None:
     assert run
     assert run.settings == ("gravity=700.0",)
     assert [pull.mass for pull in run.pulls] == [11]
-    assert form.letters.last(LessonForm).runs[0].startswith("Gravity 700 px/s²; mass 11 is pulled by (")
+    assert form.letters.last(LessonForm).runs[0].startswith("Gravity 700.0 px/s²; mass 11 is pulled ")
     form.say(asks.LeadInStep(0, 3, 20.0, 0.7))
     led = form.steps[0].run
     assert led
     assert (led.pulls, [(lead.mass, lead.circle.radius) for lead in led.leads]) == (run.pulls, [(3, 20.0)])
-    assert form.letters.last(LessonForm).runs[0].endswith("mass 3 is led round a circle of 20 px at 0.7 Hz")
+    assert (
+        form.letters.last(LessonForm)
+        .runs[0]
+        .endswith("mass 3 is led round a circle of 20 px, 0.7 times a second.")
+    )
     form.say(asks.TakeInStep(0, "run"))
     kept = form.steps[0].run
     assert kept

@@ -9,7 +9,7 @@ const LESSONS = new URL("../../presets/lessons/", import.meta.url);
 const PHASES = /** @type {const} */ (["lobby", "show", "ask", "results", "run", "reveal", "explain", "try", "collect"]);
 
 /** @param {Partial<import("../../app/features/classroom/guide.js").Asking>} more */
-const asking = (more) => ({ stop: 0, phase: /** @type {const} */ ("ask"), round: 0, title: "", do: "", watch: "", question: "", choices: [], right: -1, because: "", predict: 0, masses: [], goal: "", collects: "", runs: false, ...more });
+const asking = (more) => ({ stop: 0, phase: /** @type {const} */ ("ask"), round: 0, title: "", do: "", watch: "", question: "", choices: [], right: -1, because: "", predict: 0, masses: [], goal: "", collects: "", runs: "", ...more });
 
 test("a question is what is so, then what is asked", () => {
   assert.deepEqual(partsOf("Gravity pulls it 0.5 px down. How far, if it is doubled?"), { given: "Gravity pulls it 0.5 px down.", asked: "How far, if it is doubled?" });

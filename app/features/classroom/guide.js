@@ -31,7 +31,7 @@ export function guide({ phase, round, question, because, predict, do: task, coll
     case "lobby":
       return { say: "Open the address on the wall, and type the four letters.", do: "Put the wall on the projector. Go on when all are here." };
     case "show":
-      return { say: given || "Look at the body: what holds it, and what pulls it?", do: `Point at the parts. ${question && !runs ? "Do not press Play yet: it runs after the question." : "Press Play to let it go: that is not yet the case of the question."}` };
+      return { say: given || "Look at the body: what holds it, and what pulls it?", do: `Point at the parts. ${question && !runs ? "Do not press Play yet: it runs after the question." : "Press Play to let it go: what the question asks about comes later."}` };
     case "ask":
       if (round > 0) return { say: "Convince your neighbour, for a minute. Then answer again.", do: "Listen. Do not say which is right." };
       return { say: [asked, drag].filter(Boolean).join(" "), do: "Wait until everybody has answered. Do not say which is right." };
@@ -39,14 +39,14 @@ export function guide({ phase, round, question, because, predict, do: task, coll
       if (round > 0) return { say: "Who has changed their mind, and why?", do: "Do not give the right answer yet: the run will show it." };
       return { say: "Who would like to say why they chose what they chose?", do: "Hear two who answered differently. Do not give the right answer yet." };
     case "run":
-      return { say: "Watch what it does.", do: predict > 0 ? `It stops at ${predict} s. Compare it with the predictions.` : "Let it run until everybody has seen what happens." };
+      return { say: runs ? `Watch what it does. This is new: ${runs}` : "Watch what it does.", do: predict > 0 ? `It stops at ${predict} s. Compare it with the predictions.` : "Let it run until everybody has seen what happens." };
     case "reveal":
       return { say: "That is the answer. Tell your neighbour why.", do: `The wall shows ${predict > 0 ? "the predictions beside the body, then " : ""}the right answer. Give it a moment before you speak.` };
     case "explain":
-      return { say: "Why? Answer in one sentence.", do: `Star two answers: they go on the wall in the next phase. Then explain it in your own words. ${because}`.trim() };
+      return { say: "Why? Answer in one sentence.", do: `Star two answers: they go on the wall in the next phase. Then explain it in your own words: ${because}` };
     case "try":
       return { say: task, do: "Walk around. Raised hands show at the right." };
     default:
-      return { say: collects ? `Hand in the ${collects}.` : "Hand in what you found.", do: collects ? "When most have, look at the class's plot together: what does it say? Show the law, if there is a button for it." : "When most have, put one of them on the wall." };
+      return { say: collects ? `Hand in the ${collects}.` : "Hand in what you found.", do: collects ? "When most have, look at the class's plot together: what does it say? Press Show the law, if it is offered." : "When most have, put one of them on the wall." };
   }
 }

@@ -236,7 +236,7 @@ class Asking(Struct, frozen=True, kw_only=True):
         question, choices: empty if nothing is asked.
         right: the right choice, once it may be known; else -1.
         because: why it is right, then.
-        runs: whether what runs then is another case than the body as it stands.
+        runs: what is otherwise when it runs than as the step begins, in words; empty for nothing.
         predict: simulated time for which the body's place is asked for, s; 0 if it is not.
         masses: whose places are asked for: those that the step reads; empty for all.
         goal: what is to be reached, in words; empty for nothing.
@@ -253,7 +253,7 @@ class Asking(Struct, frozen=True, kw_only=True):
     choices: tuple[str, ...]
     right: int
     because: str
-    runs: bool
+    runs: str
     predict: float
     masses: tuple[int, ...]
     goal: str

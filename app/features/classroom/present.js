@@ -143,7 +143,7 @@ function seats(desk) {
   return box(
     "section",
     "",
-    box("header", "", make("h3", "", "Who is here"), make("span", "softrod-quiet", `${here}${away ? `, and ${away} away` : ""}`)),
+    box("header", "", make("h3", "", "Who is here"), make("span", "softrod-quiet", `${here}${away ? `; ${away} away` : ""}`)),
     ...(hands.length ? [box("div", "softrod-desk-hands-up", ...hands)] : []),
     ...(tiles.length ? [] : [make("p", "softrod-quiet", "Nobody yet.")]),
     box("ul", hasPicture ? "softrod-seats softrod-tiles" : "softrod-seats", ...tiles),
@@ -159,7 +159,7 @@ function alone(desk, seat) {
   const { dots } = gaveOf(desk, number);
   /** @param {OneSeat["what"]} what */
   const act = (what) => send({ do: "oneSeat", seat: number, what });
-  const own = hasOwn ? [button("Put on the wall", () => act(isShown ? "hide" : "show"), { pressed: isShown }), button("Reset this one", () => act("reset"))] : [];
+  const own = hasOwn ? [button(isShown ? "Take off the wall" : "Put on the wall", () => act(isShown ? "hide" : "show"), { focus: "onWall" }), button("Reset this one", () => act("reset"))] : [];
   const said = state(seat, hasOwn && !gathered) || (hasOwn ? doing : "");
   const part = box(
     "section",

@@ -26,7 +26,7 @@ from sim.scene.types import shown_name
 from sim.settings import setting_of
 from sim.store.files import built_in_folder
 
-from ...lessons import goal_text, read_masses, reading_text
+from ...lessons import goal_text, read_masses, reading_text, run_text
 from ...session.framing import Bounds
 from ...session.session import Session
 from ...stage.plan import own_rest_angles
@@ -241,7 +241,7 @@ def asking(room: Room, reveal: bool = False, place: Place | None = None) -> Aski
         choices=question.choices if question is not None else (),
         right=question.answer if question is not None and is_told else -1,
         because=_because(question, phase, reveal) if question is not None and is_told else "",
-        runs=step is not None and bool(step.run),
+        runs=run_text(step.run, scene) if step is not None and step.run else "",
         predict=(step.predict or 0.0) if step is not None else 0.0,
         masses=read_masses(step, scene) if step is not None and step.predict else (),
         goal=goal_text(step.goal, scene) if step is not None and step.goal is not None else "",

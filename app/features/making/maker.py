@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
-from msgspec import UNSET, UnsetType, structs
+from msgspec import UNSET, structs
 
 import sim
 from sim.edit import lesson
@@ -16,9 +16,10 @@ from sim.edit.edit import Edit
 from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
 from sim.motion.quantities import KINDS, PARTS, unit_in
-from sim.scene.lesson import Goal, Question, Reading, Step, StepRun
+from sim.scene.lesson import Goal, Question, Reading, Step
 from sim.settings import CHOICES, scene_of_step, settings_of
 
+from ...lessons import run_text
 from ...session import commands
 from ...session.ghost import REFERENCE
 from ...session.notices import Notice
@@ -140,7 +141,7 @@ class LessonMaker:
         if steps is not self._steps:
             self._steps = steps
             self._begins = tuple(describe_settings(scene, step.settings) for step in steps)
-            self._runs = tuple(describe_run(scene, step.run) for step in steps)
+            self._runs = tuple(run_text(step.run, scene) if step.run else "" for step in steps)
         self._mail.send(
             LessonForm(
                 open=self._open, trying=self._trying, steps=steps, begins=self._begins, runs=self._runs
@@ -254,19 +255,6 @@ class LessonMaker:
             plots=measured.plots,
             arrows=self._arrows,
         )
-
-
-def describe_run(scene: sim.Scene, run: StepRun | UnsetType) -> str:
-    """Describe a run, as in "Gravity 2000 px/s²; mass 1 is pulled by (0, 150) px"."""
-    if not run:
-        return ""
-    pulls = (f"mass {p.mass} is pulled by ({p.by[0]:g}, {p.by[1]:g}) {scene.view.unit}" for p in run.pulls)
-    leads = (
-        f"mass {one.mass} is led round a circle of {one.circle.radius:g} {scene.view.unit} at "
-        f"{one.circle.frequency:g} Hz"
-        for one in run.leads
-    )
-    return "; ".join(filter(None, (describe_settings(scene, run.settings), *pulls, *leads)))
 
 
 def describe_settings(scene: sim.Scene, settings: tuple[str, ...]) -> str:

@@ -240,7 +240,7 @@ export class StepForm {
     this.nowSettings.textContent = offers.settings ? `Now: ${offers.settings}.` : "";
     this.nowSettings.hidden = !offers.settings || offers.settings === begins;
     this.takeSettings.disabled = offers.settings === begins;
-    this.runs.textContent = runs ? `${runs}.` : "As it begins.";
+    this.runs.textContent = runs || "As it begins.";
     this.dropRun.hidden = !step.run;
     const [lead] = step.run?.leads ?? [];
     if (lead && this.isNew("leads", lead)) {

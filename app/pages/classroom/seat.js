@@ -243,7 +243,8 @@ function homework(seat, asking) {
 const collects = ({ collects, goal, do: task }) => Boolean(collects || goal || !task);
 
 /** What to do, in one sentence. @param {Seat} seat @param {Asking} asking */
-function sentence({ paused, away, follows, gathered, home, told }, { phase, predict, question, round }) {
+function sentence({ paused, away, follows, gathered, home, told }, asking) {
+  const { phase, predict, question, round } = asking;
   const hasOwn = OWN_BODY.has(phase);
   if (home && phase === "ask") {
     const drag = predict > 0 ? `drag the pale body to where it will be ${predict} s after the start` : "";
@@ -256,6 +257,7 @@ function sentence({ paused, away, follows, gathered, home, told }, { phase, pred
   if (hasOwn && follows) return "This is your teacher's body. Yours waits.";
   if (hasOwn && paused) return "Paused: look to the front.";
   if (phase === "lobby") return "You are in. It begins soon.";
+  if (phase === "ask" && mine(asking, "Vote") && (mine(asking, "Prediction") || !(predict > 0) || round > 0)) return "You can still change it. Nobody else can see it yet.";
   if (phase === "ask" && predict > 0 && round === 0) {
     return `Drag the pale body to where it will be ${predict} s after the start${question ? ", and choose an answer" : ""}. Nobody else can see it yet.`;
   }
@@ -360,8 +362,9 @@ function handIn({ reading, found, own, over, turned }, asking) {
   const given = mine(asking, "Work");
   const what = asking.collects ? `${asking.collects}${reading ? `: ${reading}` : ""}` : "this run";
   const text = asking.collects ? `Hand in ${reading || "it"}` : "Hand in this run";
-  const made = button(given ? `${text} instead` : text, () => give({ do: "giveWork", ...place(asking) }), { focus: "handin", name: "softrod-strong" });
-  made.disabled = Boolean(asking.collects) && !reading;
+  const isSame = Boolean(given?.sent && given.text && reading.startsWith(given.text));
+  const made = button(given && !isSame ? `${text} instead` : text, () => give({ do: "giveWork", ...place(asking) }), { focus: "handin", name: "softrod-strong" });
+  made.disabled = isSame || (Boolean(asking.collects) && !reading);
   const none = asking.collects && !reading ? "Nothing to read yet: let it move for a while." : "";
   return [
     ...(asking.collects ? [make("p", "softrod-reading", none || what)] : []),

@@ -112,7 +112,7 @@ function count({ asking: { phase }, seats, answered }) {
 /** @param {Wall} wall @returns {Element[]} */
 function content(wall) {
   const { asking, bars, lines, code, address, qr, found, over, turned, law, doing, seats, steps } = wall;
-  const { phase, stop, question, choices, right, because, predict } = asking;
+  const { phase, stop, question, choices, right, because, predict, runs } = asking;
   if (phase === "lobby") {
     const scanned = qrCode(qr, `${address}?room=${code}`, "softrod-wall-qr");
     const typed = box("p", "softrod-wall-address", "Scan this, or open ", untranslated(make("b", "", typedAddress(address))), " and type");
@@ -127,6 +127,7 @@ function content(wall) {
     // The run has its plot here.
     if (given && phase !== "run") parts.push(make("p", "softrod-wall-given", given));
     if (asked) parts.push(make("h1", "", asked));
+    if (phase === "run" && runs) parts.push(make("p", "softrod-wall-given", `Now: ${runs}`));
     if (predict > 0) parts.push(make(asked ? "p" : "h1", "", `Where will it be ${predict} s after the start?`));
     if (question) parts.push(voteBars(choices, phase === "ask" ? [] : bars, -1));
   }
