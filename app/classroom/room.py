@@ -28,6 +28,7 @@ from .answers import (
     Answer,
     AnyContent,
     Content,
+    Line,
     Phase,
     Prediction,
     Refused,
@@ -218,12 +219,13 @@ class Room(Struct, kw_only=True):
         return Place(at, Phase.COLLECT if is_open else Phase.ASK)
 
     def _wanted(self, stop: int, *phases: Phase) -> set[type[Content]]:
-        """What a stop asks of everybody in some phases, but for a line."""
+        """What a stop asks of everybody in some phases."""
         step = self.step_at(stop)
         kinds: dict[type[Content], object] = {}
         if step is not None:
-            kinds = {Vote: step.question, Prediction: step.predict, Work: step.collect or step.goal}
-        return {kind for kind, asked in kinds.items() if asked is not None and kind.phase in phases}
+            asked = step.question
+            kinds = {Vote: asked, Line: asked, Prediction: step.predict, Work: step.collect or step.goal}
+        return {kind for kind, wanted in kinds.items() if wanted is not None and kind.phase in phases}
 
     def _gave(self, number: int, stop: int) -> set[type[Content]]:
         """What a seat has given at a stop."""
@@ -232,7 +234,7 @@ class Room(Struct, kw_only=True):
 
     def done(self, number: int) -> tuple[bool, ...]:
         """Return for each stop whether a seat has given all that it asks for."""
-        asked = (Phase.ASK, Phase.COLLECT)
+        asked = (Phase.ASK, Phase.EXPLAIN, Phase.COLLECT)
         return tuple(
             self._wanted(stop, *asked) <= self._gave(number, stop) and bool(self._gave(number, stop))
             for stop in range(len(self.stops))

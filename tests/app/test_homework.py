@@ -54,6 +54,9 @@ def test_a_pupil_first_answers_and_then_has_a_body_that_moves(homework: Class) -
         room.take(1, an_answer(3, Vote(1), turn=5))
     room.take(1, an_answer(4, Line("Because."), turn=6))
     room.take(1, an_answer(5, Line("Because it is."), turn=7))
+    assert room.done(1) == (False,) * 4, "the number has not been handed in"
+    room.take(1, an_answer(6, Work(found=100.0, setting=2000.0), turn=8))
+    assert room.done(1) == (True, False, False, False)
 
 
 def test_each_goes_where_it_likes_and_comes_back_to_its_answers(homework: Class) -> None:

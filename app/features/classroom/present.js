@@ -85,7 +85,7 @@ function asked({ asking: { phase, question, choices, predict }, bars, right, sea
       box("header", "", make("h3", "", phase === "ask" || home ? "What they chose so far" : "What they chose"), ...(phase === "ask" || home ? [sealed] : [])),
       ...(question ? [voteBars(choices, bars, right)] : []),
       ...ask,
-      ...(predict > 0 ? [make("p", "softrod-quiet", `${predictions} of ${counted(seats)} have dragged a prediction.`)] : []),
+      ...(predict > 0 ? [make("p", "softrod-quiet", home ? `${predictions} dragged a prediction.` : `${predictions} of ${counted(seats)} have dragged a prediction.`)] : []),
     ),
   ];
 }

@@ -75,16 +75,21 @@ export function addSeat(picture) {
   prediction = new OwnPrediction(picture, show);
   openOutbox();
   const defer = deferWhilePressed(document.body);
+  let hasMoved = false;
   onMessage("pageState", () => defer(show));
   onMessage("seat", (told) => {
     if (told.asking?.stop !== seat?.asking?.stop || told.asking?.phase !== seat?.asking?.phase) {
       twin = 0;
       typed = refusal = "";
-      // What is to be done now is at the top.
-      element.scrollTop = 0;
+      hasMoved = true;
     }
     seat = told;
-    defer(show);
+    defer(() => {
+      show();
+      // What is to be done now is at the top.
+      if (hasMoved) element.scrollTop = 0;
+      hasMoved = false;
+    });
   });
   onMessage("predictions", ({ bodies }) => others.show(bodies, seat?.asking?.masses));
   onMessage("classEnded", () => {
@@ -320,7 +325,11 @@ function predictButton(asking) {
 function explanation(asking) {
   const given = mine(asking, "Line");
   /** @param {string} text */
-  const take = (text) => text && give({ do: "giveLine", ...place(asking), text });
+  const take = (text) => {
+    if (!text) return;
+    typed = "";
+    give({ do: "giveLine", ...place(asking), text });
+  };
   const form = typedText("Because ", { maxLength: MAX_LETTERS, value: typed || given?.text || "" }, [given ? "Change it" : "Send", "softrod-strong"], take, "line");
   form.addEventListener("input", ({ target }) => (typed = /** @type {HTMLTextAreaElement} */ (target).value));
   if (given?.sent && !typed) form.append(make("p", "softrod-handed", "Sent ✓"));
