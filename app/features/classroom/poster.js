@@ -28,10 +28,11 @@ function viewBox() {
  * @param {SVGSVGElement} svg
  * @param {Places} places of its masses
  * @param {Places} dots of what was predicted
+ * @param {string} box what of the frame it shows
  */
-function draw(svg, places, dots = []) {
+function draw(svg, places, dots = [], box = viewBox()) {
   const lines = posters.springs.filter(([a, b]) => places[a] && places[b]);
-  set(svg, { viewBox: viewBox() });
+  set(svg, { viewBox: box });
   set(svg.children[0], { d: lines.map(([a, b]) => `M${places[a].join(" ")}L${places[b].join(" ")}`).join("") });
   if (svg.children[1]) set(svg.children[1], { d: dots.map((dot) => `M${dot.join(" ")}h0`).join("") });
 }
@@ -52,11 +53,14 @@ const bodyOf = (seat) => (seat ? posters.places[seat] : posters.start) ?? [];
 
 /** Draws all that are still in the page. */
 function drawAll() {
-  for (const one of shown) {
-    if (one.svg.isConnected) draw(one.svg, bodyOf(one.seat), one.dots);
-    else shown.delete(one);
-  }
+  isQueued = false;
+  for (const one of shown) if (!one.svg.isConnected) shown.delete(one);
+  const box = viewBox();
+  for (const { svg, seat, dots } of shown) draw(svg, bodyOf(seat), dots, box);
 }
+
+/** Whether all will be drawn as soon as the card that is being made is in the page. */
+let isQueued = false;
 
 /**
  * A picture of the body of a seat as it is now, or of the step's body as it begins.
@@ -69,7 +73,8 @@ export function poster(seat, dots = []) {
   makeSvg("path", "", svg);
   if (dots.length) makeSvg("path", "softrod-poster-dots", svg);
   shown.add({ svg, seat, dots });
-  queueMicrotask(drawAll);
+  if (!isQueued) queueMicrotask(drawAll);
+  isQueued = true;
   return svg;
 }
 
