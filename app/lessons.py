@@ -116,12 +116,17 @@ def reading_text(reading: Reading, scene: sim.Scene | None = None) -> str:
     return f"period of {owner}" if reading.of == "period" else f"{_WORDS.get(what, what)} of {owner}"
 
 
+def reading_unit(reading: Reading, scene: sim.Scene) -> str:
+    """The unit of a reading; empty for one that the scene does not have."""
+    try:
+        return "s" if reading.of == "period" else quantity(reading.quantity, scene).unit
+    except InputError:
+        return ""
+
+
 def goal_text(goal: Goal, scene: sim.Scene) -> str:
     """A goal in words, as in "period of mass1.y: 1.98 to 2.02 s"."""
-    try:
-        unit = "s" if goal.of == "period" else quantity(goal.quantity, scene).unit
-    except InputError:
-        unit = ""
+    unit = reading_unit(goal, scene)
     low, high = (None if bound is None else f"{bound:.6g}" for bound in (goal.low, goal.high))
     span = f"{low} to {high}" if low and high else f"at least {low}" if low else f"at most {high}"
     held = f", for {goal.seconds:g} s" if goal.seconds else ""

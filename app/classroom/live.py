@@ -22,7 +22,7 @@ from filelock import BaseFileLock
 import sim
 from sim.errors import SceneError
 from sim.scene.lesson import Lesson, Step
-from sim.settings import CHOICES, scene_of_run, scene_of_step
+from sim.settings import scene_of_run, scene_of_step
 
 from ..session.framing import Bounds, motion_bounds
 from ..session.log import decode_log
@@ -249,12 +249,6 @@ class Class:
     def _find_bounds(self, stop: int) -> Bounds:
         one, other = (motion_bounds(scene(stop)) for scene in (self.scene, self.run_scene))
         return np.array((np.minimum(one[0], other[0]), np.maximum(one[1], other[1])))
-
-    def first_setting(self, stop: int) -> str:
-        """Return the key of the first number that a stop's step has a slider for; empty without one."""
-        step = self.room.step_at(stop)
-        controls = step.controls if step is not None else ()
-        return next((key for key in controls if key not in CHOICES), "")
 
     def present(self) -> set[int]:
         """Return the numbers of the seats that somebody sits at."""

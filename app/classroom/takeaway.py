@@ -19,6 +19,7 @@ from ..export.clip import ClipFrame
 from ..export.picture import png
 from ..stage.plan import Picture
 from .answers import Answer, Prediction, Work
+from .axes import axes_of
 from .kept import LOGS, log_path
 from .room import Room
 
@@ -31,6 +32,7 @@ PICTURE_SIZE = (640, 480)
 README = """What a class gave, {steps} steps, {seats} seats.
 
 answers.csv      votes, lines and what was handed in, a row each
+found.csv        what was found and what it was set to, a row a run
 predictions.csv  where masses were predicted to be, in the scene's units, a row a mass
 scenes/          what the class went through; `softrod class scenes/*.json` goes through it with another class
 logs/            the runs that were handed in; `softrod run --inputs FILE` does one again
@@ -55,6 +57,7 @@ def pack(room: Room, logs: Mapping[str, bytes] | None = None, decimal_comma: boo
             "README.txt", README.format(steps=len(room.stops), seats=seats, names=_whose_names(room))
         )
         file.writestr("answers.csv", _table(_answers(room), decimal_comma))
+        file.writestr("found.csv", _table(_found(room), decimal_comma))
         file.writestr("predictions.csv", _table(_predictions(room), decimal_comma))
         for i, scene in enumerate(room.scenes, start=1):
             file.writestr(f"scenes/{i:02}-{_slug(scene.name)}.json", encode_scene(scene))
@@ -117,6 +120,16 @@ def _answers(room: Room) -> Iterable[Sequence[str | float]]:
         asked = a.stop + 1, room.title(a.stop), a.round + 1
         whose = a.seat, room.seats[a.seat].name, a.twin + 1
         yield *asked, *whose, kind, text, right, _yes(a.late), _yes(a.starred)
+
+
+def _found(room: Room) -> Iterable[Sequence[str | float]]:
+    """Yield the points of the class's plots, and their axes."""
+    yield "step", "seat", "name", "pupil", "over", "over unit", "setting", "what", "unit", "found", "doubt"
+    for a in _in_order(room):
+        if isinstance(work := a.content, Work) and work.found is not None:
+            axes, setting = axes_of(room, a.stop), "" if work.setting is None else work.setting
+            whose = a.stop + 1, a.seat, room.seats[a.seat].name, a.twin + 1
+            yield *whose, axes.over, axes.over_unit, setting, axes.what, axes.unit, work.found, work.doubt
 
 
 def _predictions(room: Room) -> Iterable[Sequence[str | float]]:

@@ -315,7 +315,7 @@ class Open(Command):
 
     def apply(self, session: Session, at: float) -> None:
         # The clock was stopped because of the other body.
-        stopped = session.simulation.divergence is not None or session.awaits_answer
+        stopped = session.offer_back or session.awaits_answer
         # The first step of a lesson replaces the scene that has just been opened.
         begins = self.begun and not session.lesson_begun
         before = session.simulation.capture()

@@ -548,7 +548,8 @@ class Session:
         self.refresh(Refresh.BODY)
 
     def reset(self) -> None:
-        """Return to the scene's start."""
+        """Return to the scene's start; the clock goes on if it was stopped by an explosion."""
+        exploded = self.offer_back
         self.let_go()
         self.recorder.reset()
         self.fallbacks = 0
@@ -556,6 +557,8 @@ class Session:
         self.companions.begin(self.simulation, self.history)
         self.pacer.restart()
         self.stability_watch.look_soon()
+        if exploded:
+            self.play(True)
 
     def resume(self, keepsake: bytes, versions: Versions | None) -> None:
         """Continue from a keepsake.

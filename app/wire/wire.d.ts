@@ -14,10 +14,12 @@ export type GoalDraft = { quantity: string; of: "period" | "value"; low: number 
 export type ReadingDraft = { quantity: string; of: "period" | "value" };
 /** What one seat found: a point of the class's plot. */
 export type Found = { setting: number; found: number };
+/** The axes of the class's plot, in words. */
+export type Axes = { what: string; unit: string; over: string; over_unit: string; turned: boolean };
 /** What a class looks at. */
 export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; runs: string; predict: number; masses: number[]; goal: string; collects: string };
 /** Something that the pupil at a page has given. */
-export type Given = { stop: number; round: number; twin: number; kind: "line" | "prediction" | "vote" | "work"; choice: number; text: string };
+export type Given = { stop: number; round: number; twin: number; kind: "line" | "prediction" | "vote" | "work"; choice: number; text: string; late: boolean };
 /** A slider or a list of a pupil's page. */
 export type Dial = { key: string; label: string; unit: string; low: number; high: number; logarithmic: boolean; value: number | string; options: [string, string][]; sets: string[] };
 /** A plot of a step. */
@@ -198,19 +200,19 @@ export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
 export type FromPage = SetNumber | SetWord | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | WalkTo | Follow | Checked | Stage | ChooseLesson | ChooseNetwork | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | LeadInStep | TryStep | EndTrying | DropLesson | FirstPlot | Seen | PutMode | DriveMode | CloseCard | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
 /** What a pupil's page has to know of the class. */
-export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; is_given: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; reading: string; found: Found[]; own: Found | null; over: string; turned: boolean; home: string; told: boolean; done: boolean[]; asking: Asking | null; given: Given[] };
+export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; is_given: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; reading: string; found: Found[]; own: Found | null; axes: Axes; home: string; told: boolean; done: boolean[]; asking: Asking | null; given: Given[] };
 /** What a pupil has to work with: sliders, plots, and arrow keys. */
 export type Bench = { tell: "bench"; opening: number; dials: Dial[]; curves: Curve[] };
 /** A body with which a page goes on where its connection ends. */
 export type Alone = { tell: "alone"; opening: number; body: string; method: string; dt: number };
 /** What the class sees in front; no name is in it. */
-export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; over: string; turned: boolean; law: Law | null; doing: Record<string, number>; start: [number, number][]; steps: number; unit: string };
+export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; axes: Axes; law: Law | null; doing: Record<string, number>; start: [number, number][]; steps: number; unit: string };
 /** Where the class has said that the masses will be, in the page's world: one body a prediction, without names. */
 export type Predictions = { tell: "predictions"; bodies: [number, number][][] };
 /** Where bodies are: thousandths of the scene's frame from its left and upper edge. */
 export type Posters = { tell: "posters"; places: Record<string, [number, number][]>; start: [number, number][]; springs: [number, number][] };
 /** What the teacher's page has to know of the class. */
-export type Desk = { tell: "desk"; code: string; address: string; qr: string; check: string; check_qr: string; tried: DeskTried[]; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; over: string; turned: boolean; law: Law | null; shows_law: boolean; on_wall: string; seat_on_wall: number; gathered: boolean; again: "no" | "now" | "yes"; open: boolean; own_names: boolean; paused: boolean; saved: boolean; trouble: string; lessons: LessonName[]; lesson: string; networks: string[]; home: string; told: boolean; done: [number, number][]; elapsed: number };
+export type Desk = { tell: "desk"; code: string; address: string; qr: string; check: string; check_qr: string; tried: DeskTried[]; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; axes: Axes; law: Law | null; shows_law: boolean; on_wall: string; seat_on_wall: number; gathered: boolean; again: "no" | "now" | "yes"; open: boolean; own_names: boolean; paused: boolean; saved: boolean; trouble: string; lessons: LessonName[]; lesson: string; networks: string[]; home: string; told: boolean; done: [number, number][]; elapsed: number };
 /** Something that the user of the page is to read once. */
 export type Remark = { tell: "remark"; title: string; text: string };
 /** The server has these answers, or has refused one: then it says why. */

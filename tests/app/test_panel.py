@@ -210,6 +210,7 @@ def test_there_is_one_notice_of_a_runaway_and_none_once_it_is_over() -> None:
             assert [notice.title for notice in page.notices] == ["The body exploded"]
         page.frames(2, commands.SetValue("angular_stiffness", 1e4), end)
         assert not page.notices
+        assert page.session.playing == (not isinstance(end, commands.BackBeforeDivergence))
 
 
 def test_a_page_without_the_control_has_no_folder_of_what_is_selected() -> None:

@@ -12,6 +12,7 @@ from PIL import Image
 
 import sim
 from app.classroom.answers import Line, Phase, Prediction, Vote, Work
+from app.classroom.room import Room
 from app.classroom.takeaway import PICTURE_SIZE, log_path, pack
 from app.export.window import Window
 from app.stage.colors import palette
@@ -81,3 +82,15 @@ def test_tables_may_have_decimal_commas() -> None:
     room.take(1, an_answer(1, Work(found=1.25)))
     (row,), _ = tables(pack(room, decimal_comma=True), ";")
     assert row["answer"] == "1,25"
+
+
+def test_points_of_the_plot_are_in_the_zip_with_its_axes() -> None:
+    room = Room(code="ABCD", key="key", scenes=(sim.load_scene("lesson-hooke"),))
+    room.enter("0" * 32)
+    room.go(0, Phase.COLLECT)
+    room.take(1, an_answer(1, Work(found=12.5, setting=1000.0)))
+    with zipfile.ZipFile(io.BytesIO(pack(room))) as file:
+        (row,) = csv.DictReader(io.StringIO(file.read("found.csv").decode("utf-8-sig")))
+    axes = [row[key] for key in ("over", "over unit", "what", "unit")]
+    assert axes == ["gravity", "px/s²", "stretch of spring 0", "px"]
+    assert (row["setting"], row["found"]) == ("1000", "12.5")

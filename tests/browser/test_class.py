@@ -52,6 +52,7 @@ def a_lesson() -> sim.Scene:
         controls=("linear_stiffness",),
         goal=Goal(quantity="mass1.y", low=200.0, seconds=0.1),
         collect=Reading(quantity="mass1.y"),
+        plots=("mass1.y",),
     )
     return sim.Scene(
         name="swing",
@@ -364,6 +365,9 @@ def test_on_a_phone_a_pupil_comes_in_by_letters_and_answers_by_touch(school: Sch
     go(Phase.TRY)
     expect(phone.locator(".softrod-goal")).to_be_visible()
     expect(phone.get_by_text("Stretching stiffness", exact=True)).to_be_visible()
+    # A plot says what it shows where it is tapped.
+    phone.locator(".chart canvas").tap()
+    expect(phone.locator(".chart .reading")).to_contain_text("At ")
     go(Phase.COLLECT)
     phone.locator("[data-focus=handin]").tap()
     expect(phone.locator(".softrod-handed")).to_contain_text("Handed in")

@@ -12,6 +12,7 @@ import numpy as np
 from app.classroom import room as rooms
 from app.classroom import sheets
 from app.classroom.answers import OWN_BODY, Answer, Phase, Prediction, Refused, Vote, Work
+from app.classroom.axes import axes_of
 from app.classroom.live import Class, PupilStatus, SharedView, is_key
 from sim.errors import InputError, SettingError
 
@@ -30,11 +31,9 @@ from .role import (
     MAX_PLACES,
     NOTHING,
     ClassRole,
-    abscissa,
     asking,
     found_by,
     home_text,
-    is_turned,
     law_of,
     lesson_names,
     moved_text,
@@ -360,8 +359,7 @@ class DeskRole(ClassRole):
             ),
             bars=tuple(room.bars(room.at, room.vote_round)),
             right=step.question.answer if step is not None and step.question is not None else -1,
-            over=abscissa(classroom, room.at),
-            turned=is_turned(classroom, room.at),
+            axes=axes_of(room, room.at),
             law=law_of(found),
             shows_law=room.law,
             on_wall=room.on_wall,
@@ -410,7 +408,7 @@ class DeskRole(ClassRole):
             two=seat.twins,
             hand=seat.hand,
             answered=answered,
-            doing=f"{sum(done)} of {len(done)} steps" if done else "not begun" if idle else status.word,
+            doing=f"{sum(done)} of {len(done)} steps" if done else "untouched" if idle else status.word,
             follows=seat.follows,
             digits=seat.move,
         )

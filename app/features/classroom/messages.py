@@ -6,6 +6,8 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
+from app.classroom.axes import Axes
+
 from ...wire.messages import (
     AnswerKind,
     Event,
@@ -267,6 +269,7 @@ class Given(Struct, frozen=True, kw_only=True):
         kind: what it is.
         choice: of a vote; else -1.
         text: of a line, or what was found.
+        late: whether it came in after the right answer had been shown.
     """
 
     stop: int
@@ -275,6 +278,7 @@ class Given(Struct, frozen=True, kw_only=True):
     kind: AnswerKind
     choice: int
     text: str
+    late: bool
 
 
 class Found(Struct, frozen=True, kw_only=True):
@@ -314,7 +318,7 @@ class Seat(State, frozen=True, kw_only=True):
         reading: the number that would be handed in now, with its unit; empty while there is none.
         found: of the class's plot, for a pupil who has put a point on it; else empty.
         own: that point.
-        over, turned: of that plot, see `Wall`.
+        axes: of that plot.
         home: when what is right in homework is told, in words; empty for a class.
         told: whether it is.
         done: of homework, which steps have been answered wholly; empty for a class.
@@ -340,8 +344,7 @@ class Seat(State, frozen=True, kw_only=True):
     reading: str = ""
     found: tuple[Found, ...] = ()
     own: Found | None = None
-    over: str = ""
-    turned: bool = False
+    axes: Axes = Axes()
     home: str = ""
     told: bool = False
     done: tuple[bool, ...] = ()
@@ -451,7 +454,8 @@ class Wall(State, frozen=True, kw_only=True):
         bars: votes for each choice, once they are shown; else empty.
         lines: what was picked out.
         alone: whether one prediction is shown alone.
-        found: what was handed in, a point a seat; over what, and whether it grows downwards.
+        found: what was handed in, a point a seat, and
+        axes: of their plot.
         law: of these points, if it is to be seen.
         doing: how many seats' bodies do what, while each one has their own.
         start: where the masses were as the step began, in the page's world; only for the reveal.
@@ -470,8 +474,7 @@ class Wall(State, frozen=True, kw_only=True):
     alone: bool
     paused: bool
     found: tuple[Found, ...]
-    over: str
-    turned: bool
+    axes: Axes
     law: Law | None
     doing: dict[str, int]
     start: tuple[Point, ...]
@@ -576,9 +579,8 @@ class Desk(State, frozen=True, kw_only=True):
         next: where the class goes next: stop, phase, round; None at the end.
         answers: to the present stop and round, or to what was asked last there.
         bars: votes for each choice, also while they are sealed.
-        over: what the first slider of the step sets: the abscissa of the class's plot.
-        turned: whether its ordinate grows downwards.
-        law: of the points of that plot; None where they have none.
+        axes: of the class's plot.
+        law: of its points; None where they have none.
         shows_law: whether the wall shows it.
         on_wall: the answer that is shown alone.
         seat_on_wall: the seat whose body is on the wall, or 0.
@@ -611,8 +613,7 @@ class Desk(State, frozen=True, kw_only=True):
     answers: tuple[DeskAnswer, ...]
     bars: tuple[int, ...]
     right: int
-    over: str
-    turned: bool
+    axes: Axes
     law: Law | None
     shows_law: bool
     on_wall: str

@@ -5,6 +5,7 @@ import { makeSvg, set } from "../../stage/svg.js";
 
 /** @typedef {import("../../wire/wire.js").Found} Found */
 /** @typedef {import("../../wire/wire.js").Law} Law */
+/** @typedef {import("../../wire/wire.js").Axes} Axes */
 
 /** Size of the plot, in its own units, and what of it is left of, below and above the axes. */
 const SIZE = { width: 400, height: 270 };
@@ -55,25 +56,27 @@ function powers(low, high) {
 /** A number as it stands at an axis. @param {number} number */
 const short = (number) => (number !== 0 && (Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3) ? number.toExponential() : String(number)).replace("-", "−");
 
-/** A power law in words. @param {Law} law @param {string} what @param {string} over */
-export const power = ({ factor, exponent }, what, over) => {
-  const grows = Math.abs(exponent - 1) < PLAIN ? over : `${over}^${exponent.toFixed(2)}`;
-  return `${what} = ${Number(factor.toPrecision(3))} × ${grows}`.replace(/-/g, "−");
+/** Raised digits, signs and points. @type {Record<string, string>} */
+const RAISED = { "-": "⁻", ".": "·", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+
+/** A power law in words. @param {Law} law @param {Axes} axes */
+export const power = ({ factor, exponent }, { what, over }) => {
+  const raised = Math.abs(exponent - 1) < PLAIN ? "" : exponent.toFixed(2).replace(/./g, (sign) => RAISED[sign]);
+  return `${what} = ${Number(factor.toPrecision(3))} × ${over}${raised}`.replace(/-/g, "−");
 };
 
 /**
  * The plot. An axis is logarithmic where its numbers span a wide range.
  *
  * @param {Found[]} found
- * @param {string} over
- * @param {string} what
- * @param {{law?: Law | null, own?: Found | null, turned?: boolean}} [options] the law of the points; the one that is the
- *   reader's own; whether what was found grows downwards
+ * @param {Axes} axes
+ * @param {{law?: Law | null, own?: Found | null}} [options] the law of the points; the one that is the reader's own
  */
-export function plot(found, over, what, { law = null, own = null, turned = false } = {}) {
+export function plot(found, axes, { law = null, own = null } = {}) {
+  const { what, unit, over, over_unit, turned } = axes;
   const svg = makeSvg("svg", "softrod-class-plot");
   svg.removeAttribute("aria-hidden");
-  const label = `${what} over ${over}: ${found.length} points${law ? `; ${power(law, what, over)}` : ""}`;
+  const label = `${what} over ${over}: ${found.length} points${law ? `; ${power(law, axes)}` : ""}`;
   set(svg, { viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, role: "img", "aria-label": label });
   /** @param {number[]} numbers */
   const axisOf = (numbers) => {
@@ -114,7 +117,7 @@ export function plot(found, over, what, { law = null, own = null, turned = false
     const side = x.part(own.setting) > 0.5 ? "end" : "start";
     add("text", { class: "softrod-plot-you", x: across(own.setting) + (side === "end" ? -14 : 14), y: up(own.found) - 10, "text-anchor": side }, `you: ${short(Number(own.found.toPrecision(4)))}`);
   }
-  add("text", { x: (left + right) / 2, y: SIZE.height - 8, "text-anchor": "middle" }, over);
-  add("text", { x: 4, y: 18 }, what);
+  add("text", { x: (left + right) / 2, y: SIZE.height - 8, "text-anchor": "middle" }, over_unit ? `${over}, ${over_unit}` : over);
+  add("text", { x: 4, y: 18 }, unit ? `${what}, ${unit}` : what);
   return svg;
 }

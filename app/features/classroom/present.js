@@ -15,7 +15,7 @@ import { poster, still } from "./poster.js";
 /** The answers that are listed, by kind; the bars have the votes. @type {[DeskAnswer["kind"], title: string][]} */
 const LISTED = [["work", "Handed in"], ["line", "Lines"], ["prediction", "Predictions"]];
 /** States of a body that its tile names; all others are moving. */
-const NAMED_STATES = new Set(["not begun", "at rest", "paused", "exploded", "goal reached"]);
+const NAMED_STATES = new Set(["untouched", "at rest", "paused", "exploded", "goal reached"]);
 
 /** The seat that is looked at alone, or 0. */
 let chosen = 0;
@@ -44,6 +44,7 @@ export function present(desk) {
   const { phase } = desk.asking;
   // While pupils write, their lines come first; what they find belongs together in one picture.
   if (phase === "explain") return [...given(desk), who, ...asked(desk)];
+  if (seat) return [...counts(desk), who, ...asked(desk), ...collected(desk), ...given(desk)];
   return [...counts(desk), ...asked(desk), ...collected(desk), who, ...given(desk)];
 }
 
@@ -58,13 +59,13 @@ function counts({ asking: { phase }, seats, home }) {
   if (home || !OWN_BODY.has(phase)) return [];
   const here = seats.filter((seat) => seat.here);
   const done = here.filter(({ answered }) => answered).length;
-  const idle = here.filter((seat) => !seat.answered && seat.doing === "not begun").length;
+  const idle = here.filter((seat) => !seat.answered && seat.doing === "untouched").length;
   const exploded = here.filter(({ doing }) => doing === "exploded").length;
   const items = [
     ...(phase === "collect" ? [count(done, "have handed in", "softrod-done")] : []),
     count(here.length - (phase === "collect" ? done : 0) - idle - (phase === "collect" ? 0 : exploded), "are trying"),
     ...(phase === "try" && exploded ? [count(exploded, "have exploded", "softrod-idle")] : []),
-    ...(idle ? [count(idle, "have not begun", "softrod-idle")] : []),
+    ...(idle ? [count(idle, "have changed nothing", "softrod-idle")] : []),
   ];
   return [box("ul", "softrod-desk-counts", ...items)];
 }
@@ -197,11 +198,11 @@ function given({ answers, seats, on_wall, asking }) {
 }
 
 /** The class's plot. @param {Desk} desk */
-function collected({ answers, asking, over, turned, law, shows_law, home }) {
+function collected({ answers, asking, axes, law, shows_law, home }) {
   const found = answers.flatMap(({ setting, found, doubt }) => (setting === null || found === null || doubt ? [] : [{ setting, found }]));
   if (!found.length || (asking.phase !== "collect" && !home)) return [];
-  const words = law && shows_law ? [make("p", "", power(law, asking.collects, over))] : [];
-  return [box("section", "", make("h3", "", "What they found so far"), plot(found, over, asking.collects, { law: shows_law ? law : null, turned }), ...words)];
+  const words = law && shows_law ? [make("p", "", power(law, axes))] : [];
+  return [box("section", "", make("h3", "", "What they found so far"), plot(found, axes, { law: shows_law ? law : null }), ...words)];
 }
 
 /** @param {DeskAnswer} answer @param {DeskSeat[]} seats @param {string} on_wall */

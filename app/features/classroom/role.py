@@ -19,11 +19,8 @@ from app.classroom.law import power_law
 from app.classroom.live import Class, SharedView
 from app.classroom.plotted import Plotted
 from app.classroom.room import Place, Room
-from sim.errors import InputError, SettingError
-from sim.motion.quantities import quantity
 from sim.scene.lesson import Question
 from sim.scene.types import shown_name
-from sim.settings import setting_of
 from sim.store.files import built_in_folder
 
 from ...lessons import goal_text, read_masses, reading_text, run_text
@@ -298,27 +295,6 @@ def law_of(found: Sequence[Found]) -> Law | None:
     """Return the power law of the class's plot; None where it has none."""
     law = power_law([(one.setting, one.found) for one in found])
     return None if law is None else Law(factor=law.factor, exponent=law.exponent)
-
-
-def abscissa(classroom: Class, stop: int) -> str:
-    """Return the label of the class's plot's abscissa: what the first slider of a stop's step sets."""
-    key = classroom.first_setting(stop)
-    try:
-        return setting_of(classroom.scene(stop), key).label.lower() if key else ""
-    except SettingError:
-        return key
-
-
-def is_turned(classroom: Class, stop: int) -> bool:
-    """Return whether the class's plot of a stop grows downwards: it shows a y of a scene whose y does."""
-    room = classroom.room
-    step, scene = room.step_at(stop), room.scenes[room.stops[stop].scene]
-    if step is None or step.collect is None or step.collect.of == "period" or not scene.view.y_down:
-        return False
-    try:
-        return quantity(step.collect.quantity, scene).kind.vertical
-    except InputError:
-        return False
 
 
 def places_of(positions: np.ndarray, scene: sim.Scene) -> tuple[tuple[int, int], ...]:

@@ -20,14 +20,15 @@ from app.classroom.answers import (
     Vote,
     Work,
 )
+from app.classroom.axes import axes_of, first_setting
 from app.classroom.judge import GoalWatch, Meter
 from app.classroom.live import Class, PupilStatus, SharedView, Word
 from app.classroom.room import MAX_ANSWERS, digest
 from sim.errors import InputError, SettingError
-from sim.motion.quantities import quantity
 from sim.scene.lesson import Step
 from sim.settings import setting_of
 
+from ...lessons import reading_unit
 from ...session import commands
 from ...session.framing import Bounds
 from ...session.session import Session
@@ -41,12 +42,10 @@ from .messages import Found, Given, Predictions, Seat, Taken
 from .role import (
     NOTHING,
     ClassRole,
-    abscissa,
     asking,
     found_by,
     home_text,
     in_world,
-    is_turned,
     places_of,
     predictions,
 )
@@ -285,8 +284,7 @@ class SeatRole(ClassRole):
         step = self._step
         if self._found is None or step is None or step.collect is None:
             return ""
-        unit = "s" if step.collect.of == "period" else quantity(step.collect.quantity, scene).unit
-        return f"{self._found:.4g} {unit}".rstrip()
+        return f"{self._found:.4g} {reading_unit(step.collect, scene)}".rstrip()
 
     def _word(self, session: Session, places: tuple[tuple[int, int], ...]) -> Word:
         if session.simulation.divergence is not None:
@@ -398,7 +396,7 @@ class SeatRole(ClassRole):
 
     def _setting(self, scene: sim.Scene) -> float | None:
         """Return the value of the first number that the step has a slider for."""
-        key = self.classroom.first_setting(self._place.stop)
+        key = first_setting(self.room, self._place.stop)
         try:
             return float(setting_of(scene, key).read(scene)) if key else None
         except SettingError:
@@ -443,8 +441,7 @@ class SeatRole(ClassRole):
                 ),
                 None,
             ),
-            over=abscissa(self.classroom, place.stop),
-            turned=is_turned(self.classroom, place.stop),
+            axes=axes_of(room, place.stop),
             asking=asking(room, place=place),
             home=home_text(room),
             told=room.is_told,
@@ -457,6 +454,7 @@ class SeatRole(ClassRole):
                     kind=answer.content.kind,
                     choice=answer.content.choice if isinstance(answer.content, Vote) else -1,
                     text=answer.content.words,
+                    late=answer.late,
                 )
                 for answer in mine
                 if answer.stop == place.stop

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from app.classroom.answers import OWN_BODY, Line, Phase, Vote, Work
+from app.classroom.axes import axes_of
 from app.classroom.live import Class, SharedView
 from app.classroom.plotted import Plotted
 from app.classroom.room import Place
@@ -18,11 +19,9 @@ from .messages import Wall, WallLine
 from .role import (
     SHOWN,
     ClassRole,
-    abscissa,
     asking,
     found_by,
     in_world,
-    is_turned,
     law_of,
     plan_numbers,
     predictions,
@@ -79,8 +78,7 @@ class WallRole(ClassRole):
                 alone=bool(room.on_wall or room.seat_on_wall),
                 paused=room.paused,
                 found=found,
-                over=abscissa(self.classroom, room.at),
-                turned=is_turned(self.classroom, room.at),
+                axes=axes_of(room, room.at),
                 law=law_of(found) if room.law else None,
                 doing=doing,
                 start=self._start() if room.phase is Phase.REVEAL else (),
@@ -105,7 +103,7 @@ class WallRole(ClassRole):
         bodies = [self.classroom.statuses.get(number) for number in seats]
         exploded = sum(one is not None and one.word == "exploded" for one in bodies)
         idle = sum(one is None or (one.word != "exploded" and not one.begun) for one in bodies)
-        counts = {"stable": len(seats) - exploded - idle, "exploded": exploded, "not begun": idle}
+        counts = {"stable": len(seats) - exploded - idle, "exploded": exploded, "untouched": idle}
         if (step := self.room.step) is not None and step.goal is not None:
             counts["at the goal"] = sum(one is not None and one.word == "goal reached" for one in bodies)
         return counts

@@ -25,6 +25,8 @@ const MAX_LETTERS = 140;
 const MAX_NAME_LETTERS = 20;
 /** Buttons that move what is predicted: sign, word, and the way across and up. */
 const STEPS = /** @type {const} */ ([["◀", "to the left", -1, 0], ["▲", "up", 0, 1], ["▼", "down", 0, -1], ["▶", "to the right", 1, 0]]);
+/** Phases in which one sees again what one chose, and what is right once that may be known. */
+const TOLD = new Set(["results", "run", "reveal"]);
 /** Simulated seconds per second of a body that moves slowly. */
 const SLOW = 0.25;
 
@@ -125,9 +127,9 @@ let around = [];
 function mine(asking, kind) {
   const at = place(asking);
   const late = unsent().find((one) => one.do === `give${kind}` && isSamePlace(one, at));
-  if (late) return { choice: "choice" in late ? late.choice : -1, text: "text" in late ? late.text : "", sent: false };
+  if (late) return { choice: "choice" in late ? late.choice : -1, text: "text" in late ? late.text : "", sent: false, late: false };
   const had = seat?.given.find((one) => one.kind === kind.toLowerCase() && isSamePlace(one, at));
-  return had && { choice: had.choice, text: had.text, sent: true };
+  return had && { choice: had.choice, text: had.text, sent: true, late: had.late };
 }
 
 /** @param {Pick<Asking, "stop" | "round">} asking */
@@ -212,7 +214,7 @@ function belowOf(seat) {
   return [
     ...waiting(),
     ...(mayFollow ? [box("div", "softrod-phases", follow)] : []),
-    ...(mayFollow && !seat.follows && phase === "collect" ? [...twins(seat), ...handIn(seat, asking)] : []),
+    ...(mayFollow && !seat.follows && phase === "collect" ? classPlot(seat) : []),
     ...(hasOwn() && (right >= 0 || because) ? [fold("The question, and why", [make("p", "", asking.question), verdict(asking)], "why")] : []),
     ...(phase !== "lobby" ? [fold("This seat", lobbyOf(seat), "about")] : []),
   ];
@@ -236,8 +238,8 @@ function homework(seat, asking) {
   return [
     ...(hasOwn() ? twins(seat) : []),
     ...(hasOwn() && question ? [make("p", "softrod-task", "Why? Answer in one sentence."), explanation(asking)] : []),
-    ...(hasOwn() && collects(asking) ? handIn(seat, asking) : []),
-    ...(hasOwn() && question ? [right >= 0 ? verdict(asking) : box("p", "softrod-quiet", ...verdict(asking).childNodes, ` You will see the right answer on ${seat.home}.`)] : []),
+    ...(hasOwn() ? classPlot(seat) : []),
+    ...(hasOwn() && question && right < 0 ? [box("p", "softrod-quiet", ...verdict(asking).childNodes, ` You will see the right answer on ${seat.home}.`)] : []),
     ...next,
     box("div", "softrod-phases", ...steps),
     make("p", "softrod-quiet", left),
@@ -279,13 +281,16 @@ function body(seat, asking) {
   if (phase === "lobby") return lobbyOf(seat);
   if (phase === "ask") return [...twins(seat), ...(asking.question ? [choices(asking)] : []), ...(asking.predict > 0 && asking.round === 0 ? predictButton(asking) : [])];
   if (phase === "explain") return [...twins(seat), explanation(asking)];
-  if ((phase === "results" || phase === "reveal") && asking.question) return [verdict(asking)];
+  if (TOLD.has(phase) && asking.question) return [verdict(asking)];
   if (!OWN_BODY.has(phase) || seat.gathered || seat.follows) return [];
+  const gives = seat.home ? collects(asking) : phase === "collect";
   return [
+    ...(seat.home && asking.question && asking.right >= 0 ? [verdict(asking)] : []),
     ...(asking.goal ? [make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`)] : []),
     make("p", "", asking.do),
     ...(asking.watch ? [box("p", "softrod-watch", make("b", "", "Watch: "), asking.watch)] : []),
     box("div", "softrod-phases", ...timeButtons()),
+    ...(gives ? [...(seat.home ? [] : twins(seat)), ...handIn(seat, asking)] : []),
   ];
 }
 
@@ -342,7 +347,7 @@ function verdict(asking) {
   const last = asking.phase === "results" ? asking.round : 1;
   const given = mine({ ...asking, round: last }, "Vote") ?? mine({ ...asking, round: 0 }, "Vote");
   const text = make("p", "softrod-verdict");
-  if (given && given.choice >= 0) text.append("You chose: ", make("b", "", asking.choices[given.choice]), ". ");
+  if (given && given.choice >= 0) text.append("You chose: ", make("b", "", asking.choices[given.choice]), `${lateText(given)}. `);
   if (asking.right >= 0) {
     text.append("The right answer: ", make("b", "", asking.choices[asking.right]), `. ${asking.because}`);
     if (given) text.classList.add(given.choice === asking.right ? "softrod-right" : "softrod-wrong");
@@ -366,8 +371,8 @@ function timeButtons() {
   ];
 }
 
-/** The number that would be handed in, the button that does it, what was handed in, and what the class found. @param {Seat} seat @param {Asking} asking */
-function handIn({ reading, found, own, over, turned }, asking) {
+/** The number that would be handed in, the button that does it, and what was handed in. @param {Seat} seat @param {Asking} asking */
+function handIn({ reading }, asking) {
   const given = mine(asking, "Work");
   const what = asking.collects ? `${asking.collects}${reading ? `: ${reading}` : ""}` : "this run";
   const text = asking.collects ? `Hand in ${reading || "it"}` : "Hand in this run";
@@ -378,10 +383,16 @@ function handIn({ reading, found, own, over, turned }, asking) {
   return [
     ...(asking.collects ? [make("p", "softrod-reading", none || what)] : []),
     made,
-    ...(given?.sent ? [make("p", "softrod-handed", `Handed in${given.text ? `: ${given.text}` : ""}.`)] : []),
-    ...(found.length ? [box("figure", "softrod-found", make("figcaption", "", "What the class found"), plot(found, over, asking.collects, { own, turned }))] : []),
+    ...(given?.sent ? [make("p", "softrod-handed", `Handed in${given.text ? `: ${given.text}` : ""}${lateText(given)}.`)] : []),
   ];
 }
+
+/** What the class found, once one has put a point there. @param {Seat} seat */
+const classPlot = ({ found, own, axes }) =>
+  found.length ? [box("figure", "softrod-found", make("figcaption", "", "What the class found"), plot(found, axes, { own }))] : [];
+
+/** @param {{late: boolean}} given */
+const lateText = ({ late }) => (late ? " (late: after the answers were told)" : "");
 
 /** Which of two pupils answers. @param {Seat} seat */
 function twins({ two }) {

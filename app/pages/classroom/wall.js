@@ -111,7 +111,7 @@ function count({ asking: { phase }, seats, answered }) {
 
 /** @param {Wall} wall @returns {Element[]} */
 function content(wall) {
-  const { asking, bars, lines, code, address, qr, found, over, turned, law, doing, seats, steps } = wall;
+  const { asking, bars, lines, code, address, qr, found, axes, law, doing, seats, steps } = wall;
   const { phase, stop, question, choices, right, because, predict, runs } = asking;
   if (phase === "lobby") {
     const scanned = qrCode(qr, `${address}?room=${code}`, "softrod-wall-qr");
@@ -142,9 +142,9 @@ function content(wall) {
     // The plot needs the room.
     if (!found.length) parts.push(make("p", "", asking.do));
     if (asking.goal) parts.push(make("p", "", `Goal: ${asking.goal}`));
-    if (asking.goal || doing.exploded) parts.push(counts(doing));
-    if (found.length) parts.push(plot(found, over, asking.collects, { law, turned }));
-    if (law) parts.push(make("p", "", power(law, asking.collects, over)));
+    if (phase === "try" || asking.goal || doing.exploded) parts.push(counts(doing));
+    if (found.length) parts.push(plot(found, axes, { law }));
+    if (law) parts.push(make("p", "", power(law, axes)));
   }
   for (const { text, color } of found.length || phase === "reveal" ? [] : lines) {
     const quoted = make("blockquote", "", text);

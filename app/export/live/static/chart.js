@@ -42,9 +42,28 @@ export function makeChart(plot) {
   const reading = make("p", "reading");
   element.append(title, canvas, reading);
   let due = 0;
+  /** The moment that is pointed at, simulated seconds. @type {number | null} */
+  let marked = null;
+  /** When the sample nearest to a place was taken. @type {(x: number, y: number) => number | null} */
+  let timeAt = () => null;
+  /** @type {Recording | null} */
+  let last = null;
+
+  /** @param {number | null} time */
+  const mark = (time) => {
+    marked = time;
+    due = 0;
+    if (last) draw(last);
+  };
+  for (const kind of /** @type {const} */ (["pointerdown", "pointermove"])) {
+    canvas.addEventListener(kind, ({ offsetX, offsetY }) => mark(timeAt(offsetX, offsetY)));
+  }
+  // A finger that is lifted leaves the mark where it was.
+  canvas.addEventListener("pointerleave", ({ pointerType }) => pointerType === "mouse" && mark(null));
 
   /** @param {Recording} record */
   function draw(record) {
+    last = record;
     const to = canvas.getContext("2d");
     if (!to) return;
     const { width, height } = canvas.getBoundingClientRect();
@@ -94,6 +113,16 @@ export function makeChart(plot) {
       values.forEach((value, k) => (k ? to.lineTo(x(along[k]), y(value)) : to.moveTo(x(along[k]), y(value))));
       to.stroke();
     });
+    const times = record.times.slice(first);
+    timeAt = (toX, toY) => {
+      const away = along.map((value, k) => Math.hypot(x(value) - toX, over ? y(curves[0][k]) - toY : 0));
+      return times[away.indexOf(Math.min(...away))] ?? null;
+    };
+    const at = marked === null || marked < times[0] ? -1 : times.findIndex((time) => time >= Number(marked));
+    if (at >= 0) {
+      Object.assign(to, { lineWidth: 1, strokeStyle: styled("text") });
+      to.strokeRect(x(along[at]), TOP, 0, height - TOP - BOTTOM);
+    }
     const now = performance.now();
     if (now < due) return;
     due = now + 250;
@@ -101,12 +130,13 @@ export function makeChart(plot) {
     const words = names.map((name, i) => {
       const values = curves[i], swing = found[i];
       const told = swing ? `, period ${said(swing.period)} s, amplitude ${said(swing.amplitude)} ${units[i]}` : "";
+      if (at >= 0) return `${name} ${said(values[at])} ${units[i]}`.trim();
       return values.length ? `${name} ${said(values[values.length - 1])} ${units[i]}${told}`.trim() : "";
     });
     /** @param {"period" | "amplitude"} what */
     const of = (what) => found.map((swing) => said(swing?.[what] ?? 0)).join(", ");
     const many = found.every(Boolean) ? `Periods ${of("period")} s; amplitudes ${of("amplitude")} ${units[0]}` : "";
-    reading.textContent = names.length > 2 ? many : words.join("; ");
+    reading.textContent = at >= 0 ? `At ${said(times[at])} s: ${words.join("; ")}` : names.length > 2 ? many : words.join("; ");
     canvas.ariaLabel = words.join("; ");
   }
   return { element, draw };
