@@ -19,6 +19,9 @@ from sim.settings import CHOICES, scene_of_run, scene_of_step, setting_of
 from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot
 
+MAX_TOLD = 3
+"""Pulls of a run that are told one by one."""
+
 _PART = re.compile(r"(mass|spring|joint)(\d+)\.")
 """What a quantity is of, and its number."""
 
@@ -147,15 +150,25 @@ def run_text(run: StepRun, scene: sim.Scene) -> str:
             said.append(assignment)
         else:
             said.append(f"{setting.label} {value} {setting.unit.replace('px', scene.view.unit)}".rstrip())
-    for pull in run.pulls:
+    few = run.pulls if len(run.pulls) <= MAX_TOLD else ()
+    if len(run.pulls) > len(few):
+        said.append(f"{len(run.pulls)} masses are pulled aside and let go")
+    for pull in few:
         x, y = pull.by
         down = y if scene.view.y_down else -y
         ways = [(abs(x), "right" if x > 0.0 else "left"), (abs(down), "down" if down > 0.0 else "up")]
-        way = " and ".join(f"{by:g} {scene.view.unit} {word}" for by, word in ways if by)
+        way = " and ".join(
+            f"{round(by) if by >= 1.0 else by:g} {scene.view.unit} {word}" for by, word in ways if by
+        )
         said.append(f"mass {pull.mass} is pulled {way} and let go")
-    said += [
-        f"mass {one.mass} is led round a circle of {one.circle.radius:g} {scene.view.unit}, "
-        f"{one.circle.frequency:g} times a second"
-        for one in run.leads
-    ]
+    for circle in dict.fromkeys(one.circle for one in run.leads):
+        led = [str(one.mass) for one in run.leads if one.circle == circle]
+        who = f"masses {', '.join(led)} are" if len(led) > 1 else f"mass {led[0]} is"
+        around = f"a circle of {circle.radius:g} {scene.view.unit}"
+        said.append(f"{who} led round {around}, {circle.frequency:g} times a second")
+    resting = [str(one.joint) for one in run.muscles if not (one.muscle and one.muscle.amplitude)]
+    if resting:
+        said.append(f"the muscle at joint {', '.join(resting)} rests")
+    if moving := len(run.muscles) - len(resting):
+        said.append(f"{moving} muscles move at another moment or by another angle")
     return f"{'; '.join(said)}."

@@ -318,8 +318,10 @@ class Open(Command):
         stopped = session.offer_back or session.awaits_answer
         # The first step of a lesson replaces the scene that has just been opened.
         begins = self.begun and not session.lesson_begun
-        before = session.simulation.capture()
+        before, base = session.simulation.capture(), session.lesson_base
         session.open(self.scene)
+        if self.begun and base.lesson == self.scene.lesson:
+            session.lesson_base = base
         session.lesson_begun = self.begun
         opened = session.simulation.capture()
         if begins:

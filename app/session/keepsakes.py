@@ -66,6 +66,7 @@ class _File(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     moment: log.Restore | None
     wishes: Choices
     opened: msgspec.Raw = _NOTHING
+    lesson_base: msgspec.Raw = _NOTHING
 
 
 @dataclass(frozen=True)
@@ -76,22 +77,26 @@ class Keepsake:
         moment: state of the body.
         choices: of its user.
         opened: the scene as it was opened; if that was left out, as it was last.
+        lesson_base: what the steps of its lesson begin from; likewise.
     """
 
     moment: sim.Moment
     choices: Choices
     opened: sim.Scene
+    lesson_base: sim.Scene
 
 
-def encode(moment: sim.Moment, choices: Choices, opened: sim.Scene) -> bytes:
+def encode(moment: sim.Moment, choices: Choices, opened: sim.Scene, lesson_base: sim.Scene) -> bytes:
     """Write a keepsake; see `Keepsake`."""
     scene = log.raw_scene(moment.scene)
     there = log.restore_entry(moment, with_scene=False)
     keepsake = _File(format=FORMAT, version=VERSION, scene=scene, moment=there, wishes=choices)
     if opened is not moment.scene:
         keepsake = msgspec.structs.replace(keepsake, opened=log.raw_scene(opened))
+    if lesson_base is not opened:
+        keepsake = msgspec.structs.replace(keepsake, lesson_base=log.raw_scene(lesson_base))
     data = msgspec.json.encode(keepsake)
-    for left_out in ({"opened": _NOTHING}, {"moment": None}):
+    for left_out in ({"lesson_base": _NOTHING}, {"opened": _NOTHING}, {"moment": None}):
         if len(data) > MAX_BYTES:
             keepsake = msgspec.structs.replace(keepsake, **left_out)
             data = msgspec.json.encode(keepsake)
@@ -119,6 +124,8 @@ def decode(data: bytes) -> Keepsake:
         if ghost.method not in {REFERENCE, *METHODS} or ghost.law not in laws or ghost.finer not in FINER:
             raise SceneError(f"ghost: there is no {ghost.method!r} with law {ghost.law!r} / {ghost.finer}")
     opened = decode_scene(bytes(keepsake.opened), "scene", places=False) if bytes(keepsake.opened) else scene
+    base = bytes(keepsake.lesson_base)
+    lesson_base = decode_scene(base, "scene", places=False) if base else opened
     if keepsake.moment is None:
-        return Keepsake(sim.Simulation(scene, wait=False).capture(), choices, opened)
-    return Keepsake(log.moment_of(keepsake.moment, scene), choices, opened)
+        return Keepsake(sim.Simulation(scene, wait=False).capture(), choices, opened, lesson_base)
+    return Keepsake(log.moment_of(keepsake.moment, scene), choices, opened, lesson_base)

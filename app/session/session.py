@@ -164,6 +164,7 @@ class Session:
         offer_back: whether the body ran away and can be taken back to just before that.
         replay: the log that is played, if one is.
         opened: the scene as it was opened.
+        lesson_base: what the steps of its lesson begin from: the scene before its first step was opened.
         lesson_begun: whether a step of the scene's lesson has begun; if not, the page begins one.
         awaits_answer: whether the clock is stopped only until a question of the lesson is answered.
         hands: the pointers, and what they hold.
@@ -199,7 +200,7 @@ class Session:
     def _load(self, scene: sim.Scene) -> None:
         """Replace the body, and forget all that belongs to the one before."""
         self.simulation = sim.Simulation(scene, wait=self.can_wait)
-        self.opened = self.simulation.capture().scene
+        self.opened = self.lesson_base = self.simulation.capture().scene
         self.recorder = Recorder(self.simulation)
         self.companions = Companions()
         self.replay: Player | None = None
@@ -407,7 +408,7 @@ class Session:
             foretell=self.predictability is not None,
             touched=self.recorder.acts > 0,
         )
-        return keepsakes.encode(self.simulation.capture(), choices, self.opened)
+        return keepsakes.encode(self.simulation.capture(), choices, self.opened, self.lesson_base)
 
     # --------------------------------------------------------------------- what commands do
     def refresh(self, what: Refresh) -> None:
@@ -580,7 +581,7 @@ class Session:
             moment = replace(moment, scene=known)  # versions compare scenes by identity
         self.open(moment.scene)
         self.versions = versions if versions is not None and known is not None else Versions()
-        self.opened = saved.opened
+        self.opened, self.lesson_base = saved.opened, saved.lesson_base
         self.recorder.acts = int(choices.touched)
         self.recorder.restore(moment)
         self._begin_history()

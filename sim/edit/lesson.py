@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from ..errors import InputError, SceneError, SettingError
 from ..methods.registry import METHODS
 from ..motion.quantities import quantity
-from ..scene.lesson import MAX_PULLS, Lead, Lesson, Pull, Reading, Step, StepRun
+from ..scene.lesson import MAX_PULLS, Lead, Lesson, Pull, Reading, RunMuscle, Step, StepRun
 from ..scene.parts import Circle, Mass
 from ..scene.types import Scene
 from ..scene.validate import validate
-from ..settings import CHOICES, scene_of_step, setting_of, settings_of
+from ..settings import CHOICES, apply_assignments, scene_of_step, setting_of, settings_of
 from ..store.files import is_built_in
 from .edit import Edit
 
@@ -192,12 +192,21 @@ def run_as(scene: Scene, number: int, now: Scene, positions: Floats, opened: Sce
     )
     if len(pulls) > MAX_PULLS:
         raise SceneError(f"{where}.pulls: {len(pulls)} masses are elsewhere; a run pulls {MAX_PULLS} at most")
-    if not (changed or pulls):
+    # Settings of a recipe change muscles, too.
+    settled = apply_assignments(begins, _assignments(changed))
+    muscles = tuple(
+        RunMuscle(joint=j, muscle=one.muscle or None)
+        for j, (one, other) in enumerate(zip(now.angular_springs, settled.angular_springs, strict=False))
+        if one.muscle != other.muscle
+    )
+    if not (changed or pulls or muscles):
         raise SceneError(
             f"{where}: all is as it is when the step begins; change a number or drag a mass first"
         )
     led = _step(scene, number).run
-    run = StepRun(settings=_assignments(changed), pulls=pulls, leads=led.leads if led else ())
+    run = StepRun(
+        settings=_assignments(changed), pulls=pulls, leads=led.leads if led else (), muscles=muscles
+    )
     usual, steps = _values(opened), []
     for i, each in enumerate(_steps(scene)):
         own = _by_key(each.settings)

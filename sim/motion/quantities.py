@@ -24,6 +24,7 @@ from ..forces.joints import JointsTwin
 from ..forces.springs import SpringsTwin
 from ..kernels.core.tables import State
 from ..scene.types import Scene
+from .divergence import Divergence
 from .energy import ENERGY_FIELDS, Energies
 from .loads import Loads
 from .stability import StabilityEstimate
@@ -55,6 +56,8 @@ class Moving(Protocol):
     def dt(self) -> float: ...
     @property
     def loads(self) -> Loads: ...
+    @property
+    def divergence(self) -> Divergence | None: ...
     def energy(self) -> Energies: ...
     def stability(self) -> StabilityEstimate: ...
 
@@ -225,7 +228,9 @@ def _of_energy(name: str) -> Callable[[Moving, Indices], Floats]:
 
 
 def _over_limit(simulation: Moving, _: Indices) -> Floats:
-    return np.array([simulation.dt / simulation.stability().limit])
+    # A body that has exploded is far from the shape in which its step became too long.
+    estimate = simulation.stability() if simulation.divergence is None else simulation.divergence.stability
+    return np.array([simulation.dt / estimate.limit])
 
 
 # ------------------------------------------------------------------------- the catalogue

@@ -12,7 +12,7 @@ import msgspec
 from msgspec import Meta
 
 from .numbers import Index, Vector
-from .parts import Circle
+from .parts import Circle, JointMuscle
 
 Sentence = Annotated[str, Meta(min_length=1, max_length=600)]
 Line = Annotated[str, Meta(min_length=1, max_length=160)]
@@ -21,6 +21,9 @@ Assignment = Annotated[str, Meta(min_length=3, max_length=100)]
 
 MAX_PULLS = 20
 """Masses that a run moves, and that it leads."""
+
+MAX_MUSCLES = 200
+"""Muscles that a run changes."""
 
 
 class Question(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -88,6 +91,18 @@ class Lead(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     circle: Circle
 
 
+class RunMuscle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The muscle that a joint has in a run.
+
+    Attributes:
+        joint: its index.
+        muscle: it, or None if the joint has none.
+    """
+
+    joint: Index
+    muscle: JointMuscle | None
+
+
 class StepRun(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """What is shown once a step has asked: the case that its question is about.
 
@@ -95,11 +110,13 @@ class StepRun(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
         settings: what it changes of that with which the step begins, as `--set` has it, at most 10.
         pulls: masses that are moved first, at most 20.
         leads: masses that are led, at most 20.
+        muscles: of joints that have another one than as the step begins, or none, at most 200.
     """
 
     settings: Annotated[tuple[Assignment, ...], Meta(max_length=10)] = ()
     pulls: Annotated[tuple[Pull, ...], Meta(max_length=MAX_PULLS)] = ()
     leads: Annotated[tuple[Lead, ...], Meta(max_length=MAX_PULLS)] = ()
+    muscles: Annotated[tuple[RunMuscle, ...], Meta(max_length=MAX_MUSCLES)] = ()
 
 
 class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

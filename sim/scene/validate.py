@@ -170,8 +170,8 @@ def _lesson_problems(scene: Scene) -> Iterator[str]:
 
 
 def _run_problems(run: StepRun, n: int, where: str) -> Iterator[str]:
-    if not (run.settings or run.pulls or run.leads):
-        yield f"{where}: it needs settings, pulls or leads"
+    if run == StepRun():
+        yield f"{where}: it needs settings, pulls, leads or muscles"
     for field, verb, moved in (("pulls", "pulled", run.pulls), ("leads", "led", run.leads)):
         masses = [one.mass for one in moved]
         for i, mass in enumerate(masses):
@@ -179,6 +179,12 @@ def _run_problems(run: StepRun, n: int, where: str) -> Iterator[str]:
                 yield f"{where}.{field}[{i}].mass: mass {mass} does not exist ({_span(n)})"
             if mass in masses[:i]:
                 yield f"{where}.{field}[{i}].mass: mass {mass} is {verb} twice"
+    joints = [one.joint for one in run.muscles]
+    yield from (
+        f"{where}.muscles[{i}].joint: the muscle of joint {joint} is changed twice"
+        for i, joint in enumerate(joints)
+        if joint in joints[:i]
+    )
 
 
 def _recipe_problems(scene: Scene) -> Iterator[str]:

@@ -19,7 +19,7 @@ from ..errors import SceneError, SettingError
 from ..forces.joints import LAWS
 from ..methods.registry import METHODS
 from ..scene.columns import has_any
-from ..scene.lesson import Lead, Pull, Step
+from ..scene.lesson import Lead, Pull, RunMuscle, Step
 from ..scene.parts import Anchor, Beat
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
@@ -188,7 +188,8 @@ def scene_of_run(scene: Scene, number: int) -> Scene:
         return scene
     scene = _applied(scene, run.settings, f"{where}.settings")
     scene = _pulled(scene, run.pulls, f"{where}.pulls") if run.pulls else scene
-    return _led(scene, run.leads, f"{where}.leads") if run.leads else scene
+    scene = _led(scene, run.leads, f"{where}.leads") if run.leads else scene
+    return _with_muscles(scene, run.muscles, f"{where}.muscles") if run.muscles else scene
 
 
 def _step(scene: Scene, number: int) -> Step:
@@ -230,6 +231,18 @@ def _led(scene: Scene, leads: Sequence[Lead], where: str) -> Scene:
             raise SettingError(f"{where}[{i}].mass: mass {lead.mass} does not exist any more")
         anchors[lead.mass] = Anchor(mass=lead.mass, circle=lead.circle)
     return msgspec.structs.replace(scene, bodies=(), links=(), anchors=tuple(anchors.values()))
+
+
+def _with_muscles(scene: Scene, muscles: Sequence[RunMuscle], where: str) -> Scene:
+    """The scene with other muscles at some joints; its parts are its own from then on."""
+    joints = list(scene.angular_springs)
+    for i, one in enumerate(muscles):
+        if one.joint >= len(joints):
+            raise SettingError(f"{where}[{i}].joint: joint {one.joint} does not exist any more")
+        joints[one.joint] = msgspec.structs.replace(joints[one.joint], muscle=one.muscle or msgspec.UNSET)
+    if scene.beat is msgspec.UNSET:
+        raise SettingError(f"{where}: the scene has no beat that muscles could follow")
+    return msgspec.structs.replace(scene, bodies=(), links=(), angular_springs=tuple(joints))
 
 
 def shift_rest_angles(scene: Scene, degrees: float) -> Scene:

@@ -94,7 +94,7 @@ def test_a_keepsake_is_small() -> None:
     assert len(small) < 6000
     scene = sim.rope(masses=20_000)
     rows = np.random.default_rng(1).normal(0.0, 300.0, (4, 20_000))
-    data = keepsakes.encode(sim.Moment(scene, 1.0, 0.0, rows, 5.0, 2000), keepsakes.Choices(), scene)
+    data = keepsakes.encode(sim.Moment(scene, 1.0, 0.0, rows, 5.0, 2000), keepsakes.Choices(), scene, scene)
     assert len(data) < keepsakes.MAX_BYTES
     assert json.loads(data)["moment"] is None
     moment = keepsakes.decode(data).moment

@@ -115,7 +115,7 @@ def test_a_run_leads_masses_round_circles_as_anchors_go() -> None:
 @pytest.mark.parametrize(
     ("run", "said"),
     [
-        (StepRun(), "it needs settings, pulls or leads"),
+        (StepRun(), "it needs settings, pulls, leads or muscles"),
         (StepRun(leads=(Lead(mass=40, circle=Circle(radius=5.0)),)), "leads[0].mass: mass 40 does not exist"),
         (StepRun(leads=(Lead(mass=2, circle=Circle(radius=5.0)),) * 2), "leads[1].mass: mass 2 is led twice"),
         (StepRun(pulls=(Pull(mass=40, by=(1.0, 0.0)),)), "pulls[0].mass: mass 40 does not exist"),
@@ -350,6 +350,24 @@ def test_every_step_of_a_lesson_begins_with_its_sliders_and_plots(name: str) -> 
         assert page.gui.text("Lesson").count("softrod-plot-title") == len(step.plots or ())
         assert page.session.playing and page.simulation.time > 0.0
     assert not page.notices
+
+
+def test_a_step_begins_without_what_the_run_before_it_pulled_or_led() -> None:
+    pull, lead = Pull(mass=3, by=(0.0, 40.0)), Lead(mass=5, circle=Circle(radius=5.0))
+    scene = with_lesson(
+        Step(title="A", do="B", run=StepRun(pulls=(pull,), leads=(lead,))), Step(title="C", do="D")
+    )
+    page = WholePage()
+    page.shown(commands.Open(scene))
+    page.shown(BeginStep(0, "run"))
+    assert page.scene.pose is not None
+    kept = page.session.keepsake()
+    page.shown(BeginStep(1, "run"))
+    assert page.scene == scene
+    again = WholePage()
+    again.shown(commands.Resume(bytes(kept)))
+    again.shown(BeginStep(1, "run"))
+    assert again.scene == scene
 
 
 def test_a_lesson_leaves_behind_what_was_before() -> None:

@@ -281,7 +281,7 @@ def test_the_wall_counts_every_seat_that_is_here_once(classroom: Class) -> None:
     for pupil in pupils:
         pupil.frame()
     told = wall.shown(class_messages.Wall)
-    assert told.doing == {"stable": 1, "exploded": 0, "untouched": 2}
+    assert told.doing == {"trying": 1, "exploded": 0, "untouched": 2}
     assert told.seats == 3
 
 

@@ -82,7 +82,7 @@ def a_log() -> bytes:
 
 def a_keepsake() -> bytes:
     simulation = a_run()
-    return keepsakes.encode(simulation.capture(), keepsakes.Choices(), simulation.scene)
+    return keepsakes.encode(simulation.capture(), keepsakes.Choices(), simulation.scene, simulation.scene)
 
 
 def a_fragment() -> bytes:

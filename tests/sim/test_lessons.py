@@ -238,6 +238,9 @@ def test_periods_of_a_string_go_by_its_mode_and_its_tension() -> None:
     assert first / period(sim.Simulation(tighter), 10, 1, 8.0) == pytest.approx(math.sqrt(2.0), abs=0.03)
     assert is_answer("lesson-modes", 0, "Half as long")
     assert is_answer("lesson-modes", 1, "1.41 times as high")
+    plucked = after(scene_of_run(sim.load_scene("lesson-modes"), 2), 3.0).positions
+    assert plucked[5, 1] == pytest.approx(plucked[15, 1], abs=0.01), "odd modes only"
+    assert is_answer("lesson-modes", 2, "The even ones: 2, 4, 6, ...")
 
 
 def test_the_pendulum_in_tune_swings_widest() -> None:
@@ -445,6 +448,9 @@ def test_what_the_marks_of_a_worm_do() -> None:
         assert at_rest[-1] == pytest.approx(creep(take_muscles(worm, rests).scene), abs=0.01)
     assert at_rest[0] / whole == pytest.approx(0.8, abs=0.03)
     assert at_rest[1] > 0.98 * whole
+    lesson = sim.load_scene("lesson-worm-floor")
+    assert creep(scene_of_run(lesson, 2)) == pytest.approx(at_rest[0], abs=0.01)
+    assert creep(scene_of_run(lesson, 3)) == pytest.approx(whole, rel=0.02)
     together = Selection(joints=frozenset(every))
     assert creep(move_muscles(worm, together, 0.25, 0.0, 0.0).scene) == pytest.approx(whole, rel=0.02)
     assert creep(move_muscles(worm, together, 0.0, 0.0, 5.0).scene) > 1.3 * whole
@@ -512,3 +518,22 @@ def test_the_lesson_says_how_much_slower_the_sine_law_swings() -> None:
         step.question.because for step in lesson.steps if step.question and "from 10°" in step.question.text
     )
     assert f"the periods by {100.0 * slower:.2f} %" in because
+
+
+def swing_of_run(name: str, number: int, mass: int) -> float:
+    """The period of a mass in the run of a step, s, after a second in which faster modes die away."""
+    return period(after(scene_of_run(sim.load_scene(name), number), 1.0), mass, 1, 4.0)
+
+
+def test_a_bridge_and_a_rod_swing_in_the_modes_that_are_asked_about() -> None:
+    bridge = after(scene_of_run(sim.load_scene("lesson-bridge-modes"), 0), 0.05).velocities
+    assert bridge[4, 1] * bridge[12, 1] < 0.0
+    assert swing_of_run("lesson-bridge-modes", 2, 8) == pytest.approx(0.54, abs=0.01)
+    marched = after(scene_of_run(sim.load_scene("lesson-bridge-modes"), 1), 10.0)
+    assert np.ptp(marched.record(1.0, "mass8.y")["mass8.y"]) > 50.0
+    large = after(scene_of_run(sim.load_scene("lesson-bridge-modes"), 3), 0.0)
+    assert np.ptp(large.record(1.0, "mass8.y")["mass8.y"]) > 50.0, "the first mode gets energy"
+    assert swing_of_run("lesson-rod-sound", 0, 19) == pytest.approx(0.10, abs=0.01)
+    assert swing_of_run("lesson-rod-sound", 1, 19) == pytest.approx(0.32, abs=0.01)
+    assert is_answer("lesson-bridge-modes", 0, "goes down")
+    assert is_answer("lesson-bridge-modes", 3, "No, they mix")

@@ -15,6 +15,7 @@ from sim import InputError, Simulation, quantity
 from sim.analysis.swings import swings
 from sim.motion.energy import ENERGY_FIELDS
 from sim.physics import Physics
+from sim.settings import scene_of_run
 from tests.sim.bodies import tangle
 from tests.sim.builders import built, chain, rod
 from tests.sim.changes import by, with_joints
@@ -320,3 +321,10 @@ def test_what_does_not_swing_has_no_period() -> None:
         assert swings(t, curve) is None
     assert swings(t[:0], t[:0]) is None
     assert swings(t[:40], np.sin(t[:40] * 9.0)) is None
+
+
+def test_the_time_step_of_a_body_that_exploded_is_beyond_its_limit() -> None:
+    simulation = Simulation(scene_of_run(sim.load_scene("lesson-explosion"), 0))
+    simulation.advance(2.0)
+    assert simulation.divergence is not None
+    assert read(simulation, "stability.dt_over_limit") > 1.0

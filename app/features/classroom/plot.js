@@ -16,6 +16,8 @@ const WIDE_RANGE = 5;
 const PIECES = 40;
 /** How near to 1 an exponent is left out. */
 const PLAIN = 0.005;
+/** Span of an axis at least, as a part of its largest number: what differs by less is the same to a class. */
+const MIN_SPAN = 0.05;
 /** Marks of a linear axis. */
 const MAX_MARKS = 5;
 
@@ -29,7 +31,8 @@ export function axis(numbers, logarithmic) {
   const [least, most] = [Math.min(...numbers), Math.max(...numbers)];
   const scale = logarithmic ? Math.log10 : (/** @type {number} */ number) => number;
   const [low, high] = [scale(least), scale(most)];
-  const margin = high > low ? 0.06 * (high - low) : logarithmic ? 0.3 : Math.abs(high) || 1;
+  const span = logarithmic ? 0.3 : MIN_SPAN * Math.max(Math.abs(low), Math.abs(high)) || 1;
+  const margin = Math.max(0.06 * (high - low), (span - (high - low)) / 2);
   /** @param {number} number */
   const part = (number) => (scale(number) - low + margin) / (high - low + 2 * margin);
   const [from, to] = [low - margin, high + margin];

@@ -97,13 +97,13 @@ class WallRole(ClassRole):
         return in_world(Mapping.of(scene), Picture.at_start(scene).positions)
 
     def _count_bodies(self) -> dict[str, int]:
-        """Count the stable, exploded and untouched bodies of the seats that are present; with a goal, also
+        """Count the moving, exploded and untouched bodies of the seats that are present; with a goal, also
         those that have reached it."""
         seats = self.classroom.present()
         bodies = [self.classroom.statuses.get(number) for number in seats]
         exploded = sum(one is not None and one.word == "exploded" for one in bodies)
         idle = sum(one is None or (one.word != "exploded" and not one.begun) for one in bodies)
-        counts = {"stable": len(seats) - exploded - idle, "exploded": exploded, "untouched": idle}
+        counts = {"trying": len(seats) - exploded - idle, "exploded": exploded, "untouched": idle}
         if (step := self.room.step) is not None and step.goal is not None:
             counts["at the goal"] = sum(one is not None and one.word == "goal reached" for one in bodies)
         return counts

@@ -86,7 +86,7 @@ class LessonPanel:
             session.generation += before != begin.step  # other sliders and plots
             return
         # A lesson that was made or changed since the scene was opened is about the body as it is now.
-        base = session.opened if session.opened.lesson == lesson else session.scene
+        base = session.lesson_base if session.lesson_base.lesson == lesson else session.scene
         try:
             waits = lesson.steps[begin.step].question is not None and begin.how == "wait"
             scene = (scene_of_step if waits else scene_of_run)(base, begin.step)

@@ -288,7 +288,7 @@ function body(seat, asking) {
     ...(seat.home && asking.question && asking.right >= 0 ? [verdict(asking)] : []),
     ...(asking.goal ? [make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`)] : []),
     make("p", "", asking.do),
-    ...(asking.watch ? [box("p", "softrod-watch", make("b", "", "Watch: "), asking.watch)] : []),
+    ...(asking.watch && phase !== "collect" ? [box("p", "softrod-watch", make("b", "", "Watch: "), asking.watch)] : []),
     box("div", "softrod-phases", ...timeButtons()),
     ...(gives ? [...(seat.home ? [] : twins(seat)), ...handIn(seat, asking)] : []),
   ];

@@ -142,7 +142,7 @@ function content(wall) {
     // The plot needs the room.
     if (!found.length) parts.push(make("p", "", asking.do));
     if (asking.goal) parts.push(make("p", "", `Goal: ${asking.goal}`));
-    if (phase === "try" || asking.goal || doing.exploded) parts.push(counts(doing));
+    parts.push(counts(doing));
     if (found.length) parts.push(plot(found, axes, { law }));
     if (law) parts.push(make("p", "", power(law, axes)));
   }
@@ -156,4 +156,4 @@ function content(wall) {
 
 /** How many bodies do what, in large numbers. @param {Record<string, number>} doing */
 const counts = (doing) =>
-  box("ul", "softrod-counts", ...Object.entries(doing).map(([word, count]) => box("li", "", make("b", "", String(count)), make("span", "", word))));
+  box("ul", "softrod-counts", ...Object.entries(doing).filter(([, count]) => count).map(([word, count]) => box("li", "", make("b", "", String(count)), make("span", "", word))));

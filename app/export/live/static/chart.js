@@ -16,11 +16,11 @@ import { said } from "./readings.js";
 
 /** Simulated seconds that a plot over time shows. */
 const SPAN = 10;
-/** Margins of the curves, pixels: numbers have room at the left and below. */
-const LEFT = 62;
+/** Margins of the curves, pixels, and at the left and below as multiples of the size of letters: numbers have room there. */
 const RIGHT = 10;
 const TOP = 8;
-const BOTTOM = 22;
+const LETTERS_LEFT = 5.2;
+const LETTERS_BELOW = 1.8;
 /** Lines of the grid in one direction. */
 const LINES = 4;
 /** Colours of the curves, in turn. */
@@ -82,28 +82,29 @@ export function makeChart(plot) {
     const along = (over ? (record.values.get(over) ?? []) : record.times).slice(first);
     const [low, high] = rangeOf(curves);
     const [from, until] = over ? rangeOf([along]) : [Math.max(0, end - SPAN), Math.max(SPAN, end)];
-    const x = (/** @type {number} */ value) => LEFT + ((value - from) / (until - from)) * (width - LEFT - RIGHT);
+    // On a projector letters are larger.
+    const letters = Math.max(12, 0.7 * parseFloat(getComputedStyle(element).fontSize));
+    const left = LETTERS_LEFT * letters, bottom = LETTERS_BELOW * letters;
+    const x = (/** @type {number} */ value) => left + ((value - from) / (until - from)) * (width - left - RIGHT);
     const y = (/** @type {number} */ value) => {
       const part = (value - low) / (high - low);
-      return TOP + (turned ? part : 1 - part) * (height - TOP - BOTTOM);
+      return TOP + (turned ? part : 1 - part) * (height - TOP - bottom);
     };
-    // On a projector letters are larger.
-    const letters = Math.max(12, 0.5 * parseFloat(getComputedStyle(element).fontSize));
     Object.assign(to, { lineWidth: 1, strokeStyle: styled("line"), fillStyle: styled("text"), font: `${letters}px ${styled("font")}` });
     to.beginPath();
     to.textAlign = "right";
     to.textBaseline = "middle";
     for (const value of axisMarks(low, high, LINES)) {
-      to.moveTo(LEFT, y(value));
+      to.moveTo(left, y(value));
       to.lineTo(width - RIGHT, y(value));
-      to.fillText(said(value), LEFT - 6, y(value));
+      to.fillText(said(value), left - 6, y(value));
     }
     to.textAlign = "center";
     to.textBaseline = "top";
     for (const value of axisMarks(from, until, LINES)) {
       to.moveTo(x(value), TOP);
-      to.lineTo(x(value), height - BOTTOM);
-      to.fillText(`${said(value)}${over ? "" : " s"}`, Math.min(x(value), width - 16), height - BOTTOM + 5);
+      to.lineTo(x(value), height - bottom);
+      to.fillText(`${said(value)}${over ? "" : " s"}`, Math.min(x(value), width - 1.4 * letters), height - bottom + 5);
     }
     to.stroke();
     Object.assign(to, { lineWidth: 2, lineJoin: "round" });
@@ -121,7 +122,7 @@ export function makeChart(plot) {
     const at = marked === null || marked < times[0] ? -1 : times.findIndex((time) => time >= Number(marked));
     if (at >= 0) {
       Object.assign(to, { lineWidth: 1, strokeStyle: styled("text") });
-      to.strokeRect(x(along[at]), TOP, 0, height - TOP - BOTTOM);
+      to.strokeRect(x(along[at]), TOP, 0, height - TOP - bottom);
     }
     const now = performance.now();
     if (now < due) return;
