@@ -47,13 +47,17 @@ export type Question = { text: string; choices: string[]; answer: number; becaus
 /** One step of a lesson. */
 export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; run: StepRun; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
 /** What is shown once a step has asked: the case that its question is about. */
-export type StepRun = { settings: string[]; pulls: Pull[]; leads: Lead[] };
+export type StepRun = { settings: string[]; pulls: Pull[]; leads: Lead[]; muscles: RunMuscle[] };
 /** A mass that is moved before a run begins, and let go as it does. */
 export type Pull = { mass: number; by: [number, number] };
 /** A mass that is led while a run goes on, as an anchor that moves. */
 export type Lead = { mass: number; circle: Circle };
 /** The motion of an anchor that goes round a circle. */
 export type Circle = { radius: number; frequency: number; ramp: number };
+/** The muscle that a joint has in a run. */
+export type RunMuscle = { joint: number; muscle: JointMuscle | null };
+/** The muscle of an angular spring: amplitude times the wave is added to its rest angle. */
+export type JointMuscle = { phase: number; wave: "pulse" | "sine"; per_beat: number; amplitude: number };
 /** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
 export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
 /** Something that is read off a run. */
