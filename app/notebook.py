@@ -8,6 +8,7 @@ import html
 import sys
 
 import sim
+from sim.body.system import build_system
 from sim.compiling.compiler import needed_by
 
 from .gate.address import OF_THIS_MACHINE, page_addresses
@@ -41,7 +42,7 @@ class Shown:
             serving(self._scene, HOST, 0, OF_THIS_MACHINE)
         )
         (self.url,) = page_addresses(HOST, server.get_port())
-        compiler.want(needed_by(scene.integrator.method))
+        compiler.want(needed_by(scene.integrator.method, build_system(self._scene).body))
         compiler.start()
         self._open = True
         _all.append(self)

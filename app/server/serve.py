@@ -20,6 +20,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 import sim
+from sim.body.system import build_system
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 
 from ..classroom.live import Classes
@@ -273,7 +274,7 @@ def start_compiling(scene: sim.Scene, ticker: Ticker, compiler: Compiler) -> Non
     """Start to compile everything in the background, beginning with what a scene needs."""
     # A page that comes soon is drawn first: both need the interpreter.
     ticker.drawn.wait(timeout=0.5)
-    compiler.want(needed_by(scene.integrator.method))
+    compiler.want(needed_by(scene.integrator.method, build_system(scene).body))
     compiler.start()
     threading.Thread(target=_freeze_loaded_objects, args=(compiler,), daemon=True).start()
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 import sim
 from sim.analysis.modes import Excitation, Modes
 from sim.body.system import same_topology
-from sim.compiling.compiler import FOR_FALLBACK, is_ready
+from sim.compiling.compiler import for_balance, is_ready
 from sim.errors import InputError
 
 from .analysis import Analysis
@@ -69,7 +69,7 @@ class ModesWatch:
         moved = other or self._stood > STANDS
         if is_running or simulation.divergence is not None or not (about != self._about or moved):
             return
-        if is_ready(FOR_FALLBACK):
+        if is_ready(for_balance(simulation.tables[0].body)):
             self._about, self._held = about, held
             self._analysis.start(simulation)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
+from sim.kernels.core.tables import Body
 from sim.methods.registry import METHODS
 
 from .session import Refresh, Session
@@ -39,7 +40,7 @@ class Preparation:
 
     def __init__(self, compiler: Compiler) -> None:
         self._compiler = compiler
-        self._wanted = ""
+        self._wanted: tuple[str, Body | None] = "", None
         self.is_done = False
 
     def update(self, session: Session) -> None:
@@ -47,9 +48,10 @@ class Preparation:
         method, waits = session.simulation.method, session.simulation.plain
         if self.is_done and not waits:
             return
-        if waits and method != self._wanted:
-            self._wanted = method
-            self._compiler.want(needed_by(method))
+        body = session.simulation.tables[0].body
+        if waits and (method, body) != self._wanted:
+            self._wanted = method, body
+            self._compiler.want(needed_by(method, body))
         ready, of = self._compiler.progress
         self.is_done = ready == of
         text = compile_status(ready, of, self._compiler.busy_with, METHODS[method].label if waits else "")

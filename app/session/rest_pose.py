@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 import sim
 from sim.analysis.equilibrium import loaded_equilibrium
-from sim.compiling.compiler import FOR_FALLBACK, is_ready
+from sim.compiling.compiler import for_balance, is_ready
 
 from .analysis import Analysis
 
@@ -33,7 +33,11 @@ class RestPosePreview:
     def update(self, simulation: sim.Simulation, now: float) -> None:
         """Compute the pose at rest after a number of the body has changed, at a wall time, s."""
         masses = len(simulation.scene.masses)
-        if masses > MAX_MASSES or masses == self._slow or not is_ready(FOR_FALLBACK):
+        if (
+            masses > MAX_MASSES
+            or masses == self._slow
+            or not is_ready(for_balance(simulation.tables[0].body))
+        ):
             return
         if now > self._until:
             self._found = None

@@ -11,6 +11,7 @@ import numpy as np
 from ..body.grips import grips_of, put_grips
 from ..body.sparsity import new_matrix
 from ..body.system import build_system, damage_of, for_analysis, new_scratch, start_of
+from ..compiling.compiler import fetch, for_balance
 from ..errors import InputError
 from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
@@ -135,6 +136,7 @@ class Resting:
         self.scene = scene
         self.system, self.state = start_of(scene, build_system(scene))
         body = self.tables = self.system.body.replaced(limits=NO_LIMITS)  # nothing yields on the way
+        fetch(for_balance(body))
         self.surrounded = bool(body.environment.present)
         self.scratch = new_scratch(self.system)
         state, here = self.state, slice(1, body.masses + 1)

@@ -12,7 +12,7 @@ import msgspec
 import numpy as np
 
 from ..forces.contact_batch import room_for_batches
-from ..forces.environment import Environment, new_environment
+from ..forces.environment import EMPTY, new_environment
 from ..forces.joints import LAWS, NO_JOINTS
 from ..forces.limits import NO_LIMITS, new_limits, without_broken
 from ..forces.muscles import NO_MUSCLES, new_muscles, waves
@@ -446,7 +446,7 @@ def _wiring(n: int, along: bool, *tables: bytes) -> _Wiring:
         net=net,
         limits=NO_LIMITS,
         muscles=NO_MUSCLES,
-        environment=Environment.empty(),
+        environment=EMPTY,
     )
     ends_of_springs = np.stack((spring_a, spring_b), 1)
     slots = _slots_for(n, room if in_order else 0)

@@ -21,7 +21,7 @@ from typing import Any
 
 from numba import types
 
-from ..forces.all import accelerations
+from ..forces.all import PARTS, accelerations, parts_of, path_of
 from ..forces.contact import no_tunnelling
 from ..forces.limits import part_to_try, settle, yielding_accelerations
 from ..forces.sticking import stick
@@ -29,7 +29,7 @@ from ..kernels.core.shared import BY_ADDRESS, FLOATS
 from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
 from ..kernels.energy.work import accumulate_work
-from ..kernels.engine.addresses import address_of
+from ..kernels.engine.addresses import ADDRESSES, address_of
 from ..kernels.engine.kept import file_of, trouble
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.fallback import run_fallback
@@ -37,6 +37,13 @@ from ..kernels.linear.implicit import add_damping_product, factorise_matrix, sol
 from ..methods.registry import AUTO_METHODS, METHODS
 
 _FLOAT, _INT = types.float64, types.int64
+
+_CALLED = {
+    **BY_ADDRESS,
+    "yielding_accelerations": BY_ADDRESS["accelerations"],
+    **{part.name: part.signature for part in PARTS},
+}
+"""Signatures of the kernels that are called through their addresses."""
 
 _MAX_HELPERS = 2
 """Number of processes that compile at a time: with two cores, two are nearly twice as fast as one."""
@@ -54,12 +61,14 @@ class EntryPoint:
         label: what it is, for people.
         kernel: numba's dispatcher of the kernel.
         signature: the types of its arguments.
+        number: in `ADDRESSES`, of a kernel of forces; else -1.
     """
 
     name: str
     label: str
     kernel: Any
     signature: tuple[types.Type, ...]
+    number: int = -1
 
     @property
     def ready(self) -> bool:
@@ -69,6 +78,8 @@ class EntryPoint:
     def load(self) -> None:
         """Load its machine code from the disk, or compile it."""
         self.kernel.compile(self.signature)
+        if self.number >= 0:
+            ADDRESSES[self.number] = self.address
 
     @cached_property
     def call(self) -> Callable[..., Any]:
@@ -81,9 +92,8 @@ class EntryPoint:
 
     @cached_property
     def address(self) -> int:
-        """The address of its machine code, if it is one of `BY_ADDRESS`."""
-        forces = BY_ADDRESS["accelerations"]  # also the signature of those that yield
-        return address_of(self.kernel, BY_ADDRESS.get(self.name, forces))
+        """The address of its machine code, if it is called through that."""
+        return address_of(self.kernel, _CALLED[self.name])
 
     @property
     def file(self) -> Path | None:
@@ -101,7 +111,7 @@ def _entry_points() -> dict[str, EntryPoint]:
         return label, kernel, BY_ADDRESS[kernel.py_func.__name__].args
 
     points = [
-        by_address("forces", accelerations),
+        by_address("the choice among forces", accelerations),
         ("the choice of methods", next_turn, (problem, _FLOAT, _FLOAT, _INT)),
         by_address("matrices", factorise_matrix),
         by_address("linear systems", solve_matrix),
@@ -116,7 +126,8 @@ def _entry_points() -> dict[str, EntryPoint]:
         by_address("friction that holds", stick),
         by_address("yielding and breaking", settle),
     ]
-    found: dict[str, EntryPoint] = {}
+    parts = [EntryPoint(p.name, p.label, p.kernel, p.signature.args, p.number) for p in PARTS]
+    found = {point.name: point for point in parts}
     for label, kernel, signature in points:
         name = kernel.py_func.__name__
         found.setdefault(name, EntryPoint(name, label, kernel, signature))
@@ -127,31 +138,52 @@ ENTRY_POINTS = _entry_points()
 """The entry points, by name."""
 
 FOR_MATRICES = ("factorise_matrix", "solve_matrix", "add_damping_product")
-"""Entry points that linear systems need."""
-
-FOR_FALLBACK = (*FOR_MATRICES, "run_fallback")
-"""Entry points that a fallback step needs."""
-
-FOR_ENERGY = ("energies", "accumulate_work")
-"""Entry points that the energy balance needs."""
+"""Entry points that linear systems need, besides those of a body's forces."""
 
 FOR_DAMAGE = ("yielding_accelerations", "part_to_try", "settle")
 """Entry points that a body needs which breaks or yields."""
 
 
-def needed_by(method: str) -> tuple[str, ...]:
-    """Names of the entry points that a method needs; for `auto`, those that it needs to start."""
-    info = METHODS[method]
+def for_forces(body: Body) -> tuple[str, ...]:
+    """Names of the entry points that compute a body's accelerations."""
+    return path_of(body).name, *parts_of(body, "add_forces")
+
+
+def for_matrices(body: Body) -> tuple[str, ...]:
+    """Names of the entry points that its linear systems need."""
+    return *FOR_MATRICES, *parts_of(body, "add_derivatives", "add_damping", "impact_time")
+
+
+def for_balance(body: Body) -> tuple[str, ...]:
+    """Names of the entry points that a search for an equilibrium needs."""
+    return *for_forces(body), "accelerations", *for_matrices(body)
+
+
+def for_fallback(body: Body) -> tuple[str, ...]:
+    """Names of the entry points that a fallback step needs."""
+    return *for_forces(body), *for_matrices(body), "run_fallback"
+
+
+def for_energy(body: Body) -> tuple[str, ...]:
+    """Names of the entry points that the energy balance needs."""
+    return "energies", "accumulate_work", *parts_of(body, "energy", "add_power")
+
+
+def needed_by(method: str, body: Body) -> tuple[str, ...]:
+    """Names of the entry points by which a method moves a body; for `auto`, those that it needs to start."""
+    info, forces = METHODS[method], for_forces(body)
     if info.kernel is None:
-        return "accelerations", AUTO_METHODS[0].kernel.py_func.__name__, "next_turn"
-    return "accelerations", *(FOR_FALLBACK if info.implicit else ()), info.kernel.py_func.__name__
+        return *forces, AUTO_METHODS[0].kernel.py_func.__name__, "next_turn"
+    return *forces, *(for_fallback(body) if info.implicit else ()), info.kernel.py_func.__name__
 
 
-def all_of(method: str) -> tuple[str, ...]:
+def all_of(method: str, body: Body) -> tuple[str, ...]:
     """Names of all entry points that a run by a method may come to, with the energy balance."""
     chosen = [one.name for one in AUTO_METHODS] if METHODS[method].kernel is None else []
-    needed = [name for one in (method, *chosen) for name in needed_by(one)]
-    return tuple(dict.fromkeys((*needed, *FOR_FALLBACK, *FOR_DAMAGE, *FOR_ENERGY)))
+    needed = [name for one in (method, *chosen) for name in needed_by(one, body)]
+    return tuple(
+        dict.fromkeys((*needed, *for_balance(body), *for_fallback(body), *FOR_DAMAGE, *for_energy(body)))
+    )
 
 
 def fetch(names: Iterable[str]) -> None:

@@ -155,17 +155,26 @@ def _drag(friction, masses, inverse_mass, u, v, vx, vy, fx, fy):
 def _add_forces(body, state, scratch, q, v):
     """The friction of moving air on free masses."""
     air, masses, t, slots = body.environment.air, body.masses, state.clock[0], q.size // 2
-    if air.moves:
-        x, y, vx, vy = q[1:slots], q[slots + 1 :], v[1:slots], v[slots + 1 :]
-        u, w = scratch.tx[1:], scratch.ty[1:]
-        for i in range(whole_eights(masses)):
-            u[i], w[i] = air.wind_x, air.wind_y
-        for k in range(air.waves.shape[0]):
-            _add_wave(_wave(air, k), t, masses, x, y, u, w)
-        _drag(air.friction, masses, state.inverse_mass[1:], u, w, vx, vy, scratch.fx[1:], scratch.fy[1:])
+    x, y, vx, vy = q[1:slots], q[slots + 1 :], v[1:slots], v[slots + 1 :]
+    u, w = scratch.tx[1:], scratch.ty[1:]
+    for i in range(whole_eights(masses)):
+        u[i], w[i] = air.wind_x, air.wind_y
+    for k in range(air.waves.shape[0]):
+        _add_wave(_wave(air, k), t, masses, x, y, u, w)
+    _drag(air.friction, masses, state.inverse_mass[1:], u, w, vx, vy, scratch.fx[1:], scratch.fy[1:])
 
 
 # ------------------------------------------------------------------------- the balance
+@kernel(fastmath=FAST)
+def power_of_still_air(body, state, v):
+    """kg px²/s³; zero where there is wind."""
+    slots, power = v.size // 2, 0.0
+    for i in range(1, body.masses + 1):
+        vx, vy = v[i], v[slots + i]
+        power -= state.air[i] * body.environment.mass[i] * (vx * vx * abs(vx) + vy * vy * abs(vy))
+    return power
+
+
 @kernel(fastmath=FAST)
 def _add_power(body, state, balance, q, v, part):
     """On free masses; wind can do work on a body."""
@@ -173,11 +182,8 @@ def _add_power(body, state, balance, q, v, part):
     for i in range(1, body.masses + 1):
         if state.inverse_mass[i] > 0.0:
             vx, vy = v[i], v[slots + i]
-            if air.moves:
-                u, w = wind_at(air, state.clock[0], q[i], q[slots + i])
-                power -= air.friction * ((vx - u) * abs(vx - u) * vx + (vy - w) * abs(vy - w) * vy)
-            else:
-                power -= state.air[i] * body.environment.mass[i] * (vx * vx * abs(vx) + vy * vy * abs(vy))
+            u, w = wind_at(air, state.clock[0], q[i], q[slots + i])
+            power -= air.friction * ((vx - u) * abs(vx - u) * vx + (vy - w) * abs(vy - w) * vy)
     balance.work.air += part * power
 
 
@@ -186,8 +192,6 @@ def _add_power(body, state, balance, q, v, part):
 def _add_derivatives(body, state, matrix, q, v, g, definite):
     """That of still air is in `kernels.linear.sparse.eliminate`."""
     air, blocks, slots = body.environment.air, matrix.blocks, q.size // 2
-    if not air.moves:
-        return
     for i in range(body.masses):
         m, d = matrix.order[i], 4 * matrix.diagonal[i]
         u, w = wind_at(air, state.clock[0], q[m], q[slots + m])
@@ -203,16 +207,23 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
 
 
 @kernel(fastmath=FAST)
-def _add_damping(body, state, q, v, z, factor, out):
-    air, still, slots = body.environment.air, state.air, z.size // 2
+def add_damping_of_still_air(body, state, v, z, factor, out):
+    """See `Term.add_damping`; nothing where there is wind."""
+    still, slots = state.air, z.size // 2
     for i in range(1, body.masses + 1):
-        k, by_x, by_y = slots + i, 2.0 * still[i] * abs(v[i]), 2.0 * still[i] * abs(v[slots + i])
-        if air.moves:
-            u, w = wind_at(air, state.clock[0], q[i], q[k])
-            drag = 2.0 * air.friction * state.inverse_mass[i]
-            by_x, by_y = drag * abs(v[i] - u), drag * abs(v[k] - w)
-        out[i] -= factor * by_x * z[i]
-        out[k] -= factor * by_y * z[k]
+        k = slots + i
+        out[i] -= factor * 2.0 * still[i] * abs(v[i]) * z[i]
+        out[k] -= factor * 2.0 * still[i] * abs(v[k]) * z[k]
+
+
+@kernel(fastmath=FAST)
+def _add_damping(body, state, q, v, z, factor, out):
+    air, slots = body.environment.air, z.size // 2
+    for i in range(1, body.masses + 1):
+        k, drag = slots + i, 2.0 * air.friction * state.inverse_mass[i]
+        u, w = wind_at(air, state.clock[0], q[i], q[k])
+        out[i] -= factor * drag * abs(v[i] - u) * z[i]
+        out[k] -= factor * drag * abs(v[k] - w) * z[k]
 
 
 # ------------------------------------------------------------------------- in NumPy
@@ -242,6 +253,7 @@ class AirTwin:
 
 AIR = Term(
     "air friction",
+    lambda around: around.air.moves,
     AirTwin,
     _add_forces,
     add_power=_add_power,

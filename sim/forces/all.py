@@ -1,21 +1,28 @@
 """The list of what acts on masses besides springs, joints and gravity, and what follows from it.
 
-A new force is a page and an entry here, see docs/extending.md. The kernels below join those of the pages. The
-balance, stability, what is measured, and `sim.physics` go by the list, too.
+A new force is a page and an entry here, see docs/extending.md. The kernels below call those of the terms that
+act on a body. The balance, stability, what is measured, and `sim.physics` go by the list, too.
 """
 
 from __future__ import annotations
 
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..kernels.core.shared import BY_ADDRESS
+from ..kernels.core.tables import Body
+from ..kernels.engine.addresses import ADDRESSES, NONE, calls
 from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.lanes import eight_at_a_time, scalar_gathers_on_amd
-from .air import AIR
+from .air import AIR, add_damping_of_still_air, power_of_still_air
 from .chain import chain_accelerations, is_chain_like
 from .contact import CONTACT
 from .fillings import FILLINGS
 from .nets import is_net, net_forces
 from .resistance import RESISTANCE
 from .springs import accelerations_by, spring_forces
-from .term import in_turn, least_of, never, nothing, written
+from .term import SIGNATURES, Term
 from .walls import WALLS
 
 TERMS = (AIR, RESISTANCE, WALLS, FILLINGS, CONTACT)
@@ -30,49 +37,177 @@ KINETIC, LINEAR, ANGULAR, GRAVITY, OTHERS = 0, 1, 2, 3, 4
 ENERGIES = OTHERS + len(WITH_ENERGY)
 """Their number."""
 
-_add_each = in_turn(term.add_forces for term in TERMS)
+_OF_TERM = len(SIGNATURES)
+"""Kernels that a term may have; their numbers in `ADDRESSES` follow each other."""
+_FORCES, _ENERGY, _POWER, _DERIVATIVES, _DAMPING, _IMPACT = range(_OF_TERM)
+_CHAIN, _NET, _ANY = (_OF_TERM * len(TERMS) + path for path in range(3))
+_call_forces, _call_energy, _call_power, _call_derivatives, _call_damping, _call_impact = map(
+    calls, SIGNATURES.values()
+)
+_call_accelerations = calls(BY_ADDRESS["accelerations"])
+_ENERGY_AT = np.array([WITH_ENERGY.index(term) if term in WITH_ENERGY else 0 for term in TERMS])
+"""Of each term, where its energy stands among those of `WITH_ENERGY`."""
+
+
+class Part(NamedTuple):
+    """A kernel of forces that is compiled by itself, and called through its address."""
+
+    name: str
+    label: str  # for people
+    kernel: Any
+    signature: Any
+    number: int  # in `ADDRESSES`
+
+
+def _parts_of(index: int, term: Term) -> dict[str, Part]:
+    """The kernels of a term by their fields; those that it does not have are noted as such."""
+    found = {}
+    for k, (field, signature) in enumerate(SIGNATURES.items()):
+        number, function = _OF_TERM * index + k, getattr(term, field)
+        if function is None:
+            ADDRESSES[number] = NONE
+        else:
+            label = f"{term.name}: {field.replace('add_', '').replace('_', ' ')}"
+            found[field] = Part(f"{term.name}.{field}", label, function, signature, number)
+    return found
 
 
 @kernel(internal=True, fastmath=FAST)
 def add_forces(body, state, scratch, q, v):
-    """See `Term.add_forces`; this and those below are those of all terms together."""
-    # One test for all: those of each term take a fifth of the step of a dozen masses that have none.
-    if body.environment.present:
-        _add_each(body, state, scratch, q, v)
+    """See `Term.add_forces`; this and those below are those of all terms together, of which one that is not
+    loaded makes the result NaN."""
+    around = body.environment
+    for i in range(around.acting.size):
+        at = around.calls[around.acting[i] * _OF_TERM + _FORCES]
+        if at > 0:
+            _call_forces(at, body, state, scratch, q, v)
+        elif at == 0:
+            scratch.fx[1] = np.nan
 
 
-write_energies = written((term.energy for term in WITH_ENERGY), OTHERS)
-"""Kernel (body, state, q, out): writes the energies of `WITH_ENERGY`, kg px²/s², into `out`."""
+@kernel(internal=True, fastmath=FAST)
+def write_energies(body, state, q, out):
+    """Write the energies of `WITH_ENERGY`, kg px²/s², into `out`, from `OTHERS` on."""
+    around = body.environment
+    out[OTHERS:] = 0.0
+    for i in range(around.acting.size):
+        term = around.acting[i]
+        at = around.calls[term * _OF_TERM + _ENERGY]
+        if at > 0:
+            out[OTHERS + _ENERGY_AT[term]] = _call_energy(at, body, state, q)
+        elif at == 0:
+            out[OTHERS] = np.nan
 
-add_power = in_turn(term.add_power for term in TERMS if term.add_power is not nothing)
-"""See `Term.add_power`."""
 
-add_derivatives = in_turn(term.add_derivatives for term in TERMS if term.add_derivatives is not nothing)
-"""See `Term.add_derivatives`."""
+@kernel(internal=True, fastmath=FAST)
+def add_power(body, state, balance, q, v, part):
+    """See `Term.add_power`."""
+    around = body.environment
+    balance.work.air += part * power_of_still_air(body, state, v)
+    for i in range(around.acting.size):
+        at = around.calls[around.acting[i] * _OF_TERM + _POWER]
+        if at > 0:
+            _call_power(at, body, state, balance, q, v, part)
+        elif at == 0:
+            balance.work.air = np.nan
 
-add_damping = in_turn(term.add_damping for term in TERMS if term.add_damping is not nothing)
-"""See `Term.add_damping`."""
 
-impact_time = least_of(term.impact_time for term in TERMS if term.impact_time is not never)
-"""See `Term.impact_time`."""
+@kernel(internal=True, fastmath=FAST)
+def add_derivatives(body, state, matrix, q, v, g, definite):
+    """See `Term.add_derivatives`."""
+    around = body.environment
+    for i in range(around.acting.size):
+        at = around.calls[around.acting[i] * _OF_TERM + _DERIVATIVES]
+        if at > 0:
+            _call_derivatives(at, body, state, matrix, q, v, g, definite)
+        elif at == 0:
+            matrix.blocks[0] = np.nan
+
+
+@kernel(internal=True, fastmath=FAST)
+def add_damping(body, state, q, v, z, factor, out):
+    """See `Term.add_damping`."""
+    around = body.environment
+    add_damping_of_still_air(body, state, v, z, factor, out)
+    for i in range(around.acting.size):
+        at = around.calls[around.acting[i] * _OF_TERM + _DAMPING]
+        if at > 0:
+            _call_damping(at, body, state, q, v, z, factor, out)
+        elif at == 0:
+            out[1] = np.nan
+
+
+@kernel(internal=True, fastmath=FAST)
+def impact_time(body, state, q, v, a, h):
+    """See `Term.impact_time`."""
+    around, shortest = body.environment, np.inf
+    for i in range(around.acting.size):
+        at = around.calls[around.acting[i] * _OF_TERM + _IMPACT]
+        if at > 0:
+            shortest = min(shortest, _call_impact(at, body, state, q, v, a, h))
+        elif at == 0:
+            shortest = np.nan
+    return shortest
+
+
+# ------------------------------------------------------------------------- accelerations
+@kernel(noalias=True, fastmath=FAST)
+def net_accelerations(body, state, scratch, q, v, a):
+    """Like `accelerations`, of a net."""
+    scalar_gathers_on_amd()
+    eight_at_a_time()
+    slots = q.size // 2
+    net_forces(body, state, scratch, q, v)
+    add_forces(body, state, scratch, q, v)
+    accelerations_by(body, state, scratch, v[:slots], v[slots:], a)
 
 
 @kernel(noalias=True, fastmath=FAST)
+def any_accelerations(body, state, scratch, q, v, a):
+    """Like `accelerations`, of any body."""
+    scalar_gathers_on_amd()
+    eight_at_a_time()
+    slots = q.size // 2
+    spring_forces(body, state, scratch, q[:slots], q[slots:], v[:slots], v[slots:])
+    add_forces(body, state, scratch, q, v)
+    accelerations_by(body, state, scratch, v[:slots], v[slots:], a)
+
+
+@kernel(fastmath=FAST)
 def accelerations(body, state, scratch, q, v, a):
     """Accelerations of all masses at positions q and velocities v; zero where a mass is held.
 
     q, v and a are flat: x of every slot, then y of every slot.
     """
-    scalar_gathers_on_amd()
-    eight_at_a_time()
-    slots = q.size // 2
-    x, y, vx, vy = q[:slots], q[slots:], v[:slots], v[slots:]
-    if is_chain_like(body):
-        chain_accelerations(body, state, scratch, q, v, a)
+    path = _CHAIN if is_chain_like(body) else _NET if is_net(body) else _ANY
+    at = body.environment.calls[path]
+    if at > 0:
+        _call_accelerations(at, body, state, scratch, q, v, a)
     else:
-        if is_net(body):
-            net_forces(body, state, scratch, q, v)
-        else:
-            spring_forces(body, state, scratch, x, y, vx, vy)
-        add_forces(body, state, scratch, q, v)
-        accelerations_by(body, state, scratch, vx, vy, a)
+        a[1] = np.nan
+
+
+_PATHS = {
+    number: Part(function.py_func.__name__, label, function, BY_ADDRESS["accelerations"], number)
+    for number, label, function in (
+        (_CHAIN, "forces in chains", chain_accelerations),
+        (_NET, "forces in nets", net_accelerations),
+        (_ANY, "forces in any body", any_accelerations),
+    )
+}
+_BY_TERM = [_parts_of(index, term) for index, term in enumerate(TERMS)]
+
+PARTS = (*_PATHS.values(), *(part for parts in _BY_TERM for part in parts.values()))
+"""All kernels of forces that are compiled by themselves."""
+
+
+def path_of(body: Body) -> Part:
+    """The kernel that computes the accelerations of a body."""
+    chain, net = is_chain_like.py_func(body), is_net.py_func(body)
+    return _PATHS[_CHAIN if chain else _NET if net else _ANY]
+
+
+def parts_of(body: Body, *fields: str) -> tuple[str, ...]:
+    """The names of some kernels, such as "add_forces", of the terms that act on a body."""
+    acting = (_BY_TERM[index] for index in body.environment.acting.tolist())
+    return tuple(parts[field].name for parts in acting for field in fields if field in parts)

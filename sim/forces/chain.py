@@ -19,13 +19,13 @@ from ..kernels.core.roots import inverse_root_from_least
 from ..kernels.engine.bits import bits, from_bits
 from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.lanes import eight_at_a_time, whole_eights
-from .joints import CONSERVATIVE, NO_JOINTS, TUTORIAL, is_sine
+from .joints import CONSERVATIVE, NO_JOINTS, SINE_LAWS, TUTORIAL
 
 
 @kernel(forceinline=True)
 def is_chain_like(body):
     """Whether `chain_accelerations` handles a body."""
-    return (body.chain or body.ring) and is_sine(body.law) and not body.joint_damped
+    return (body.chain or body.ring) and body.law in SINE_LAWS and not body.joint_damped
 
 
 @kernel(inline="always")

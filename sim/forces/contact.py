@@ -28,9 +28,7 @@ harmless."""
 # ------------------------------------------------------------------------- force
 @kernel(internal=True, fastmath=FUSED)
 def _add_forces(body, state, scratch, q, v):
-    contact, slots = body.environment.contact, q.size // 2
-    if not contact.present:
-        return
+    slots = q.size // 2
     update_pairs(body, q[:slots], q[slots:])
     add_in_batches(body, state, scratch, q, v)
 
@@ -513,6 +511,7 @@ def direction(gap: Vectors, spring: Vectors) -> Vectors:
 
 CONTACT = Term(
     "contact",
+    lambda around: around.contact.present,
     ContactTwin,
     _add_forces,
     energy=_energy,

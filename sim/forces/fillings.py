@@ -309,6 +309,7 @@ def _energy_of(filling: FillingRow, area: float) -> float:
 
 FILLINGS = Term(
     "fillings",
+    lambda around: len(around.fillings.rows) > 0,
     FillingsTwin,
     _add_forces,
     energy=_energy,

@@ -23,7 +23,7 @@ from ..kernels.core.tables import padded
 from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.lanes import eight_at_a_time, whole_eights
 from ..kernels.engine.table import Indices, Table
-from .joints import CONSERVATIVE, NO_JOINTS, TUTORIAL, is_sine
+from .joints import CONSERVATIVE, NO_JOINTS, SINE_LAWS, TUTORIAL
 from .term import read_only
 
 _SHORTEST_RUN = 5
@@ -148,7 +148,7 @@ def _runs(a: Indices, b: Indices, ends: int, groups: np.ndarray, most_rows: int 
 @kernel(forceinline=True)
 def is_net(body):
     """Whether `net_forces` handles a body."""
-    return body.net.present and is_sine(body.law) and not body.joint_damped
+    return body.net.present and body.law in SINE_LAWS and not body.joint_damped
 
 
 # ------------------------------------------------------------------------- force

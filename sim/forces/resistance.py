@@ -340,6 +340,7 @@ class ResistanceTwin:
 
 RESISTANCE = Term(
     "resistance",
+    lambda around: len(around.resistance.rows) > 0,
     ResistanceTwin,
     _add_forces,
     add_power=_add_power,

@@ -1,21 +1,22 @@
-"""What a page about a force gives to the list in `all`, and how kernels are joined from it.
+"""What a page about a force gives to the list in `all`.
 
 All kernels get the tables `body` and `state`, and flat positions q (px) and velocities v (px/s): x of every
-slot, then y of every slot. A term that a scene does not have has no rows, so its loops end at once.
+slot, then y of every slot. They are called through their addresses, for bodies that have the term: each is
+compiled by itself, when a body first needs it.
 """
 
 from __future__ import annotations
 
-import functools
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
+from numba import types
 from numpy.typing import NDArray
 
-from ..kernels.core.tables import Body, State
-from ..kernels.engine.jit import FAST, kernel
+from ..kernels.core.shared import FLOATS
+from ..kernels.core.tables import Body, EnergyBalance, Matrix, Scratch, State
 from ..kernels.engine.table import Indices, Table
 
 Vectors = NDArray[np.complex128]
@@ -25,6 +26,18 @@ Floats = NDArray[np.float64]
 _T = TypeVar("_T", bound=Table)
 Kernel = Any
 """numba's dispatcher of a compiled function."""
+
+_ON = Body.numba_type, State.numba_type
+_FLOAT = types.float64
+SIGNATURES = {
+    "add_forces": types.void(*_ON, Scratch.numba_type, FLOATS, FLOATS),
+    "energy": _FLOAT(*_ON, FLOATS),
+    "add_power": types.void(*_ON, EnergyBalance.numba_type, FLOATS, FLOATS, _FLOAT),
+    "add_derivatives": types.void(*_ON, Matrix.numba_type, FLOATS, FLOATS, _FLOAT, types.boolean),
+    "add_damping": types.void(*_ON, FLOATS, FLOATS, FLOATS, _FLOAT, FLOATS),
+    "impact_time": _FLOAT(*_ON, FLOATS, FLOATS, FLOATS, _FLOAT),
+}
+"""Signatures of the kernels that a `Term` may have, by their fields."""
 
 
 class Twin(Protocol):
@@ -39,23 +52,13 @@ class Twin(Protocol):
         ...
 
 
-@kernel(internal=True)
-def nothing(*_arguments):
-    """Stands for a kernel that a term does not need."""
-
-
-@kernel(internal=True)
-def never(*_arguments):
-    """Stands for `Term.impact_time` of a term that can be entered at any speed."""
-    return np.inf
-
-
 @dataclass(frozen=True)
 class Term:
     """A force on masses besides those of springs and joints, with all that the solver asks of it.
 
     Attributes:
         name: of its energy, and as a cause of instability.
+        acts: whether it acts in an environment, see `forces.environment`.
         twin: makes its twin in NumPy from a body's tables.
         add_forces: kernel (body, state, scratch, q, v); adds forces, kg px/s², to `scratch.fx` and
             `scratch.fy`. `tx` and `ty` of the scratch are free for it.
@@ -75,14 +78,15 @@ class Term:
     """
 
     name: str
+    acts: Callable[[Any], bool]
     twin: Callable[[Body, State], Twin]
     add_forces: Kernel
     energy: Kernel | None = None
     label: str = ""
-    add_power: Kernel = nothing
-    add_derivatives: Kernel = nothing
-    add_damping: Kernel = nothing
-    impact_time: Kernel = never
+    add_power: Kernel | None = None
+    add_derivatives: Kernel | None = None
+    add_damping: Kernel | None = None
+    impact_time: Kernel | None = None
     depends_on_time: Callable[[Body], bool] = lambda _body: False
 
 
@@ -97,43 +101,3 @@ def read_only(table: _T) -> _T:
     for _, array in table.arrays():
         array.setflags(write=False)
     return table
-
-
-def in_turn(kernels: Iterable[Kernel]) -> Kernel:
-    """A kernel that calls all of some kernels with the same arguments."""
-
-    def join(one: Kernel, other: Kernel) -> Kernel:
-        @kernel(internal=True, kept=False, fastmath=FAST)
-        def both(*arguments):
-            one(*arguments)
-            other(*arguments)
-
-        return both
-
-    return functools.reduce(join, kernels)
-
-
-def least_of(kernels: Iterable[Kernel]) -> Kernel:
-    """A kernel that returns the least of what some kernels return."""
-
-    def join(one: Kernel, other: Kernel) -> Kernel:
-        @kernel(internal=True, kept=False, fastmath=FAST)
-        def both(*arguments):
-            return min(one(*arguments), other(*arguments))
-
-        return both
-
-    return functools.reduce(join, kernels)
-
-
-def written(energies: Iterable[Kernel], first: int) -> Kernel:
-    """A kernel (body, state, q, out) that writes each of some energies into `out`, from index `first` on."""
-
-    def at(index: int, energy: Kernel) -> Kernel:
-        @kernel(internal=True, kept=False, fastmath=FAST)
-        def write(body, state, q, out):
-            out[index] = energy(body, state, q)
-
-        return write
-
-    return in_turn([at(first + k, energy) for k, energy in enumerate(energies)])

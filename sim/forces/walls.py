@@ -440,6 +440,7 @@ class WallsTwin:
 
 WALLS = Term(
     "walls",
+    lambda around: len(around.walls.rows) > 0,
     WallsTwin,
     _add_forces,
     energy=_energy,

@@ -23,7 +23,7 @@ from ..body.system import (
     rest_angles,
     same_topology,
 )
-from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, is_ready, needed_by
+from ..compiling.compiler import FOR_DAMAGE, for_energy, is_ready, needed_by
 from ..errors import InputError
 from ..forces.limits import without_broken
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, Indices, State
@@ -257,7 +257,11 @@ class Simulation:
             self._tracker = None
             if isinstance(solver, Solver):
                 solver.close_balance()
-        elif self._tracker is None and isinstance(solver, Solver) and (self._wait or is_ready(FOR_ENERGY)):
+        elif (
+            self._tracker is None
+            and isinstance(solver, Solver)
+            and (self._wait or is_ready(for_energy(self._body)))
+        ):
             self._tracker = self._new_tracker()
         return self._tracker is not None
 
@@ -566,7 +570,7 @@ class Simulation:
     def _needed(self) -> tuple[str, ...]:
         """Names of the compiled entry points without which NumPy moves the body."""
         damage = FOR_DAMAGE if self._body.limits.present else ()
-        return *needed_by(self.method), *damage
+        return *needed_by(self.method, self._body), *damage
 
     def _new_stepper(self) -> Stepper:
         scene, system, state = self._scene, self._system, self._state

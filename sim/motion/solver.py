@@ -14,13 +14,14 @@ from ..body.system import System, refresh
 from ..compiling.compiler import (
     ENTRY_POINTS,
     FOR_DAMAGE,
-    FOR_ENERGY,
-    FOR_FALLBACK,
     FOR_MATRICES,
     fetch,
+    for_energy,
+    for_fallback,
     is_ready,
     needed_by,
 )
+from ..forces.all import path_of
 from ..forces.fillings import FillingsTwin
 from ..forces.limits import take_back, without_broken
 from ..forces.sticking import sticks
@@ -209,8 +210,9 @@ class Solver:
         if self._wait:
             return True
         chosen = AUTO_METHODS if self._info.kernel is None else ()
-        own = [name for method in chosen for name in needed_by(method.name)]
-        return is_ready((*own, *(FOR_FALLBACK if self._info.implicit else ())))
+        body = self.system.body
+        own = [name for method in chosen for name in needed_by(method.name, body)]
+        return is_ready((*own, *(for_fallback(body) if self._info.implicit else ())))
 
     @property
     def time(self) -> float:
@@ -253,7 +255,7 @@ class Solver:
         run, last = self.integrator.run, self.work + attempts
         if run.what != guard.CHANGED:  # as `go_on` leaves it, if springs have broken
             self._run(until, drive, attempts)
-        can_fall_back = self._info.implicit and (self._wait or is_ready(FOR_FALLBACK))
+        can_fall_back = self._info.implicit and (self._wait or is_ready(for_fallback(self.system.body)))
         while (what := run.what) != guard.GOOD:
             if what == guard.CHANGED:
                 self._take_damage()
@@ -319,7 +321,7 @@ class Solver:
                 problem = self._bind(True)
             if index not in self._fetched:
                 self._fetched.add(index)
-                self._fetch(needed_by(method.name))
+                self._fetch(needed_by(method.name, self.system.body))
             _OF_AUTO[index].call(problem, drive, until, of_turn, limit)
 
     def _bind(self, implicit: bool) -> Problem:
@@ -341,17 +343,17 @@ class Solver:
         costs[list(self._missing)] = 0.0
         body = self.system.body
         called = (
-            "accelerations",
             *(("accumulate_work",) if self.balance.active else ()),
             *(FOR_MATRICES if implicit else ()),
             *(("no_tunnelling",) if body.environment.contact.present else ()),
             *(("stick",) if sticks(body) else ()),
             *(FOR_DAMAGE if body.limits.present else ()),
         )
-        self._fetch((*needed_by(info.name), *(FOR_FALLBACK if implicit else ()), *called))
+        forces = "yielding_accelerations" if body.limits.present else path_of(body).name
+        needed = (*needed_by(info.name, body), *(for_fallback(body) if implicit else ()), *called)
+        self._fetch((*needed, *(for_energy(body) if self.balance.active else ())))
         addresses = {name: ENTRY_POINTS[name].address if name in called else 0 for name in BY_ADDRESS}
-        if body.limits.present:
-            addresses["accelerations"] = ENTRY_POINTS["yielding_accelerations"].address
+        addresses["accelerations"] = ENTRY_POINTS[forces].address
         near = _NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0
         damped = _NEAR_DAMPED_LIMIT * damped_limit(self.system, surroundings=False)
         self._problem = Problem(
@@ -378,7 +380,9 @@ class Solver:
         ready = {
             index
             for index in self._missing
-            if self._wait or index == VERLET or is_ready(needed_by(AUTO_METHODS[index].name))
+            if self._wait
+            or index == VERLET
+            or is_ready(needed_by(AUTO_METHODS[index].name, self.system.body))
         }
         if ready:
             self._missing -= ready
@@ -407,8 +411,8 @@ class Solver:
 
     def open_balance(self) -> None:
         """Start the energy balance."""
-        self._fetch(FOR_ENERGY)
         body = self.system.body
+        self._fetch(for_energy(body))
         # Methods of first order move masses by other speeds than those that they have on average.
         walls = len(body.environment.walls.rows) if self._info.order != 1 else 0
         rows, quick = np.zeros((4, 2 * self.slots)), np.zeros((walls, 2 * self.slots))

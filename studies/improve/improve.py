@@ -13,6 +13,7 @@ from rich.console import Console
 
 import sim
 from app.linking import link_to
+from sim.body.system import build_system
 from sim.compiling.compiler import all_of, fetch
 from sim.errors import InputError, SceneError
 from sim.settings import apply_assignments, setting_of
@@ -243,7 +244,8 @@ class _SearchLoop:
     def _workers(self, stack: ExitStack, make_workers: MakeWorkers) -> Workers:
         self._say("compiling")
         # Once, here, and not by each of several processes that start at the same time.
-        fetch(all_of(self._problem.initial_scene.integrator.method))
+        scene = self._problem.initial_scene
+        fetch(all_of(scene.integrator.method, build_system(scene).body))
         self._say("starting")
         return stack.enter_context(make_workers())
 

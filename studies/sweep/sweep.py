@@ -11,6 +11,7 @@ from pathlib import Path
 from rich.console import Console
 
 import sim
+from sim.body.system import build_system
 from sim.compiling.compiler import all_of, fetch
 from sim.methods.registry import METHODS
 from sim.store.files import decode_scene, encode_scene
@@ -233,8 +234,9 @@ def _compute(what: Sweep, journal: Journal, make_workers: MakeWorkers, bar: Prog
         return
     bar.say("compiling", len(journal.rows))
     # Once, here, and not by each of several processes that start at the same time.
+    body = build_system(what.grid.scene).body
     for method in sorted(what.methods | ({REFERENCE} if "error" in what.measures else set())):
-        fetch(all_of(method))
+        fetch(all_of(method, body))
     if what.quick:
         sim.run_many([what.grid.scene_at(what.grid.points[min(what.quick)])], 0.0)
     bar.say("starting", len(journal.rows))

@@ -14,8 +14,7 @@ from app.features.solver.job import MAX_MASSES
 from app.features.solver.method_panel import MethodPanel
 from app.session import commands
 from app.session.notices import Notice
-from sim.compiling.compiler import fetch, needed_by
-from sim.methods.registry import METHODS
+from sim.compiling.compiler import ENTRY_POINTS, fetch
 from tests.app.pages import SessionPage
 from tests.app.panels import Client, page_of
 
@@ -24,7 +23,7 @@ class AskingPage(SessionPage):
     """A session with the panel of its page."""
 
     def __init__(self, scene: sim.Scene) -> None:
-        fetch({name for method in METHODS for name in needed_by(method)})
+        fetch(ENTRY_POINTS)
         super().__init__(scene)
         self.notices: list[Notice] = []
         client: Any = Client()

@@ -16,7 +16,7 @@ from app.session import commands
 from app.session.modes import COUNT, ModesWatch
 from app.session.session import KEYS_FORGOTTEN_AFTER
 from app.ui.feature import Drawn
-from sim.compiling.compiler import FOR_FALLBACK, fetch
+from sim.compiling.compiler import ENTRY_POINTS, fetch
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 from tests.app.panels import page_of
@@ -29,7 +29,7 @@ DRAWN = Drawn(0, 0.0, exactly=True)
 
 def opened(name: str = "bridge") -> tuple[SessionPage, ModesWatch]:
     """A page that looks at the modes of a preset, which are found."""
-    fetch(FOR_FALLBACK)
+    fetch(ENTRY_POINTS)
     page = SessionPage(sim.load_scene(name))
     page.frames(1, ShowModes(True))
     return page, found(page)
@@ -159,7 +159,7 @@ def test_a_driven_frame_tries_no_more_steps_than_any_other() -> None:
 
 
 def test_a_body_that_nothing_holds_is_driven_where_it_swings_most() -> None:
-    fetch(FOR_FALLBACK)
+    fetch(ENTRY_POINTS)
     scene = REPLACE(sim.load_scene("girder"), anchors=(), gravity=(0.0, 0.0), bodies=())
     page = SessionPage(scene)
     page.frames(1, ShowModes(True))
@@ -195,7 +195,7 @@ def test_another_number_and_another_body_have_other_modes() -> None:
 
 
 def test_too_large_a_body_says_so() -> None:
-    fetch(FOR_FALLBACK)
+    fetch(ENTRY_POINTS)
     page = SessionPage(sim.rope(1001))
     page.frames(1, ShowModes(True))
     watch = found(page)
@@ -230,7 +230,7 @@ def test_a_page_is_told_of_them() -> None:
 
 
 def test_a_page_is_told_when_the_body_begins_to_touch() -> None:
-    fetch(FOR_FALLBACK)
+    fetch(ENTRY_POINTS)
     floor = sim.Wall(point=(0.0, 450.0), normal=(0.0, -1.0))
     page = SessionPage(sim.jelly(columns=3, rows=2, width=80.0, height=40.0, walls=(floor,)))
     letters = Letters()

@@ -11,11 +11,11 @@ from app.session import commands
 from app.session.rest_pose import SHOWN_FOR
 from app.session.session import Session
 from app.ui.view import picture_of
-from sim.compiling.compiler import FOR_FALLBACK, fetch
+from sim.compiling.compiler import ENTRY_POINTS, fetch
 
 
 def test_while_a_number_changes_its_pose_at_rest_is_the_pale_body() -> None:
-    fetch(FOR_FALLBACK)
+    fetch(ENTRY_POINTS)
     now = [0.0]
     session = Session(sim.load_scene("rod"), clock=lambda: now[0])
     assert picture_of(session).ghost is None

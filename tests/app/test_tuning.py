@@ -18,7 +18,7 @@ from app.features.solver.tuning_panel import TuningAnalysis, TuningPanel
 from app.session import commands
 from app.session.notices import Notice
 from app.ui import readouts
-from sim.compiling.compiler import FOR_FALLBACK, fetch
+from sim.compiling.compiler import ENTRY_POINTS, fetch
 from sim.edit.edit import Selection
 from sim.edit.tune import as_far_as_stable, damp_springs, with_numbers_of
 from sim.errors import InputError
@@ -32,7 +32,7 @@ EULER = sim.Integrator(method="symplectic_euler", dt=1e-3)
 
 def found(analysis: TuningAnalysis, scene: sim.Scene) -> TuningAnalysis:
     """The analysis, after it has found out."""
-    fetch(FOR_FALLBACK)
+    fetch(ENTRY_POINTS)
     end = time.monotonic() + 60.0
     while analysis.busy and time.monotonic() < end:
         analysis.look(scene)
@@ -179,7 +179,7 @@ class WishPage(SessionPage):
     """A session with the tuning of its page, which is shown."""
 
     def __init__(self, scene: sim.Scene) -> None:
-        fetch(FOR_FALLBACK)
+        fetch(ENTRY_POINTS)
         super().__init__(scene)
         self.notices: list[Notice] = []
         client: Any = Client()

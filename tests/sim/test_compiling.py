@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import sim
+from sim.body.system import build_system
 from sim.compiling.compiler import ENTRY_POINTS, Compiler, EntryPoint, is_ready, needed_by
 from sim.kernels.engine import kept
 from sim.methods.registry import METHODS
@@ -22,6 +23,7 @@ from tests.sim.builders import built
 from tests.sim.inside import hash_from
 
 ROOT = Path(sim.__file__).parent.parent
+BODY = build_system(sim.rope(5)).body
 QUICK = "next_turn"
 """The entry point that is compiled the soonest of those that call no other."""
 
@@ -42,7 +44,7 @@ def test_every_method_has_an_entry_point_of_its_own() -> None:
         ENTRY_POINTS["run_fallback"].kernel
     }
     for method in METHODS:
-        assert set(needed_by(method)) <= set(ENTRY_POINTS)
+        assert set(needed_by(method, BODY)) <= set(ENTRY_POINTS)
 
 
 @pytest.mark.parametrize("method", part_of([*METHODS], 9))
@@ -50,9 +52,11 @@ def test_what_a_method_needs_is_all_that_its_first_step_calls(method: str, tmp_p
     # In a process in which those are loaded, a step compiles nothing.
     code = f"""
 import sim
+from sim.body.system import build_system
 from numba.core import event
+from sim.body.system import build_system
 from sim.compiling.compiler import (ENTRY_POINTS, needed_by)
-for name in needed_by({method!r}):
+for name in needed_by({method!r}, build_system(sim.rope(5)).body):
     ENTRY_POINTS[name].load()
 with event.install_recorder("numba:compile") as compiled:
     simulation = sim.Simulation(sim.rope(5), integrator={method!r}, wait=False)
@@ -78,7 +82,7 @@ def test_a_simulation_that_does_not_wait_moves_by_numpy_and_then_goes_on(
         with pytest.raises(sim.InputError, match="energy: its kernels are still being compiled"):
             simulation.energy()
         assert not sim.Simulation(sim.load_scene("tutorial-3.3")).plain
-    for name in needed_by(simulation.method):
+    for name in needed_by(simulation.method, simulation.tables[0].body):
         ENTRY_POINTS[name].load()
     assert simulation.step(100) == 100
     assert not simulation.plain
@@ -110,15 +114,16 @@ def test_meanwhile_a_hard_wall_throws_nothing_higher_than_it_fell_from(
 def test_auto_begins_with_what_is_there_and_takes_the_others_in(monkeypatch: pytest.MonkeyPatch) -> None:
     # A stiff rope, for which `auto` takes an implicit method as soon as it can.
     scene = sim.load_scene("study-w4")
-    ready = set(needed_by("auto"))
+    body = build_system(scene).body
+    ready = set(needed_by("auto", body))
     monkeypatch.setattr(EntryPoint, "ready", property(lambda point: point.name in ready))
-    for name in (*needed_by("auto"), *needed_by("rodas4")):
+    for name in (*needed_by("auto", body), *needed_by("rodas4", body)):
         ENTRY_POINTS[name].load()
     simulation = sim.Simulation(scene, wait=False)
     simulation.step(10)
     assert not simulation.plain
     assert simulation.stats().matrices == 0
-    ready |= set(needed_by("rodas4"))
+    ready |= set(needed_by("rodas4", body))
     simulation.step(40)
     assert simulation.stats().matrices > 0
     whole = sim.Simulation(scene)

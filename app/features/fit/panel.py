@@ -265,7 +265,7 @@ class FitPanel:
             )
         if not 1 <= len(vary) <= MAX_VARIED:
             raise InputError(f"choose from 1 to {MAX_VARIED} numbers that are sought, not {len(vary)}")
-        if not is_ready(needed_by(scene.integrator.method)):
+        if not is_ready(needed_by(scene.integrator.method, self._session.simulation.tables[0].body)):
             raise InputError("the solver is still being compiled; try again in a moment")
 
     def _run(

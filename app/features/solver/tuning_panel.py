@@ -12,7 +12,8 @@ import viser
 import sim
 from sim.analysis.decay import TENTH
 from sim.analysis.tuning import Tuning
-from sim.compiling.compiler import FOR_FALLBACK, is_ready
+from sim.body.system import build_system
+from sim.compiling.compiler import for_balance, is_ready
 from sim.design.wishes import Design, Factors, edit_of
 from sim.edit.edit import Edit, Selection
 from sim.edit.tune import as_far_as_stable, damp_springs, is_limited, with_numbers_of
@@ -89,7 +90,7 @@ class TuningAnalysis:
 
 def is_compiled(scene: sim.Scene) -> bool:
     """Whether a scene's equilibrium is found without compiling anything."""
-    return is_ready(FOR_FALLBACK)
+    return is_ready(for_balance(build_system(scene).body))
 
 
 class _TargetBox:

@@ -5,8 +5,15 @@ from __future__ import annotations
 import inspect
 from typing import Any
 
+import numpy as np
 from numba import types
 from numba.extending import intrinsic
+
+ADDRESSES = np.zeros(256, np.int64)
+"""Addresses of the kernels of forces, by their numbers; 0 for one that is not loaded, `NONE` for one that a
+force does not have. All bodies share it, see `forces.environment.Environment.calls`."""
+
+NONE = -1
 
 
 def address_of(kernel: Any, signature: Any) -> int:
