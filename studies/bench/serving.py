@@ -20,6 +20,7 @@ from app.wire import from_page
 
 from ..reporting.report import Table
 from .client import FRAME_PLACES, FRAME_TIME, Page, is_frame, saying, state_of
+from .ready import show_ready
 
 NODE = "/body/masses"
 
@@ -115,7 +116,9 @@ def _import_numba() -> float:
 
 
 def bench_start(console: Console, repeats: int) -> None:
-    """Measure starts of each preset, cold (no machine code on the disk) and cached, and of bare viser."""
+    """Measure starts of each preset, cold (no machine code on the disk) and cached, and of bare viser; and
+    how long compiling takes."""
+    show_ready(console, repeats)
     presets = [info.name for info in sim.list_scenes() if info.built_in]
     best: dict[tuple[str, str], dict[str, float]] = {}
     numba = float("inf")
