@@ -18,11 +18,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from .forces.all import TERMS, WITH_ENERGY
-from .forces.contact import ContactTwin
 from .forces.joints import JointsTwin
 from .forces.springs import SpringsTwin
-from .forces.term import Vectors
-from .forces.walls import WallsTwin
+from .forces.term import Sticking, Vectors
 from .kernels.core.tables import Body, State
 
 
@@ -45,7 +43,7 @@ class Physics:
         self._state = state
         self.springs, self.joints = SpringsTwin(body, state), JointsTwin(body, state)
         self.terms = {term.name: term.twin(body, state) for term in TERMS}
-        self._sticking = [term for term in self.terms.values() if isinstance(term, WallsTwin | ContactTwin)]
+        self._sticking = [term for term in self.terms.values() if isinstance(term, Sticking)]
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """(slots,) all forces but gravity at positions x (px) and velocities v (px/s), kg px/s²."""

@@ -53,12 +53,12 @@ class Bench:
         arg(constructor=literal_type_from_choices(_BENCH_NAMES), metavar=f"{{{','.join(_BENCH_NAMES)}}}"),
     ]
     """kernels: the step by several programs; growth: the step as the body grows; many: a thousand small
-    bodies, and a call for one; heap: rings that fall into a heap; frames: time and error of a rod led in a
-    circle, and time of one torn to and fro; matrices: what implicit steps of any topology factorise; compile:
-    processor time of compiling; start: until each preset moves, and until all is compiled; page: cost and latency; tabs: many pages at
-    once; class: pupils who follow or have a body each, and what cuts, reloads and a restart do to their
-    answers; edit: of one part of a large body; peers: other engines and solvers on the same scenes (uv sync
-    --extra peers installs them)."""
+    bodies, and a call for one; heap: rings that fall into a heap; frames: time and error of a rod led in
+    a circle, and time of one torn to and fro; matrices: what implicit steps of any topology factorise;
+    compile: processor time of compiling; start: until each preset moves, and until all is compiled; page:
+    cost and latency; tabs: many pages at once; class: pupils who follow or have a body each, and what
+    cuts, reloads and a restart do to their answers; edit: of one part of a large body; peers: other
+    engines and solvers on the same scenes (uv sync --extra peers installs them)."""
     repeats: int = 5
     """Repeats; the fastest counts."""
     scenes: str = ""

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sim import Moment, Scene, Simulation
-from sim.forces.environment import Environment
 from sim.forces.fillings import FillingRow
 from sim.scene.columns import column
 from sim.scene.surroundings import STILL_AIR
@@ -192,7 +192,7 @@ def encode_damage(generation: int, picture: Picture) -> NDArray[np.float32]:
     )
 
 
-def _surroundings(sketch: Sketch, environment: Environment) -> dict[str, ArrayLike]:
+def _surroundings(sketch: Sketch, environment: Any) -> dict[str, ArrayLike]:
     """The sections of walls, fillings, wind and contact."""
     loops: list[float] = []
     fillings, air = environment.fillings, environment.air

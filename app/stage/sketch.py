@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim import Scene
-from sim.forces.environment import new_environment
+from sim.forces.environment import acting_on, new_environment
 from sim.scene.columns import column, ends, has_any
-from sim.scene.types import is_loaded, is_surrounded
+from sim.scene.types import is_loaded
 
 from .colors import Palette, Rgb, palette, plain, sent
 from .shapes import COILS
@@ -144,7 +144,7 @@ class Sketch:
         self.joint_mass = np.where(leaves, ends_b[:, 0], ends_b[:, 1])
         self.joint_sense = np.where(leaves, 1.0, -1.0)
         self.environment = None
-        if is_surrounded(scene):
+        if acting_on(scene):
             # Of contact, only the distance is drawn.
             drawn = msgspec.structs.replace(scene, contact=None)
             self.environment = new_environment(drawn, np.arange(n), self.springs, n)

@@ -176,7 +176,7 @@ class Resting:
     def slides(self) -> bool:
         """Whether there is anything that a part may fall on and slide along."""
         environment = self.tables.environment
-        return bool(environment.walls.rows.size or environment.contact.present)
+        return bool(environment.touches)
 
     @property
     def creeps(self) -> bool:

@@ -21,6 +21,7 @@ import numpy as np
 
 from ..body.system import build_system, for_analysis, start_of
 from ..errors import InputError
+from ..forces.all import TERMS
 from ..kernels.core.tables import Floats, Indices
 from ..motion.moment import Moment
 from ..physics import Physics
@@ -42,7 +43,7 @@ _SWINGS = 0.4
 """And from which on a mass can be an antinode."""
 _ROUNDED = 1e-6
 """Part of the largest amplitude, or of a spring, that may be rounding."""
-_TOUCHING = "walls", "contact"
+_TOUCHING = tuple(term.name for term in TERMS if term.touches)
 """Terms whose energy is that of what is pressed together."""
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from ..body.stable_spring import joint_softness, softening_note
 from ..body.system import build_system, damage_of, for_analysis, joint_stiffness, start_of
 from ..errors import InputError
+from ..forces.air import AIR
 from ..kernels.core.tables import Floats, Indices
 from ..methods.limits import flip, undamped_step
 from ..methods.registry import METHODS
@@ -220,7 +221,7 @@ class Dampers:
         self._system, self._state = start_of(exact, build_system(exact))
         self._physics = Physics(self._system.body, self._state)
         # Its drag grows with the square of the speed: of small vibrations it takes nothing.
-        del self._physics.terms["air friction"]
+        del self._physics.terms[AIR.name]
         # What does not change with the velocity here damps nothing, and need not be looked at again.
         x = self._state.x + 1j * self._state.y
         v = np.random.default_rng(1).uniform(-1.0, 1.0, (2, x.size)).T.copy().view(complex)[:, 0]

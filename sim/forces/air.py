@@ -27,7 +27,7 @@ from ..kernels.engine.lanes import eight_at_a_time, whole_eights
 from ..kernels.engine.table import Rows, Table
 from ..scene.surroundings import Wind
 from ..scene.types import Scene, is_windy
-from .term import Floats, Term, Vectors, read_only
+from .term import Floats, Places, Term, Vectors, read_only
 
 _WAVES = 12
 """Number of waves that make gusts."""
@@ -59,7 +59,7 @@ class Wave(NamedTuple):
     rate: float  # 1/s, of the phase
 
 
-def new_air(scene: Scene) -> Air:
+def new_air(scene: Scene, _: Places) -> Air:
     """The table of a valid scene."""
     wind = scene.wind
     if wind is None or not is_windy(scene):
@@ -253,7 +253,10 @@ class AirTwin:
 
 AIR = Term(
     "air friction",
-    lambda around: around.air.moves,
+    "air",
+    Air,
+    new_air,
+    is_windy,
     AirTwin,
     _add_forces,
     add_power=_add_power,

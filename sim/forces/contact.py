@@ -16,7 +16,16 @@ from ..kernels.engine.jit import FUSED, kernel
 from ..near import near_pairs, nearest_points
 from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
 from .contact_batch import add_in_batches
-from .contact_pairs import add_at_pair, direction_of, friction_on, lost_in, pair_at
+from .contact_pairs import (
+    Contacts,
+    add_at_pair,
+    direction_of,
+    friction_on,
+    has_contact,
+    lost_in,
+    new_contacts,
+    pair_at,
+)
 from .push import friction_slopes, push_slopes, pushes_and_frictions, softened_for, time_to_deepest
 from .term import Floats, Term, Vectors
 
@@ -511,7 +520,10 @@ def direction(gap: Vectors, spring: Vectors) -> Vectors:
 
 CONTACT = Term(
     "contact",
-    lambda around: around.contact.present,
+    "contact",
+    Contacts,
+    new_contacts,
+    has_contact,
     ContactTwin,
     _add_forces,
     energy=_energy,
@@ -520,4 +532,5 @@ CONTACT = Term(
     add_derivatives=_add_derivatives,
     add_damping=_add_damping,
     impact_time=_impact_time,
+    touches=True,
 )

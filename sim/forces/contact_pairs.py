@@ -36,6 +36,7 @@ from ..scene.columns import column
 from ..scene.types import Scene
 from .broad_phase import meeting, segment
 from .push import losses, push_and_friction, softened, tangential_spring
+from .term import Places
 
 _APART = 1.25
 """Distance, as a multiple of that of contact, below which a mass never touches a spring of its own body."""
@@ -89,22 +90,22 @@ class Contacts(Table):
 NO_CONTACTS = Contacts.empty()
 
 
-def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -> Contacts:
+def has_contact(scene: Scene) -> bool:
+    """Whether masses of a scene may touch its springs."""
+    return scene.contact is not None and scene.contact.distance > 0.0 and bool(scene.linear_springs)
+
+
+def new_contacts(scene: Scene, places: Places) -> Contacts:
     """The table of a valid scene.
 
     A mass never touches the springs that it is an end of. Nor does it touch a spring of its own body to which
     it is, as the scene's masses say (and not its pose), nearer than 1.25 times the distance of contact. So
     a body is at rest as it is built, however fine its mesh is. Parts of a scene that no springs connect are
     different bodies, which touch from the start.
-
-    Args:
-        scene: the scene.
-        mass_index: (n,) the slot of each of its masses.
-        ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
-        slots: number of slots of a state.
     """
-    contact, springs, n = scene.contact, len(ends), len(scene.masses)
-    if contact is None or contact.distance == 0.0 or not springs:
+    contact, (mass_index, ends, slots, _) = scene.contact, places
+    springs, n = len(ends), len(scene.masses)
+    if contact is None or not has_contact(scene):
         return NO_CONTACTS
     distance = contact.distance
     x = np.zeros(slots, complex)

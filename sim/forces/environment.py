@@ -2,67 +2,63 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ..kernels.engine.addresses import ADDRESSES
-from ..kernels.engine.table import Floats, Indices, Table
+from ..kernels.engine.table import Indices, Table
 from ..scene.columns import column
-from ..scene.types import Scene, is_surrounded
-from .air import Air, new_air, still_air
+from ..scene.types import Scene
 from .all import TERMS
-from .contact_pairs import Contacts, new_contacts
-from .fillings import Fillings, new_fillings
-from .resistance import Resistance, new_resistance
-from .walls import Walls, new_walls
+from .term import Places
 
 _NO_TERMS = np.zeros(0, np.int64)
 
+_FIELDS = {
+    "present": "bool",  # any term acts
+    "touches": "bool",  # any of those that are `Term.touches` does
+    "step": "float",  # s, of an explicit method with a fixed step, which softens touch; else 0
+    "mass": "Floats",  # (slots,) kg
+    "acting": "Indices",  # (k,) indices in `all.TERMS` of those that act
+    "calls": "Indices",  # `kernels.engine.addresses.ADDRESSES`
+    **{term.field: term.table.__name__ for term in TERMS},
+}
 
-class Environment(Table):
-    """A table for each term in `all.TERMS`, and what they share."""
-
-    present: bool  # anything is in these tables
-    step: float  # s, of an explicit method with a fixed step, which softens walls and contact; 0 for others
-    mass: Floats  # (slots,) kg
-    acting: Indices  # (k,) indices in `all.TERMS` of those that act
-    calls: Indices  # `kernels.engine.addresses.ADDRESSES`
-    air: Air
-    resistance: Resistance
-    walls: Walls
-    fillings: Fillings
-    contact: Contacts
+Environment: Any = type(
+    "Environment",
+    (Table,),
+    {"__annotations__": _FIELDS, "__doc__": "A table for each term in `all.TERMS`, and what they share."},
+)
 
 
-def new_environment(
-    scene: Scene, mass_index: Indices, ends: Indices, slots: int, step: float = 0.0
-) -> Environment:
-    """The table of a valid scene.
+def acting_on(scene: Scene) -> tuple[int, ...]:
+    """Indices in `all.TERMS` of the terms that act on a valid scene's masses."""
+    return tuple(index for index, term in enumerate(TERMS) if term.acts(scene))
+
+
+def new_environment(scene: Scene, mass_index: Indices, ends: Indices, slots: int, step: float = 0.0) -> Any:
+    """The `Environment` of a valid scene.
 
     Args:
         scene: the scene.
-        mass_index: (n,) the slot of each of its masses.
-        ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
-        slots: number of slots of a state.
+        mass_index, ends, slots: see `Places`.
         step: see `Environment`.
     """
     mass = np.zeros(slots)
     mass[mass_index] = column(scene.masses, "mass")
     mass.setflags(write=False)
-    present = is_surrounded(scene)
-    around = Environment(
-        present=present,
+    places = Places(mass_index, ends, slots, mass)
+    acting = acting_on(scene)
+    return Environment(
+        present=bool(acting),
+        touches=any(TERMS[index].touches for index in acting),
         step=step,
         mass=mass,
-        acting=_NO_TERMS,
+        acting=np.array(acting, np.int64) if acting else _NO_TERMS,
         calls=ADDRESSES,
-        air=new_air(scene) if present else still_air(scene.air_friction),
-        resistance=new_resistance(scene, ends, mass),
-        walls=new_walls(scene),
-        fillings=new_fillings(scene, mass_index),
-        contact=new_contacts(scene, mass_index, ends, slots),
+        **{term.field: term.new(scene, places) for term in TERMS},
     )
-    acting = [index for index, term in enumerate(TERMS) if term.acts(around)]
-    return around.replaced(acting=np.array(acting, np.int64)) if acting else around
 
 
 EMPTY = Environment.empty().replaced(calls=ADDRESSES)

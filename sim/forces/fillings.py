@@ -24,7 +24,7 @@ from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.table import Indices, Rows, Table
 from ..scene.surroundings import Gas, Liquid
 from ..scene.types import Scene
-from .term import Term, Vectors, read_only
+from .term import Places, Term, Vectors, read_only
 
 SMALL = 8
 """Largest number of masses of a loop of which an implicit step has a block for each pair of its masses."""
@@ -65,8 +65,8 @@ NO_FILLINGS = read_only(
 )
 
 
-def new_fillings(scene: Scene, mass_index: Indices) -> Fillings:
-    """The table of a valid scene; `mass_index`: (n,) the slot of each of its masses."""
+def new_fillings(scene: Scene, places: Places) -> Fillings:
+    """The table of a valid scene."""
     if not scene.fillings:
         return NO_FILLINGS
     at = np.array([complex(*mass.position) for mass in scene.masses])
@@ -75,7 +75,7 @@ def new_fillings(scene: Scene, mass_index: Indices) -> Fillings:
     for filling in scene.fillings:
         masses = list(filling.masses)
         area = polygon_area(at[masses])
-        loops.append(mass_index[masses if area > 0.0 else masses[::-1]])
+        loops.append(places.mass_index[masses if area > 0.0 else masses[::-1]])
         edges = zip(masses, masses[1:] + masses[:1], strict=True)
         around = sum(max(abs(at[b] - at[a]), rest.get(frozenset((a, b)), 0.0)) for a, b in edges)
         rows.append(_row(filling, abs(area), float(around)))
@@ -309,7 +309,10 @@ def _energy_of(filling: FillingRow, area: float) -> float:
 
 FILLINGS = Term(
     "fillings",
-    lambda around: len(around.fillings.rows) > 0,
+    "fillings",
+    Fillings,
+    new_fillings,
+    lambda scene: bool(scene.fillings),
     FillingsTwin,
     _add_forces,
     energy=_energy,

@@ -31,7 +31,7 @@ from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.table import Indices, Rows, Table
 from ..scene.types import Scene
 from .air import AirTwin, wind_at, wind_gradient_at
-from .term import Floats, Term, Vectors, read_only, summed
+from .term import Floats, Places, Term, Vectors, read_only, summed
 
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
@@ -56,16 +56,15 @@ class ResistanceRow(NamedTuple):
 NO_RESISTANCE = read_only(Resistance(rows=np.zeros((0, len(ResistanceRow._fields)))))
 
 
-def new_resistance(scene: Scene, ends: Indices, mass: Floats) -> Resistance:
-    """The table of a valid scene.
+def is_resisted(scene: Scene) -> bool:
+    """Whether a medium or the ground acts on a scene's springs."""
+    return bool((scene.medium or scene.ground) and scene.linear_springs)
 
-    Args:
-        scene: the scene.
-        ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
-        mass: (slots,) kg.
-    """
-    medium, ground = scene.medium, scene.ground
-    if not (medium or ground):
+
+def new_resistance(scene: Scene, places: Places) -> Resistance:
+    """The table of a valid scene."""
+    medium, ground, ends, mass = scene.medium, scene.ground, places.ends, places.mass
+    if not is_resisted(scene):
         return NO_RESISTANCE
     rows = NO_RESISTANCE.rows
     none = np.zeros(len(ends))
@@ -340,7 +339,10 @@ class ResistanceTwin:
 
 RESISTANCE = Term(
     "resistance",
-    lambda around: len(around.resistance.rows) > 0,
+    "resistance",
+    Resistance,
+    new_resistance,
+    is_resisted,
     ResistanceTwin,
     _add_forces,
     add_power=_add_power,

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol, TypeVar
+from typing import Any, NamedTuple, Protocol, TypeVar, runtime_checkable
 
 import numpy as np
 from numba import types
@@ -18,12 +18,31 @@ from numpy.typing import NDArray
 from ..kernels.core.shared import FLOATS
 from ..kernels.core.tables import Body, EnergyBalance, Matrix, Scratch, State
 from ..kernels.engine.table import Indices, Table
+from ..scene.types import Scene
 
 Vectors = NDArray[np.complex128]
 """An array of vectors, each a complex number: (x, y) is x + iy."""
 Floats = NDArray[np.float64]
 """An array of real numbers."""
 _T = TypeVar("_T", bound=Table)
+
+
+class Places(NamedTuple):
+    """Where the parts of a scene are in a body's tables.
+
+    Attributes:
+        mass_index: (n,) the slot of each mass of the scene.
+        ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
+        slots: number of slots of a state.
+        mass: (slots,) kg.
+    """
+
+    mass_index: Indices
+    ends: Indices
+    slots: int
+    mass: Floats
+
+
 Kernel = Any
 """numba's dispatcher of a compiled function."""
 
@@ -52,13 +71,25 @@ class Twin(Protocol):
         ...
 
 
+@runtime_checkable
+class Sticking(Protocol):
+    """A `Twin` that remembers what it sticks to."""
+
+    def stick(self, x: Vectors, v: Vectors) -> None:
+        """After a step to positions x with velocities v, update tangential springs; see `sticking`."""
+        ...
+
+
 @dataclass(frozen=True)
 class Term:
     """A force on masses besides those of springs and joints, with all that the solver asks of it.
 
     Attributes:
         name: of its energy, and as a cause of instability.
-        acts: whether it acts in an environment, see `forces.environment`.
+        field: of its table in `Body.environment`.
+        table: the class of that table.
+        new: makes it from a valid scene.
+        acts: whether the term acts on a valid scene's masses.
         twin: makes its twin in NumPy from a body's tables.
         add_forces: kernel (body, state, scratch, q, v); adds forces, kg px/s², to `scratch.fx` and
             `scratch.fy`. `tx` and `ty` of the scratch are free for it.
@@ -74,11 +105,15 @@ class Term:
         impact_time: kernel (body, state, q, v, a, h); returns the shortest time, s, in which a mass gets as
             deep into something as its speed leads. It counts what masses with accelerations a (px/s²) are
             in, or enter within h (s); infinite where there is nothing.
+        touches: whether it acts only on masses that are in something, such as a wall.
         depends_on_time: whether the force changes with time by itself, in a body.
     """
 
     name: str
-    acts: Callable[[Any], bool]
+    field: str
+    table: type[Table]
+    new: Callable[[Scene, Places], Table]
+    acts: Callable[[Scene], bool]
     twin: Callable[[Body, State], Twin]
     add_forces: Kernel
     energy: Kernel | None = None
@@ -87,6 +122,7 @@ class Term:
     add_derivatives: Kernel | None = None
     add_damping: Kernel | None = None
     impact_time: Kernel | None = None
+    touches: bool = False
     depends_on_time: Callable[[Body], bool] = lambda _body: False
 
 

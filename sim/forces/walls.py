@@ -29,7 +29,7 @@ from .push import (
     tangential_spring,
     time_to_deepest,
 )
-from .term import Floats, Term, Vectors, read_only
+from .term import Floats, Places, Term, Vectors, read_only
 
 _QUICKLY = 4.0
 """Step length in time constants of friction from which it stops a mass within a fraction of the step."""
@@ -66,7 +66,7 @@ NOWHERE = 1e300
 NO_WALLS = read_only(Walls(rows=np.zeros((0, len(WallRow._fields))), tangential=False))
 
 
-def new_walls(scene: Scene) -> Walls:
+def new_walls(scene: Scene, _: Places) -> Walls:
     """The table of a valid scene."""
     if not scene.walls:
         return NO_WALLS
@@ -440,7 +440,10 @@ class WallsTwin:
 
 WALLS = Term(
     "walls",
-    lambda around: len(around.walls.rows) > 0,
+    "walls",
+    Walls,
+    new_walls,
+    lambda scene: bool(scene.walls),
     WallsTwin,
     _add_forces,
     energy=_energy,
@@ -449,4 +452,5 @@ WALLS = Term(
     add_derivatives=_add_derivatives,
     add_damping=_add_damping,
     impact_time=_impact_time,
+    touches=True,
 )

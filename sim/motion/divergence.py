@@ -74,10 +74,9 @@ class Divergence:
     def reason(self) -> str:
         """The likely cause, in words."""
         if self.stability.cause is not None and self.dt > self.stability.limit:
-            sets = "set" if self.stability.cause in ("walls", "fillings") else "sets"
             return (
                 f"time step {self.dt:.4g} s is above the stability limit {self.stability.limit:.2g} s, "
-                f"which the {self.stability.cause} {sets}"
+                f"set by the {self.stability.cause}"
             )
         ever_faster = "the tutorial's force law has no energy and can drive a body ever faster"
         if self.adaptive:

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from ..body.layout import slab
 from ..errors import InputError, SceneError
+from ..forces.environment import acting_on
 from ..forces.joints import LAWS, NO_JOINTS, SINE_LAWS
 from ..kernels.core.tables import Tableau
 from ..kernels.integrators.many import LANES, Batch, run_batch
@@ -27,7 +28,7 @@ from ..methods.tableaux import RK4
 from ..scene.columns import column
 from ..scene.numbers import MAX_COORDINATE, RUNAWAY_SPEED
 from ..scene.parts import AngularSpring, LinearSpring
-from ..scene.types import Scene, is_loaded, is_muscular, is_surrounded
+from ..scene.types import Scene, is_loaded, is_muscular
 from ..scene.validate import validate
 from .divergence import Divergence
 from .simulation import Simulation
@@ -219,7 +220,7 @@ class _Shapes:
         if (
             integrator.method not in _METHODS
             or law not in SINE_LAWS
-            or is_surrounded(scene)
+            or acting_on(scene)
             or (scene.pose is not None and scene.pose.damage is not None)
             or any(anchor.circle is not None for anchor in scene.anchors)
             or len(scene.anchors) == len(scene.masses)

@@ -146,7 +146,7 @@ class StabilityMeter:
         self._start = like._start if like else noise + 3.0 * (-1.0) ** np.arange(n)
         self._limit = like._limit if like else 0.0
         environment = system.body.environment
-        yields = bool(environment.walls.rows.size or environment.contact.present)
+        yields = bool(environment.touches)
         self._softens = environment.step > 0.0 and yields
         self.motion = np.zeros((2, n))
         # By moment of the beat, what was found there and the motion that set it; and the moment that is next.

@@ -16,13 +16,14 @@ from .recipes.rods import Rod, Rope
 from .recipes.sheets import Cloth, FlagPole, Jelly
 from .recipes.trusses import Bridge, Girder
 from .surroundings import Contact, Medium, Wall, Wind
-from .types import ArrowKeys, Scene
+from .types import BODY_FIELDS, ArrowKeys, Scene
 from .validate import validate
 
-_OF_SCENES = (
-    "name", "title", "description", "gravity", "air_friction", "wind", "medium", "ground", "walls", "contact",
-    "beat", "rest_length_scale", "force_law", "integrator", "arrow_keys", "view", "pose",
-)  # fmt: skip
+_OF_SCENES = tuple(
+    field
+    for field in Scene.__struct_fields__
+    if field not in (*BODY_FIELDS, "format", "bodies", "links", "template", "lesson")
+)
 """The fields of a scene that its maker takes."""
 
 _FLOOR = (Wall(point=(300.0, 500.0), normal=(0.0, -1.0)),)

@@ -227,13 +227,6 @@ def shown_name(scene: Scene) -> str:
     return scene.title or scene.name
 
 
-def is_surrounded(scene: Scene) -> bool:
-    """Whether anything acts on a scene's masses besides springs, still air and gravity."""
-    touches = scene.contact is not None and scene.contact.distance > 0.0 and bool(scene.linear_springs)
-    resisted = (scene.medium or scene.ground) and scene.linear_springs
-    return bool(scene.walls or scene.fillings or touches or resisted or is_windy(scene))
-
-
 def is_windy(scene: Scene) -> bool:
     """Whether a scene has wind, and air friction or a medium by which it acts."""
     return scene.wind is not None and bool(scene.air_friction > 0.0 or scene.medium)

@@ -1,4 +1,4 @@
-"""How long compiling takes from an empty cache, until a scene moves at machine speed and until all is ready."""
+"""How long compiling takes from nothing: until a scene has the kernels of its own, and until all are there."""
 
 from __future__ import annotations
 

@@ -290,4 +290,4 @@ def test_a_runaway_by_surroundings_is_explained(cause: str) -> None:
     text = runaway_notice(divergence, balloon()).text
     assert f"the stiffness of the {cause}" in text
     assert "choose the integrator Auto" in text
-    assert str(divergence).endswith(f"which the {cause} set")
+    assert str(divergence).endswith(f"set by the {cause}")

@@ -10,12 +10,12 @@ padded likewise. A padding mass never moves, and a padding spring exerts no forc
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..engine.table import Floats, Indices, Record, Rows, Table
 
 if TYPE_CHECKING:  # the pages about forces need the tables here
-    from ...forces.environment import Environment
+    Environment = Any  # made from the list of terms, see `forces.environment`
     from ...forces.limits import Limits
     from ...forces.muscles import Muscles
     from ...forces.nets import Net

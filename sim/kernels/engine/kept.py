@@ -43,8 +43,10 @@ _FOLDERS = ("kernels", "forces")
 """The folders in it that have kernel modules."""
 _IMPORT = re.compile(r"^from (\.+)(\w[\w.]*) import ", re.MULTILINE)
 """Matches an import of one module by another."""
-_LAYOUT = re.compile(r"^class \w+\((?:Table|Record)\):\n(?:(?: .*)?\n)*", re.MULTILINE)
-"""Matches the declaration of a table."""
+_LAYOUT = re.compile(
+    r"^class \w+\((?:Table|Record)\):\n(?:(?: .*)?\n)*|^TERMS = .*\n|^_FIELDS = {\n(?: .*\n)*", re.MULTILINE
+)
+"""Matches the declaration of a table, and what the table of all terms is made from."""
 _KEPT_DAYS = 30
 """Days after which unused machine code is removed."""
 

@@ -85,7 +85,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
     integrator.run.forces += stages
     span = _SPAN
     if problem.part_to_try != 0:
-        collides = problem.no_tunnelling != 0 or body.environment.walls.rows.shape[0] > 0
+        collides = body.environment.touches
         span = h if collides else min(_SPAN, _SHORT * h)
     error = largest_sum(method.error, xs, stages, rest) / (max(h, span) * tolerance)
     if not error < HOPELESS:
