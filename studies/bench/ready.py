@@ -1,4 +1,4 @@
-"""How long compiling takes from nothing: until a scene has the kernels of its own, and until all are there."""
+"""How long compiling takes from nothing: until a scene has its own kernels, and until all are there."""
 
 from __future__ import annotations
 
