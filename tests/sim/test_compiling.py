@@ -14,9 +14,11 @@ import numpy as np
 import pytest
 
 import sim
+from sim.analysis.equilibrium import Resting
 from sim.body.system import build_system
 from sim.compiling.compiler import ENTRY_POINTS, Compiler, EntryPoint, is_ready, needed_by
 from sim.kernels.engine import kept
+from sim.kernels.engine.addresses import ADDRESSES
 from sim.methods.registry import METHODS
 from tests.amount import part_of
 from tests.sim.builders import built
@@ -312,3 +314,29 @@ def test_what_others_could_have_written_is_not_run(caches: Path, monkeypatch: py
     monkeypatch.setattr(os, "geteuid", lambda: root.stat().st_uid + 1)
     assert kept.cache_root.__wrapped__() is None
     assert kept.trouble() == f"the folder {root} is another user's"
+
+
+# ------------------------------------------------------------------------- parts of the forces
+def test_a_scene_waits_for_no_kernel_of_what_it_does_not_have() -> None:
+    def parts(scene: sim.Scene) -> set[str]:
+        return {name for name in needed_by("rk4", build_system(scene).body) if name != "run_runge_kutta"}
+
+    floor = (sim.Wall(point=(0.0, 500.0), normal=(0.0, -1.0)),)
+    assert parts(sim.rope(5)) == {"chain_accelerations"}
+    assert parts(sim.rope(5, walls=floor)) == {"any_accelerations", "walls.add_forces"}
+    assert parts(sim.load_scene("study-cloth")) == {"net_accelerations"}
+    assert "contact.add_forces" in parts(sim.rope(5, contact=sim.Contact()))
+
+
+@pytest.mark.parametrize("kind", ["walls.add_forces", "any_accelerations"])
+def test_forces_with_a_part_that_is_not_loaded_are_no_numbers(kind: str) -> None:
+    floor = (sim.Wall(point=(0.0, 500.0), normal=(0.0, -1.0)),)
+    body = Resting(sim.rope(5, walls=floor), balanced=False)
+    assert np.isfinite(body.accelerations(body.start)).all()
+    number = ENTRY_POINTS[kind].number
+    loaded = ADDRESSES[number]
+    ADDRESSES[number] = 0
+    try:
+        assert np.isnan(body.accelerations(body.start)).any()
+    finally:
+        ADDRESSES[number] = loaded
