@@ -9,8 +9,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+import sim
+from sim.motion import quantities
 from tests.amount import NIGHT
 
 ROOT = Path(__file__).parents[2]
@@ -92,6 +95,19 @@ def change(path: Path, old: str, new: str) -> None:
     text = path.read_text(encoding="utf-8")
     assert text.count(old) == 1, (path.name, old)
     path.write_text(text.replace(old, new), encoding="utf-8")
+
+
+def test_the_guide_s_quantity_is_one() -> None:
+    section = GUIDE.partition("## A quantity\n")[2].partition("\n## ")[0]
+    row, function = re.findall(r"```python\n(.*?)```", section, re.DOTALL)
+    names = dict(vars(quantities))
+    exec(f"from __future__ import annotations\n{function}\nkind = ({row})[0]", names)
+    scene = sim.rope(masses=4, mass=2.5, gravity=(0.0, 1000.0))
+    simulation = sim.Simulation(scene)
+    simulation.advance(0.1)
+    found = names["kind"].values(simulation, np.arange(4))
+    assert found == pytest.approx(2.5 * np.hypot(*simulation.velocities.T))
+    assert found.max() > 0.0
 
 
 @pytest.mark.skipif(not NIGHT, reason="it compiles a copy of the solver; by night")
