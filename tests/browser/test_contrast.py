@@ -69,12 +69,13 @@ def open_link(desk: Desk) -> None:
 
 def open_palette(desk: Desk) -> None:
     desk.page.keyboard.press("Control+k")
-    desk.page.get_by_placeholder("Search").wait_for()
+    desk.page.get_by_placeholder("Find anything").wait_for()
 
 
 def run_away(desk: Desk) -> None:
     """A notice, and a way back."""
-    desk.tell(commands.SetValue("angular_stiffness", 1e8), commands.SetValue("rest_angle", 10.0))
+    changes = (commands.SetValue("angular_stiffness", 1e8), commands.SetValue("rest_angle", 10.0))
+    desk.tell(*changes, commands.Play(True))
     desk.until(lambda: desk.notices(), "it runs away")
 
 

@@ -85,7 +85,10 @@ def test_screenshots_show_the_whole_body(open_page: OpenPage, phone: bool) -> No
             looks_whole(desk, name, f"desktop-{name}-dark", dark=True)
         # So are the paper, where nothing else is, and the panel.
         x, y = (round(float(c)) for c in desk.at([(100.0, 331.0)])[0])
-        assert (desk.picture()[y, [x, -20]].max(1) < 100.0).all()
+        picture = desk.picture()
+        # Most of a column of the panel is neither letters nor an edge.
+        assert picture[y, x].max() < 100.0
+        assert float(np.median(picture[:, -20].max(1))) < 100.0
 
 
 def looks_whole(desk: Desk, name: str, look: str, dark: bool = False) -> None:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 from sim.body.sparsity import new_matrix
+from sim.compiling.compiler import ENTRY_POINTS, fetch
 from sim.forces.all import ENERGIES, accelerations
 from sim.forces.limits import yielding_accelerations
 from sim.kernels.energy.energies import energies
@@ -41,6 +42,7 @@ class Arrays:
     """
 
     def __init__(self, scene: Scene, *, general: bool = False) -> None:
+        fetch(ENTRY_POINTS)  # kernels are called directly here
         self.scene = scene
         simulation = Simulation(scene)
         self.system, self.state = simulation.tables
