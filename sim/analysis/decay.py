@@ -14,15 +14,12 @@ and the integral is the trace of the solution X of the Lyapunov equation A X + X
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
 from ..kernels.core.tables import Floats
-
-if TYPE_CHECKING:
-    from .tuning import Dampers
-    from .vibrations import Vibrations
+from .vibrations import Vibrations
 
 TENTH = math.log(10.0)
 """Times the decay rate of an amplitude, how long it takes to fall to a tenth."""
@@ -39,6 +36,19 @@ vibrations that nothing damps keep of its energy does not count, as long as it i
 part."""
 
 
+class Drag(Protocol):
+    """What damps small vibrations, such as `tuning.Dampers`."""
+
+    def drag(self, shape: Floats, springs: Floats | None = None, joints: Floats | None = None) -> Floats:
+        """(n, 2) the damping forces against the velocities `shape`, kg/s times these.
+
+        Args:
+            shape: (n, 2) velocities, of any scale.
+            springs, joints: (S,) and (J,) damping of each, kg/s; None for none.
+        """
+        ...
+
+
 class Decay:
     """How the vibrations of a body fade.
 
@@ -52,14 +62,14 @@ class Decay:
         shapes: (k, n, 2) of unit modal mass.
     """
 
-    def __init__(self, dampers: Dampers, found: Vibrations, masses: Floats) -> None:
+    def __init__(self, dampers: Drag, found: Vibrations, masses: Floats) -> None:
         self.omega = found.omega
         sizes = np.sqrt((masses[:, None] * found.shapes**2).sum((1, 2)))
         self.shapes = found.shapes / sizes[:, None, None]
         self._dampers = dampers
 
     def between(self, springs: Floats | None = None, joints: Floats | None = None) -> Floats:
-        """(k, k) the damping between each two vibrations, 1/s; arguments as of `Dampers.drag`."""
+        """(k, k) the damping between each two vibrations, 1/s; arguments as for `Drag.drag`."""
         drags = np.array([self._dampers.drag(shape, springs, joints) for shape in self.shapes])
         return np.einsum("iab,jab->ij", self.shapes, drags)
 
@@ -90,6 +100,6 @@ class Decay:
         return max(0.5 / lifetime - slowly, 0.0) if lifetime > 0.0 else alone
 
     def rates(self, springs: Floats, joints: Floats) -> Floats:
-        """(k,) those of all vibrations, 1/s; arguments as of `Dampers.drag`."""
+        """(k,) those of all vibrations, 1/s; arguments as for `Drag.drag`."""
         damping = self.between(springs, joints)
         return np.array([self.rate(damping, i) for i in range(self.omega.size)])

@@ -34,10 +34,10 @@ import numpy as np
 
 from ..kernels.core.blocks import add_block, outer, plus
 from ..kernels.core.drive import wrap
-from ..kernels.core.tables import Body, State
+from ..kernels.core.tables import Body, Limits, State
 from ..kernels.core.vectors import deflection, from_to, length_of
 from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.table import Floats, Indices, Table
+from ..kernels.engine.table import Floats, Indices
 from ..scene.columns import column
 from ..scene.types import Scene
 from .all import accelerations
@@ -64,16 +64,6 @@ _SHORTEST_REST = 0.01
 
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
-class Limits(Table):
-    """Read-only. All arrays are empty where nothing yields or breaks."""
-
-    present: bool  # anything yields or breaks
-    breaking: Floats  # (S,) B, kg px/s²; infinite for a spring that never breaks
-    yielding: Floats  # (S,) Y before any hardening, kg px/s²; or infinite
-    hardening: Floats  # (S,) H, kg/s²
-    bending: Floats  # (J,) T, kg px²/s²; or infinite
-
-
 NO_LIMITS = read_only(Limits.empty())
 """Those of a body in which nothing yields or breaks."""
 

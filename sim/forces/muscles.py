@@ -18,29 +18,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..kernels.core.tables import CONTROL_SCALE
+from ..kernels.core.tables import CONTROL_SCALE, Muscles
 from ..kernels.core.waves import SHARPNESS, wave_rate
 from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.table import Floats, Indices, Rows, Table
+from ..kernels.engine.table import Floats, Indices, Rows
 from ..scene.parts import Beat, JointMuscle, SpringMuscle
 from ..scene.types import Scene
 from .joints import joint_power
 from .springs import spring_force
 from .term import read_only
 
-
 # ------------------------------------------------------------------------- rows, and how a scene gives them
-class Muscles(Table):
-    """Read-only. S springs and J joints that muscles move."""
-
-    present: bool  # there are any
-    period: float  # of the beat, s; 0 where it does not go on
-    spring: Indices  # (S,) each spring
-    stretch: Rows  # (S, 4) a `Row` for each
-    joint: Indices  # (J,) each joint
-    turn: Rows  # (J, 4) likewise
-
-
 NO_MUSCLES = read_only(Muscles.empty())
 """Those of a body without any."""
 

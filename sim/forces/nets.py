@@ -19,10 +19,10 @@ from __future__ import annotations
 import numpy as np
 
 from ..kernels.core.roots import inverse_root
-from ..kernels.core.tables import padded
+from ..kernels.core.tables import Net, Runs, padded
 from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.lanes import eight_at_a_time, whole_eights
-from ..kernels.engine.table import Indices, Table
+from ..kernels.engine.table import Indices
 from .joints import CONSERVATIVE, NO_JOINTS, SINE_LAWS, TUTORIAL
 from .term import read_only
 
@@ -35,33 +35,6 @@ _FILLED = 0.25
 
 
 # ------------------------------------------------------------------------- runs, and how a body gives them
-class Runs(Table):
-    """Read-only. What joins ends in pairs: springs join masses, joints springs; all are counted from 0.
-
-    In run r, number first + i joins the ends a + i and b + i.
-    """
-
-    first: Indices  # (R,)
-    a: Indices  # (R,)
-    b: Indices  # (R,)
-    count: Indices  # (R,)
-    row: Indices  # (R,) where in the rows run r begins
-    at_a: Indices  # (D,) where in them the end 0 looks as an end a, one for each row; an even number
-    at_b: Indices  # (D,) and as an end b
-    loose: Indices  # what is in no run
-    room: int  # length of all rows together
-
-
-class Net(Table):
-    """Read-only. The springs and joints of a net; empty for any other body."""
-
-    present: bool
-    springs: Runs
-    joints: Runs  # with two rows
-    hinged: int  # number of the runs of springs that joints hold, which come first
-    gap: int  # more than any distance in the rows of joints
-
-
 NO_NET = Net.empty().replaced(springs=Runs.empty(), joints=Runs.empty())
 """The table of a body that is none."""
 

@@ -14,11 +14,56 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..engine.table import Floats, Indices, Record, Rows, Table
 
-if TYPE_CHECKING:  # the pages about forces need the tables here
+if TYPE_CHECKING:
     Environment = Any  # made from the list of terms, see `forces.environment`
-    from ...forces.limits import Limits
-    from ...forces.muscles import Muscles
-    from ...forces.nets import Net
+
+
+class Runs(Table):
+    """Read-only. What joins ends in pairs: springs join masses, joints springs; all are counted from 0.
+
+    In run r, number first + i joins the ends a + i and b + i.
+    """
+
+    first: Indices  # (R,)
+    a: Indices  # (R,)
+    b: Indices  # (R,)
+    count: Indices  # (R,)
+    row: Indices  # (R,) where in the rows run r begins
+    at_a: Indices  # (D,) where in them the end 0 looks as an end a, one for each row; an even number
+    at_b: Indices  # (D,) and as an end b
+    loose: Indices  # what is in no run
+    room: int  # length of all rows together
+
+
+class Net(Table):
+    """Read-only. The springs and joints of a net; empty for any other body."""
+
+    present: bool
+    springs: Runs
+    joints: Runs  # with two rows
+    hinged: int  # number of the runs of springs that joints hold, which come first
+    gap: int  # more than any distance in the rows of joints
+
+
+class Limits(Table):
+    """Read-only. All arrays are empty where nothing yields or breaks."""
+
+    present: bool  # anything yields or breaks
+    breaking: Floats  # (S,) B, kg px/s²; infinite for a spring that never breaks
+    yielding: Floats  # (S,) Y before any hardening, kg px/s²; or infinite
+    hardening: Floats  # (S,) H, kg/s²
+    bending: Floats  # (J,) T, kg px²/s²; or infinite
+
+
+class Muscles(Table):
+    """Read-only. S springs and J joints that muscles move."""
+
+    present: bool  # there are any
+    period: float  # of the beat, s; 0 where it does not go on
+    spring: Indices  # (S,) each spring
+    stretch: Rows  # (S, 4) a `Row` for each
+    joint: Indices  # (J,) each joint
+    turn: Rows  # (J, 4) likewise
 
 
 class Body(Table):
@@ -67,10 +112,10 @@ class Body(Table):
     more_spring: Indices  # of each spring in the lists: its index,
     more_spring_mass: Indices  # the slot of the mass that it acts on,
     more_spring_sign: Floats  # and the sign
-    net: Net  # runs of springs and joints; see there
+    net: Net  # runs of springs and joints
     environment: Environment  # what else acts on the masses; see there
-    limits: Limits  # what springs and joints bear; see there
-    muscles: Muscles  # what moves rest lengths and rest angles by itself; see there
+    limits: Limits  # what springs and joints bear
+    muscles: Muscles  # what moves rest lengths and rest angles by itself
 
     @property
     def joint_stiffness(self) -> Floats:
