@@ -93,8 +93,9 @@ PLACES: tuple[tuple[str, Callable[[Desk], None]], ...] = (
     ("Solver", lambda desk: desk.show("Solver")),
     ("a link", open_link),
     ("all commands", open_palette),
-    ("a notice", run_away),
     ("help", open_help),
+    # Its way back takes the place of the tools.
+    ("a notice", run_away),
 )
 HALVES = [(look, places) for places in (PLACES[:4], PLACES[4:]) for look in ("light", "dark")]
 
