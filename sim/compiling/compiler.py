@@ -73,7 +73,9 @@ class EntryPoint:
     @property
     def ready(self) -> bool:
         """Whether its machine code is loaded."""
-        return self.signature in self.kernel.overloads
+        is_loaded = self.signature in self.kernel.overloads
+        # A body that is moved by another thread calls a kernel of forces by its address.
+        return is_loaded and (self.number < 0 or bool(ADDRESSES[self.number]))
 
     def load(self) -> None:
         """Load its machine code from the disk, or compile it."""
