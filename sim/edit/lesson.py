@@ -184,7 +184,13 @@ def run_as(scene: Scene, number: int, now: Scene, positions: Floats, opened: Sce
     begins = scene_of_step(msgspec.structs.replace(opened, lesson=scene.lesson), number)
     before = _values(begins)
     changed = {key: value for key, value in _values(now).items() if value != before.get(key)}
-    starts = np.array(begins.pose.positions if begins.pose else [mass.position for mass in begins.masses])
+    # A body whose muscles were changed is its recipe's no more, and has numbers that the step cannot set.
+    chosen = {key: value for key, value in changed.items() if key in CHOICES}
+    there = _values(apply_assignments(begins, _assignments(chosen)))
+    changed = {key: value for key, value in changed.items() if key in there and value != there[key]} | chosen
+    # Settings of a recipe change muscles, too, and where masses start.
+    settled = apply_assignments(begins, _assignments(changed))
+    starts = np.array(settled.pose.positions if settled.pose else [mass.position for mass in settled.masses])
     moved = positions - starts if positions.shape == starts.shape else np.zeros_like(starts)
     pulls = tuple(
         Pull(mass=int(i), by=(round(float(moved[i, 0]), 1), round(float(moved[i, 1]), 1)))
@@ -192,8 +198,6 @@ def run_as(scene: Scene, number: int, now: Scene, positions: Floats, opened: Sce
     )
     if len(pulls) > MAX_PULLS:
         raise SceneError(f"{where}.pulls: {len(pulls)} masses are elsewhere; a run pulls {MAX_PULLS} at most")
-    # Settings of a recipe change muscles, too.
-    settled = apply_assignments(begins, _assignments(changed))
     muscles = tuple(
         RunMuscle(joint=j, muscle=one.muscle or None)
         for j, (one, other) in enumerate(zip(now.angular_springs, settled.angular_springs, strict=False))

@@ -12,9 +12,10 @@ from msgspec.structs import replace
 
 import sim
 from sim.edit import lesson as edits
-from sim.edit.edit import inverse
+from sim.edit.edit import Selection, inverse
+from sim.edit.muscles import move_muscles
 from sim.errors import SceneError
-from sim.scene.lesson import Goal, Pull, Question, Reading, Step
+from sim.scene.lesson import Goal, Lesson, Pull, Question, Reading, Step
 from sim.settings import apply_assignments, scene_of_run, scene_of_step, setting_of, settings_of
 from sim.store.files import decode_scene, encode_scene
 from tests.sim.checks import refusal
@@ -230,6 +231,21 @@ def test_a_step_runs_the_case_that_is_there_now() -> None:
     assert decode_scene(encode_scene(ran), "x") == ran
     assert steps(edits.copy_step(ran, 1).scene)[2].run == run
     assert steps(edits.change_step(ran, 1, "run", run=UNSET).scene)[1].run is UNSET
+
+
+def test_a_run_has_the_muscles_that_were_changed() -> None:
+    worm = replace(sim.load_scene("worm"), lesson=Lesson(steps=(Step(title="A", do="B"),)))
+    places = sim.Simulation(worm).positions
+    moved = move_muscles(worm, Selection(joints=frozenset({3})), 0.25, 0.0, -5.0).scene
+    run = steps(edits.run_as(worm, 0, moved, places, worm).scene)[0].run
+    assert run
+    assert [one.joint for one in run.muscles] == [3]
+    assert run.muscles[0].muscle == moved.angular_springs[3].muscle
+    # A number of the recipe changes them all, and stands for that.
+    waves = apply_assignments(worm, ("waves=1",))
+    run = steps(edits.run_as(worm, 0, waves, sim.Simulation(waves).positions, worm).scene)[0].run
+    assert run
+    assert (run.settings, run.muscles) == (("waves=1.0",), ())
 
 
 def test_a_run_that_differs_in_nothing_or_too_much_is_refused() -> None:
