@@ -56,9 +56,8 @@ def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_othe
     told, done = list[Notice](), list[int]()
     line, others = (SerialQueue(told.append) for _ in range(2))
     busy, go, end = (threading.Event() for _ in range(3))
-    line.submit(busy.set)
-    line.submit(wait, go)
-    assert busy.wait(LIMIT)
+    line.submit(lambda: busy.set() or wait(go))
+    assert busy.wait(LIMIT), "and so it waits in the line no more"
     with monkeypatch.context() as patch:
         patch.setattr(queues.threads, "submit", lambda *_: pytest.fail("it takes more of the threads' room"))
         for number in range(10 * MAX_WAITING):
