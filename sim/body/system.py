@@ -16,7 +16,7 @@ from ..forces.environment import EMPTY, acting_on, new_environment
 from ..forces.joints import LAWS, NO_JOINTS
 from ..forces.limits import NO_LIMITS, new_limits, without_broken
 from ..forces.muscles import NO_MUSCLES, new_muscles, waves
-from ..forces.nets import NO_NET, new_net, order_in_runs
+from ..forces.runs import new_links, order_in_runs
 from ..forces.sticking import room_in_scratch, room_in_state, sticks
 from ..forces.term import read_only
 from ..kernels.core.roots import LEAST
@@ -259,11 +259,20 @@ def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: 
     return _layout(State, {field: sizes.get(field, (slots, 1)) for field in _STATE_VECTORS}, page_offset=0)
 
 
-def _layout(kind: type[_Made], sizes: Mapping[str, tuple[int, int]], page_offset: int) -> Layout[_Made]:
-    """The layout of a table that has nothing but arrays, some of them empty; arguments as of `slab`."""
+def _layout(
+    kind: type[_Made],
+    sizes: Mapping[str, tuple[int, int]],
+    page_offset: int,
+    rows: Mapping[str, int] | None = None,
+) -> Layout[_Made]:
+    """The layout of a table that has nothing but arrays, some of them empty; arguments as of `slab`.
+
+    `rows`: of each array with two dimensions, their number.
+    """
     arrays = slab(list(sizes.values()), page_offset)
-    first = kind.empty().replaced(**dict(zip(sizes, arrays, strict=True)))
-    return Layout(first, arrays, page_offset)
+    fields = dict(zip(sizes, arrays, strict=True))
+    fields |= {field: fields[field].reshape(count, -1) for field, count in (rows or {}).items()}
+    return Layout(kind.empty().replaced(**fields), arrays, page_offset)
 
 
 def rest_lengths(body: Body, state: State) -> Floats:
@@ -308,25 +317,26 @@ def refresh(body: Body, state: State) -> None:
 
 def new_scratch(system: System) -> Scratch:
     """Scratch arrays for the system."""
-    room = max(system.body.stiffness.size, system.body.joints) + 3
-    scratch, net = _layout_of_scratch(room).made(), system.body.net
-    if net.present:
-        scratch = scratch.replaced(
-            spring_rows=np.zeros((2, net.springs.room)),
-            joint_rows=np.zeros((3, net.joints.room)),
-            vectors=np.zeros((3, 2 * net.gap + room)),
-        )
-    if system.body.environment.contact.present:
-        scratch = scratch.replaced(**room_for_batches(system.body), **room_in_scratch(system.body))
+    body = system.body
+    # Behind the masses, slot 0 among them, and behind springs in runs there may be some more.
+    room = max(padded(body.masses + 1), body.stiffness.size) + 8
+    links = body.held, body.free, body.bends
+    scratch = _layout_of_scratch(room, body.joints + 1, *(each.room for each in links)).made()
+    if body.environment.contact.present:
+        scratch = scratch.replaced(**room_for_batches(body), **room_in_scratch(body))
     return scratch
 
 
 @lru_cache(maxsize=16)
-def _layout_of_scratch(room: int) -> Layout[Scratch]:
+def _layout_of_scratch(room: int, joints: int, held: int, free: int, bends: int) -> Layout[Scratch]:
+    """The layout for vectors with some room, for joints in no run, and for rows."""
     first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # where loops over springs and masses start
     sizes = {field: (room, first.get(field, 0)) for field in _SCRATCH_VECTORS}
+    rows = {"held_rows": 2, "free_rows": 2, "joint_rows": 4, "joint_alone": 4}
+    for (field, count), wide in zip(rows.items(), (held, free, bends, joints), strict=True):
+        sizes[field] = count * wide, 0
     # An offset behind that of the arrays of a short chain's `State`.
-    return _layout(Scratch, sizes, page_offset=2560)
+    return _layout(Scratch, sizes, page_offset=2560, rows=rows)
 
 
 class _Wiring(NamedTuple):
@@ -375,7 +385,7 @@ def _wiring(n: int, along: bool, *tables: bytes) -> _Wiring:
     joints = np.frombuffer(b"".join(of_joint), np.int64).reshape(2, -1)
     count = spring_ends.shape[1]
     order = _order_along(n, spring_ends, joints) if along else None
-    mass_order, spring_order = order or (np.arange(n), _hinged_first(spring_ends, joints))
+    mass_order, spring_order = order or (np.arange(n), _hinged_first(spring_ends, joints, n + 1))
     in_order, ring = order is not None, order is not None and count == n
     mass_index = np.empty(n, np.int64)
     mass_index[mass_order] = np.arange(1, n + 1)
@@ -395,20 +405,10 @@ def _wiring(n: int, along: bool, *tables: bytes) -> _Wiring:
         joint_a, joint_b = np.arange(of_chain), (np.arange(of_chain) + 1) % count
         hinged = count
     else:
-        by_runs = order_in_runs(joint_a, joint_b, np.zeros(joint_a.size, np.int64))
+        by_runs = order_in_runs(joint_a, joint_b, hinged)
         joint_order = np.empty(by_runs.size, np.int64)
         joint_order[by_runs] = np.arange(by_runs.size)
         joint_a, joint_b = joint_a[by_runs], joint_b[by_runs]
-    joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = slot_tables(
-        joint_b, joint_a, count, first=1, nothing=0
-    )
-    layers = _layers(spring_b, spring_a, n + 1)
-    spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = slot_tables(
-        spring_b, spring_a, n + 1, first=0, nothing=room, layers=layers
-    )
-    net = NO_NET
-    if not in_order:
-        net = new_net((spring_a - 1, spring_b - 1), n, (joint_a, joint_b), hinged)
     nothing = np.zeros(0)
     body = Body(
         masses=n,
@@ -432,18 +432,9 @@ def _wiring(n: int, along: bool, *tables: bytes) -> _Wiring:
         torque_size=nothing,
         torque_damping=nothing,
         hinged=hinged,
-        joint_in=joint_in,
-        joint_out=joint_out,
-        more_joint=more_joint,
-        more_joint_spring=more_joint_spring,
-        more_joint_sign=more_joint_sign,
-        layers=layers,
-        spring_in=spring_in,
-        spring_out=spring_out,
-        more_spring=more_spring,
-        more_spring_mass=more_spring_mass,
-        more_spring_sign=more_spring_sign,
-        net=net,
+        held=new_links(spring_a[:hinged], spring_b[:hinged], n + 1, nothing=room),
+        free=new_links(spring_a[hinged:], spring_b[hinged:], n + 1, nothing=room, begin=hinged),
+        bends=new_links(joint_a, joint_b, hinged, nothing=joint_a.size),
         limits=NO_LIMITS,
         muscles=NO_MUSCLES,
         environment=EMPTY,
@@ -488,11 +479,11 @@ def _order_along(n: int, spring_ends: Indices, joints: Indices) -> tuple[Indices
     return np.array(mass_order, np.int64), np.array(spring_order, np.int64)
 
 
-def _hinged_first(spring_ends: Indices, joints: Indices) -> Indices:
+def _hinged_first(spring_ends: Indices, joints: Indices, slots: int) -> Indices:
     """Indices of the springs in runs, those that angular springs hold first."""
     alone = np.ones(spring_ends.shape[1], np.bool_)
     alone[joints] = False
-    return order_in_runs(spring_ends[0], spring_ends[1], alone)
+    return order_in_runs(spring_ends[0], spring_ends[1], slots, alone)
 
 
 def _body(scene: Scene, wiring: _Wiring, damageable: bool) -> Body:
@@ -560,54 +551,3 @@ def _softening(scene: Scene) -> float:
     typical = float(np.median(lengths)) if lengths.size else 1.0
     soft = min(_SOFT_IN_TOLERANCES * scene.integrator.tolerance, _SOFT_AT_MOST * typical)
     return max(soft * soft, SHORTEST_SQUARED)
-
-
-def slot_tables(
-    plus: Indices, minus: Indices, owners: int, first: int, nothing: int, layers: int = 1
-) -> tuple[Indices, Indices, Indices, Indices, Floats]:
-    """Tables for summing, at each owner, the things that act on it, with sign plus or minus.
-
-    Each layer has one slot of each sign for every owner; things that find no slot go into lists.
-
-    Args:
-        plus, minus: the owners that each thing acts on with that sign.
-        owners: number of owners.
-        first: number of the first thing.
-        nothing: value of an empty slot.
-        layers: number of layers.
-
-    Returns:
-        (layers owners,) the things in the slots of either sign, one layer after another; and for the things
-        in the lists: number, owner and sign.
-    """
-    slots = np.full((2, layers, owners), nothing, np.int64)
-    left: list[tuple[Indices, Indices, Floats]] = []
-    for slot, owner_of, sign in ((slots[0], plus, 1.0), (slots[1], minus, -1.0)):
-        layer = _places(owner_of, owners)
-        found = layer < layers
-        slot[layer[found], owner_of[found]] = first + np.flatnonzero(found)
-        rest = np.flatnonzero(~found)
-        left.append((first + rest, owner_of[rest], np.full(rest.size, sign)))
-    thing, owner, signs = (np.concatenate(columns) for columns in zip(*left, strict=True))
-    return slots[0].ravel(), slots[1].ravel(), thing, owner, signs
-
-
-def _places(owner_of: Indices, owners: int) -> Indices:
-    """How many things of the same owner come before each thing."""
-    order = np.argsort(owner_of, kind="stable")
-    starts = np.cumsum(np.bincount(owner_of, minlength=owners)) - np.bincount(owner_of, minlength=owners)
-    places = np.empty(owner_of.size, np.int64)
-    places[order] = np.arange(owner_of.size) - starts[owner_of[order]]
-    return places
-
-
-def _layers(plus: Indices, minus: Indices, owners: int) -> int:
-    """The number of layers for `slot_tables`: all but the first have things for at least half of the owners.
-
-    A layer is gathered in vectors, empty slots included; the lists are processed one by one.
-    """
-    counts = np.stack((np.bincount(plus, minlength=owners), np.bincount(minus, minlength=owners)))
-    layers = 1
-    while 2 * int((counts > layers).sum()) >= owners:
-        layers += 1
-    return layers

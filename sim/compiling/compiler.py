@@ -21,7 +21,7 @@ from typing import Any
 
 from numba import types
 
-from ..forces.all import PARTS, accelerations, parts_of, path_of
+from ..forces.all import CHAIN, PARTS, SPRINGS, accelerations, parts_of, path_of
 from ..forces.contact import no_tunnelling
 from ..forces.limits import part_to_try, settle, yielding_accelerations
 from ..forces.sticking import stick
@@ -148,7 +148,8 @@ FOR_DAMAGE = ("yielding_accelerations", "part_to_try", "settle")
 
 def for_forces(body: Body) -> tuple[str, ...]:
     """Names of the entry points that compute a body's accelerations."""
-    return path_of(body).name, *parts_of(body, "add_forces")
+    path = path_of(body)
+    return path.name, *(() if path is CHAIN else (SPRINGS.name,)), *parts_of(body, "add_forces")
 
 
 def for_matrices(body: Body) -> tuple[str, ...]:
@@ -168,7 +169,7 @@ def for_fallback(body: Body) -> tuple[str, ...]:
 
 def for_energy(body: Body) -> tuple[str, ...]:
     """Names of the entry points that the energy balance needs."""
-    return "energies", "accumulate_work", *parts_of(body, "energy", "add_power")
+    return "energies", "accumulate_work", SPRINGS.name, *parts_of(body, "energy", "add_power")
 
 
 def needed_by(method: str, body: Body) -> tuple[str, ...]:

@@ -14,14 +14,14 @@ from ..kernels.core.shared import BY_ADDRESS
 from ..kernels.core.tables import Body
 from ..kernels.engine.addresses import ADDRESSES, NONE, calls
 from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.lanes import eight_at_a_time, scalar_gathers_on_amd
+from ..kernels.engine.lanes import eight_at_a_time
 from .air import AIR, add_damping_of_still_air, power_of_still_air
 from .chain import chain_accelerations, is_chain_like
 from .contact import CONTACT
 from .fillings import FILLINGS
-from .nets import is_net, net_forces
 from .resistance import RESISTANCE
-from .springs import accelerations_by, spring_forces
+from .runs import spring_forces
+from .springs import accelerations_by
 from .term import SIGNATURES, Term
 from .walls import WALLS
 
@@ -40,7 +40,7 @@ ENERGIES = OTHERS + len(WITH_ENERGY)
 _OF_TERM = len(SIGNATURES)
 """Kernels that a term may have; their numbers in `ADDRESSES` follow each other."""
 _FORCES, _ENERGY, _POWER, _DERIVATIVES, _DAMPING, _IMPACT = range(_OF_TERM)
-_CHAIN, _NET, _ANY = (_OF_TERM * len(TERMS) + path for path in range(3))
+_CHAIN, _ANY, _SPRINGS = (_OF_TERM * len(TERMS) + path for path in range(3))
 _call_forces, _call_energy, _call_power, _call_derivatives, _call_damping, _call_impact = map(
     calls, SIGNATURES.values()
 )
@@ -151,25 +151,23 @@ def impact_time(body, state, q, v, a, h):
 
 
 # ------------------------------------------------------------------------- accelerations
-@kernel(noalias=True, fastmath=FAST)
-def net_accelerations(body, state, scratch, q, v, a):
-    """Like `accelerations`, of a net."""
-    scalar_gathers_on_amd()
-    eight_at_a_time()
-    slots = q.size // 2
-    net_forces(body, state, scratch, q, v)
+@kernel(internal=True, fastmath=FAST)
+def add_all_forces(body, state, scratch, q, v):
+    """Forces of springs, joints and all terms, kg px/s², into `scratch.fx` and `scratch.fy`."""
+    at = body.environment.calls[_SPRINGS]
+    if at > 0:
+        _call_forces(at, body, state, scratch, q, v)
+    else:
+        scratch.fx[1] = np.nan
     add_forces(body, state, scratch, q, v)
-    accelerations_by(body, state, scratch, v[:slots], v[slots:], a)
 
 
 @kernel(noalias=True, fastmath=FAST)
 def any_accelerations(body, state, scratch, q, v, a):
     """Like `accelerations`, of any body."""
-    scalar_gathers_on_amd()
     eight_at_a_time()
     slots = q.size // 2
-    spring_forces(body, state, scratch, q[:slots], q[slots:], v[:slots], v[slots:])
-    add_forces(body, state, scratch, q, v)
+    add_all_forces(body, state, scratch, q, v)
     accelerations_by(body, state, scratch, v[:slots], v[slots:], a)
 
 
@@ -179,8 +177,7 @@ def accelerations(body, state, scratch, q, v, a):
 
     q, v and a are flat: x of every slot, then y of every slot.
     """
-    path = _CHAIN if is_chain_like(body) else _NET if is_net(body) else _ANY
-    at = body.environment.calls[path]
+    at = body.environment.calls[_CHAIN if is_chain_like(body) else _ANY]
     if at > 0:
         _call_accelerations(at, body, state, scratch, q, v, a)
     else:
@@ -188,11 +185,11 @@ def accelerations(body, state, scratch, q, v, a):
 
 
 _PATHS = {
-    number: Part(function.py_func.__name__, label, function, BY_ADDRESS["accelerations"], number)
-    for number, label, function in (
-        (_CHAIN, "forces in chains", chain_accelerations),
-        (_NET, "forces in nets", net_accelerations),
-        (_ANY, "forces in any body", any_accelerations),
+    number: Part(function.py_func.__name__, label, function, signature, number)
+    for number, label, function, signature in (
+        (_CHAIN, "accelerations in chains", chain_accelerations, BY_ADDRESS["accelerations"]),
+        (_ANY, "accelerations in any body", any_accelerations, BY_ADDRESS["accelerations"]),
+        (_SPRINGS, "springs and joints", spring_forces, SIGNATURES["add_forces"]),
     )
 }
 _BY_TERM = [_parts_of(index, term) for index, term in enumerate(TERMS)]
@@ -201,10 +198,13 @@ PARTS = (*_PATHS.values(), *(part for parts in _BY_TERM for part in parts.values
 """All kernels of forces that are compiled by themselves."""
 
 
+CHAIN, SPRINGS = _PATHS[_CHAIN], _PATHS[_SPRINGS]
+"""The accelerations of a chain, and the forces of springs and joints in any body."""
+
+
 def path_of(body: Body) -> Part:
     """The kernel that computes the accelerations of a body."""
-    chain, net = is_chain_like.py_func(body), is_net.py_func(body)
-    return _PATHS[_CHAIN if chain else _NET if net else _ANY]
+    return CHAIN if is_chain_like.py_func(body) else _PATHS[_ANY]
 
 
 def parts_of(body: Body, *fields: str) -> tuple[str, ...]:

@@ -21,7 +21,6 @@ from ..kernels.core.blocks import add_block, from_left, minus, outer, plus, scal
 from ..kernels.core.tables import SHORTEST_SQUARED, Body, State
 from ..kernels.core.vectors import deflection, from_to, inverse_of, length_of
 from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.lanes import eight_at_a_time, scalar_gathers_on_amd
 from ..kernels.engine.table import Floats, Indices
 from .term import Vectors, summed
 
@@ -89,69 +88,58 @@ def deflection_at(law, torque, most):
     return 0.5 * (low + high)
 
 
-@kernel(noalias=True, forceinline=True, fastmath=FAST)
-def joint_torques(body, state, scratch, lx, ly, inverse, torque, energy, dot):
-    """The torque and, where the law has one, the energy of every joint, at index j + 1."""
-    scalar_gathers_on_amd()
-    joint_a, joint_b = body.joint_a, body.joint_b
-    cosine, sine, size, rest = state.torque_cos, state.torque_sin, body.torque_size, state.torque_rest
-    if body.law == TUTORIAL:
-        for j in range(body.joints):
-            a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
-            cross = lx[a] * ly[b] - ly[a] * lx[b]
-            along = lx[a] * lx[b] + ly[a] * ly[b]
-            torque[j + 1] = cosine[j + 1] * cross - sine[j + 1] * along
-    elif body.law == CONSERVATIVE:
-        for j in range(body.joints):
-            a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
-            cross = lx[a] * ly[b] - ly[a] * lx[b]
-            along = lx[a] * lx[b] + ly[a] * ly[b]
-            torque[j + 1] = cosine[j + 1] * cross - sine[j + 1] * along
-            energy[j + 1] = size[j + 1] / (inverse[a] * inverse[b])
-            dot[j + 1] = cosine[j + 1] * along + sine[j + 1] * cross
-    else:
-        for j in range(body.joints):
-            a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
-            cross = lx[a] * ly[b] - ly[a] * lx[b]
-            off = deflection(cross, lx[a] * lx[b] + ly[a] * ly[b], rest[j + 1])
-            torque_term, energy_term, _ = terms(body.law, off)
-            weight = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
-            weight *= size[j + 1] * (inverse[a] * inverse[b])
-            torque[j + 1] = weight * torque_term
-            energy[j + 1] = weight * energy_term
+@kernel(forceinline=True, fastmath=FAST)
+def bend(law, spring_a, spring_b, cos, sin, size, rest, soft):
+    """The forces of a joint on the b ends of its springs A and B: x and y of one, and of the other; kg px/s².
+
+    Under the conservative law K R(-r) B - K |B| A / |A| and K R(r) A - K |A| B / |B|, the gradient without
+    the difference of large numbers; under others those of the torque, and of the energy if there is one, as
+    `springs` says.
+
+    Args:
+        law: as in `Body.law`.
+        spring_a, spring_b: the vector of a spring, px, and 1 / its length.
+        cos, sin, size: the stiffness, times the cosine and the sine of the rest angle; and itself, kg/s².
+        rest: rest angle, radians.
+        soft: see `Body.softening`, px².
+    """
+    (ax, ay, inv_a), (bx, by, inv_b) = spring_a, spring_b
+    if law == CONSERVATIVE:
+        both = size * (inv_a * inv_b)
+        by_a, by_b = both * (bx * bx + by * by + soft), both * (ax * ax + ay * ay + soft)
+        on_ax, on_ay = cos * bx + sin * by - by_a * ax, cos * by - sin * bx - by_a * ay
+        return on_ax, on_ay, cos * ax - sin * ay - by_b * bx, cos * ay + sin * ax - by_b * by
+    if law == TUTORIAL:
+        torque = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
+        by_a, by_b = torque * (inv_a * inv_a), torque * (inv_b * inv_b)
+        return -by_a * ay, by_a * ax, by_b * by, -by_b * bx
+    square_a, square_b = ax * ax + ay * ay, bx * bx + by * by
+    torque, energy, _ = terms(law, deflection(ax * by - ay * bx, ax * bx + ay * by, rest))
+    weight = size * (square_a * inv_a) * (square_b * inv_b)
+    per_a, per_b = 1.0 / max(square_a, SHORTEST_SQUARED), 1.0 / max(square_b, SHORTEST_SQUARED)
+    by_a, by_b = weight * torque * per_a, weight * torque * per_b
+    # The energy is K w(A) w(B) F, and L w'(L) / w(L) = (L² + 2 softening) / (L² + softening).
+    along_a = weight * energy * per_a * ((square_a + 2.0 * soft) * (inv_a * inv_a))
+    along_b = weight * energy * per_b * ((square_b + 2.0 * soft) * (inv_b * inv_b))
+    on_ax, on_ay = -by_a * ay - along_a * ax, by_a * ax - along_a * ay
+    return on_ax, on_ay, by_b * by - along_b * bx, -by_b * bx - along_b * by
 
 
-@kernel(noalias=True, forceinline=True, fastmath=FAST)
-def joint_friction(body, lx, ly, dvx, dvy, inverse, turning, friction):
-    """The torque of every joint's damping."""
-    scalar_gathers_on_amd()
-    for s in range(body.hinged):
-        turning[s] = (lx[s] * dvy[s] - ly[s] * dvx[s]) * (inverse[s] * inverse[s])
-    for j in range(body.joints):
-        a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
-        rate = turning[b] - turning[a]
-        friction[j + 1] = body.torque_damping[j + 1] / (inverse[a] * inverse[b]) * rate
+@kernel(forceinline=True, fastmath=FAST)
+def rub(spring_a, spring_b, damping, soft):
+    """Likewise those of a joint's damping, whose torque is C |A||B| times the rate of the angle.
 
-
-@kernel(noalias=True, forceinline=True, fastmath=FAST)
-def at_springs(body, of_joint, of_spring, sign):
-    """Sum a quantity of the joints at every spring, times `sign` where it is the first spring of a joint."""
-    scalar_gathers_on_amd()
-    joint_in, joint_out = body.joint_in, body.joint_out
-    for s in range(body.hinged):
-        of_spring[s] = of_joint[np.uint64(joint_in[s])] + sign * of_joint[np.uint64(joint_out[s])]
-    for i in range(body.more_joint.size):
-        j, s = np.uint64(body.more_joint[i]), np.uint64(body.more_joint_spring[i])
-        of_spring[s] += (1.0 if body.more_joint_sign[i] > 0.0 else sign) * of_joint[j]
-
-
-@kernel(noalias=True, forceinline=True, fastmath=FAST)
-def dot_by_energy(springs, soft, lx, ly, inverse, energy, dot):
-    eight_at_a_time()
-    for s in range(springs):
-        square = lx[s] * lx[s] + ly[s] * ly[s]
-        dot[s] = -energy[s] * (square + 2.0 * soft) * inverse[s] * inverse[s]
-        energy[s] = 0.0
+    Args:
+        spring_a, spring_b: the vector of a spring, px, 1 / its length, and the rate of the vector, px/s.
+        damping: of the joint, kg/s.
+        soft: see `Body.softening`, px².
+    """
+    (ax, ay, inv_a, au, av), (bx, by, inv_b, bu, bv) = spring_a, spring_b
+    per_a, per_b = inv_a * inv_a, inv_b * inv_b
+    lengths = (ax * ax + ay * ay + soft) * inv_a * ((bx * bx + by * by + soft) * inv_b)
+    torque = damping * lengths * ((bx * bv - by * bu) * per_b - (ax * av - ay * au) * per_a)
+    by_a, by_b = torque * per_a, torque * per_b
+    return -by_a * ay, by_a * ax, by_b * by, -by_b * bx
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -1,4 +1,4 @@
-"""Linear springs: force, energy, derivatives; and the forces of springs and joints on any topology.
+"""Linear springs: force, energy, derivatives; `runs` has the sum of the forces of springs and joints.
 
 A spring with the vector L = b - a, px, the stiffness k, kg/s², and the damping c, kg/s, has the tension
 T = (R / |L| - k - c (L . L') / |L|²) L on its b end, and -T acts on a. R = k times the rest length, kg px/s²,
@@ -20,10 +20,6 @@ The force of a spring that shrinks to a point would jump there, and a body may t
 the length of a spring is computed as sqrt(L² + softening), also in energies, with a softening far too small
 to be seen and practically none for methods with a fixed step. A . R(-r) B is not softened, and in the angle
 law |L| becomes L² / sqrt(L² + softening), since V is undefined at a point.
-
-Loops that gather through indices are separate from loops over the springs in order, so that the latter, which
-have the square root, the division and most of the arithmetic, are vectorised. Each loop is a function of its
-own whose arrays share no memory, because LLVM would otherwise check for overlaps before every loop.
 """
 
 from __future__ import annotations
@@ -31,138 +27,18 @@ from __future__ import annotations
 import numpy as np
 
 from ..kernels.core.blocks import add_block
-from ..kernels.core.roots import inverse_root
 from ..kernels.core.tables import Body, State
 from ..kernels.core.vectors import from_to, inverse_of, length_of
 from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.lanes import eight_at_a_time, scalar_gathers_on_amd, whole_eights
+from ..kernels.engine.lanes import eight_at_a_time
 from ..kernels.engine.table import Floats, Indices
-from .joints import CONSERVATIVE, TUTORIAL, at_springs, dot_by_energy, joint_friction, joint_torques
 from .term import Vectors, summed
 
 
-@kernel(fastmath=FAST)
-def spring_forces(body, state, scratch, x, y, vx, vy):
-    """Forces of all springs and joints on all masses, into `scratch.fx` and `scratch.fy`."""
-    scalar_gathers_on_amd()
-    lx, ly, dvx, dvy, inverse = scratch.lx, scratch.ly, scratch.dvx, scratch.dvy, scratch.inverse
-    springs, hinged = whole_eights(body.springs), body.hinged  # padded
-    _differences(body.springs, body.spring_a, body.spring_b, x, y, lx, ly)
-    if body.damped or body.joint_damped:
-        _differences(body.springs, body.spring_a, body.spring_b, vx, vy, dvx, dvy)
-    _inverse_lengths(springs, body.softening, lx, ly, inverse)
-    if body.joints:
-        joint_torques(body, state, scratch, lx, ly, inverse, scratch.torque, scratch.energy, scratch.dot)
-        at_springs(body, scratch.torque, scratch.torque_at, -1.0)
-        if body.law == CONSERVATIVE:
-            at_springs(body, scratch.energy, scratch.energy_at, 1.0)
-            at_springs(body, scratch.dot, scratch.dot_at, 1.0)
-        elif body.law != TUTORIAL:
-            at_springs(body, scratch.energy, scratch.energy_at, 1.0)
-            dot_by_energy(
-                whole_eights(hinged), body.softening, lx, ly, inverse, scratch.energy_at, scratch.dot_at
-            )
-    tx, ty = scratch.tx, scratch.ty
-    if body.law != TUTORIAL and body.joints:
-        _tensions_with_energy(
-            springs, lx, ly, dvx, dvy, inverse, state.rest_tension, body.stiffness, body.damping,
-            scratch.torque_at, scratch.energy_at, scratch.dot_at, tx, ty,
-        )  # fmt: skip
-    else:
-        _tensions(
-            springs, lx, ly, dvx, dvy, inverse, state.rest_tension, body.stiffness, body.damping,
-            scratch.torque_at, tx, ty,
-        )  # fmt: skip
-    if body.joint_damped:
-        joint_friction(body, lx, ly, dvx, dvy, inverse, scratch.turning, scratch.friction)
-        at_springs(body, scratch.friction, scratch.friction_at, -1.0)
-        _add_across(whole_eights(hinged), lx, ly, inverse, scratch.friction_at, tx, ty)
-    none = body.stiffness.size  # stands for no spring; the chain's loops leave other values there
-    tx[none], ty[none] = 0.0, 0.0
-    _at_masses(body, tx, ty, scratch.fx, scratch.fy)
-
-
-@kernel(noalias=True, forceinline=True, fastmath=FAST)
-def _differences(springs, spring_a, spring_b, x, y, lx, ly):
-    scalar_gathers_on_amd()
-    # With unsigned indices numba omits its test for negative ones.
-    for s in range(springs):
-        a, b = np.uint64(spring_a[s]), np.uint64(spring_b[s])
-        lx[s] = x[b] - x[a]
-        ly[s] = y[b] - y[a]
-
-
-@kernel(noalias=True, forceinline=True, fastmath=FAST)
-def _inverse_lengths(springs, soft, lx, ly, inverse):
-    eight_at_a_time()
-    for s in range(springs):
-        inverse[s] = inverse_root(lx[s] * lx[s] + ly[s] * ly[s] + soft)
-
-
-@kernel(noalias=True, forceinline=True, fastmath=FAST)
-def _tensions_with_energy(
-    springs, lx, ly, dvx, dvy, inverse, rest_tension, stiffness, damping, torque, energy, dot, tx, ty
-):  # fmt: skip
-    """The force on the b end of every spring under a law with an energy, which also pulls along springs."""
-    eight_at_a_time()
-    for s in range(springs):
-        inv2 = inverse[s] * inverse[s]
-        true = inverse_root(lx[s] * lx[s] + ly[s] * ly[s])
-        true *= true
-        rate = lx[s] * dvx[s] + ly[s] * dvy[s]
-        along = (
-            rest_tension[s] * inverse[s]
-            - stiffness[s]
-            - (damping[s] * rate + energy[s]) * inv2
-            + dot[s] * true
-        )
-        across = torque[s] * true
-        tx[s] = along * lx[s] + across * ly[s]
-        ty[s] = along * ly[s] - across * lx[s]
-
-
-@kernel(noalias=True, forceinline=True, fastmath=FAST)
-def _tensions(springs, lx, ly, dvx, dvy, inverse, rest_tension, stiffness, damping, torque, tx, ty):
-    """The force on the b end of every spring under the tutorial's law, or without joints."""
-    eight_at_a_time()
-    for s in range(springs):
-        inv2 = inverse[s] * inverse[s]
-        rate = lx[s] * dvx[s] + ly[s] * dvy[s]
-        along = rest_tension[s] * inverse[s] - stiffness[s] - damping[s] * rate * inv2
-        across = torque[s] * inv2
-        tx[s] = along * lx[s] + across * ly[s]
-        ty[s] = along * ly[s] - across * lx[s]
-
-
-@kernel(noalias=True, forceinline=True, fastmath=FAST)
-def _add_across(springs, lx, ly, inverse, torque, tx, ty):
-    eight_at_a_time()
-    for s in range(springs):
-        across = torque[s] * inverse[s] * inverse[s]
-        tx[s] += across * ly[s]
-        ty[s] -= across * lx[s]
-
-
-@kernel(noalias=True, forceinline=True, fastmath=FAST)
-def _at_masses(body, tx, ty, fx, fy):
-    """Sum the tensions of the springs at every mass."""
-    scalar_gathers_on_amd()
-    spring_in, spring_out = body.spring_in, body.spring_out
-    for i in range(1, body.masses + 1):
-        a, b = np.uint64(spring_in[i]), np.uint64(spring_out[i])
-        fx[i] = tx[a] - tx[b]
-        fy[i] = ty[a] - ty[b]
-    for layer in range(1, body.layers):
-        below = layer * (body.masses + 1)
-        more_in, more_out = spring_in[below:], spring_out[below:]
-        for i in range(1, body.masses + 1):
-            a, b = np.uint64(more_in[i]), np.uint64(more_out[i])
-            fx[i] += tx[a] - tx[b]
-            fy[i] += ty[a] - ty[b]
-    for i in range(body.more_spring.size):
-        m, s = np.uint64(body.more_spring_mass[i]), np.uint64(body.more_spring[i])
-        fx[m] += body.more_spring_sign[i] * tx[s]
-        fy[m] += body.more_spring_sign[i] * ty[s]
+@kernel(inline="always")
+def tension(x, y, inv, u, v, rest_tension, stiffness, damping):
+    """The force on the b end of a spring per vector, kg/s²; x, y: its vector, u, v: the rate of that."""
+    return rest_tension * inv - stiffness - damping * (x * u + y * v) * (inv * inv)
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)

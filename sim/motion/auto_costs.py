@@ -38,7 +38,7 @@ _ITERATIONS = 10.0, 0.05
 """Iterations for a linear system with contact that `auto` expects, and how many more for each spring: it then
 prefers explicit methods unless their steps are very short."""
 
-_IN_NETS, _ELSEWHERE = (2.8, 2.0), (5.0, 4.0)
+_IN_RUNS, _ALONE = (2.8, 2.0), (5.0, 4.0)
 """ns of a spring and of a joint, where they are in runs and where they are not."""
 
 _SURROUNDINGS, _LIMITS = 12.0, 35.0
@@ -77,8 +77,12 @@ def costs_of_steps(body: Body, matrix: Matrix, low: bool) -> Floats:
     n = body.masses
     force = 3.3 * n
     if not (body.chain or body.ring):
-        by_spring, by_joint = _IN_NETS if body.net.present and not body.joint_damped else _ELSEWHERE
-        force = by_spring * body.springs + by_joint * body.joints + 2.0 * n
+        in_runs = body.held.loose + body.free.loose - body.hinged, body.bends.loose
+        force = 2.0 * n
+        for count, inside, quick, slow in zip(
+            (body.springs, body.joints), in_runs, _IN_RUNS, _ALONE, strict=True
+        ):
+            force += quick * inside + slow * (count - inside)
     touching = 20.0 * body.springs if body.environment.contact.present else 0.0
     force += touching + n * (
         (_SURROUNDINGS if body.environment.present else 0.0) + (_LIMITS if body.limits.present else 0.0)

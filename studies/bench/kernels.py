@@ -1,4 +1,4 @@
-"""`softrod bench kernels`: the tutorial's step by several programs, and steps of nets by two paths.
+"""`softrod bench kernels`: the tutorial's step by several programs, and steps of other bodies in runs or not.
 
 The record-array kernel is the tutorial's own way of writing it: masses, springs and joints are records,
 unit vectors and lengths are stored, and each law adds to the accelerations. The C program is the fused
@@ -22,7 +22,9 @@ import numpy as np
 from rich.console import Console
 
 import sim
-from sim.forces.nets import NO_NET
+from sim.body.system import new_scratch
+from sim.forces.runs import new_links
+from sim.kernels.core.tables import Body
 
 from ..reporting.report import Table
 from . import fastest
@@ -38,7 +40,7 @@ STEP = 1e-6
 TARGETS = {12: 0.95, 50: 0.4, 100: 0.4, 1000: 0.4}
 """Masses, and the largest part of the C program's time that the chain path may take."""
 
-NETS: dict[str, Callable[[], sim.Scene]] = {
+BODIES: dict[str, Callable[[], sim.Scene]] = {
     "cloth of 100": lambda: sim.cloth(columns=10, rows=10),
     "cloth of 900": lambda: sim.cloth(columns=30, rows=30),
     "cloth of 4900": lambda: sim.cloth(columns=70, rows=70),
@@ -48,8 +50,12 @@ NETS: dict[str, Callable[[], sim.Scene]] = {
     "jelly": sim.jelly,
     "bridge": sim.bridge,
     "flag": sim.flag_pole,
+    "tree": sim.tree,
+    "cloth of 900, damped joints": lambda: _with_joints_like(sim.cloth(columns=30, rows=30), damping=5.0),
+    "cloth of 900, tutorial's law": lambda: sim.cloth(columns=30, rows=30, force_law="tutorial"),
+    "cloth of 900, angle law": lambda: sim.cloth(columns=30, rows=30, force_law="angle"),
 }
-"""The nets, by name; cloth has joints."""
+"""Bodies that are no chains, by name; cloth has joints."""
 
 
 @numba.njit
@@ -124,8 +130,8 @@ def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Cal
     # Masses that are exactly in line would make some products zero, and so perhaps cheaper.
     noise = np.random.default_rng(1).normal(size=(n, 2))
     chain = sim.Simulation(scene)
-    general = _on_general_path(sim.Simulation(scene))
-    for simulation in (chain, general):
+    in_runs = _with_body(sim.Simulation(scene), lambda body: body.replaced(chain=False))
+    for simulation in (chain, in_runs):
         simulation._state.x[1 : n + 1] += noise[:, 0]
         simulation._state.y[1 : n + 1] += noise[:, 1]
     positions = chain.positions
@@ -138,7 +144,7 @@ def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Cal
     joints["a"], joints["b"], joints["k"], joints["cos"] = np.arange(n - 2), np.arange(1, n - 1), 1e4, 1.0
     runs: dict[str, Callable[[], None]] = {
         "record arrays": lambda: record_steps(masses, springs, joints, 2000.0, 0.002, STEP, steps),
-        "general path": lambda: _step(general, steps),
+        "path for any body": lambda: _step(in_runs, steps),
         "chain path": lambda: _step(chain, steps),
     }
     if library is not None:
@@ -152,22 +158,38 @@ def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Cal
     return runs
 
 
-def _on_general_path(simulation: sim.Simulation) -> sim.Simulation:
-    """Make a simulation take the path for bodies of any topology."""
-    body = simulation._body.replaced(chain=False, net=NO_NET)
+def _with_body(simulation: sim.Simulation, changed: Callable[[Body], Body]) -> sim.Simulation:
+    """Give a simulation other tables."""
+    body = simulation._body = changed(simulation._body)
     simulation._system = dataclasses.replace(simulation._system, body=body)
+    simulation._scratch = new_scratch(simulation._system)
     simulation._stepper = simulation._new_stepper()
     return simulation
 
 
-def programs_of_net(scene: sim.Scene) -> tuple[dict[str, Callable[[], None]], int]:
-    """Return steps of a net by both paths, and the number of springs that one run computes."""
+def without_runs(body: Body) -> Body:
+    """The table of a body whose springs and joints are loaded one by one."""
+    a, b, ends, n = body.spring_a, body.spring_b, body.masses + 1, body.hinged
+    none, joints = body.stiffness.size, body.joints
+    return body.replaced(
+        held=new_links(a[:n], b[:n], ends, none, has_runs=False),
+        free=new_links(a[n:], b[n:], ends, none, begin=n, has_runs=False),
+        bends=new_links(body.joint_a, body.joint_b, n, joints, has_runs=False),
+    )
+
+
+def _with_joints_like(scene: sim.Scene, damping: float) -> sim.Scene:
+    joints = tuple(msgspec.structs.replace(joint, damping=damping) for joint in scene.angular_springs)
+    return msgspec.structs.replace(scene, bodies=(), angular_springs=joints)
+
+
+def programs_of_body(scene: sim.Scene) -> tuple[dict[str, Callable[[], None]], int]:
+    """Return steps of a body with runs and without, and the number of springs that one run computes."""
     scene = msgspec.structs.replace(scene, integrator=sim.Integrator(method="symplectic_euler", dt=STEP))
     springs = len(scene.linear_springs)
     steps = max(4, 60_000 // springs)
-    net = sim.Simulation(scene)
-    general = _on_general_path(sim.Simulation(scene))
-    return {"general": lambda: _step(general, steps), "net": lambda: _step(net, steps)}, springs * steps
+    alone, in_runs = _with_body(sim.Simulation(scene), without_runs), sim.Simulation(scene)
+    return {"alone": lambda: _step(alone, steps), "runs": lambda: _step(in_runs, steps)}, springs * steps
 
 
 def _step(simulation: sim.Simulation, steps: int) -> None:
@@ -184,15 +206,15 @@ def bench_kernels(console: Console, repeats: int) -> None:
     with tempfile.TemporaryDirectory() as folder:
         library = compiled_c(Path(folder))
         rows = [_row_of_rope(n, target, library, repeats) for n, target in TARGETS.items()]
-    names = ("record arrays", "general path", "chain path", *(["fused C"] if library else []))
-    headings = ("masses", *names, "records / chain", "general / chain", "chain / C", "target", "")
+    names = ("record arrays", "path for any body", "chain path", *(["fused C"] if library else []))
+    headings = ("masses", *names, "records / chain", "any / chain", "chain / C", "target", "")
     console.print(Table(headings, rows, title="symplectic Euler, ns per mass and step"))
     rows = []
-    for name, scene in NETS.items():
-        programs, computed = programs_of_net(scene())
-        general, net = (1e9 * seconds / computed for seconds in fastest(programs, repeats).values())
-        rows.append((name, f"{general:.2f}", f"{net:.2f}", f"{general / net:.2f}"))
-    headings = ("net", "general path", "path for nets", "general / nets")
+    for name, scene in BODIES.items():
+        programs, computed = programs_of_body(scene())
+        alone, runs = (1e9 * seconds / computed for seconds in fastest(programs, repeats).values())
+        rows.append((name, f"{alone:.2f}", f"{runs:.2f}", f"{alone / runs:.2f}"))
+    headings = ("body", "one by one", "in runs", "ratio")
     console.print(Table(headings, rows, title="symplectic Euler, ns per spring and step"))
 
 
@@ -202,7 +224,7 @@ def _row_of_rope(n: int, target: float, library: ctypes.CDLL | None, repeats: in
     ns = {name: seconds / (n * steps) * 1e9 for name, seconds in times.items()}
     chain = ns["chain path"]
     row = [str(n), *(f"{each:.2f}" for each in ns.values())]
-    row += [f"{ns[name] / chain:.2f}" for name in ("record arrays", "general path")]
+    row += [f"{ns[name] / chain:.2f}" for name in ("record arrays", "path for any body")]
     if not library:
         return [*row, "no gcc", f"≤ {target:g}", ""]
     ratio = chain / ns["fused C"]

@@ -53,11 +53,12 @@ def test_shapes_take_every_way_through_the_tables() -> None:
     """That of what follows nothing goes untested because of how bodies are tabulated."""
     bodies = {shape: system_of(Simulation(body(shape))).body for shape in SHAPES}
     assert bodies["girder"].hinged < bodies["girder"].springs
-    assert bodies["girder"].layers > 2 and not bodies["girder"].more_spring.size
-    assert (
-        bodies["tangle"].layers > 1 and bodies["tangle"].more_spring.size and bodies["tangle"].more_joint.size
-    )
-    assert bodies["hub"].layers == 1 and bodies["hub"].more_spring.size
+    for kind in ("held", "bends"):
+        of_kind = {shape: getattr(of, kind) for shape, of in bodies.items()}
+        assert of_kind["chain"].loose == of_kind["chain"].behind > 0, "all in a run"
+        assert of_kind["girder"].first.size and of_kind["girder"].layers == 1, "some in a run, some gathered"
+        assert of_kind["ring"].first.size and of_kind["ring"].rest.size, "some in a run, others one by one"
+        assert of_kind["tangle"].layers == 2 and of_kind["tangle"].rest.size, "none in a run"
 
 
 @pytest.mark.parametrize("damping", DAMPINGS)

@@ -11,9 +11,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import sim
-from sim.body.system import System, build_system, joint_stiffness, slot_tables
+from sim.body.system import System, build_system, joint_stiffness
 from sim.errors import SceneError, SettingError
-from sim.kernels.core.tables import Indices
+from sim.forces.runs import slot_tables
+from sim.kernels.core.tables import Indices, Links
 from sim.scene.validate import validate
 from tests.sim.fuzzing import wild_scene, wild_world
 from tests.sim.inside import nothing_kept
@@ -39,16 +40,42 @@ def one_by_one(plus: Indices, minus: Indices, owners: int, first: int, nothing: 
     return [*tables, *map(tuple, lists)]
 
 
-@given(st.data(), st.integers(1, 9), st.integers(0, 1), st.integers(1, 4))
+@given(st.data(), st.integers(1, 9), st.integers(0, 1))
 def test_things_take_the_slot_tables_their_owners_in_order(
-    data: st.DataObject, owners: int, first: int, layers: int
+    data: st.DataObject, owners: int, first: int
 ) -> None:
     count = data.draw(st.integers(0, 40))
     ends = st.lists(st.integers(0, owners - 1), min_size=count, max_size=count)
     plus, minus = (np.array(data.draw(ends), np.int64) for _ in range(2))
-    made = slot_tables(plus, minus, owners, first, -1, layers)
+    layers, *made = slot_tables(plus, minus, owners, first, -1)
     assert [tuple(table.tolist()) for table in made] == one_by_one(plus, minus, owners, first, -1, layers)
     assert [table.dtype.kind for table in made] == ["i", "i", "i", "i", "f"]
+    # Each layer but the first that there is not has something for half of the ends' slots.
+    left = [np.bincount(owner_of, minlength=owners) for owner_of in (plus, minus)]
+    filled = [sum(int((counts > layer).sum()) for counts in left) for layer in range(layers + 1)]
+    assert all(2 * number >= owners for number in filled[:-1]) and 2 * filled[-1] < owners
+
+
+def check_links(links: Links, a: Indices, b: Indices, pairs: range) -> None:
+    """Each pair is in one run, or in one slot or list for each of its ends; rows and runs do not overlap."""
+    found, in_rows = [], set()
+    of_runs = links.first, links.a, links.b, links.count, links.row
+    for first, start_a, start_b, count, row in np.transpose(of_runs).tolist():
+        which = range(first, first + count)
+        found += which
+        assert [(a[s], b[s]) for s in which] == [(start_a + i, start_b + i) for i in range(count)]
+        # An end looks where the run is, and the rows have places for all.
+        line = next(k for k, at in enumerate(links.at_a.tolist()) if at + start_a == row)
+        assert links.at_b[line] + start_b == row
+        places = set(range(row, row + count))
+        assert not places & in_rows and max(places) + 8 <= links.room
+        in_rows |= places
+    assert found == list(pairs[: links.loose - pairs.start]) and links.behind == pairs.stop
+    loose = slice(links.loose, links.behind)
+    nothing = int(max(links.into.max(initial=-1), links.out_of.max(initial=-1)))
+    expected = one_by_one(b[loose], a[loose], links.ends, links.loose, nothing, links.layers)
+    slots = links.into, links.out_of, links.rest, links.rest_end, links.rest_sign
+    assert expected == [tuple(table.tolist()) for table in slots]
 
 
 def check_tables(scene: sim.Scene, system: System) -> None:
@@ -73,16 +100,11 @@ def check_tables(scene: sim.Scene, system: System) -> None:
         assert (order[body.joint_a[j]], order[body.joint_b[j]]) == (joint.a, joint.b)
         assert (body.joint_stiffness[j], body.joint_rest[j]) == (stiffness, joint.rest_angle)
         assert (body.torque_size[j + 1], body.torque_damping[j + 1]) == (stiffness, joint.damping)
-    springs = len(order)
-    of_joints = one_by_one(body.joint_b, body.joint_a, springs, 1, 0, 1)
-    assert of_joints == [tuple(table.tolist()) for table in (
-        body.joint_in, body.joint_out, body.more_joint, body.more_joint_spring, body.more_joint_sign
-    )]  # fmt: skip
-    padding = body.stiffness.size
-    of_springs = one_by_one(body.spring_b, body.spring_a, len(at) + 1, 0, padding, body.layers)
-    assert of_springs == [tuple(table.tolist()) for table in (
-        body.spring_in, body.spring_out, body.more_spring, body.more_spring_mass, body.more_spring_sign
-    )]  # fmt: skip
+    hinged_springs, springs, all_joints = range(body.hinged), range(len(order)), range(len(joints))
+    check_links(body.held, body.spring_a, body.spring_b, hinged_springs)
+    check_links(body.free, body.spring_a, body.spring_b, springs[body.hinged :])
+    if body.joints == len(joints):  # in a chain there may be more
+        check_links(body.bends, body.joint_a, body.joint_b, all_joints)
     hinged = {s for joint in (body.joint_a, body.joint_b) for s in joint.tolist()}
     assert hinged == set(range(body.hinged))
     assert all(not array.flags.writeable for _, array in body.arrays())

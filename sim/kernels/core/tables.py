@@ -18,31 +18,32 @@ if TYPE_CHECKING:
     Environment = Any  # made from the list of terms, see `forces.environment`
 
 
-class Runs(Table):
-    """Read-only. What joins ends in pairs: springs join masses, joints springs; all are counted from 0.
+class Links(Table):
+    """Read-only. What joins ends in pairs: springs join masses, joints join springs.
 
-    In run r, number first + i joins the ends a + i and b + i.
+    Pairs first to loose - 1 are in runs: number first + i of a run joins the ends a + i and b + i. See
+    `forces.runs` for the rows into which they exert something, and why the others have slots.
     """
 
-    first: Indices  # (R,)
-    a: Indices  # (R,)
+    first: Indices  # (R,) of each run its first pair
+    a: Indices  # (R,) the ends of that
     b: Indices  # (R,)
-    count: Indices  # (R,)
-    row: Indices  # (R,) where in the rows run r begins
+    count: Indices  # (R,) number of pairs
+    row: Indices  # (R,) where in the rows the run begins
     at_a: Indices  # (D,) where in them the end 0 looks as an end a, one for each row; an even number
     at_b: Indices  # (D,) and as an end b
-    loose: Indices  # what is in no run
     room: int  # length of all rows together
-
-
-class Net(Table):
-    """Read-only. The springs and joints of a net; empty for any other body."""
-
-    present: bool
-    springs: Runs
-    joints: Runs  # with two rows
-    hinged: int  # number of the runs of springs that joints hold, which come first
-    gap: int  # more than any distance in the rows of joints
+    loose: int  # the first pair that is in no run
+    behind: int  # that behind the last
+    ends: int  # number of ends
+    # Of the pairs in no run, each end has one in each layer as an end b and one as an end a, or the number of
+    # a pair that exerts nothing. So the common case is a gather without branches. The others are in a list.
+    layers: int
+    into: Indices  # (layers ends,)
+    out_of: Indices  # (layers ends,)
+    rest: Indices  # of each pair in the list: its number,
+    rest_end: Indices  # the end that it acts on,
+    rest_sign: Floats  # and 1 for an end b, -1 for an end a
 
 
 class Limits(Table):
@@ -94,25 +95,10 @@ class Body(Table):
     joint_rest: Floats  # (J,) degrees, before the shift
     torque_size: Floats  # stiffness of joint j at index j + 1, kg/s²; at index 0 a ring's last, or zero
     torque_damping: Floats  # damping of joint j at index j + 1, kg/s
-    # The torque of a joint acts on its springs a and b with opposite signs. Each spring has the index j + 1
-    # of one joint in which it is b and of one in which it is a, or 0 where there is none, for a torque of
-    # zero. The few others are in lists, so that the common case is a gather without branches. Springs that
-    # are held by joints come before all others.
-    hinged: int  # number of springs that joints hold
-    joint_in: Indices  # (S,)
-    joint_out: Indices  # (S,)
-    more_joint: Indices  # of each joint in the lists: its index j + 1,
-    more_joint_spring: Indices  # the spring that it acts on,
-    more_joint_sign: Floats  # and the sign
-    # The same for the springs at each slot of a mass; the padding after the springs stands for none. Where
-    # many masses have more springs, each has two more in the next layer, and so on.
-    layers: int
-    spring_in: Indices  # (layers (n + 1),)
-    spring_out: Indices  # (layers (n + 1),)
-    more_spring: Indices  # of each spring in the lists: its index,
-    more_spring_mass: Indices  # the slot of the mass that it acts on,
-    more_spring_sign: Floats  # and the sign
-    net: Net  # runs of springs and joints
+    hinged: int  # number of springs that joints hold, which come before all others
+    held: Links  # these springs, between slots of masses
+    free: Links  # the others
+    bends: Links  # joints, between springs
     environment: Environment  # what else acts on the masses; see there
     limits: Limits  # what springs and joints bear
     muscles: Muscles  # what moves rest lengths and rest angles by itself
@@ -196,26 +182,20 @@ class Scratch(Table):
 
     lx: Floats  # (S padded) vectors of the springs, px
     ly: Floats
-    dvx: Floats  # their rates, px/s
+    dvx: Floats  # their rates, px/s, as far as they are needed
     dvy: Floats
     inverse: Floats  # 1 / length, 1/px; `chain_accelerations` stores only that of the shortest, at index 0
-    turning: Floats  # rate at which a spring turns, 1/s
-    torque_at: Floats  # sum of the torques of the joints at each spring
-    energy_at: Floats  # sum of their energies
-    dot_at: Floats  # sum of their `dot`, or of what stands for it under other laws
-    friction_at: Floats  # sum of the torques of their damping
-    torque: Floats  # of joint j at index j + 1
-    energy: Floats  # of joint j at index j + 1, as far as the loop of the law needs it
-    dot: Floats  # K A . R(-r) B of joint j at index j + 1, under the conservative law
-    friction: Floats  # torque of the damping of joint j at index j + 1
-    tx: Floats  # force on the b end of each spring, kg px/s²
+    held_x: Floats  # (S padded) force of the joints on the b end of each spring that they hold, kg px/s²
+    held_y: Floats
+    tx: Floats  # force on the b end of each spring that is in no run, kg px/s²
     ty: Floats
     fx: Floats  # (slots,) force of springs and joints on each mass, kg px/s²
     fy: Floats
-    # Of a net, see `forces.nets`; empty for another body.
-    vectors: Rows  # (3, gap + S padded + gap) vectors of the springs, px, and their lengths
-    spring_rows: Rows  # (2, room) force on the b end of each spring, kg px/s²
-    joint_rows: Rows  # (3, room) of each joint, its `torque_cos`, `torque_sin` and `torque_size`
+    # What is in the rows of `Body.held`, `free` and `bends`, and what joints in no run exert, kg px/s²:
+    held_rows: Rows  # (2, room) x and y on b ends
+    free_rows: Rows
+    joint_rows: Rows  # (4, room) x and y on the b end of each spring a, then on that of each spring b
+    joint_alone: Rows  # (4, J + 1) of joint j; the last one exerts nothing
     # Where the next of a state's `contact_mass` and `contact_stretch` are made.
     next_mass: Indices
     next_stretch: Rows

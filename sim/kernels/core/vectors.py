@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from ..engine.jit import FAST, kernel
+from .angles import angle_of
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -32,9 +33,6 @@ def inverse_of(x, y, softening):
 @kernel(forceinline=True, fastmath=FAST)
 def deflection(cross, dot, rest):
     """Angle minus rest angle, wrapped into [-pi, pi]; cross and dot are the products of the springs."""
-    off = math.atan2(cross, dot) - rest
-    if off > math.pi:
-        return off - 2.0 * math.pi
-    if off < -math.pi:
-        return off + 2.0 * math.pi
-    return off
+    off = angle_of(dot, cross) - rest
+    off = off - 2.0 * math.pi if off > math.pi else off
+    return off + 2.0 * math.pi if off < -math.pi else off

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from ...forces.all import add_forces, add_power
+from ...forces.all import add_all_forces, add_power
 from ...forces.joints import TUTORIAL, joint_power_of_keys, power_of_law
 from ...forces.limits import yield_at
 from ...forces.muscles import power_of_muscles
-from ...forces.springs import spring_forces, spring_power_of_keys
+from ...forces.springs import spring_power_of_keys
 from ...forces.walls import gather_others, mark_quick, work_of_quick
 from ..core.drive import drive_to, hand_speed, lead_of
 from ..core.shared import accelerate
@@ -134,8 +134,7 @@ def _add_powers(problem, drive, t, h, q, v):
 def _add_work_of_anchors(problem, drive, q, v, rate, h):
     """Add h times the power of led masses, at the velocities `rate`, against the forces at velocities v."""
     body, state, scratch, slots = problem.body, problem.state, problem.scratch, q.size // 2
-    spring_forces(body, state, scratch, q[:slots], q[slots:], v[:slots], v[slots:])
-    add_forces(body, state, scratch, q, v)
+    add_all_forces(body, state, scratch, q, v)
     for i in range(drive.mass.size):
         m = drive.mass[i]
         power = scratch.fx[m] * rate[m] + scratch.fy[m] * rate[slots + m]
