@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import NamedTuple, TypeVar
@@ -105,7 +105,7 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
     damageable = damaged or is_damageable(scene) or damage_of(scene) is not None
     springs, joints = ends(scene.linear_springs), ends(scene.angular_springs)
     along = not damageable and not acting_on(scene)
-    wiring = _wiring(n, along, *(end.tobytes() for end in (*springs, *joints)))
+    wiring = wired(n, along, *(end.tobytes() for end in (*springs, *joints)))
     mass_order, mass_index = wiring.mass_order, wiring.mass_index
     body = _body(scene, wiring, damageable)
     held = np.zeros(n, np.bool_)
@@ -339,7 +339,7 @@ def _layout_of_scratch(room: int, joints: int, held: int, free: int, bends: int)
     return _layout(Scratch, sizes, page_offset=2560, rows=rows)
 
 
-class _Wiring(NamedTuple):
+class Wiring(NamedTuple):
     """What of the tables depends on nothing but what connects the masses; S springs, J joints, n masses.
 
     Attributes:
@@ -370,7 +370,7 @@ _KEPT = 4
 
 
 @lru_cache(maxsize=_KEPT)
-def _wiring(n: int, along: bool, *tables: bytes) -> _Wiring:
+def wired(n: int, along: bool, *tables: bytes) -> Wiring:
     """The wiring of a body with n masses.
 
     Those that were used last are kept, as a scene is often made anew with other numbers.
@@ -444,7 +444,7 @@ def _wiring(n: int, along: bool, *tables: bytes) -> _Wiring:
     vector_index = np.stack((mass_index, mass_index + slots), 1)
     for array in (mass_order, mass_index, vector_index, spring_order, joint_order, ends_of_springs):
         array.setflags(write=False)
-    return _Wiring(
+    return Wiring(
         in_order, ring, room, slots, mass_order, mass_index, vector_index, spring_order, joint_order,
         ends_of_springs, read_only(body),
     )  # fmt: skip
@@ -486,42 +486,17 @@ def _hinged_first(spring_ends: Indices, joints: Indices, slots: int) -> Indices:
     return order_in_runs(spring_ends[0], spring_ends[1], slots, alone)
 
 
-def _body(scene: Scene, wiring: _Wiring, damageable: bool) -> Body:
+def _body(scene: Scene, wiring: Wiring, damageable: bool) -> Body:
     springs, joints = scene.linear_springs, scene.angular_springs
-    count, method = len(springs), METHODS[scene.integrator.method]
-    ring, room, order = wiring.ring, wiring.room, wiring.spring_order
-    held = wiring.body.joints  # more than the scene's in a chain where not every two springs are held
-    torques = max(room, held + (0 if wiring.in_order else _BEHIND_RUNS)) + 1
-    stiffness, damping, rest, torque_size, softenings = slab(
-        [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
+    method, order = METHODS[scene.integrator.method], wiring.spring_order
+    body = with_numbers(
+        wiring,
+        list(columns(springs, "stiffness", "damping", "rest_length")),
+        (_joint_stiffness(scene), *columns(joints, "damping", "rest_angle")),
+        LAWS[scene.force_law].code,
+        _softening(scene),
     )
-    of_springs = columns(springs, "stiffness", "damping", "rest_length")
-    stiffness[:count], damping[:count], rest[:count] = of_springs[:, order]
-    softening = _softening(scene)
-    # The loop around a ring visits its first spring twice.
-    softenings[:], softenings[: count + ring] = _ENDLESS, max(softening, LEAST)
-    torque_damping, rest_angle = np.zeros(torques), np.zeros(held)
-    if held:
-        at = wiring.joint_order + 1
-        torque_size[at] = _joint_stiffness(scene)
-        torque_damping[at] = column(joints, "damping")
-        rest_angle[wiring.joint_order] = column(joints, "rest_angle")
-        if ring:
-            torque_size[0] = torque_size[held]
-    numbers = {
-        "softenings": softenings,
-        "stiffness": stiffness,
-        "damping": damping,
-        "rest_length": rest,
-        "joint_rest": rest_angle,
-        "torque_size": torque_size,
-        "torque_damping": torque_damping,
-    }
-    body = wiring.body.replaced(
-        damped=np.count_nonzero(damping) > 0,  # in a tenth of the time of `any`
-        joint_damped=np.count_nonzero(torque_damping) > 0,
-        law=LAWS[scene.force_law].code if held else NO_JOINTS,
-        softening=softening,
+    return body.replaced(
         limits=new_limits(scene, order, wiring.joint_order) if damageable else NO_LIMITS,
         muscles=new_muscles(scene, order, wiring.joint_order),
         environment=new_environment(
@@ -531,9 +506,52 @@ def _body(scene: Scene, wiring: _Wiring, damageable: bool) -> Body:
             wiring.slots,
             step=0.0 if method.adaptive or method.implicit else scene.integrator.dt,
         ),
-        **numbers,
     )
-    for array in numbers.values():
+
+
+def with_numbers(
+    wiring: Wiring, of_springs: Sequence[Floats], of_joints: Sequence[Floats], law: int, softening: float
+) -> Body:
+    """The table of a body in which nothing acts but its springs and joints.
+
+    Args:
+        wiring: what connects the masses.
+        of_springs: (3, S) stiffness, damping and rest length, in the scene's order, as in `Body`.
+        of_joints: (3, J) stiffness, damping and rest angle, likewise.
+        law: as in `Body.law`.
+        softening: likewise.
+    """
+    order, ring, room = wiring.spring_order, wiring.ring, wiring.room
+    count = order.size
+    held = wiring.body.joints  # more than the scene's in a chain where not every two springs are held
+    torques = max(room, held + (0 if wiring.in_order else _BEHIND_RUNS)) + 1
+    stiffness, damping, rest, torque_size, softenings = slab(
+        [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
+    )
+    for field, values in zip((stiffness, damping, rest), of_springs, strict=True):
+        field[:count] = values[order]
+    # The loop around a ring visits its first spring twice.
+    softenings[:], softenings[: count + ring] = _ENDLESS, max(softening, LEAST)
+    torque_damping, rest_angle = np.zeros(torques), np.zeros(held)
+    if held:
+        at = wiring.joint_order + 1
+        torque_size[at], torque_damping[at], rest_angle[wiring.joint_order] = of_joints
+        if ring:
+            torque_size[0] = torque_size[held]
+    body = wiring.body.replaced(
+        damped=np.count_nonzero(damping) > 0,  # in a tenth of the time of `any`
+        joint_damped=np.count_nonzero(torque_damping) > 0,
+        law=law if held else NO_JOINTS,
+        softening=softening,
+        softenings=softenings,
+        stiffness=stiffness,
+        damping=damping,
+        rest_length=rest,
+        joint_rest=rest_angle,
+        torque_size=torque_size,
+        torque_damping=torque_damping,
+    )
+    for array in (softenings, stiffness, damping, rest, rest_angle, torque_size, torque_damping):
         array.setflags(write=False)
     return body
 

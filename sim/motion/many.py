@@ -1,14 +1,16 @@
 """`run_many`: many scenes, each from its own start, in one call.
 
-Scenes of one shape are moved side by side (`kernels.integrators.many`), in a fiftieth of the time that a
-`Simulation` of each takes. They are those of which `is_laned` holds: an explicit method with a fixed step;
-springs, still air and gravity, and nothing else that acts on masses; no law but those whose torque is a sine;
-nothing that yields or breaks; no held mass that moves by itself. Any other scene has a `Simulation` of its
-own. So has one that leaves the bounds of good states, so that it ends where a `Simulation` does.
+Scenes of one shape are moved side by side, in a fiftieth of the time that a `Simulation` of each takes: they
+are one body whose parts nothing connects, with the same mass of all scenes in slots that follow each other,
+so that all springs and joints are in runs, however a scene connects them. They are those of which `is_laned`
+holds: an explicit method with a fixed step; springs, still air and gravity, and nothing else that acts on
+masses; nothing that yields or breaks; no held mass that moves by itself. Any other scene has a `Simulation`
+of its own. So has one that leaves the bounds of good states, so that it ends where a `Simulation` does.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import chain
@@ -18,46 +20,32 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.layout import slab
+from ..body.system import System, new_scratch, new_state, refresh, wired, with_numbers
 from ..errors import InputError, SceneError
 from ..forces.environment import acting_on
-from ..forces.joints import LAWS, NO_JOINTS, SINE_LAWS
-from ..kernels.core.tables import Tableau
-from ..kernels.integrators.many import LANES, Batch, run_batch
-from ..methods.tableaux import RK4
+from ..forces.joints import LAWS, NO_JOINTS
+from ..kernels.core.tables import SHORTEST_SQUARED, State
+from ..kernels.integrators.guard import GOOD
 from ..scene.columns import column
-from ..scene.numbers import MAX_COORDINATE, RUNAWAY_SPEED
 from ..scene.parts import AngularSpring, LinearSpring
 from ..scene.types import Scene, is_loaded, is_muscular
 from ..scene.validate import validate
 from .divergence import Divergence
+from .driving import Driver
 from .simulation import Simulation
+from .solver import Solver
 
 Floats = NDArray[np.float64]
 
+LANES = 8
+"""Bodies are moved in multiples of this: fewer would be in no run, and their sums in another order."""
+_MASSES = 1536
+"""Masses of all bodies that are moved at once: what is kept of them stays in the processor's second cache."""
 _MAX_SAMPLES = 2**24
 """Numbers in the samples of bodies that are moved at once: 128 MB."""
 
 
-class _Method(NamedTuple):
-    """How a method steps; see `Batch`."""
-
-    table: Tableau
-    corrects: bool = False
-
-
-def _one_stage(to_position: float) -> Tableau:
-    """One evaluation a step, at the end of the step before: q + h v + h² to_position k, and v + h k."""
-    a, abar = np.zeros((2, 2, 2))
-    a[1, 0], abar[1, 0] = 1.0, to_position
-    return Tableau(stages=1, c=np.array([0.0, 1.0]), a=a, abar=abar)
-
-
-_METHODS = {
-    "symplectic_euler": _Method(_one_stage(1.0)),
-    "velocity_verlet": _Method(_one_stage(0.5), corrects=True),
-    "rk4": _Method(RK4),
-}
+_METHODS = "symplectic_euler", "velocity_verlet", "rk4"
 """The methods by which bodies are moved side by side."""
 
 
@@ -128,11 +116,12 @@ def run_many(scenes: Iterable[Scene], seconds: float, every: int | None = None) 
     for shape, members in groups.items():
         steps = _steps(shape.dt, seconds)
         numbers = 1 + (steps // every + 1 if every else 0)
-        at_once = LANES * max(1, _MAX_SAMPLES // (numbers * 4 * shape.masses * LANES))
+        most = min(_MAX_SAMPLES // (numbers * 4), _MASSES) // shape.masses
+        at_once = LANES * max(1, most // LANES)
         for first in range(0, len(members), at_once):
             some = members[first : first + at_once]
             for i, run in zip(
-                some, _side_by_side([scenes[i] for i in some], shape, steps, every), strict=True
+                some, _side_by_side([scenes[i] for i in some], shape, steps, every or 0), strict=True
             ):
                 runs[i] = run
     return [
@@ -219,7 +208,6 @@ class _Shapes:
         law = LAWS[scene.force_law].code if joints else NO_JOINTS
         if (
             integrator.method not in _METHODS
-            or law not in SINE_LAWS
             or acting_on(scene)
             or (scene.pose is not None and scene.pose.damage is not None)
             or any(anchor.circle is not None for anchor in scene.anchors)
@@ -240,23 +228,91 @@ class _Shapes:
         return self._known[key]
 
 
-def _side_by_side(scenes: Sequence[Scene], shape: _Shape, steps: int, every: int | None) -> list[Run | None]:
-    """The runs of scenes of one shape; None for one that has to be moved alone."""
-    count, groups, n = len(scenes), -(-len(scenes) // LANES), shape.masses
-    method, table = _METHODS[shape.method], _METHODS[shape.method].table
+def _side_by_side(scenes: Sequence[Scene], shape: _Shape, steps: int, every: int) -> list[Run | None]:
+    """The runs of scenes of one shape; None for one that runs away, and so has to be moved alone."""
+    n, width, dt = shape.masses, -(-len(scenes) // LANES) * LANES, shape.dt
+    system, state = _laid_together(scenes, shape, width)
+    solver = Solver(scenes[0], system, state, new_scratch(system))
+    solver.load(0.0)
+    still = Driver(scenes[0], system, state).drive(0.0, math.inf, {})
+    here = np.arange(1, n * width + 1).reshape(n, width)
+    gone: set[int] = set()
+
+    vectors = state.x, state.y, state.vx, state.vy
+
+    def moments() -> Floats:
+        """(width, 4, n) these now."""
+        return np.stack([vector[here] for vector in vectors]).transpose(2, 0, 1)
+
+    looks = range(0, steps + 1, every) if every else range(0)
+    samples = np.empty((width, len(looks), 4, n))
+    for k, number in enumerate((*looks, steps)):
+        while solver.run(number * dt, still) != GOOD and len(gone) < width:
+            # What runs away waits as it was at the start, held, while the others go on.
+            lane = (solver.index - 1) % width
+            gone.add(lane)
+            of_lane = here[:, lane]
+            for vector, row in zip(vectors, system.start, strict=True):
+                vector[of_lane] = row[of_lane - 1]
+            for field in (state.vx, state.vy, state.inverse_mass, state.air, state.gx, state.gy):
+                field[of_lane] = 0.0
+            solver.integrator.a.reshape(2, -1)[:, of_lane] = 0.0
+            solver.integrator.run.what = GOOD
+        if k < len(looks):
+            samples[:, k] = moments()
+    ends, times = moments(), np.array([number * dt for number in looks])
+    return [
+        None
+        if lane in gone
+        else Run(
+            steps * dt,
+            ends[lane, :2].T,
+            ends[lane, 2:].T,
+            None,
+            times,
+            samples[lane, :, :2].transpose(0, 2, 1),
+            samples[lane, :, 2:].transpose(0, 2, 1),
+        )
+        for lane in range(len(scenes))
+    ]
+
+
+def _laid_together(scenes: Sequence[Scene], shape: _Shape, width: int) -> tuple[System, State]:
+    """The tables of one body that consists of all scenes, and its state at the start.
+
+    Mass m of scene i is mass `width` m + i of the body, and springs and joints are numbered likewise. Lanes
+    that are left over are copies of the last scene.
+    """
+    n, count = shape.masses, len(scenes)
     springs, joints = (_parts(scenes, attrgetter(f)) for f in ("linear_springs", "angular_springs"))
-    masses = _parts(scenes, attrgetter("masses"))
-    stiffness, damping = springs("stiffness"), springs("damping")
+    lanes = np.arange(width)
+
+    def laid(numbers: Floats) -> Floats:
+        """Numbers (scenes, k) of the parts of the body."""
+        left_over = np.broadcast_to(numbers[-1:], (width - count, numbers.shape[1]))
+        return np.concatenate((numbers, left_over)).T.ravel()
+
+    ends = [
+        (width * np.array(end, np.int64)[:, None] + lanes).tobytes()
+        for both in (shape.springs, shape.joints)
+        for end in (both[: len(both) // 2], both[len(both) // 2 :])
+    ]
+    wiring = wired(n * width, False, *ends)
     scale = np.array([scene.rest_length_scale for scene in scenes])[:, None]
     diagonal = [scene.template is not None and bool(scene.template % 90) for scene in scenes]
     strength = joints("stiffness") * np.where(diagonal, np.sqrt(2.0), 1.0)[:, None]
-    rest = np.radians(180.0 - (180.0 - joints("rest_angle")) % 360.0)
-    friction = joints("damping")
+    body = with_numbers(
+        wiring,
+        [laid(springs("stiffness")), laid(springs("damping")), laid(springs("rest_length") * scale)],
+        [laid(strength), laid(joints("damping")), laid(joints("rest_angle"))],
+        shape.law,
+        SHORTEST_SQUARED,
+    )
     free = np.ones((count, n))
     for row, scene in zip(free, scenes, strict=True):
         for anchor in scene.anchors:
             row[anchor.mass] = 0.0
-    inverse_mass = free * (1.0 / masses("mass"))
+    inverse_mass = free * (1.0 / _parts(scenes, attrgetter("masses"))("mass"))
     air = np.array([0.0 if scene.wind else scene.air_friction for scene in scenes])[:, None]
     gravity = np.array([scene.gravity for scene in scenes])[:, None, :] * free[:, :, None]
     if any(map(is_loaded, scenes)):
@@ -264,84 +320,28 @@ def _side_by_side(scenes: Sequence[Scene], shape: _Shape, steps: int, every: int
         gravity = gravity + inverse_mass[:, :, None] * loads
     positions, velocities = _starts(scenes, n)
     velocities = velocities * free[:, :, None]
-    looks = 0 if every is None else steps // every + 1
-    held = len(shape.springs) // 2, len(shape.joints) // 2
-    spring_run, spring_a, spring_b = _runs(shape.springs)
-    joint_run, joint_a, joint_b = _runs(shape.joints)
-    batch = Batch(
-        groups=groups,
-        masses=n,
-        springs=held[0],
-        joints=held[1],
-        law=shape.law,
-        damped=bool(damping.any()),
-        joint_damped=bool(friction.any()),
-        spring_run=spring_run,
-        spring_a=spring_a,
-        spring_b=spring_b,
-        joint_run=joint_run,
-        joint_a=joint_a,
-        joint_b=joint_b,
-        stiffness=_laid(stiffness),
-        damping=_laid(damping),
-        rest_tension=_laid(stiffness * (springs("rest_length") * scale)),
-        torque_cos=_laid(strength * np.cos(rest)),
-        torque_sin=_laid(strength * np.sin(rest)),
-        torque_size=_laid(strength),
-        torque_damping=_laid(friction),
-        inverse_mass=_laid(inverse_mass),
-        air=_laid(inverse_mass * air),
-        gx=_laid(gravity[:, :, 0]),
-        gy=_laid(gravity[:, :, 1]),
-        x=_laid(positions[:, :, 0]),
-        y=_laid(positions[:, :, 1]),
-        vx=_laid(velocities[:, :, 0]),
-        vy=_laid(velocities[:, :, 1]),
-        stages=table.stages,
-        c=table.c,
-        a=table.a,
-        abar=table.abar,
-        corrects=method.corrects,
-        h=shape.dt,
-        steps=steps,
-        every=every or 1,
-        samples=np.empty(groups * looks * 4 * n * LANES),
-        far=np.zeros(groups * LANES),
-        fast=np.zeros(groups * LANES),
-        **_scratch(n, *held, table.stages),
+    start = [laid(vectors[:, :, axis]) for vectors in (positions, velocities) for axis in (0, 1)]
+    weights = laid(inverse_mass)
+    system = System(
+        body=body,
+        mass_order=wiring.mass_order,
+        mass_index=wiring.mass_index,
+        vector_index=wiring.vector_index,
+        spring_order=wiring.spring_order,
+        joint_order=wiring.joint_order,
+        inverse_mass=weights,
+        held=weights == 0.0,
+        start=np.array(start),
+        loads=None,
     )
-    run_batch(batch)
-    good = (batch.far <= MAX_COORDINATE) & (batch.fast <= RUNAWAY_SPEED)  # not NaN either
-    ends = np.stack((batch.x, batch.y, batch.vx, batch.vy), 1).reshape(groups, n, LANES, 4)
-    ends = ends.transpose(0, 2, 1, 3).reshape(-1, n, 4)
-    samples = batch.samples.reshape(groups, looks, 4, n, LANES).transpose(0, 4, 1, 3, 2)
-    samples = samples.reshape(groups * LANES, looks, n, 4)
-    time = steps * shape.dt
-    times = np.array([k * (every or 1) * shape.dt for k in range(looks)])
-    return [
-        Run(time, end[:, :2], end[:, 2:], None, times, path[:, :, :2], path[:, :, 2:]) if ok else None
-        for ok, end, path in zip(good[:count].tolist(), ends, samples, strict=False)
-    ]
-
-
-def _runs(ends: _Ends) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-    """Runs of parts whose ends count up by one, see `Batch`: their first parts and the end of the last, and
-    both ends of these."""
-    a, b = np.array(ends, np.int64).reshape(2, -1)
-    firsts = np.flatnonzero((np.diff(a, prepend=-2) != 1) | (np.diff(b, prepend=-2) != 1))
-    return np.append(firsts, a.size), a[firsts], b[firsts]
-
-
-def _scratch(masses: int, springs: int, joints: int, stages: int) -> dict[str, Floats]:
-    """The scratch of a `Batch`, by its names."""
-    sizes = {
-        **dict.fromkeys(("qx", "qy", "ux", "uy"), masses),
-        **dict.fromkeys(("kx", "ky"), masses * (stages + 1)),
-        **dict.fromkeys(("lx", "ly", "inverse", "turning", "tx", "ty"), springs),
-        **dict.fromkeys(("on_ax", "on_ay", "on_bx", "on_by"), joints),
-    }
-    arrays = slab([(LANES * size, 0) for size in sizes.values()], page_offset=0)
-    return dict(zip(sizes, arrays, strict=True))
+    state = new_state(system)
+    refresh(body, state)
+    here = slice(1, n * width + 1)
+    fields = state.x, state.y, state.vx, state.vy, state.inverse_mass, state.air, state.gx, state.gy
+    numbers = *start, weights, laid(inverse_mass * air), laid(gravity[:, :, 0]), laid(gravity[:, :, 1])
+    for field, values in zip(fields, numbers, strict=True):
+        field[here] = values
+    return system, state
 
 
 def _parts(scenes: Sequence[Scene], parts_of: Callable[[Scene], tuple[Any, ...]]) -> Callable[[str], Floats]:
@@ -370,11 +370,3 @@ def _starts(scenes: Sequence[Scene], masses: int) -> tuple[Floats, Floats]:
         flat = chain.from_iterable(chain.from_iterable(vectors))
         found.append(np.fromiter(flat, float, 2 * masses * len(scenes)).reshape(-1, masses, 2))
     return found[0], found[1]
-
-
-def _laid(numbers: Floats) -> Floats:
-    """Numbers (bodies, k) as `Batch` has them. The last group is filled up with copies of the last body."""
-    count, k = numbers.shape
-    groups = -(-count // LANES)
-    rows = np.concatenate((numbers, np.broadcast_to(numbers[-1:], (groups * LANES - count, k))))
-    return np.ascontiguousarray(rows.reshape(groups, LANES, k).transpose(0, 2, 1)).ravel()

@@ -354,8 +354,10 @@ class Solver:
         self._fetch((*needed, *(for_energy(body) if self.balance.active else ())))
         addresses = {name: ENTRY_POINTS[name].address if name in called else 0 for name in BY_ADDRESS}
         addresses["accelerations"] = ENTRY_POINTS[forces].address
-        near = _NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0
-        damped = _NEAR_DAMPED_LIMIT * damped_limit(self.system, surroundings=False)
+        near = damped = 0.0
+        if auto or info.name == "adams":
+            near = _NEAR_LIMIT * quick_limit(self.system)
+            damped = _NEAR_DAMPED_LIMIT * damped_limit(self.system, surroundings=False)
         self._problem = Problem(
             body=body,
             state=self.state,

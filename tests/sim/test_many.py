@@ -86,7 +86,6 @@ def same(one: Run, other: Run) -> bool:
 def test_bodies_side_by_side_do_what_a_simulation_of_each_does(seed: int, method: Any, count: int) -> None:
     rng = np.random.default_rng(seed)
     scene = wild_scene(rng)
-    assume(scene.force_law != "angle")
     try:
         sim.validate(scene)
     except SceneError:
@@ -129,7 +128,6 @@ ALONE: dict[str, Scene] = {
     "auto": sim.rope(),
     "walls": sim.jelly(integrator=Integrator(method="velocity_verlet", dt=1e-3)),
     "wind": sim.load_scene("flag-pole"),
-    "angle law": tutorial_rope(force_law="angle"),
     "circle": tutorial_rope(circle=Circle(radius=20.0, frequency=1.0)),
     "stable spring": tutorial_rope(integrator=Integrator(method="stable_spring")),
     "muscles": by(sim.worm(), "symplectic_euler", dt=1e-3),
