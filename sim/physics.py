@@ -17,9 +17,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
+
 from .forces.all import TERMS, WITH_ENERGY
-from .forces.joints import JointsTwin
-from .forces.springs import SpringsTwin
 from .forces.term import Sticking, Vectors
 from .kernels.core.tables import Body, State
 
@@ -35,20 +35,17 @@ class Physics:
         state: the present rest lengths and rest angles, and what acts on each mass besides its springs.
 
     Attributes:
-        springs, joints: the linear and the angular springs.
-        terms: the others, by name.
+        terms: twins of all forces, by name.
     """
 
     def __init__(self, body: Body, state: State) -> None:
         self._state = state
-        self.springs, self.joints = SpringsTwin(body, state), JointsTwin(body, state)
         self.terms = {term.name: term.twin(body, state) for term in TERMS}
         self._sticking = [term for term in self.terms.values() if isinstance(term, Sticking)]
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """(slots,) all forces but gravity at positions x (px) and velocities v (px/s), kg px/s²."""
-        own = self.springs.forces(x, v) + self.joints.forces(x, v)
-        return sum((term.forces(x, v) for term in self.terms.values()), own)
+        return sum((term.forces(x, v) for term in self.terms.values()), np.zeros_like(x))
 
     def accelerations(self, x: Vectors, v: Vectors) -> Vectors:
         """(slots,) px/s²; zero where a mass is held."""
@@ -56,9 +53,8 @@ class Physics:
         return self.forces(x, v) * state.inverse_mass + (state.gx + 1j * state.gy)
 
     def energies(self, x: Vectors) -> dict[str, float]:
-        """Energies of linear and of angular springs and of all terms, kg px²/s², by their names."""
-        others = {term.name: self.terms[term.name].energy(x) for term in WITH_ENERGY}
-        return {"linear": self.springs.energy(x), "angular": self.joints.energy(x), **others}
+        """Energies of all forces that have one, kg px²/s², by their names."""
+        return {term.name: self.terms[term.name].energy(x) for term in WITH_ENERGY}
 
     def stick(self, x: Vectors, v: Vectors) -> None:
         """After a step to positions x with velocities v, update tangential springs; see `forces.sticking`."""

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim import Scene
-from sim.forces.environment import acting_on, new_environment
+from sim.forces.environment import is_surrounded, new_environment
 from sim.scene.columns import column, ends, has_any
 from sim.scene.types import is_loaded
 
@@ -144,7 +144,7 @@ class Sketch:
         self.joint_mass = np.where(leaves, ends_b[:, 0], ends_b[:, 1])
         self.joint_sense = np.where(leaves, 1.0, -1.0)
         self.environment = None
-        if acting_on(scene):
+        if is_surrounded(scene):
             # Of contact, only the distance is drawn.
             drawn = msgspec.structs.replace(scene, contact=None)
             self.environment = new_environment(drawn, np.arange(n), self.springs, n)

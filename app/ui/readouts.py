@@ -323,8 +323,6 @@ def ghost_table(session: Session) -> str:
 
 ENERGY_NAMES = {
     "kinetic": "kinetic",
-    "linear": "linear springs",
-    "angular": "angular springs",
     "gravity": "height",
     **{term.name: term.label for term in WITH_ENERGY},
     "anchors": "work of your hand",

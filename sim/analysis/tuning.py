@@ -13,6 +13,8 @@ from ..body.stable_spring import joint_softness, softening_note
 from ..body.system import build_system, damage_of, for_analysis, joint_stiffness, start_of
 from ..errors import InputError
 from ..forces.air import AIR
+from ..forces.joints import JointsTwin
+from ..forces.springs import SpringsTwin
 from ..kernels.core.tables import Floats, Indices
 from ..methods.limits import flip, undamped_step
 from ..methods.registry import METHODS
@@ -228,6 +230,10 @@ class Dampers:
         for name, term in list(self._physics.terms.items()):
             if np.array_equal(term.forces(x, v), term.forces(x, -v)):
                 del self._physics.terms[name]
+        # Those whose damping is asked for.
+        body, state = self._system.body, self._state
+        self._springs, self._joints = SpringsTwin(body, state), JointsTwin(body, state)
+        self._physics.terms |= {"linear": self._springs, "angular": self._joints}
         self._mass = np.array([[m.mass] for m in scene.masses])
         self.numbers = Numbers.of(scene)
         self._broken, self._loose = broken_parts(scene)
@@ -260,8 +266,9 @@ class Dampers:
             for count, each in ((body.springs, springs), (body.joints, joints))
         )
         springs[self._broken] = joints[self._loose] = 0.0
-        physics.springs.damping, physics.joints.damping = springs[system.spring_order], np.zeros(body.joints)
-        physics.joints.damping[system.joint_order] = joints
+        of_joints = np.zeros(body.joints)
+        of_joints[system.joint_order] = joints
+        self._springs.damping, self._joints.damping = springs[system.spring_order], of_joints
         w = np.zeros(state.slots, complex)
         w[system.mass_index] = shape[:, 0] + 1j * shape[:, 1]
         x = state.x + 1j * state.y

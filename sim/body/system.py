@@ -12,7 +12,7 @@ import msgspec
 import numpy as np
 
 from ..forces.contact_batch import room_for_batches
-from ..forces.environment import EMPTY, acting_on, new_environment
+from ..forces.environment import EMPTY, is_surrounded, new_environment
 from ..forces.joints import LAWS, NO_JOINTS
 from ..forces.limits import NO_LIMITS, new_limits, without_broken
 from ..forces.muscles import NO_MUSCLES, new_muscles, waves
@@ -104,7 +104,7 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
     n = len(scene.masses)
     damageable = damaged or is_damageable(scene) or damage_of(scene) is not None
     springs, joints = ends(scene.linear_springs), ends(scene.angular_springs)
-    along = not damageable and not acting_on(scene)
+    along = not damageable and not is_surrounded(scene)
     wiring = wired(n, along, *(end.tobytes() for end in (*springs, *joints)))
     mass_order, mass_index = wiring.mass_order, wiring.mass_index
     body = _body(scene, wiring, damageable)

@@ -21,7 +21,7 @@ from typing import Any
 
 from numba import types
 
-from ..forces.all import CHAIN, PARTS, SPRINGS, accelerations, parts_of, path_of
+from ..forces.all import PARTS, accelerations, add_damping_product, any_accelerations, parts_of, path_of
 from ..forces.contact import no_tunnelling
 from ..forces.limits import part_to_try, settle, yielding_accelerations
 from ..forces.sticking import stick
@@ -33,7 +33,7 @@ from ..kernels.engine.addresses import ADDRESSES, address_of
 from ..kernels.engine.kept import file_of, trouble
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.fallback import run_fallback
-from ..kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
+from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..methods.registry import AUTO_METHODS, METHODS
 
 _FLOAT, _INT = types.float64, types.int64
@@ -149,7 +149,7 @@ FOR_DAMAGE = ("yielding_accelerations", "part_to_try", "settle")
 def for_forces(body: Body) -> tuple[str, ...]:
     """Names of the entry points that compute a body's accelerations."""
     path = path_of(body)
-    return path.name, *(() if path is CHAIN else (SPRINGS.name,)), *parts_of(body, "add_forces")
+    return path.name, *(parts_of(body, "add_forces") if path.kernel is any_accelerations else ())
 
 
 def for_matrices(body: Body) -> tuple[str, ...]:
@@ -169,7 +169,7 @@ def for_fallback(body: Body) -> tuple[str, ...]:
 
 def for_energy(body: Body) -> tuple[str, ...]:
     """Names of the entry points that the energy balance needs."""
-    return "energies", "accumulate_work", SPRINGS.name, *parts_of(body, "energy", "add_power")
+    return "energies", "accumulate_work", *parts_of(body, "add_forces", "energy", "add_power")
 
 
 def needed_by(method: str, body: Body) -> tuple[str, ...]:

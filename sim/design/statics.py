@@ -28,7 +28,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.equilibrium import Resting
-from ..forces.all import TERMS
+from ..forces.all import SURROUNDINGS
 from ..forces.joints import IN_NUMPY, TUTORIAL, JointsTwin
 from ..forces.springs import SpringsTwin
 from ..forces.walls import WallRow, WallsTwin
@@ -162,7 +162,7 @@ class Statics:
         x = np.zeros(body.slots, complex)
         x[place] = self.at
         still, force = np.zeros_like(x), np.zeros_like(x)
-        for term in TERMS:
+        for term in SURROUNDINGS:
             force += term.twin(body.tables, state).forces(x, still)
         order = body.system.spring_order
         others = np.flatnonzero(~self.springs[order])

@@ -253,12 +253,12 @@ class AirTwin:
 
 AIR = Term(
     "air friction",
-    "air",
-    Air,
-    new_air,
     is_windy,
     AirTwin,
     _add_forces,
+    field="air",
+    table=Air,
+    new=new_air,
     add_power=_add_power,
     add_derivatives=_add_derivatives,
     add_damping=_add_damping,

@@ -1,4 +1,4 @@
-"""The list of what acts on masses besides springs, joints and gravity, and what follows from it.
+"""The list of what acts on masses besides still air and gravity, and what follows from it.
 
 A new force is a page and an entry here, see docs/extending.md. The kernels below call those of the terms that
 act on a body. The balance, stability, what is measured, and `sim.physics` go by the list, too.
@@ -14,24 +14,27 @@ from ..kernels.core.shared import BY_ADDRESS
 from ..kernels.core.tables import Body
 from ..kernels.engine.addresses import ADDRESSES, NONE, calls
 from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.lanes import eight_at_a_time
+from ..kernels.engine.lanes import eight_at_a_time, whole_eights
 from .air import AIR, add_damping_of_still_air, power_of_still_air
 from .chain import chain_accelerations, is_chain_like
 from .contact import CONTACT
 from .fillings import FILLINGS
 from .resistance import RESISTANCE
-from .runs import spring_forces
+from .runs import JOINTS, SPRINGS, clear
 from .springs import accelerations_by
 from .term import SIGNATURES, Term
 from .walls import WALLS
 
-TERMS = (AIR, RESISTANCE, WALLS, FILLINGS, CONTACT)
+TERMS = (SPRINGS, JOINTS, AIR, RESISTANCE, WALLS, FILLINGS, CONTACT)
 """The forces; each is added to those before it."""
+
+SURROUNDINGS = tuple(term for term in TERMS if term.field)
+"""Those besides springs and joints. A chain on which none of them acts has a path of its own."""
 
 WITH_ENERGY = tuple(term for term in TERMS if term.energy is not None)
 """Those with an energy, in the order of `energies`."""
 
-KINETIC, LINEAR, ANGULAR, GRAVITY, OTHERS = 0, 1, 2, 3, 4
+KINETIC, GRAVITY, OTHERS = 0, 1, 2
 """Indices of the energies in what `kernels.energy.energies.energies` writes; `OTHERS`: the first of those of
 `WITH_ENERGY`."""
 ENERGIES = OTHERS + len(WITH_ENERGY)
@@ -40,7 +43,7 @@ ENERGIES = OTHERS + len(WITH_ENERGY)
 _OF_TERM = len(SIGNATURES)
 """Kernels that a term may have; their numbers in `ADDRESSES` follow each other."""
 _FORCES, _ENERGY, _POWER, _DERIVATIVES, _DAMPING, _IMPACT = range(_OF_TERM)
-_CHAIN, _ANY, _SPRINGS = (_OF_TERM * len(TERMS) + path for path in range(3))
+_CHAIN, _ANY = (_OF_TERM * len(TERMS) + path for path in range(2))
 _call_forces, _call_energy, _call_power, _call_derivatives, _call_damping, _call_impact = map(
     calls, SIGNATURES.values()
 )
@@ -73,9 +76,12 @@ def _parts_of(index: int, term: Term) -> dict[str, Part]:
 
 
 @kernel(internal=True, fastmath=FAST)
-def add_forces(body, state, scratch, q, v):
-    """See `Term.add_forces`; this and those below are those of all terms together, of which one that is not
-    loaded makes the result NaN."""
+def forces(body, state, scratch, q, v):
+    """The forces of all terms, kg px/s², into `scratch.fx` and `scratch.fy`.
+
+    This and those below are those of all terms together. One that is not loaded makes the result NaN.
+    """
+    clear(whole_eights(body.masses + 1), scratch.fx, scratch.fy)
     around = body.environment
     for i in range(around.acting.size):
         at = around.calls[around.acting[i] * _OF_TERM + _FORCES]
@@ -124,9 +130,10 @@ def add_derivatives(body, state, matrix, q, v, g, definite):
             matrix.blocks[0] = np.nan
 
 
-@kernel(internal=True, fastmath=FAST)
-def add_damping(body, state, q, v, z, factor, out):
-    """See `Term.add_damping`."""
+@kernel(fastmath=FAST)
+def add_damping_product(body, state, q, v, z, factor, out):
+    """out += factor Jv z, with the derivatives Jv of accelerations by velocities, 1/s, at positions q and
+    velocities v. See `Term.add_damping`."""
     around = body.environment
     add_damping_of_still_air(body, state, v, z, factor, out)
     for i in range(around.acting.size):
@@ -151,23 +158,12 @@ def impact_time(body, state, q, v, a, h):
 
 
 # ------------------------------------------------------------------------- accelerations
-@kernel(internal=True, fastmath=FAST)
-def add_all_forces(body, state, scratch, q, v):
-    """Forces of springs, joints and all terms, kg px/s², into `scratch.fx` and `scratch.fy`."""
-    at = body.environment.calls[_SPRINGS]
-    if at > 0:
-        _call_forces(at, body, state, scratch, q, v)
-    else:
-        scratch.fx[1] = np.nan
-    add_forces(body, state, scratch, q, v)
-
-
 @kernel(noalias=True, fastmath=FAST)
 def any_accelerations(body, state, scratch, q, v, a):
     """Like `accelerations`, of any body."""
     eight_at_a_time()
     slots = q.size // 2
-    add_all_forces(body, state, scratch, q, v)
+    forces(body, state, scratch, q, v)
     accelerations_by(body, state, scratch, v[:slots], v[slots:], a)
 
 
@@ -185,11 +181,10 @@ def accelerations(body, state, scratch, q, v, a):
 
 
 _PATHS = {
-    number: Part(function.py_func.__name__, label, function, signature, number)
-    for number, label, function, signature in (
-        (_CHAIN, "accelerations in chains", chain_accelerations, BY_ADDRESS["accelerations"]),
-        (_ANY, "accelerations in any body", any_accelerations, BY_ADDRESS["accelerations"]),
-        (_SPRINGS, "springs and joints", spring_forces, SIGNATURES["add_forces"]),
+    number: Part(function.py_func.__name__, label, function, BY_ADDRESS["accelerations"], number)
+    for number, label, function in (
+        (_CHAIN, "accelerations in chains", chain_accelerations),
+        (_ANY, "accelerations in any body", any_accelerations),
     )
 }
 _BY_TERM = [_parts_of(index, term) for index, term in enumerate(TERMS)]
@@ -198,13 +193,9 @@ PARTS = (*_PATHS.values(), *(part for parts in _BY_TERM for part in parts.values
 """All kernels of forces that are compiled by themselves."""
 
 
-CHAIN, SPRINGS = _PATHS[_CHAIN], _PATHS[_SPRINGS]
-"""The accelerations of a chain, and the forces of springs and joints in any body."""
-
-
 def path_of(body: Body) -> Part:
     """The kernel that computes the accelerations of a body."""
-    return CHAIN if is_chain_like.py_func(body) else _PATHS[_ANY]
+    return _PATHS[_CHAIN if is_chain_like.py_func(body) else _ANY]
 
 
 def parts_of(body: Body, *fields: str) -> tuple[str, ...]:

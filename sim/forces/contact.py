@@ -520,12 +520,12 @@ def direction(gap: Vectors, spring: Vectors) -> Vectors:
 
 CONTACT = Term(
     "contact",
-    "contact",
-    Contacts,
-    new_contacts,
     has_contact,
     ContactTwin,
     _add_forces,
+    field="contact",
+    table=Contacts,
+    new=new_contacts,
     energy=_energy,
     label="contact",
     add_power=_add_power,

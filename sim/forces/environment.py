@@ -1,4 +1,4 @@
-"""The table of all that acts on a body besides springs, still air and gravity."""
+"""The table of what acts on a body."""
 
 from __future__ import annotations
 
@@ -10,31 +10,37 @@ from ..kernels.engine.addresses import ADDRESSES
 from ..kernels.engine.table import Indices, Table
 from ..scene.columns import column
 from ..scene.types import Scene
-from .all import TERMS
+from .all import SURROUNDINGS, TERMS
 from .term import Places
 
-_NO_TERMS = np.zeros(0, np.int64)
-
 _FIELDS = {
-    "present": "bool",  # any term acts
+    "present": "bool",  # any of `all.SURROUNDINGS` acts
     "touches": "bool",  # any of those that are `Term.touches` does
     "step": "float",  # s, of an explicit method with a fixed step, which softens touch; else 0
     "mass": "Floats",  # (slots,) kg
     "acting": "Indices",  # (k,) indices in `all.TERMS` of those that act
     "calls": "Indices",  # `kernels.engine.addresses.ADDRESSES`
-    **{term.field: term.table.__name__ for term in TERMS},
+    **{term.field: term.table.__name__ for term in SURROUNDINGS},
 }
 
 Environment: Any = type(
     "Environment",
     (Table,),
-    {"__annotations__": _FIELDS, "__doc__": "A table for each term in `all.TERMS`, and what they share."},
+    {
+        "__annotations__": _FIELDS,
+        "__doc__": "What terms share, and a table for each of `all.SURROUNDINGS`.",
+    },
 )
 
 
 def acting_on(scene: Scene) -> tuple[int, ...]:
     """Indices in `all.TERMS` of the terms that act on a valid scene's masses."""
     return tuple(index for index, term in enumerate(TERMS) if term.acts(scene))
+
+
+def is_surrounded(scene: Scene) -> bool:
+    """Whether anything acts on a valid scene's masses besides springs, joints, still air and gravity."""
+    return any(term.acts(scene) for term in SURROUNDINGS)
 
 
 def new_environment(scene: Scene, mass_index: Indices, ends: Indices, slots: int, step: float = 0.0) -> Any:
@@ -51,15 +57,15 @@ def new_environment(scene: Scene, mass_index: Indices, ends: Indices, slots: int
     places = Places(mass_index, ends, slots, mass)
     acting = acting_on(scene)
     return Environment(
-        present=bool(acting),
+        present=is_surrounded(scene),
         touches=any(TERMS[index].touches for index in acting),
         step=step,
         mass=mass,
-        acting=np.array(acting, np.int64) if acting else _NO_TERMS,
+        acting=np.array(acting, np.int64),
         calls=ADDRESSES,
-        **{term.field: term.new(scene, places) for term in TERMS},
+        **{term.field: term.new(scene, places) for term in SURROUNDINGS if term.new},
     )
 
 
-EMPTY = Environment.empty().replaced(calls=ADDRESSES)
-"""The table of a body that has none yet."""
+EMPTY = Environment.empty().replaced(calls=ADDRESSES, acting=np.arange(len(TERMS) - len(SURROUNDINGS)))
+"""The table of a body of springs and joints that nothing surrounds."""

@@ -309,12 +309,12 @@ def _energy_of(filling: FillingRow, area: float) -> float:
 
 FILLINGS = Term(
     "fillings",
-    "fillings",
-    Fillings,
-    new_fillings,
     lambda scene: bool(scene.fillings),
     FillingsTwin,
     _add_forces,
+    field="fillings",
+    table=Fillings,
+    new=new_fillings,
     energy=_energy,
     label="gases and liquids",
     add_derivatives=_add_derivatives,

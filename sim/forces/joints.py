@@ -376,14 +376,14 @@ def add_joint_derivatives(body, state, matrix, q, v, g, definite):
 
 
 @kernel(fastmath=FAST)
-def add_joint_damping(body, w, q, z, factor, out):
+def add_joint_damping(body, state, q, v, z, factor, out):
     """A joint's damper has the torque -C |A||B| V', where V' is the rate of the angle from A to B.
 
     A spring with the vector L and the rate L' turns at (L x L') / |L|². A torque T turns it by the force
     T (-L.y, L.x) / |L|² on its b end.
     """
-    slots = z.size // 2
-    for j in range(body.joints):
+    w, slots = state.inverse_mass, z.size // 2
+    for j in range(body.joints if body.joint_damped else 0):
         s, r = body.joint_a[j], body.joint_b[j]
         a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
         (ax, ay), (bx, by) = from_to(q, a0, a1), from_to(q, b0, b1)

@@ -339,12 +339,12 @@ class ResistanceTwin:
 
 RESISTANCE = Term(
     "resistance",
-    "resistance",
-    Resistance,
-    new_resistance,
     is_resisted,
     ResistanceTwin,
     _add_forces,
+    field="resistance",
+    table=Resistance,
+    new=new_resistance,
     add_power=_add_power,
     add_derivatives=_add_derivatives,
     add_damping=_add_damping,

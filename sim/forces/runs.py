@@ -24,9 +24,19 @@ from ..kernels.core.tables import Links, padded
 from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.lanes import eight_at_a_time, scalar_gathers_on_amd, whole_eights
 from ..kernels.engine.table import Floats, Indices
-from .joints import CONSERVATIVE, NO_JOINTS, TUTORIAL, bend, rub
-from .springs import tension
-from .term import read_only
+from .joints import (
+    CONSERVATIVE,
+    NO_JOINTS,
+    TUTORIAL,
+    JointsTwin,
+    add_joint_damping,
+    add_joint_derivatives,
+    bend,
+    joint_energies,
+    rub,
+)
+from .springs import SpringsTwin, add_spring_damping, add_spring_derivatives, spring_energies, tension
+from .term import Term, read_only
 
 _SHORTEST_RUN = 5
 """Pairs from which on a run is one; shorter ones take longer than pairs one by one."""
@@ -166,8 +176,8 @@ def _places(end_of: Indices, ends: int) -> Indices:
 
 # ------------------------------------------------------------------------- the sum of all forces
 @kernel(noalias=True, fastmath=FAST)
-def spring_forces(body, state, scratch, q, v):
-    """Forces of all springs and joints on all masses, into `scratch.fx` and `scratch.fy`."""
+def add_spring_forces(body, state, scratch, q, v):
+    """Add the forces of all springs and joints on all masses to `scratch.fx` and `scratch.fy`."""
     scalar_gathers_on_amd()
     eight_at_a_time()
     slots, law = q.size // 2, body.law
@@ -187,7 +197,7 @@ def spring_forces(body, state, scratch, q, v):
             _put_rates(held, vx, vy, scratch.dvx, scratch.dvy)
             _add_rubs(body, scratch)
         joints, rows, alone = body.bends, scratch.joint_rows, scratch.joint_alone
-        _clear(whole_eights(body.hinged), scratch.held_x, scratch.held_y)
+        clear(whole_eights(body.hinged), scratch.held_x, scratch.held_y)
         _sum_at_ends(
             joints, 1.0, (rows[2], rows[3]), (rows[0], rows[1]), (alone[2], alone[3]), (alone[0], alone[1]),
             (scratch.held_x, scratch.held_y),
@@ -196,7 +206,6 @@ def spring_forces(body, state, scratch, q, v):
     else:
         _put_tensions(False, body, state, scratch, held, scratch.held_rows, vx, vy)
     _put_tensions(False, body, state, scratch, free, scratch.free_rows, vx, vy)
-    _clear(whole_eights(body.masses + 1), fx, fy)
     tx, ty, none = scratch.tx, scratch.ty, body.stiffness.size
     tx[none], ty[none] = 0.0, 0.0  # where others leave other numbers
     for links, rows in ((held, scratch.held_rows), (free, scratch.free_rows)):
@@ -205,7 +214,7 @@ def spring_forces(body, state, scratch, q, v):
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
-def _clear(count, x, y):
+def clear(count, x, y):
     for i in range(count):
         x[i], y[i] = 0.0, 0.0
 
@@ -451,3 +460,27 @@ def _tensions_alone(bent, first, behind, vectors, rates, numbers, joints, out):
         if bent:
             tx[s] += held_x[s]
             ty[s] += held_y[s]
+
+
+SPRINGS = Term(
+    "linear",
+    lambda scene: bool(scene.linear_springs),
+    SpringsTwin,
+    add_spring_forces,
+    causes=("linear stiffness", "linear damping"),
+    energy=spring_energies,
+    label="linear springs",
+    add_derivatives=add_spring_derivatives,
+    add_damping=add_spring_damping,
+)
+
+JOINTS = Term(
+    "angular",
+    lambda scene: bool(scene.angular_springs),
+    JointsTwin,
+    causes=("angular stiffness", "angular damping"),
+    energy=joint_energies,
+    label="angular springs",
+    add_derivatives=add_joint_derivatives,
+    add_damping=add_joint_damping,
+)

@@ -130,10 +130,10 @@ def add_spring_derivatives(body, state, matrix, q, v, g, definite):
 
 
 @kernel(fastmath=FAST)
-def add_spring_damping(body, w, q, z, factor, out):
+def add_spring_damping(body, state, q, v, z, factor, out):
     """A damper's force on its b end is -c u (u . L'), with the unit vector u and the rate L' of a spring."""
-    slots = z.size // 2
-    for s in range(body.springs):
+    w, slots = state.inverse_mass, z.size // 2
+    for s in range(body.springs if body.damped else 0):
         a, b = body.spring_a[s], body.spring_b[s]
         (x, y), (zx, zy) = from_to(q, a, b), from_to(z, a, b)
         inverse = inverse_of(x, y, body.softening)

@@ -1,4 +1,4 @@
-"""What a page about a force gives to the list in `all`.
+"""What a page about a force gives to the list in `all`: springs and joints like all others.
 
 All kernels get the tables `body` and `state`, and flat positions q (px) and velocities v (px/s): x of every
 slot, then y of every slot. They are called through their addresses, for bodies that have the term: each is
@@ -82,17 +82,18 @@ class Sticking(Protocol):
 
 @dataclass(frozen=True)
 class Term:
-    """A force on masses besides those of springs and joints, with all that the solver asks of it.
+    """A force on masses, with all that the solver asks of it.
 
     Attributes:
         name: of its energy, and as a cause of instability.
-        field: of its table in `Body.environment`.
-        table: the class of that table.
-        new: makes it from a valid scene.
         acts: whether the term acts on a valid scene's masses.
         twin: makes its twin in NumPy from a body's tables.
         add_forces: kernel (body, state, scratch, q, v); adds forces, kg px/s², to `scratch.fx` and
-            `scratch.fy`. `tx` and `ty` of the scratch are free for it.
+            `scratch.fy`. `tx` and `ty` of the scratch are free for it. None where another term adds them.
+        field: of its table in `Body.environment`; empty for springs and joints, which are the body itself.
+        table: the class of that table.
+        new: makes it from a valid scene.
+        causes: what its stiffness and its damping are called as a cause of instability; `name` without.
         energy: kernel (body, state, q); returns kg px²/s². None for a force without an energy.
         label: what the energy is of, in a few words.
         add_power: kernel (body, state, balance, q, v, part); adds `part` (s) times the power, kg px²/s³, of
@@ -110,12 +111,13 @@ class Term:
     """
 
     name: str
-    field: str
-    table: type[Table]
-    new: Callable[[Scene, Places], Table]
     acts: Callable[[Scene], bool]
     twin: Callable[[Body, State], Twin]
-    add_forces: Kernel
+    add_forces: Kernel | None = None
+    field: str = ""
+    table: type[Table] = Table
+    new: Callable[[Scene, Places], Table] | None = None
+    causes: tuple[str, str] | None = None
     energy: Kernel | None = None
     label: str = ""
     add_power: Kernel | None = None

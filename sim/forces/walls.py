@@ -440,12 +440,12 @@ class WallsTwin:
 
 WALLS = Term(
     "walls",
-    "walls",
-    Walls,
-    new_walls,
     lambda scene: bool(scene.walls),
     WallsTwin,
     _add_forces,
+    field="walls",
+    table=Walls,
+    new=new_walls,
     energy=_energy,
     label="depth in walls",
     add_power=_add_power,

@@ -17,11 +17,12 @@ class Energies:
     """The energies, and what has changed their sum since the balance was opened, in kg px²/s².
 
     Attributes:
-        kinetic, linear, angular, gravity: energies of the free masses' motion, the linear springs, the
-            angular springs, and the free masses' height above 0 (with the energy -F · x of the constant
-            forces on them). Under the law "tutorial" the angular energy is that of the conservative law.
-        others: energies of `sim.forces.all.WITH_ENERGY`, in order: of the depth in walls, of gases and
-            liquids, and of contact. Each is an attribute, too, under its name there, such as `walls`.
+        kinetic: energy of the free masses' motion.
+        gravity: that of their height above 0, with the energy -F · x of the constant forces on them.
+        others: energies of `sim.forces.all.WITH_ENERGY`, in order: of linear and angular springs, of the
+            depth in walls, of gases and liquids, and of contact. Each is an attribute, too, under its name
+            there, such as `linear`. Under the law "tutorial" the angular energy is that of the conservative
+            law.
         anchors: work done on the body by moved anchors. Grabbing a mass removes its kinetic energy and that
             of its height; releasing it adds that of its height at that moment.
         damping, air, friction: work of the damping of springs, of air friction and a medium, and of walls,
@@ -38,8 +39,6 @@ class Energies:
     """
 
     kinetic: float
-    linear: float
-    angular: float
     gravity: float
     others: tuple[float, ...]
     anchors: float
@@ -63,7 +62,7 @@ class Energies:
     @property
     def total(self) -> float:
         """The sum of the energies."""
-        return self.kinetic + self.linear + self.angular + self.gravity + sum(self.others)
+        return self.kinetic + self.gravity + sum(self.others)
 
 
 _OTHERS = tuple(term.name for term in WITH_ENERGY)

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from ..body.system import System, new_scratch, new_state, refresh, wired, with_numbers
 from ..errors import InputError, SceneError
-from ..forces.environment import acting_on
+from ..forces.environment import is_surrounded
 from ..forces.joints import LAWS, NO_JOINTS
 from ..kernels.core.tables import SHORTEST_SQUARED, State
 from ..kernels.integrators.guard import GOOD
@@ -208,7 +208,7 @@ class _Shapes:
         law = LAWS[scene.force_law].code if joints else NO_JOINTS
         if (
             integrator.method not in _METHODS
-            or acting_on(scene)
+            or is_surrounded(scene)
             or (scene.pose is not None and scene.pose.damage is not None)
             or any(anchor.circle is not None for anchor in scene.anchors)
             or len(scene.anchors) == len(scene.masses)

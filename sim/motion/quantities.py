@@ -237,8 +237,6 @@ def _over_limit(simulation: Moving, _: Indices) -> Floats:
 _ENERGY_SUMMARIES = {
     "total": "sum of the energies",
     "kinetic": "kinetic energy",
-    "linear": "energy of the linear springs",
-    "angular": "energy of the angular springs",
     "gravity": "energy of height and of constant forces",
     **{term.name: f"energy of {term.label}" for term in WITH_ENERGY},
     "anchors": "work of moved anchors and of a hand",

@@ -56,14 +56,11 @@ from ..scene.types import Scene
 Cause = str
 """What limits the time step: an entry of `CAUSES`."""
 
-CAUSES = (
-    "linear stiffness",
-    "angular stiffness",
-    "linear damping",
-    "angular damping",
-    *(term.name for term in TERMS),
-)
-"""All that can: springs, joints, and the terms of `sim.forces.all`, each with its stiffness and damping."""
+_CAUSES = [term.causes or (term.name, term.name) for term in TERMS]
+"""What the stiffness and the damping of each term of `sim.forces.all` are called."""
+
+CAUSES = tuple(dict.fromkeys(cause for causes in _CAUSES for cause in causes))
+"""All that can."""
 
 _COPIED = (
     "q", "v", "controls", "clock", "inverse_mass", "set_length", "set_angle", "hardened", "broken",
@@ -298,10 +295,10 @@ class StabilityMeter:
             stiffness = along(partial(self._by_positions, forces))
             return limit * limit * stiffness, rate * along(partial(self._by_velocities, forces))
 
-        twins = physics.springs, physics.joints, *physics.terms.values()
-        springs, joints, *terms = map(parts_of, twins)
-        of_springs = springs[0], joints[0], springs[1], joints[1]
-        parts = dict(zip(CAUSES, (*of_springs, *map(sum, terms)), strict=True))
+        parts = dict.fromkeys(CAUSES, 0.0)
+        for causes, twin in zip(_CAUSES, physics.terms.values(), strict=True):
+            for cause, part in zip(causes, parts_of(twin), strict=True):
+                parts[cause] += part
         return max(parts, key=lambda cause: parts[cause])
 
 

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from sim import Scene, Simulation
 from sim.body.sparsity import new_matrix
 from sim.compiling.compiler import ENTRY_POINTS, fetch
-from sim.forces.all import ENERGIES, accelerations
+from sim.forces.all import ENERGIES, accelerations, add_damping_product
 from sim.forces.limits import yielding_accelerations
 from sim.kernels.energy.energies import energies
-from sim.kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
+from sim.kernels.linear.implicit import factorise_matrix, solve_matrix
 from sim.motion.solver import Solver
 from sim.physics import Physics
 from tests.sim.checks import jacobian

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 from sim.body.system import System
-from sim.forces.runs import spring_forces as kernel_forces
+from sim.forces.runs import add_spring_forces
 from sim.kernels.core.tables import Adams, Drive, Floats, Problem, Rosenbrock, Scratch
 from sim.kernels.engine import kept
 from sim.kernels.integrators import adams
@@ -118,7 +118,8 @@ def spring_forces(simulation: Simulation) -> Points:
     """(n, 2) what all springs and joints do to each mass at the present state, without air and gravity."""
     scratch = simulation._scratch
     state = simulation._state
-    kernel_forces(simulation._body, state, scratch, state.q, state.v)
+    scratch.fx[:], scratch.fy[:] = 0.0, 0.0
+    add_spring_forces(simulation._body, state, scratch, state.q, state.v)
     index = simulation._system.mass_index
     return np.column_stack((scratch.fx[index], scratch.fy[index]))
 

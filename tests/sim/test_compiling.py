@@ -323,12 +323,12 @@ def test_a_scene_waits_for_no_kernel_of_what_it_does_not_have() -> None:
 
     floor = (sim.Wall(point=(0.0, 500.0), normal=(0.0, -1.0)),)
     assert parts(sim.rope(5)) == {"chain_accelerations"}
-    assert parts(sim.rope(5, walls=floor)) == {"any_accelerations", "spring_forces", "walls.add_forces"}
-    assert parts(sim.load_scene("study-cloth")) == {"any_accelerations", "spring_forces"}
+    assert parts(sim.rope(5, walls=floor)) == {"any_accelerations", "linear.add_forces", "walls.add_forces"}
+    assert parts(sim.load_scene("study-cloth")) == {"any_accelerations", "linear.add_forces"}
     assert "contact.add_forces" in parts(sim.rope(5, contact=sim.Contact(distance=5.0)))
 
 
-@pytest.mark.parametrize("kind", ["walls.add_forces", "any_accelerations", "spring_forces"])
+@pytest.mark.parametrize("kind", ["walls.add_forces", "any_accelerations", "linear.add_forces"])
 def test_forces_with_a_part_that_is_not_loaded_are_no_numbers(kind: str) -> None:
     floor = (sim.Wall(point=(0.0, 500.0), normal=(0.0, -1.0)),)
     body = Resting(sim.rope(5, walls=floor), balanced=False)

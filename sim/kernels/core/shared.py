@@ -70,7 +70,7 @@ def solve(problem, b):
 
 @kernel(inline="always")
 def add_damping(problem, q, v, z, factor, out):
-    """`linear.implicit.add_damping_product` of the problem's body."""
+    """`forces.all.add_damping_product` of the problem's body."""
     _add_damping_product(problem.add_damping_product, problem.body, problem.state, q, v, z, factor, out)
 
 

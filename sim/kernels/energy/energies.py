@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from ...forces.all import ANGULAR, GRAVITY, KINETIC, LINEAR, write_energies
-from ...forces.joints import joint_energies
-from ...forces.springs import spring_energies
+from ...forces.all import GRAVITY, KINETIC, write_energies
 from ..engine.jit import FAST, kernel
 
 
@@ -12,7 +10,7 @@ from ..engine.jit import FAST, kernel
 def energies(body, state, mass, q, v, out):
     """Write the energies, kg px²/s², into `out`, and return their sum.
 
-    They are those of motion, linear springs, angular springs and gravity, and of `forces.all.WITH_ENERGY`.
+    They are those of motion and gravity, and of `forces.all.WITH_ENERGY`.
     The energy of gravity, with that of the constant forces on masses, is counted from (0, 0). Held masses
     have neither kinetic energy nor that of gravity and walls. Under the tutorial's law, the angular energy is
     that of the conservative law.
@@ -23,8 +21,6 @@ def energies(body, state, mass, q, v, out):
         if state.inverse_mass[i] > 0.0:
             out[KINETIC] += 0.5 * mass[i] * (v[i] * v[i] + v[slots + i] * v[slots + i])
             out[GRAVITY] -= mass[i] * (state.gx[i] * q[i] + state.gy[i] * q[slots + i])
-    out[LINEAR] = spring_energies(body, state, q)
-    out[ANGULAR] = joint_energies(body, state, q)
     write_energies(body, state, q, out)
     total = 0.0
     for i in range(out.size):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ...forces.all import add_all_forces, add_power
+from ...forces.all import add_power, forces
 from ...forces.joints import TUTORIAL, joint_power_of_keys, power_of_law
 from ...forces.limits import yield_at
 from ...forces.muscles import power_of_muscles
@@ -134,7 +134,7 @@ def _add_powers(problem, drive, t, h, q, v):
 def _add_work_of_anchors(problem, drive, q, v, rate, h):
     """Add h times the power of led masses, at the velocities `rate`, against the forces at velocities v."""
     body, state, scratch, slots = problem.body, problem.state, problem.scratch, q.size // 2
-    add_all_forces(body, state, scratch, q, v)
+    forces(body, state, scratch, q, v)
     for i in range(drive.mass.size):
         m = drive.mass[i]
         power = scratch.fx[m] * rate[m] + scratch.fy[m] * rate[slots + m]

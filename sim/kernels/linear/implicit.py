@@ -13,10 +13,7 @@ at once.
 
 from __future__ import annotations
 
-from ...forces.all import add_damping
 from ...forces.fillings import write_area_product
-from ...forces.joints import add_joint_damping
-from ...forces.springs import add_spring_damping
 from ..engine.jit import FAST, kernel
 from .krylov import solve_with_contact
 from .sparse import assemble, eliminate
@@ -49,16 +46,6 @@ def solve_matrix(body, state, matrix, b):
         for i in range(fillings):
             part += matrix.corrections[k, i] * matrix.corrections[fillings, i]
         add_multiple(body.masses, -part, matrix.borders[fillings + k], b)
-
-
-@kernel(fastmath=FAST)
-def add_damping_product(body, state, q, v, z, factor, out):
-    """out += factor Jv z, with Jv at positions q and velocities v; all vectors are flat."""
-    if body.damped:
-        add_spring_damping(body, state.inverse_mass, q, z, factor, out)
-    if body.joint_damped:
-        add_joint_damping(body, state.inverse_mass, q, z, factor, out)
-    add_damping(body, state, q, v, z, factor, out)
 
 
 @kernel(fastmath=FAST)

@@ -10,9 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...forces.all import add_derivatives
-from ...forces.joints import add_joint_derivatives
 from ...forces.limits import add_yielding_derivatives, yield_at
-from ...forces.springs import add_spring_derivatives
 from ..core.blocks import inverted
 from ..engine.jit import FAST, kernel
 
@@ -27,8 +25,6 @@ def assemble(body, state, matrix, q, v, g, definite):
         matrix.blocks[i] = 0.0
     if body.limits.present:
         yield_at(body, state, q)
-    add_spring_derivatives(body, state, matrix, q, v, g, definite)
-    add_joint_derivatives(body, state, matrix, q, v, g, definite)
     add_derivatives(body, state, matrix, q, v, g, definite)
     if body.limits.present and not definite:
         add_yielding_derivatives(body, state, matrix, q, v)
