@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..forces.contact import direction
+from ..forces.contact import places
 from ..forces.sticking import sticks
 from ..forces.walls import NOWHERE
 from ..kernels.core.tables import State
@@ -80,7 +80,6 @@ def _put_in_contact(state: State, system: System, grips: Grips) -> None:
     s, m, stretch = s[order], m[order], stretch[order]
     x, a, b = state.x + 1j * state.y, body.spring_a[s], body.spring_b[s]
     t = nearest_points(x[m], x[a], x[b])
-    way = direction(x[m] - x[a] - t * (x[b] - x[a]), x[b] - x[a])
     state.contact_start[:] = np.searchsorted(s, np.arange(body.springs + 1))
     state.contact_mass[: s.size] = m
-    state.contact_stretch[: s.size] = np.stack((stretch, t, way.real, way.imag), 1)
+    state.contact_stretch[: s.size] = np.column_stack((stretch, *places(x, m, a, b, t)))

@@ -24,7 +24,7 @@ from numba import types
 from ..forces.all import PARTS, accelerations, add_damping_product, any_accelerations, parts_of, path_of
 from ..forces.contact import no_tunnelling
 from ..forces.limits import part_to_try, settle, yielding_accelerations
-from ..forces.sticking import stick
+from ..forces.sticking import part_to_slip, stick
 from ..kernels.core.shared import BY_ADDRESS, FLOATS
 from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
@@ -125,6 +125,7 @@ def _entry_points() -> dict[str, EntryPoint]:
         by_address("steps with contact", no_tunnelling),
         ("forces that yield", yielding_accelerations, BY_ADDRESS["accelerations"].args),
         by_address("limits of springs", part_to_try),
+        by_address("where friction begins to slide", part_to_slip),
         by_address("friction that holds", stick),
         by_address("yielding and breaking", settle),
     ]
@@ -141,6 +142,9 @@ ENTRY_POINTS = _entry_points()
 
 FOR_MATRICES = ("factorise_matrix", "solve_matrix", "add_damping_product")
 """Entry points that linear systems need, besides those of a body's forces."""
+
+FOR_STICKING = ("part_to_slip", "stick")
+"""Entry points that a body with tangential springs needs."""
 
 FOR_DAMAGE = ("yielding_accelerations", "part_to_try", "settle")
 """Entry points that a body needs which breaks or yields."""

@@ -13,19 +13,23 @@ from numpy.typing import NDArray
 
 from ..kernels.core.tables import Body, State
 from ..kernels.engine.jit import FUSED, kernel
+from ..kernels.engine.table import Indices
 from ..near import near_pairs, nearest_points
 from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
 from .contact_batch import add_in_batches
 from .contact_pairs import (
     Contacts,
     add_at_pair,
-    direction_of,
     friction_on,
     has_contact,
     lost_in,
+    mobilities,
     new_contacts,
     pair_at,
+    place_of,
+    stretch_since,
 )
+from .events import kept_stretch, part_to_slip, part_to_touch, stretch_since_touch
 from .push import friction_slopes, push_slopes, pushes_and_frictions, softened_for, time_to_deepest
 from .term import Floats, Term, Vectors
 
@@ -94,8 +98,59 @@ def energy_along_spring(body, state, q, s):
 
 
 @kernel(internal=True, fastmath=FUSED)
-def stick_to_springs(body, state, scratch, q, v):
-    """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`."""
+def _slider(body, pair, pull):
+    """(stretch, speed along, largest friction, rate of that) of a pair, as in `events.part_to_slip`; `pull`:
+    the acceleration outwards of its mass, px/s²."""
+    contact, depth = body.environment.contact, body.environment.contact.distance - pair.r
+    friction = friction_on(contact, pair.ex * pair.ex + pair.ey * pair.ey)
+    by_depth, by_speed = 0.0, 0.0
+    if depth > 0.0:
+        by_depth, by_speed = push_slopes(contact.stiffness, lost_in(contact), depth, pair.speed)
+    return (
+        pair.stretch,
+        pair.along,
+        friction * pair.push,
+        friction * (by_speed * pull - by_depth * pair.speed),
+    )
+
+
+@kernel(internal=True, fastmath=FUSED)
+def part_to_slip_on_springs(body, state, q, v, to_q, to_v, h, unseen):
+    """The part of a step that leads just beyond where a mass begins to touch a spring, or to slide along it,
+    or turns round; see `events.part_to_slip`."""
+    contact, w, slots, part = body.environment.contact, state.inverse_mass, q.size // 2, 1.0
+    if not (contact.present and contact.tangential > 0.0):
+        return part
+    spring = contact.tangential, contact.resisting
+    update_pairs(body, to_q[:slots], to_q[slots:])
+    for s in range(body.springs):
+        first, behind = pairs_of(body, s)
+        for p in range(first, behind):
+            m = contact.member[p]
+            near, pair = pair_at(body, state, w, s, m, to_q, to_v, contact.margin)
+            was_near, old = pair_at(body, state, w, s, m, q, v, contact.margin)
+            if near and was_near and max(contact.distance - pair.r, contact.distance - old.r) > 0.0:
+                weights, n, arm = (w[m], w[pair.a], w[pair.b]), (pair.nx, pair.ny), (pair.lx, pair.ly)
+                _, mobility = mobilities(weights, pair.t, n, arm)
+                pull = (pair.speed - old.speed) / h
+                start, end = _slider(body, old, pull), _slider(body, pair, pull)
+                if pair.gripped:
+                    part = min(part, part_to_slip(h, spring, mobility, start, end, unseen))
+                elif pair.r < contact.distance:
+                    depths, speeds = (
+                        (contact.distance - old.r, contact.distance - pair.r),
+                        (old.speed, pair.speed),
+                    )
+                    part = min(part, part_to_touch(h, spring, mobility, depths, speeds, end, unseen))
+    return part
+
+
+@kernel(internal=True, fastmath=FUSED)
+def stick_to_springs(body, state, scratch, q0, v0, q, v, h):
+    """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`.
+
+    Arguments as of `sticking.stick`.
+    """
     contact, slots, count = body.environment.contact, q.size // 2, 0
     masses, stretches = scratch.next_mass, scratch.next_stretch
     if not (contact.present and contact.tangential > 0.0):
@@ -103,24 +158,35 @@ def stick_to_springs(body, state, scratch, q, v):
     update_pairs(body, q[:slots], q[slots:])
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
-        start = count
+        row = count
         for p in range(first, behind):
-            touches, pair = pair_at(body, state, state.inverse_mass, s, contact.member[p], q, v)
+            m = contact.member[p]
+            touches, pair = pair_at(body, state, state.inverse_mass, s, m, q, v)
             if touches and count < masses.size:
-                most = (
-                    friction_on(contact, pair.ex * pair.ex + pair.ey * pair.ey) * pair.push / pair.tangential
-                )
-                ahead, beside = direction_of(pair)
-                masses[count] = pair.m
-                stretches[count, 0] = min(max(pair.stretch, -most), most)
-                stretches[count, 1] = pair.t
-                stretches[count, 2], stretches[count, 3] = ahead, beside
+                was_near, old = False, pair
+                if h > 0.0:
+                    was_near, old = pair_at(body, state, state.inverse_mass, s, m, q0, v0, contact.margin)
+                pull = (pair.speed - old.speed) / h if was_near else 0.0
+                start, end, stretch = _slider(body, old, pull), _slider(body, pair, pull), 0.0
+                if pair.gripped:
+                    stretch = kept_stretch(h if was_near else 0.0, pair.tangential, start, end)
+                elif was_near and old.r > contact.distance:
+                    was = 0.0, *place_of(old)
+                    here = pair.t, pair.r, pair.nx, pair.ny, pair.ex, pair.ey, pair.per_square
+                    stretch = stretch_since_touch(
+                        h, pair.tangential, (contact.distance - old.r, contact.distance - pair.r),
+                        (old.speed, pair.speed), stretch_since(was, here), (old.along, pair.along), end[2],
+                    )  # fmt: skip
+                masses[count], stretches[count, 0] = pair.m, stretch
+                t, ahead, beside, length, r = place_of(pair)
+                stretches[count, 1], stretches[count, 2], stretches[count, 3] = t, ahead, beside
+                stretches[count, 4], stretches[count, 5] = length, r
                 count += 1
-        state.contact_start[s] = start  # no later spring needs what it was
+        state.contact_start[s] = row  # no later spring needs what it was
     state.contact_start[body.springs] = count
     for k in range(count):
         state.contact_mass[k] = masses[k]
-        for i in range(4):
+        for i in range(stretches.shape[1]):
             state.contact_stretch[k, i] = stretches[k, i]
 
 
@@ -460,8 +526,8 @@ class ContactTwin:
         was, way = state.contact_stretch[k[found]], direction(gap, spring)[found]
         # The sine of the angle by which n has turned relative to the spring, and the way along the spring.
         turned = ((was[:, 2] - 1j * was[:, 3]) * way).imag
-        moved = np.copysign(abs(spring[found]), way.imag) * (t[found] - was[:, 1])
-        stretch[found] = was[:, 0] + abs(gap[found]) * turned - moved
+        length, r = 0.5 * (abs(spring[found]) + was[:, 4]), 0.5 * (abs(gap[found]) + was[:, 5])
+        stretch[found] = was[:, 0] + r * turned - np.copysign(length, way.imag) * (t[found] - was[:, 1])
         return stretch
 
     def stick(self, x: Vectors, v: Vectors) -> None:
@@ -469,10 +535,9 @@ class ContactTwin:
         contact, state = self._contact, self._state
         if not (contact.present and contact.tangential):
             return
-        (s, m, a, b), t, normal, _, _, _, stretch, (stiffness, most) = self._pushed(x, v)
-        order = np.lexsort((m, s))[: state.contact_mass.size]
-        way, bound = direction(normal, x[b] - x[a]), most / stiffness
-        kept = np.stack((np.clip(stretch, -bound, bound), t, way.real, way.imag), 1)
+        (s, m, a, b), t, _, _, _, _, stretch, (stiffness, most) = self._pushed(x, v)
+        order, bound = np.lexsort((m, s))[: state.contact_mass.size], most / stiffness
+        kept = np.column_stack((np.clip(stretch, -bound, bound), *places(x, m, a, b, t)))
         state.contact_start[:] = np.searchsorted(s[order], np.arange(len(self._ends) + 1))
         state.contact_mass[: order.size], state.contact_stretch[: order.size] = m[order], kept[order]
 
@@ -516,6 +581,14 @@ def direction(gap: Vectors, spring: Vectors) -> Vectors:
     """Of a vector relative to a spring's, of length 1."""
     relative = spring.conjugate() * gap
     return relative / np.maximum(abs(relative), 1e-300)
+
+
+def places(x: Vectors, m: Indices, a: Indices, b: Indices, t: Floats) -> tuple[NDArray[Any], ...]:
+    """(k,) each of `contact_pairs.place_of`, of masses that touch springs from a to b at t."""
+    spring = x[b] - x[a]
+    gap = x[m] - x[a] - t * spring
+    way = direction(gap, spring)
+    return t, way.real, way.imag, abs(spring), abs(gap)
 
 
 CONTACT = Term(

@@ -30,7 +30,7 @@ def room_for_batches(body: Body) -> dict[str, NDArray[Any]]:
     if not body.environment.contact.present:
         return {}
     slots = {name: np.zeros(BATCH, np.int64) for name in ("batch_mass", "batch_a", "batch_b")}
-    return {**slots, "batch_force": np.zeros((5, BATCH)), "batch_stretch": np.zeros((6, BATCH))}
+    return {**slots, "batch_force": np.zeros((5, BATCH)), "batch_stretch": np.zeros((8, BATCH))}
 
 
 @kernel(internal=True, fastmath=FUSED)
@@ -66,11 +66,11 @@ def _find_kept(state, scratch, s, began, count):
     """Note what the tangential springs of spring s have kept, for its pairs from `began` on in the batch."""
     kept, rows = state.contact_stretch, scratch.batch_stretch
     for k in range(began, count):
-        rows[5, k] = 0.0
+        rows[7, k] = 0.0
         for i in range(state.contact_start[s], state.contact_start[s + 1]):
             if state.contact_mass[i] == scratch.batch_mass[k]:
-                rows[5, k] = 1.0
-                for j in range(4):
+                rows[7, k] = 1.0
+                for j in range(6):
                     rows[1 + j, k] = kept[i, j]
 
 
@@ -84,7 +84,7 @@ def _add_batch(body, state, scratch, q, v, count):
     if contact.tangential > 0.0:
         _stretches_in_batch(
             whole_eights(count), q[:slots], q[slots:], mass, ends_a, ends_b,
-            stretch[1], stretch[2], stretch[3], stretch[4], stretch[5], stretch[0],
+            (stretch[1], stretch[2], stretch[3], stretch[4], stretch[5], stretch[6]), stretch[7], stretch[0],
         )  # fmt: skip
     _forces_in_batch(
         whole_eights(count),
@@ -106,9 +106,10 @@ def _add_batch(body, state, scratch, q, v, count):
 
 
 @kernel(noalias=True, fastmath=FUSED)
-def _stretches_in_batch(count, x, y, mass, ends_a, ends_b, was, was_t, was_ahead, was_beside, there, stretch):
+def _stretches_in_batch(count, x, y, mass, ends_a, ends_b, kept, there, stretch):
     """The stretch of the tangential spring of each pair of a batch, px; 0 without one."""
     eight_at_a_time()
+    was, was_t, was_ahead, was_beside, was_length, was_r = kept
     for k in range(whole_eights(count)):
         m, a, b = np.uint64(mass[k]), np.uint64(ends_a[k]), np.uint64(ends_b[k])
         line = segment(x, y, a, b)
@@ -116,8 +117,8 @@ def _stretches_in_batch(count, x, y, mass, ends_a, ends_b, was, was_t, was_ahead
         _, _, ex, ey, per_square = line
         r = math.sqrt(dx * dx + dy * dy)
         per_r = 1.0 / (r + 1e-300)
-        row, where = (was[k], was_t[k], was_ahead[k], was_beside[k]), (t, r, dx * per_r, dy * per_r)
-        now = stretch_since(row, (*where, ex, ey, per_square))
+        row = was[k], was_t[k], was_ahead[k], was_beside[k], was_length[k], was_r[k]
+        now = stretch_since(row, (t, r, dx * per_r, dy * per_r, ex, ey, per_square))
         stretch[k] = now if there[k] > 0.0 else 0.0
 
 

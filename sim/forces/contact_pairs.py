@@ -13,10 +13,11 @@ there is the couple G = T L on the spring. A spring shorter than the distance of
 so friction decreases with the square of its length there.
 
 A tangential spring (see `push`) is remembered for a pair as long as it touches, with where it was at the end
-of the last step: its stretch, t, and the direction of n relative to the spring, (n . e, e x n) / |e|. The way
-since then is, with |e| and r as they are now, the integral of u: -|e| times the change of t where n is to the
-left of the spring, |e| times it on the other side, and r times the sine of the angle by which n has turned
-about an end. A mass that slides on to the next spring of a body begins anew there: it is sliding anyway.
+of the last step: its stretch, t, the direction of n relative to the spring, (n . e, e x n) / |e|, and |e| and
+r. The way since then is the integral of u, with the means of |e| and r then and now: -|e| times the change of
+t where n is to the left of the spring, |e| times it on the other side, and r times the sine of the angle by
+which n has turned about an end. A mass that slides on to the next spring of a body begins anew there: it is
+sliding anyway.
 
 A pair's forces are w_i F + c_i G with the weights w = (1, t - 1, -t) and c = (0, -1, 1) of the mass, a and b.
 """
@@ -198,8 +199,9 @@ class Pair(NamedTuple):
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def pair_at(body, state, w, s, m, q, v):
-    """(whether mass m touches spring s, the pair that they are; of no meaning where they do not touch).
+def pair_at(body, state, w, s, m, q, v, reach=0.0):
+    """(whether mass m is nearer to spring s than the distance of contact and `reach` px more, the pair that
+    they are; of no meaning where it is not).
 
     Of the state, only tangential springs matter here. `w`: (slots,) inverse masses, 1/kg, which matter for
     explicit methods with a fixed step only.
@@ -210,7 +212,7 @@ def pair_at(body, state, w, s, m, q, v):
     t, dx, dy = meeting(line, q[m], q[slots + m])
     _, _, ex, ey, per_square = line
     square = dx * dx + dy * dy
-    if not square < contact.distance * contact.distance:
+    if not square < (contact.distance + reach) * (contact.distance + reach):
         return False, Pair(
             m, a, b, t, 0.0, 0.0, 0.0, ex, ey, per_square, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, False, 0.0, 0.0,
@@ -231,7 +233,7 @@ def pair_at(body, state, w, s, m, q, v):
     push, friction, elastic = push_and_friction(
         contact.stiffness, lost_in(contact),
         friction_on(contact, ex * ex + ey * ey), contact.slip_speed, (contact.tangential, contact.resisting),
-        h, mobility, mobility_along, contact.distance - r, speed, along, stretch,
+        h, mobility, mobility_along, max(contact.distance - r, 0.0), speed, along, stretch,
     )  # fmt: skip
     return True, Pair(
         m, a, b, t, r, nx, ny, ex, ey, per_square, vx, vy, wx, wy, lx, ly, speed, along,
@@ -265,7 +267,8 @@ def _stretch_of(state, s, m, where):
     kept = state.contact_stretch
     for k in range(state.contact_start[s], state.contact_start[s + 1]):
         if state.contact_mass[k] == m:
-            return True, stretch_since((kept[k, 0], kept[k, 1], kept[k, 2], kept[k, 3]), where)
+            was = kept[k, 0], kept[k, 1], kept[k, 2], kept[k, 3], kept[k, 4], kept[k, 5]
+            return True, stretch_since(was, where)
     return False, 0.0
 
 
@@ -273,19 +276,21 @@ def _stretch_of(state, s, m, where):
 def stretch_since(was, where):
     """The stretch of a tangential spring, px; `was`: a row of `State.contact_stretch`, `where`: as above."""
     t, r, nx, ny, ex, ey, per_square = where
-    stretch, was_t, was_ahead, was_beside = was
+    stretch, was_t, was_ahead, was_beside, was_length, was_r = was
     length = math.sqrt(ex * ex + ey * ey)
     ahead, beside = (nx * ex + ny * ey) * (length * per_square), (ex * ny - ey * nx) * (length * per_square)
     turned = was_ahead * beside - was_beside * ahead
-    return stretch + r * turned - math.copysign(length, beside) * (t - was_t)
+    mean = math.copysign(0.5 * (length + was_length), beside)
+    return stretch + 0.5 * (r + was_r) * turned - mean * (t - was_t)
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def direction_of(pair):
-    """(n . e, e x n) / |e|: the direction of n relative to the spring."""
+def place_of(pair):
+    """Where a pair touches: t, (n . e, e x n) / |e|, |e| and r."""
     ahead, beside = pair.nx * pair.ex + pair.ny * pair.ey, pair.ex * pair.ny - pair.ey * pair.nx
-    factor = math.sqrt(pair.ex * pair.ex + pair.ey * pair.ey) * pair.per_square
-    return ahead * factor, beside * factor
+    length = math.sqrt(pair.ex * pair.ex + pair.ey * pair.ey)
+    factor = length * pair.per_square
+    return pair.t, ahead * factor, beside * factor, length, pair.r
 
 
 @kernel(forceinline=True)

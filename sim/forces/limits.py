@@ -43,20 +43,14 @@ from ..scene.types import Scene
 from .all import accelerations
 from .broad_phase import update_pairs
 from .contact import energy_along_spring, energy_on_spring
+from .events import LARGEST_PART, UNSEEN, crossing, part_to_kink, peak
 from .fillings import FillingRow
 from .joints import TUTORIAL, deflection_at, is_sine, joint_energy, joint_vectors, terms
 from .resistance import of_whole_springs
 from .term import read_only
 
-_UNSEEN = 0.05
-"""Speed that a step may add to a mass where something turns round or breaks, or miss at a kink, as a fraction
-of the tolerance per second."""
 _ON = 1e-9
 """Force below the yield force, as a fraction of it, from which on a spring that is pulled further yields."""
-_LARGEST_PART = 0.999
-"""Largest part of a step that is tried instead of it."""
-_HALVINGS = 40
-"""Number of halvings with which the moment of a break is looked for."""
 _STEEPEST = 0.999
 """Largest sine of the deflection to which a yielding joint returns; beyond 90 degrees it would not hold."""
 _SHORTEST_REST = 0.01
@@ -316,37 +310,6 @@ def _joint_way(body, state, q, v, j):
     return abs(off) - limit, side * turned + torque / max(slope, 1e-3) * longer, side
 
 
-@kernel(forceinline=True, fastmath=FAST)
-def _peak(h, y0, r0, y1, r1):
-    """The largest value of a cubic within a step, by its values and rates at both ends.
-
-    Returns:
-        That, and the part of the step after which it is reached: 1 where that is the end, as it is also where
-        the rates do not fit to the values, since a mass is led without a speed.
-    """
-    rise = y1 - y0
-    if not (r0 > 0.0 and r1 < 0.0 and abs(rise - 0.5 * h * (r0 + r1)) < 0.25 * h * (r0 - r1)):
-        return y1, 1.0
-    c1, c2, c3 = h * r0, 3.0 * rise - h * (2.0 * r0 + r1), h * (r0 + r1) - 2.0 * rise
-    part = c1 / (math.sqrt(max(c2 * c2 - 3.0 * c1 * c3, 0.0)) - c2)
-    return y0 + part * (c1 + part * (c2 + part * c3)), part
-
-
-@kernel(fastmath=FAST)
-def _crossing(h, y0, r0, y1, r1):
-    """The part of the step after which a cubic that starts below zero gets there, by bisection."""
-    _, high = _peak(h, y0, r0, y1, r1)
-    rise, low = y1 - y0, 0.0
-    c1, c2, c3 = h * r0, 3.0 * rise - h * (2.0 * r0 + r1), h * (r0 + r1) - 2.0 * rise
-    for _ in range(_HALVINGS):
-        part = 0.5 * (low + high)
-        if y0 + part * (c1 + part * (c2 + part * c3)) < 0.0:
-            low = part
-        else:
-            high = part
-    return high
-
-
 @kernel(fastmath=FAST)
 def part_to_try(problem, q, v, to_q, to_v, to_a, h, tolerance):
     """The part of a step that should be tried instead of it; 1 if it may be kept.
@@ -359,7 +322,7 @@ def part_to_try(problem, q, v, to_q, to_v, to_a, h, tolerance):
         tolerance: px per second.
     """
     body, state = problem.body, problem.state
-    limits, w, unseen = body.limits, state.inverse_mass, _UNSEEN * tolerance
+    limits, w, unseen = body.limits, state.inverse_mass, UNSEEN * tolerance
     part = 1.0
     for s in range(body.springs):
         stiffness = body.stiffness[s]
@@ -372,7 +335,7 @@ def part_to_try(problem, q, v, to_q, to_v, to_a, h, tolerance):
                 rest = state.trial_tension[s] / stiffness
                 room = np.inf if side1 > 0.0 else rest - _SHORTEST_REST * body.rest_length[s]
                 quick = stiffness * (w[body.spring_a[s]] + w[body.spring_b[s]])
-                part = min(part, _part_to_kink(h, y0, r0, y1, r1, room, quick, unseen))
+                part = min(part, part_to_kink(h, y0, r0, y1, r1, room, quick, unseen))
         if limits.breaking[s] < np.inf:
             part = min(part, _part_to_break(problem, s, q, v, to_q, to_v, to_a, h, unseen))
     for j in range(body.joints):
@@ -381,39 +344,8 @@ def part_to_try(problem, q, v, to_q, to_v, to_a, h, tolerance):
             y1, r1, side1 = _joint_way(body, state, to_q, to_v, j)
             if side0 == side1:
                 quick = _joint_stiffness(body, w, to_q, j)
-                part = min(part, _part_to_kink(h, y0, r0, y1, r1, np.inf, quick, unseen))
-    return min(part, _LARGEST_PART) if part < 1.0 else 1.0
-
-
-@kernel(fastmath=FAST)
-def _part_to_kink(h, y0, r0, y1, r1, room, quick, unseen):
-    """The part of a step that leads just beyond where something begins to yield, or where it turns round.
-
-    Args:
-        h: length of the step, s.
-        y0, r0, y1, r1: of both ends, how far it yields and the rate of that, in px and px/s, or radians.
-        room: how far it can yield.
-        quick: the acceleration of a mass, px/s², by as much of it as 1.
-        unseen: speed of a mass that does not matter, px/s.
-
-    Returns:
-        That; 1 if the step may be kept.
-    """
-    top, turn = _peak(h, y0, r0, y1, r1)
-    if not (top > 0.0 and room > 0.0):
-        return 1.0
-    if y0 < 0.0:
-        # Before and after the kink, forces differ by quick r t at the distance t; what a step that knows
-        # one side does not see is at most the integral of that over the shorter side.
-        kink = _crossing(h, y0, r0, y1, r1)
-        shorter, rate = h * min(kink, 1.0 - kink), (top - y0) / h
-        if 0.5 * quick * rate * shorter * shorter > unseen:
-            return kink + min(math.sqrt(0.2 * unseen / (quick * rate)) / h, 0.5 * (1.0 - kink))
-    missed = min(top, room) - min(max(y0, y1, 0.0), room)
-    if quick * missed * h > unseen:
-        bend = (r0 - r1) / h
-        return turn + min(math.sqrt(0.5 * unseen / (quick * bend * h)) / h, 0.5 * (1.0 - turn))
-    return 1.0
+                part = min(part, part_to_kink(h, y0, r0, y1, r1, np.inf, quick, unseen))
+    return min(part, LARGEST_PART) if part < 1.0 else 1.0
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -437,10 +369,10 @@ def _part_to_break(problem, s, q, v, to_q, to_v, to_a, h, unseen):
     y1, r1, side1 = _strain(body, state, to_q, to_v, s)
     if side0 != side1:
         y0, r0 = -y0 - 2.0 * body.limits.breaking[s], -r0
-    top, _ = _peak(h, y0, r0, y1, r1)
+    top, _ = peak(h, y0, r0, y1, r1)
     if not max(top, y0) > 0.0:
         return 1.0
-    part = _crossing(h, y0, r0, y1, r1) if y0 < 0.0 else 0.0
+    part = crossing(h, y0, r0, y1, r1) if y0 < 0.0 else 0.0
     most, slots = 0.0, q.size // 2
     for i in range(1, body.masses + 1):
         most = max(most, abs(to_a[i]), abs(to_a[slots + i]))
@@ -488,7 +420,7 @@ def settle(problem, q, v, to_q, to_v, h):
             if h > 0.0:
                 y0, r0, side0 = _spring_way(body, state, q, v, s)
                 if side0 == side:
-                    way, _ = _peak(h, y0, r0, way, r1)
+                    way, _ = peak(h, y0, r0, way, r1)
             moved = _set_by(body, state, s, way, side)
             if moved != 0.0:
                 before = limits.yielding[s] + state.hardened[s]
@@ -527,7 +459,7 @@ def _settle_joint(problem, j, q, v, to_q, to_v, h):
         if h > 0.0:
             y0, r0, side0 = _joint_way(body, state, q, v, j)
             if side0 == side:
-                way, _ = _peak(h, y0, r0, way, r1)
+                way, _ = peak(h, y0, r0, way, r1)
         if way > 0.0:
             _, limit, kept, lengths = _bent(body, state, to_q, j)
             moved = side * (way + (limit - kept))

@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 
 from ..kernels.core.tables import Body
 from ..kernels.engine.jit import FAST, kernel
-from .contact import energy_along_springs, stick_to_springs
+from .contact import energy_along_springs, part_to_slip_on_springs, stick_to_springs
 from .contact_pairs import TANGENTIAL_ROOM
-from .walls import NOWHERE, energy_along_walls, stick_to_walls
+from .events import LARGEST_PART, UNSEEN
+from .walls import NOWHERE, energy_along_walls, part_to_slip_on_walls, stick_to_walls
 
 
 @kernel(internal=True, fastmath=FAST)
@@ -26,15 +27,28 @@ def _energy_along(body, state, q):
 
 
 @kernel(fastmath=FAST)
-def stick(problem, q0, q1, v1):
-    """Note all stretches at the end q1, v1 of a step from q0, and let sliders slide.
+def part_to_slip(problem, q0, v0, q1, v1, h, tolerance):
+    """The part of a step of h seconds from q0, v0 to q1, v1 that should be tried instead of it: up to where
+    something begins to touch, to slide, or turns round; 1 if the step may be kept. `tolerance`: px per s."""
+    body, state, unseen = problem.body, problem.state, UNSEEN * tolerance
+    part = min(
+        part_to_slip_on_walls(body, state, q0, v0, q1, v1, h, unseen),
+        part_to_slip_on_springs(body, state, q0, v0, q1, v1, h, unseen),
+    )
+    return min(part, LARGEST_PART) if part < 1.0 else 1.0
 
-    What friction takes is entered into the balance by its power. The part that springs keep is not lost.
+
+@kernel(fastmath=FAST)
+def stick(problem, q0, v0, q1, v1, h):
+    """Note all stretches at the end q1, v1 of a step of h seconds from q0, v0, and let sliders slide.
+
+    With h = 0, as under a fixed step, what was between is not looked at. What friction takes is entered into
+    the balance by its power. The part that springs keep is not lost.
     """
     body, state, balance = problem.body, problem.state, problem.balance
     before = _energy_along(body, state, q0) if balance.active else 0.0
-    stick_to_walls(body, state, q1, v1)
-    stick_to_springs(body, state, problem.scratch, q1, v1)
+    stick_to_walls(body, state, q0, v0, q1, v1, h)
+    stick_to_springs(body, state, problem.scratch, q0, v0, q1, v1, h)
     if balance.active:
         balance.work.walls += _energy_along(body, state, q1) - before
 
@@ -68,4 +82,4 @@ def room_in_scratch(body: Body) -> dict[str, NDArray[Any]]:
 
 def _room(body: Body) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     count = TANGENTIAL_ROOM * body.springs
-    return np.zeros(count, np.int64), np.zeros((count, 4))
+    return np.zeros(count, np.int64), np.zeros((count, 6))

@@ -18,6 +18,7 @@ from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.table import Rows, Table
 from ..scene.surroundings import Wall
 from ..scene.types import Scene
+from .events import kept_stretch, part_to_slip, part_to_touch, stretch_since_touch
 from .push import (
     friction_slopes,
     losses,
@@ -179,23 +180,77 @@ def energy_along_walls(body, state, q):
     return energy
 
 
+@kernel(forceinline=True, fastmath=FAST)
+def _slider(body, state, wall, k, i, q, v, pull):
+    """Depth of mass i in the k-th wall, px, speed outwards, px/s, and what `events.part_to_slip` asks of an
+    end of a step, for 1 kg. `pull`: acceleration outwards, px/s²."""
+    slots = q.size // 2
+    x, y, vx, vy = q[i], q[slots + i], v[i], v[slots + i]
+    depth, most, grows, speed = _depth_in(wall, x, y), 0.0, 0.0, vx * wall.nx + vy * wall.ny
+    stretch, along = _stretch_at(state, wall, k, i, x, y), vy * wall.nx - vx * wall.ny
+    if depth > 0.0:
+        push, _, _, _ = _wall_push(wall, body.environment.step, depth, vx, vy, stretch)
+        most = wall.friction * push
+        by_depth, by_speed = push_slopes(wall.hardness, _lost(wall), depth, speed)
+        grows = wall.friction * (by_speed * pull - by_depth * speed)
+    return depth, speed, (stretch, along, most, grows)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _outwards(wall, i, v0, v1):
+    """How much faster a mass moves outwards afterwards, px/s."""
+    slots = v0.size // 2
+    return (v1[i] - v0[i]) * wall.nx + (v1[slots + i] - v0[slots + i]) * wall.ny
+
+
 @kernel(fastmath=FAST)
-def stick_to_walls(body, state, q, v):
-    """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`."""
-    rows, h, slots = body.environment.walls.rows, body.environment.step, q.size // 2
+def part_to_slip_on_walls(body, state, q, v, to_q, to_v, h, unseen):
+    """The part of a step that leads just beyond where a mass begins to touch a wall, or to slide along it, or
+    turns round; see `events.part_to_slip`."""
+    rows, part = body.environment.walls.rows, 1.0
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
         if wall.tangential > 0.0:
-            stiffness, _ = softened(_spring(wall), h, 1.0)
             for i in range(1, body.masses + 1):
-                x, y = q[i], q[slots + i]
-                depth = _depth_in(wall, x, y)
+                if state.inverse_mass[i] > 0.0:
+                    pull = _outwards(wall, i, v, to_v) / h
+                    depth, speed, start = _slider(body, state, wall, k, i, q, v, pull)
+                    to_depth, to_speed, end = _slider(body, state, wall, k, i, to_q, to_v, pull)
+                    if depth > 0.0 and _has_grip(state, wall, k, i):
+                        part = min(part, part_to_slip(h, _spring(wall), 1.0, start, end, unseen))
+                    elif to_depth > 0.0:
+                        depths, speeds = (depth, to_depth), (speed, to_speed)
+                        part = min(part, part_to_touch(h, _spring(wall), 1.0, depths, speeds, end, unseen))
+    return part
+
+
+@kernel(fastmath=FAST)
+def stick_to_walls(body, state, q0, v0, q, v, h):
+    """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`.
+
+    Arguments as of `sticking.stick`.
+    """
+    rows, slots = body.environment.walls.rows, q.size // 2
+    for k in range(rows.shape[0]):
+        wall = _wall(body, k)
+        if wall.tangential > 0.0:
+            stiffness, _ = softened(_spring(wall), body.environment.step, 1.0)
+            for i in range(1, body.masses + 1):
+                pull = _outwards(wall, i, v0, v) / h if h > 0.0 else 0.0
+                depth, speed, end = _slider(body, state, wall, k, i, q, v, pull)
                 if depth > 0.0 and state.inverse_mass[i] > 0.0:
-                    stretch = _stretch_at(state, wall, k, i, x, y)
-                    push, _, _, _ = _wall_push(wall, h, depth, v[i], v[slots + i], stretch)
-                    most = wall.friction * push / stiffness
-                    state.wall_stretch[k, i] = min(max(stretch, -most), most)
-                    state.wall_place[k, i] = y * wall.nx - x * wall.ny
+                    before, speed0, start = _slider(body, state, wall, k, i, q0, v0, pull)
+                    if _has_grip(state, wall, k, i):
+                        stretch = kept_stretch(h, stiffness, start, end)
+                    elif h > 0.0 and before < 0.0:
+                        way = (q[slots + i] - q0[slots + i]) * wall.nx - (q[i] - q0[i]) * wall.ny
+                        stretch = stretch_since_touch(
+                            h, stiffness, (before, depth), (speed0, speed), way, (start[1], end[1]), end[2]
+                        )
+                    else:
+                        stretch = 0.0
+                    state.wall_stretch[k, i] = stretch
+                    state.wall_place[k, i] = q[slots + i] * wall.nx - q[i] * wall.ny
                 else:
                     state.wall_stretch[k, i], state.wall_place[k, i] = 0.0, NOWHERE
 

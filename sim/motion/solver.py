@@ -15,6 +15,7 @@ from ..compiling.compiler import (
     ENTRY_POINTS,
     FOR_DAMAGE,
     FOR_MATRICES,
+    FOR_STICKING,
     fetch,
     for_energy,
     for_fallback,
@@ -91,6 +92,10 @@ _WITH_CONTACT = 0.1
 """The same once more if masses may also lie on springs. Errors are held to the tolerance by place, and those
 of speeds mostly cancel where a body vibrates. In a collision, which takes a few short steps, they do not: it
 leaves a wrong speed, and collisions and breaks turn small errors into larger ones."""
+
+_WITH_GRIP, _WITH_GRIP_LOW = 0.7, 0.2
+"""Likewise where friction holds; below `LOW_TOLERANCE`, where `auto` takes RODAS 5P, that of every method.
+Without it, one random world in seven is off by up to twice 1e-3 px; with it, 98 in 100 are within theirs."""
 
 FALLBACK_STEP = 1e-3
 """Length of a fallback step, s."""
@@ -170,6 +175,8 @@ class Solver:
         tolerance = scene.integrator.tolerance * info.tolerance_factor
         if system.body.limits.present and is_damageable(scene):
             tolerance *= _WITH_LIMITS * (_WITH_CONTACT if system.body.environment.contact.present else 1.0)
+        if sticks(system.body):
+            tolerance *= _WITH_GRIP if scene.integrator.tolerance >= LOW_TOLERANCE else _WITH_GRIP_LOW
         self._tolerance = max(tolerance, 1e-13)
         auto = self._info.name == "auto"
         remembers = self._info.name == "generalized_alpha" or (auto and system.body.masses >= LONG)
@@ -346,7 +353,7 @@ class Solver:
             *(("accumulate_work",) if self.balance.active else ()),
             *(FOR_MATRICES if implicit else ()),
             *(("no_tunnelling",) if body.environment.contact.present else ()),
-            *(("stick",) if sticks(body) else ()),
+            *(FOR_STICKING if sticks(body) else ()),
             *(FOR_DAMAGE if body.limits.present else ()),
         )
         forces = "yielding_accelerations" if body.limits.present else path_of(body).name

@@ -51,8 +51,8 @@ def test_many_pairs_are_pushed_like_a_few(method: Method, rings: int, contact: C
         state, count, way = arrays.state, springs.size, rng.uniform(0.0, 2.0 * np.pi, springs.size)
         state.contact_start[:] = np.searchsorted(springs, np.arange(arrays.body.springs + 1))
         state.contact_mass[:count] = masses
-        kept = rng.normal(0.0, 0.1, count), rng.uniform(0.0, 1.0, count), np.cos(way), np.sin(way)
-        state.contact_stretch[:count] = np.stack(kept, 1)
+        place = rng.uniform(0.0, 1.0, count), np.cos(way), np.sin(way), *rng.uniform(3.0, 9.0, (2, count))
+        state.contact_stretch[:count] = np.column_stack((rng.normal(0.0, 0.1, count), *place))
     found = arrays.accelerations(arrays.q, arrays.v)
     assert off(found, arrays.by_numpy()) <= 1e-12
 

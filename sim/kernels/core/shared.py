@@ -27,7 +27,8 @@ BY_ADDRESS = {
     "add_damping_product": types.void(_BODY, _STATE, FLOATS, FLOATS, FLOATS, _FLOAT, FLOATS),
     "no_tunnelling": types.boolean(_BODY, FLOATS, FLOATS),
     "part_to_try": _FLOAT(_PROBLEM, *[FLOATS] * 5, _FLOAT, _FLOAT),
-    "stick": types.void(_PROBLEM, FLOATS, FLOATS, FLOATS),
+    "part_to_slip": types.float64(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT, _FLOAT),
+    "stick": types.void(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT),
     "settle": types.boolean(_PROBLEM, *[FLOATS] * 4, _FLOAT),
 }
 """Signatures of the kernels that are called through their addresses, by their names."""
@@ -39,6 +40,7 @@ _solve_matrix = calls(BY_ADDRESS["solve_matrix"])
 _add_damping_product = calls(BY_ADDRESS["add_damping_product"])
 _no_tunnelling = calls(BY_ADDRESS["no_tunnelling"])
 _part_to_try = calls(BY_ADDRESS["part_to_try"])
+_part_to_slip = calls(BY_ADDRESS["part_to_slip"])
 _stick = calls(BY_ADDRESS["stick"])
 _settle = calls(BY_ADDRESS["settle"])
 
@@ -82,10 +84,16 @@ def no_tunnelling(problem, q, to_q):
 
 @kernel(inline="always")
 def part_to_try(problem, old, new, h, tolerance):
-    """`forces.limits.part_to_try` of a step, where anything yields or breaks."""
-    if problem.part_to_try == 0:
-        return 1.0
-    return _part_to_try(problem.part_to_try, problem, old.q, old.v, new.q, new.v, new.a, h, tolerance)
+    """The part of a step to try instead of it: by `forces.limits.part_to_try`, where anything yields or
+    breaks, and by `forces.sticking.part_to_slip`, where there are tangential springs."""
+    part = 1.0
+    if problem.part_to_try != 0:
+        part = _part_to_try(problem.part_to_try, problem, old.q, old.v, new.q, new.v, new.a, h, tolerance)
+    if problem.part_to_slip != 0:
+        part = min(
+            part, _part_to_slip(problem.part_to_slip, problem, old.q, old.v, new.q, new.v, h, tolerance)
+        )
+    return part
 
 
 @kernel(inline="always")
@@ -95,7 +103,7 @@ def settle(problem, old, new, h):
 
 
 @kernel(inline="always")
-def stick(problem, q0, q1, v1):
-    """`forces.sticking.stick`, after a step from positions q0, where there are tangential springs."""
+def stick(problem, old, new, h):
+    """`forces.sticking.stick` after a step, where there are tangential springs."""
     if problem.stick != 0:
-        _stick(problem.stick, problem, q0, q1, v1)
+        _stick(problem.stick, problem, old.q, old.v, new.q, new.v, h)

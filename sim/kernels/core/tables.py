@@ -149,7 +149,7 @@ class State(Table):
     # Those of contact, by the spring that is touched, then by the mass that touches it:
     contact_start: Indices  # (S + 1,) where those of each spring start; after the last one is only room
     contact_mass: Indices  # slots of the masses
-    contact_stretch: Rows  # (n, 4) stretch, px; t; n . e / |e|; e x n / |e|: see `forces.contact_pairs`
+    contact_stretch: Rows  # (n, 6) stretch, px, and `forces.contact_pairs.place_of`
 
     @property
     def slots(self) -> int:
@@ -204,7 +204,7 @@ class Scratch(Table):
     batch_a: Indices
     batch_b: Indices
     batch_force: Rows  # (5, B) F.x, F.y, G.x, G.y, kg px/s²; t
-    # Of tangential springs (6, B): now, px; a row of `State.contact_stretch`; 1 if there is one, else 0.
+    # Of tangential springs (8, B): now, px; a row of `State.contact_stretch`; 1 if there is one, else 0.
     batch_stretch: Rows
 
 
@@ -513,6 +513,7 @@ class Problem(Table):
     add_damping_product: int
     no_tunnelling: int
     part_to_try: int
+    part_to_slip: int
     stick: int
     settle: int
     fixed: float  # the step, s, or 0 for error control

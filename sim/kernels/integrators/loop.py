@@ -121,8 +121,9 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             accumulate(problem, drive, trial.start, new.q, new.v, new.a, h)
             if drive.moving:
                 act_as(body, state, drive, trial.end, scale, shift)
-        stick(problem, old.q, new.q, new.v)
-        broke = settle(problem, old, new, h if fixed == 0.0 else 0.0)
+        length = h if fixed == 0.0 else 0.0
+        stick(problem, old, new, length)
+        broke = settle(problem, old, new, length)
         if balance.active:
             replace_state(old.q, old.v, old.a, new.q, new.v, new.a)
         else:

@@ -78,8 +78,8 @@ export function addContact(body, contact, h) {
 export function stickToSprings(body, contact, h) {
   if (!contact.tangential[0]) return;
   const next = new Map();
-  forPairs(body, contact, h, ({ key, t, ahead, beside, stretch, most }) => {
-    next.set(key, [clamp(stretch, most), t, ahead, beside]);
+  forPairs(body, contact, h, ({ key, place, stretch, most }) => {
+    next.set(key, [clamp(stretch, most), ...place]);
   });
   body.grips = next;
 }
@@ -92,18 +92,18 @@ export function stickToSprings(body, contact, h) {
 export function gripSprings(body, contact, grips) {
   const stretches = new Map(grips.map(([s, m, stretch]) => [s * body.masses + m, stretch]));
   body.grips = new Map();
-  forPairs(body, contact, 0, ({ key, t, ahead, beside }) => {
+  forPairs(body, contact, 0, ({ key, place }) => {
     const stretch = stretches.get(key);
-    if (stretch !== undefined) body.grips.set(key, [stretch, t, ahead, beside]);
+    if (stretch !== undefined) body.grips.set(key, [stretch, ...place]);
   });
 }
 
 /**
  * A pair that touches: first indices of its masses, where it touches, the forces F and G, and of its tangential spring the
- * key, the direction of n relative to the spring, the stretch and the most that this may be, px.
+ * key, its place (t, the direction of n relative to the spring, |e| and r), the stretch and the most that this may be, px.
  *
  * @typedef {{i: number, a: number, b: number, t: number, fx: number, fy: number, gx: number, gy: number, key: number,
- *   ahead: number, beside: number, stretch: number, most: number}} Pair
+ *   place: number[], stretch: number, most: number}} Pair
  */
 
 /** Look at all pairs that touch. @param {Body} body @param {Contact} contact @param {number} h @param {(pair: Pair) => void} see */
@@ -141,14 +141,18 @@ function forPairs(body, contact, h, see) {
     const far = Math.sqrt(whole);
     const [ahead, beside] = [(nx * ex + ny * ey) / far, (ex * ny - ey * nx) / far];
     const was = contact.tangential[0] ? body.grips.get(key) : undefined;
-    const way = was ? r * (was[2] * beside - was[3] * ahead) - (beside < 0 ? -far : far) * (t - was[1]) : 0;
-    const stretch = was ? was[0] + way : 0;
+    let stretch = 0;
+    if (was) {
+      const length = 0.5 * (far + was[4]);
+      const turned = 0.5 * (r + was[5]) * (was[2] * beside - was[3] * ahead);
+      stretch = was[0] + turned - (beside < 0 ? -length : length) * (t - was[1]);
+    }
     const [push, rub] = pushAndFriction(
       contact.stiffness, contact.lost, friction, contact.slipSpeed, contact.tangential, h,
       mobility, mobilityAlong, contact.distance - r, speed, along, stretch,
     );
     const [fx, fy, gx, gy] = [push * nx + rub * ny, push * ny - rub * nx, rub * lx, rub * ly];
     const most = (friction * push) / softened(contact.tangential, h, mobilityAlong)[0];
-    see({ i, a, b, t, fx, fy, gx, gy, key, ahead, beside, stretch, most });
+    see({ i, a, b, t, fx, fy, gx, gy, key, place: [t, ahead, beside, far, r], stretch, most });
   }
 }
