@@ -106,6 +106,20 @@ def test_the_balance_of_a_method_with_error_control_closes(method: Method) -> No
 
 
 # ------------------------------------------------------------------------- in NumPy
+def test_the_work_of_quick_muscles_is_that_of_all_their_waves() -> None:
+    """A step of a Rosenbrock method passes over several, which hardly move the masses."""
+    rope = sim.rope(6, stiffness=1e5, damping=20.0, gravity=(0.0, 500.0))
+    springs = [
+        replace(spring, muscle=SpringMuscle(amplitude=0.1, phase=60.0 * i, wave="pulse", per_beat=4))
+        for i, spring in enumerate(rope.linear_springs)
+    ]
+    scene = replace(rope, bodies=(), beat=Beat(frequency=80.0), linear_springs=tuple(springs))
+    right = after(by(scene, "rk4", dt=4e-5), 0.25).energy().muscles
+    for tolerance, off in ((1.0, 0.3), (0.1, 0.1), (1e-3, 0.01)):
+        simulation = after(by(scene, "rodas5p", tolerance=tolerance), 0.25)
+        assert simulation.energy().muscles == pytest.approx(right, rel=off)
+
+
 @pytest.mark.parametrize("shape", ["chain", "ring", "cloth"])
 def test_the_kernels_and_numpy_let_them_move_alike(shape: str) -> None:
     scene = with_muscles(body(shape, "conservative", 3, held=(0,)))

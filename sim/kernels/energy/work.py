@@ -12,6 +12,7 @@ from ...forces.springs import spring_power_of_keys
 from ...forces.walls import gather_others, mark_quick, work_of_quick
 from ..core.drive import drive_to, hand_speed, lead_of
 from ..core.shared import accelerate
+from ..core.waves import PULSE, RATE, SHARPNESS
 from ..engine.jit import FAST, kernel
 from .dissipation import gather_dampers, taken_away
 
@@ -22,6 +23,8 @@ _NODES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
 """Gauss-Legendre nodes on (0, 1), of order six."""
 _WEIGHTS = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
 """Their weights."""
+_MOST_PARTS = 1000.0
+"""Largest number of parts of a step, each with these nodes, less one: of a radian of the quickest muscle."""
 
 
 @kernel(fastmath=FAST)
@@ -79,24 +82,37 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
     balance.dampers[:] = 0.0
     quick = balance.quick
     any_quick = quick.shape[0] > 0 and mark_quick(body, state.inverse_mass, state.q, q1, h, quick)
-    for i in range(3):
-        u = _NODES[i]
+    parts = _parts_for_muscles(body, h)
+    for i in range(3 * parts):
+        u, weight = (i // 3 + _NODES[i % 3]) / parts, _WEIGHTS[i % 3] / parts
         if smooth:
             between(h, u, state.q, state.v, integrator.a, q1, v1, a1, q, v)
         else:
             _roughly_between(h, u, state.q, state.v, q1, v1, q, v)
         if drive.moving:
             drive_to(body, state, drive, t + u * h, q, v)
-        _add_powers(problem, drive, t + u * h, _WEIGHTS[i] * h, q, v)
+        _add_powers(problem, drive, t + u * h, weight * h, q, v)
         if any_quick:
             accelerate(problem, q, v, a)
-            gather_others(body, state, q, v, a, _WEIGHTS[i], quick)
-        gather_dampers(body, q, v, _WEIGHTS[i], balance.dampers)
+            gather_others(body, state, q, v, a, weight, quick)
+        gather_dampers(body, q, v, weight, balance.dampers)
     if any_quick:
         balance.work.walls += work_of_quick(body, state.v, v1, h, quick)
     balance.work.damping -= taken_away(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
     if drive.pressed or drive.timed:
         drive_to(body, state, drive, t + h, q, v)
+
+
+@kernel(internal=True, fastmath=FAST)
+def _parts_for_muscles(body, h):
+    """The number of parts of a step of h seconds, each with nodes of its own, so that none passes over the
+    waves of muscles: a step may be longer than several of them."""
+    quickest, muscles = 0.0, body.muscles
+    for rows in (muscles.stretch, muscles.turn):
+        for i in range(rows.shape[0]):
+            sharper = 1.0 + SHARPNESS if rows[i, PULSE] > 0.0 else 1.0
+            quickest = max(quickest, abs(rows[i, RATE]) * sharper)
+    return 1 + int(min(quickest * h, _MOST_PARTS))
 
 
 @kernel(fastmath=FAST)
