@@ -441,18 +441,19 @@ class WallsTwin:
         self._mass, self._state = body.environment.mass, state
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """See `Twin`; also on masses that are held."""
+        """See `Twin`."""
         return sum(self.force_of_each(x, v), np.zeros_like(x))
 
     def force_of_each(self, x: Vectors, v: Vectors) -> Iterator[Vectors]:
-        """The forces of each wall."""
+        """The forces of each wall on free masses."""
+        mass = np.where(self._state.inverse_mass > 0.0, self._mass, 0.0)
         for k, (wall, depth, normal) in enumerate(self._depths(x)):
             speed = v * normal.conjugate()  # real part: outwards, imaginary part: along the wall
             push, rubbing = pushes_and_frictions(
                 wall.hardness, wall[7:10], wall.friction, wall.slip_speed, wall[10:],
                 self._step, 1.0, 1.0, depth, speed, self._stretch(k, wall, x),
             )  # fmt: skip
-            yield self._mass * (push - 1j * rubbing) * normal
+            yield mass * (push - 1j * rubbing) * normal
 
     def energy(self, x: Vectors) -> float:
         """See `Twin`; that of free masses."""

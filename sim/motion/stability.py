@@ -71,8 +71,10 @@ _FIRST_SIZE = 40
 """Dimension of the Krylov space in the first update."""
 _FIRST_PASSES = 5
 """Largest number of times that the first update makes it: its matrix depends on the limit that is sought."""
-_SOFTENED_PASSES = 12
+_SOFTENED_PASSES = 20
 """The same for every update where walls and contact soften with the step."""
+_SLOWEST = 0.97
+"""Ratio of the changes of the limit in two such passes, up to which it is extrapolated."""
 _SETTLED = 1e-3
 """Relative change of the limit at which they end."""
 _SIZE = 12
@@ -190,6 +192,7 @@ class StabilityMeter:
         # Coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
         root = np.where(free, np.sqrt(self._system.inverse_mass), 0.0)
         passes, size = (1, _SIZE) if self._limit else (_FIRST_PASSES, _FIRST_SIZE)
+        last = 0.0  # change of the limit in the pass before
         for _ in range(_SOFTENED_PASSES if self._softens else passes):
             before = self._limit
             if self._softens:
@@ -203,6 +206,12 @@ class StabilityMeter:
             self._limit, self._start = limit, mode
             if abs(limit - before) <= _SETTLED * limit:
                 break
+            change, rate = limit - before, (limit - before) / last if last else 0.0
+            last = change if before else 0.0
+            if self._softens and 0.0 < rate < _SLOWEST:
+                # The limit for a step that is the limit: where passes approach it ever more slowly, go to where
+                # they would end (Aitken).
+                self._limit, last = max(limit + change * rate / (1.0 - rate), 0.3 * limit), 0.0
         self.motion = _largest_part(self._start) * root
         return StabilityEstimate(self._limit, self._cause(physics, self._start * root, self._limit))
 

@@ -15,6 +15,7 @@ from sim import Scene, Simulation
 from sim.edit.copying import copy, decode, encode, paste
 from sim.edit.shape import mirror
 from sim.methods.registry import METHODS
+from sim.scene.surroundings import Wall
 from sim.scene.types import Integrator
 from sim.store.files import decode_link, decode_scene, encode_scene
 from sim.store.link import pack_scene
@@ -98,6 +99,12 @@ def test_a_held_mass_does_not_move_and_its_support_bears_the_force() -> None:
 
 
 # ------------------------------------------------------------------------- at rest
+def test_a_wall_does_not_push_a_mass_that_is_held_in_it() -> None:
+    wall = Wall(point=(0.0, 0.0), normal=(0.0, -1.0), hardness=2e4)
+    scene = built([(0.0, 5.0), (0.0, -60.0)], held=(0,), rest_length=65.0, gravity=(0.0, 0.0), walls=(wall,))
+    assert np.abs(Simulation(scene).loads.forces).max() < 1e-6
+
+
 def test_at_rest_a_spring_is_longer_by_force_over_stiffness() -> None:
     assert sim.equilibrium(hung((0.0, 1000.0))).positions[1] == pytest.approx((0.0, 102.0), abs=1e-9)
     # It turns towards the force, too.

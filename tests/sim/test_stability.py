@@ -11,11 +11,12 @@ from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Scene, Simulation
-from sim.body.system import build_system
+from sim.body.system import build_system, start_of
 from sim.methods import limits
 from sim.methods.registry import METHODS
 from sim.methods.tableaux import RK4, explicit
-from sim.motion.stability import largest_step, quick_limit
+from sim.motion.stability import StabilityMeter, largest_step, quick_limit
+from sim.scene.surroundings import Wall
 from sim.scene.types import ForceLaw, Method
 from tests.sim.builders import chain, euler, row
 from tests.sim.changes import by, posed
@@ -254,6 +255,22 @@ def test_a_look_in_parts_finds_the_same() -> None:
 
 
 # ------------------------------------------------------------------------- methods without a limit
+@pytest.mark.parametrize("hardness", [8e3, 1e6, 1e8])
+def test_the_first_look_at_what_lies_on_a_wall_finds_what_later_ones_do(hardness: float) -> None:
+    """The wall softens with the step, and so the limit is that for a step that is as long as the limit."""
+    balloon = replace(sim.load_scene("air-balloon"), gravity=(0.0, 1000.0), walls=())
+    low = max(mass.position[1] for mass in balloon.masses)
+    floor = Wall(point=(0.0, low + 20.0), normal=(0.0, -1.0), hardness=hardness, friction=2.0, bounciness=0.1)
+    moved = Simulation(replace(balloon, walls=(floor,)))
+    moved.advance(0.3)
+    scene = by(posed(moved.scene, moved.positions, moved.velocities), "velocity_verlet", dt=2.5e-3)
+    system, state = start_of(scene, build_system(scene))
+    meter = StabilityMeter(system, "velocity_verlet")
+    first = meter.update(state).limit
+    later = [meter.update(state).limit for _ in range(30)]
+    assert first == pytest.approx(later[-1], rel=0.02)
+
+
 @pytest.mark.parametrize("damping", [0.0, 40.0, 4000.0])
 @pytest.mark.parametrize("method", ["generalized_alpha", "stable_spring"])
 def test_no_step_is_too_long(method: Method, damping: float) -> None:
