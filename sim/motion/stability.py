@@ -209,8 +209,8 @@ class StabilityMeter:
             change, rate = limit - before, (limit - before) / last if last else 0.0
             last = change if before else 0.0
             if self._softens and 0.0 < rate < _SLOWEST:
-                # The limit for a step that is the limit: where passes approach it ever more slowly, go to where
-                # they would end (Aitken).
+                # It is the limit for a step that is as long as the limit. Where passes approach that ever
+                # more slowly, go to where they would end (Aitken).
                 self._limit, last = max(limit + change * rate / (1.0 - rate), 0.3 * limit), 0.0
         self.motion = _largest_part(self._start) * root
         return StabilityEstimate(self._limit, self._cause(physics, self._start * root, self._limit))
