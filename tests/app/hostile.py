@@ -109,7 +109,7 @@ class HostilePage:
 
     def __init__(self, port: int, path: str = "", source: str = "127.0.0.1") -> None:
         self.messages: list[dict[str, Any]] = []
-        self.batches = 0
+        self.signs = 0  # of life: batches without a message
         self.socket = connect(
             f"ws://127.0.0.1:{port}{path}",
             origin=Origin(f"http://127.0.0.1:{port}"),
@@ -130,8 +130,9 @@ class HostilePage:
                 assert isinstance(data, bytes)
                 size, compressed = struct.unpack_from("<QQ", data)
                 packed = zstandard.decompress(data[16 : 16 + compressed], max_output_size=size)
-                self.messages += msgpack.unpackb(packed)["messages"]
-                self.batches += 1
+                batch = msgpack.unpackb(packed)["messages"]
+                self.messages += batch
+                self.signs += not batch
         except (ConnectionClosed, OSError):
             pass
 
