@@ -136,7 +136,7 @@ def part_to_slip_on_springs(body, state, q, v, to_q, to_v, h, unseen):
                 start, end = _slider(body, old, pull), _slider(body, pair, pull)
                 if pair.gripped:
                     part = min(part, part_to_slip(h, spring, mobility, start, end, unseen))
-                elif pair.r < contact.distance:
+                elif pair.r < contact.distance <= old.r:
                     depths, speeds = (
                         (contact.distance - old.r, contact.distance - pair.r),
                         (old.speed, pair.speed),

@@ -51,6 +51,19 @@ def crossing(h, y0, r0, y1, r1):
 
 
 @kernel(fastmath=FAST)
+def _part_beyond(h, kink, bend, unseen):
+    """The part of a step that leads just beyond a kink of a force; 1 if the step may be kept.
+
+    Before and after the kink, accelerations differ by `bend` (px/s³) times the time to it. What a step that
+    knows one side does not see is at most the integral of that over the shorter side.
+    """
+    shorter = h * min(kink, 1.0 - kink)
+    if 0.5 * bend * shorter * shorter <= unseen:
+        return 1.0
+    return kink + min(math.sqrt(0.2 * unseen / bend) / h, 0.5 * (1.0 - kink))
+
+
+@kernel(fastmath=FAST)
 def part_to_kink(h, y0, r0, y1, r1, room, quick, unseen):
     """The part of a step that leads just beyond where something begins to yield, or where it turns round.
 
@@ -68,12 +81,9 @@ def part_to_kink(h, y0, r0, y1, r1, room, quick, unseen):
     if not (top > 0.0 and room > 0.0):
         return 1.0
     if y0 < 0.0:
-        # Before and after the kink, forces differ by quick r t at the distance t; what a step that knows
-        # one side does not see is at most the integral of that over the shorter side.
-        kink = crossing(h, y0, r0, y1, r1)
-        shorter, rate = h * min(kink, 1.0 - kink), (top - y0) / h
-        if 0.5 * quick * rate * shorter * shorter > unseen:
-            return kink + min(math.sqrt(0.2 * unseen / (quick * rate)) / h, 0.5 * (1.0 - kink))
+        part = _part_beyond(h, crossing(h, y0, r0, y1, r1), quick * (top - y0) / h, unseen)
+        if part < 1.0:
+            return part
     missed = min(top, room) - min(max(y0, y1, 0.0), room)
     if quick * missed * h > unseen:
         bend = (r0 - r1) / h
@@ -97,10 +107,7 @@ def part_to_bend(h, y0, r0, y1, r1, mobility, unseen):
         low = y1 if backwards else y0
         if low < 0.0:
             kink = 1.0 - crossing(h, y1, -r1, y0, -r0) if backwards else crossing(h, y0, r0, y1, r1)
-            shorter, rate = h * min(kink, 1.0 - kink), (top - low) / h
-            if 0.5 * mobility * rate * shorter * shorter > unseen:
-                beyond = min(math.sqrt(0.2 * unseen / (mobility * rate)) / h, 0.5 * (1.0 - kink))
-                part = min(part, kink + beyond)
+            part = min(part, _part_beyond(h, kink, mobility * (top - low) / h, unseen))
     return part
 
 

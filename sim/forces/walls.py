@@ -218,7 +218,7 @@ def part_to_slip_on_walls(body, state, q, v, to_q, to_v, h, unseen):
                     to_depth, to_speed, end = _slider(body, state, wall, k, i, to_q, to_v, pull)
                     if depth > 0.0 and _has_grip(state, wall, k, i):
                         part = min(part, part_to_slip(h, _spring(wall), 1.0, start, end, unseen))
-                    elif to_depth > 0.0:
+                    elif depth <= 0.0 < to_depth:
                         depths, speeds = (depth, to_depth), (speed, to_speed)
                         part = min(part, part_to_touch(h, _spring(wall), 1.0, depths, speeds, end, unseen))
     return part
@@ -239,10 +239,12 @@ def stick_to_walls(body, state, q0, v0, q, v, h):
                 pull = _outwards(wall, i, v0, v) / h if h > 0.0 else 0.0
                 depth, speed, end = _slider(body, state, wall, k, i, q, v, pull)
                 if depth > 0.0 and state.inverse_mass[i] > 0.0:
-                    before, speed0, start = _slider(body, state, wall, k, i, q0, v0, pull)
+                    before, speed0, start = depth, speed, end
+                    if h > 0.0:
+                        before, speed0, start = _slider(body, state, wall, k, i, q0, v0, pull)
                     if _has_grip(state, wall, k, i):
                         stretch = kept_stretch(h, stiffness, start, end)
-                    elif h > 0.0 and before < 0.0:
+                    elif before < 0.0:
                         way = (q[slots + i] - q0[slots + i]) * wall.nx - (q[i] - q0[i]) * wall.ny
                         stretch = stretch_since_touch(
                             h, stiffness, (before, depth), (speed0, speed), way, (start[1], end[1]), end[2]
