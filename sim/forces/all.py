@@ -70,7 +70,8 @@ def _parts_of(index: int, term: Term) -> dict[str, Part]:
         if function is None:
             ADDRESSES[number] = NONE
         else:
-            label = f"{term.name}: {field.replace('add_', '').replace('_', ' ')}"
+            what = term.name if term.field else term.label
+            label = f"{what}: {field.replace('add_', '').replace('_', ' ')}"
             found[field] = Part(f"{term.name}.{field}", label, function, signature, number)
     return found
 
