@@ -11,10 +11,10 @@ import msgspec
 
 import sim
 from sim.errors import InputError
-from sim.methods.registry import METHODS
 from sim.motion.quantities import quantity
 from sim.scene.lesson import Goal, Reading, Step, StepRun
 from sim.settings import CHOICES, scene_of_run, scene_of_step, setting_of
+from sim.solve.registry import METHODS
 
 from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot

@@ -8,8 +8,8 @@ import html
 import sys
 
 import sim
-from sim.body.system import build_system
 from sim.compiling.compiler import needed_by
+from sim.model.system import build_system
 
 from .gate.address import OF_THIS_MACHINE, page_addresses
 from .pages.sandbox.tab import Tab

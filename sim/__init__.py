@@ -18,8 +18,8 @@ from .design.fit import Fit, fit
 from .design.keep_shape import DesignError, keep_shape
 from .design.measurements import Measurement, read_measurements
 from .design.sensitivity import Sensitivity, sensitivities
+from .design.tune import damp_vibration, make_stable
 from .design.wishes import Design, set_wishes
-from .edit.tune import damp_vibration, make_stable
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import Energies
 from .motion.many import Run, run_many

@@ -10,9 +10,9 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from sim.csv_text import csv_text
 from sim.errors import InputError, SettingError
 from sim.settings import scene_of_step
+from sim.store.csv_text import csv_text
 from sim.store.files import encode_scene
 
 from ..export.clip import ClipFrame

@@ -12,9 +12,9 @@ from rich.console import Console
 from rich.progress import Progress
 
 import sim
-from sim.csv_text import csv_text
 from sim.errors import InputError
 from sim.motion.energy import ENERGY_FIELDS
+from sim.store.csv_text import csv_text
 from sim.store.files import write_file
 
 from ..session.log import Log, Step

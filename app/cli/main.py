@@ -14,11 +14,11 @@ from rich.table import Table
 from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
-from sim.body.stable_spring import softening_note
 from sim.compiling.compiler import cache_trouble
 from sim.errors import InputError, SceneError, SettingError
-from sim.methods.registry import METHODS
+from sim.model.stable_spring import softening_note
 from sim.motion.quantities import PARTS
+from sim.solve.registry import METHODS
 from sim.store.files import read_scene
 from sim.store.schema import schema_bytes
 

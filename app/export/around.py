@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sim.forces.fillings import FillingRow
-from sim.forces.limits import leaking
+from sim.forces.plasticity import leaking
 from sim.scene.surroundings import STILL_AIR
 
 from ..stage.looks import (

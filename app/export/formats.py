@@ -62,7 +62,7 @@ class Options:
         dark: whether pictures and films are on dark paper.
         scale: px in a metre of a model.
         rate: keyframes a second.
-        decimal_comma: whether tables have decimal commas, see `sim.csv_text.csv_text`.
+        decimal_comma: whether tables have decimal commas, see `sim.store.csv_text.csv_text`.
         report: is called from time to time with the fraction that is done, 0..1.
     """
 

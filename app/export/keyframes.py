@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from sim.csv_text import csv_text
 from sim.errors import InputError
+from sim.store.csv_text import csv_text
 
 from .clip import Clip
 

@@ -10,7 +10,7 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
 from sim.analysis.advice import Advice
-from sim.methods.registry import METHODS
+from sim.solve.registry import METHODS
 
 SIZE = 3.3, 4.2
 """Width and height, inches; the page makes it as wide as there is room."""

@@ -20,8 +20,8 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 import sim
-from sim.body.system import build_system
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
+from sim.model.system import build_system
 
 from ..classroom.live import Classes
 from ..features.classroom.check_role import CheckRole, is_check

@@ -10,8 +10,8 @@ import msgspec
 import numpy as np
 
 import sim
-from sim.methods.registry import METHODS
 from sim.settings import CHOICES, SETTINGS, set_choice
+from sim.solve.registry import METHODS
 
 from .companions import Companion
 
@@ -47,7 +47,7 @@ class Ghost(Companion):
 
     Args:
         simulation: the first body, whose state it starts from.
-        method: a name of `sim.methods.METHODS`, or REFERENCE.
+        method: a name of `sim.solve.registry.METHODS`, or REFERENCE.
         law: a force law, or "" for the scene's own.
         finer: factor by which its time step, or its tolerance if it has one, is smaller than the first
             body's; ignored by the reference.

@@ -10,9 +10,9 @@ from msgspec import Meta
 
 import sim
 from sim.errors import SceneError
-from sim.methods.registry import METHODS
 from sim.scene.numbers import MAX_SPRINGS
 from sim.settings import CHOICES
+from sim.solve.registry import METHODS
 from sim.store.files import MAX_FILE_BYTES, decode_scene
 from sim.store.places import sentence_of_json
 

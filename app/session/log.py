@@ -22,8 +22,8 @@ import numpy as np
 from msgspec import Meta
 
 import sim
+from sim.engine.tables import SCALE_MAX, SCALE_MIN
 from sim.errors import InputError, SceneError
-from sim.kernels.core.tables import SCALE_MAX, SCALE_MIN
 from sim.motion.simulation import Key
 from sim.scene.numbers import Angle, Vector
 from sim.scene.validate import consistent_pose, validate

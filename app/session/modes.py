@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 import sim
 from sim.analysis.modes import Excitation, Modes
-from sim.body.system import same_topology
 from sim.compiling.compiler import for_balance, is_ready
 from sim.errors import InputError
+from sim.model.system import same_topology
 
 from .analysis import Analysis
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
-from sim.kernels.core.tables import Body
-from sim.methods.registry import METHODS
+from sim.engine.tables import Body
+from sim.solve.registry import METHODS
 
 from .session import Refresh, Session
 

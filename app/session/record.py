@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import sim
-from sim.body.system import same_topology
-from sim.methods.registry import METHODS
+from sim.model.system import same_topology
+from sim.solve.registry import METHODS
 from sim.store.files import encode_fields
 
 from . import log

@@ -19,9 +19,9 @@ from typing import ClassVar, Generic, Literal, TypeVar, dataclass_transform
 import msgspec
 
 import sim
-from sim.body.system import same_topology
 from sim.edit.edit import Edit, Selection, still_selected
 from sim.errors import InputError, SceneError, SettingError
+from sim.model.system import same_topology
 from sim.motion.stability import StabilityEstimate
 
 from . import keepsakes, log

@@ -150,7 +150,7 @@ export function hatching({ at, normal, surface }, scale) {
 const pair = (a, b) => `${Math.min(a, b)} ${Math.max(a, b)}`;
 
 /**
- * Pairs of masses between which all springs are broken, as `leaking` in sim/body/damage.py has them.
+ * Pairs of masses between which all springs are broken, as `leaking` in sim/model/system.py has them.
  *
  * @param {ArrayLike<number>} springs both masses of each
  * @param {Set<number>} broken

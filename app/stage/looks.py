@@ -10,7 +10,7 @@ import json
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from sim.kernels.core.waves import SHARPNESS as SHARPNESS
+from sim.engine.numerics.waves import SHARPNESS as SHARPNESS
 from sim.store.link import PATH
 
 # ------------------------------------------------------------------------- colours

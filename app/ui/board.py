@@ -7,9 +7,9 @@ from typing import Any
 
 import viser
 
-from sim.methods.registry import METHODS
 from sim.scene.types import Scene
 from sim.settings import TEMPLATES, Setting, settings_of
+from sim.solve.registry import METHODS
 
 from ..session import commands
 from .page import Page

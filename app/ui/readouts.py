@@ -12,9 +12,9 @@ import sim
 from sim.analysis.predictability import factor_of
 from sim.analysis.tuning import Tuning, Vibration
 from sim.forces.all import WITH_ENERGY
-from sim.methods.registry import METHODS
 from sim.motion.quantities import ENERGY_UNIT, unit_in
 from sim.scene.types import is_loaded
+from sim.solve.registry import METHODS
 
 from ..session.session import Session
 from ..stage.colors import Palette

@@ -15,12 +15,12 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
+from ..engine.tables import Floats
 from ..errors import InputError
-from ..kernels.core.tables import Floats
-from ..methods.registry import METHODS
 from ..motion.simulation import Simulation
 from ..scene.types import Integrator, Scene
 from ..scene.validate import validate
+from ..solve.registry import METHODS
 
 ERRORS = (1.0, 0.1)
 """Errors for which a method is named unless others are asked for, px."""

@@ -18,7 +18,7 @@ from typing import Protocol
 
 import numpy as np
 
-from ..kernels.core.tables import Floats
+from ..engine.tables import Floats
 from .vibrations import Vibrations
 
 TENTH = math.log(10.0)

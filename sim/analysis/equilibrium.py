@@ -8,24 +8,24 @@ from functools import cached_property
 import msgspec
 import numpy as np
 
-from ..body.grips import grips_of, put_grips
-from ..body.sparsity import new_matrix
-from ..body.system import build_system, damage_of, for_analysis, new_scratch, start_of
 from ..compiling.compiler import fetch, for_balance
+from ..engine.tables import Floats, Indices, Matrix
 from ..errors import InputError
 from ..forces.all import accelerations
-from ..forces.contact import no_tunnelling
 from ..forces.joints import JointsTwin
-from ..forces.limits import NO_LIMITS
+from ..forces.plasticity import NO_LIMITS
+from ..forces.reference import Physics
 from ..forces.springs import SpringsTwin
-from ..forces.sticking import sticks
-from ..forces.walls import NOWHERE, WallRow
-from ..kernels.core.tables import Floats, Indices, Matrix
-from ..kernels.linear.implicit import factorise_matrix, solve_matrix
-from ..physics import Physics
+from ..forces.touch.contact import no_tunnelling
+from ..forces.touch.friction_history import sticks
+from ..forces.touch.walls import NOWHERE, WallRow
+from ..model.grips import grips_of, put_grips
+from ..model.sparsity import new_matrix
+from ..model.system import build_system, damage_of, for_analysis, new_scratch, start_of
 from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Grips, Pose, Scene
 from ..scene.validate import validate
+from ..solve.linear.implicit import factorise_matrix, solve_matrix
 
 _MAX_STEPS = 3000
 """Largest number of steps."""

@@ -19,12 +19,12 @@ from functools import cached_property
 
 import numpy as np
 
-from ..body.system import build_system, for_analysis, start_of
+from ..engine.tables import Floats, Indices
 from ..errors import InputError
 from ..forces.all import TERMS
-from ..kernels.core.tables import Floats, Indices
+from ..forces.reference import Physics
+from ..model.system import build_system, for_analysis, start_of
 from ..motion.moment import Moment
-from ..physics import Physics
 from ..scene.columns import ends
 from ..scene.types import Scene
 from ..scene.validate import validate

@@ -21,10 +21,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
-from ..methods.registry import METHODS
 from ..motion.divergence import Divergence
 from ..motion.simulation import Simulation
 from ..scene.types import Scene
+from ..solve.registry import METHODS
 
 MANY = 100.0
 """Growth in a second from which on a tolerance may not be kept: of random bodies, `auto` keeps all in which

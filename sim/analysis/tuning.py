@@ -9,20 +9,20 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from ..body.stable_spring import joint_softness, softening_note
-from ..body.system import build_system, damage_of, for_analysis, joint_stiffness, start_of
+from ..engine.tables import Floats, Indices
 from ..errors import InputError
 from ..forces.air import AIR
 from ..forces.joints import JointsTwin
+from ..forces.reference import Physics
 from ..forces.springs import SpringsTwin
-from ..kernels.core.tables import Floats, Indices
-from ..methods.limits import flip, undamped_step
-from ..methods.registry import METHODS
+from ..model.stable_spring import joint_softness, softening_note
+from ..model.system import build_system, damage_of, for_analysis, joint_stiffness, start_of
 from ..motion.stability import StabilityMeter, limit_at_start
-from ..physics import Physics
 from ..scene.columns import column, ends
 from ..scene.types import Scene, is_loaded
 from ..scene.validate import validate
+from ..solve.registry import METHODS
+from ..solve.stability_limits import flip, undamped_step
 from .decay import TENTH, Decay
 from .equilibrium import loaded_equilibrium
 from .vibrations import MAX_MASSES, Vibrations, free_vibrations
@@ -434,7 +434,7 @@ def _fastest(scene: Scene) -> Vibration | None:
 
 
 def _alone(stiffness: Floats, damping: Floats, softness: Floats) -> Alone:
-    """Of each part: with k and c as in `sim.methods.limits`, the limit is where dt² k + 2 dt c = 4."""
+    """Each alone, with k and c as in `sim.solve.stability_limits`: its limit is where dt² k + 2 dt c = 4."""
     k, c = stiffness * softness, damping * softness
     omega = np.sqrt(k)
     with np.errstate(divide="ignore", invalid="ignore"):

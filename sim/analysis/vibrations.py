@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..engine.tables import Floats
 from ..errors import InputError
-from ..kernels.core.tables import Floats
 from ..scene.types import Scene
 from .equilibrium import Resting
 

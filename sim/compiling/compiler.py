@@ -21,20 +21,20 @@ from typing import Any
 
 from numba import types
 
+from ..engine.addresses import ADDRESSES, address_of
+from ..engine.calls import BY_ADDRESS, FLOATS
+from ..engine.kept import file_of, trouble
+from ..engine.tables import Body, Drive, Problem, State
 from ..forces.all import PARTS, accelerations, add_damping_product, any_accelerations, parts_of, path_of
-from ..forces.contact import no_tunnelling
-from ..forces.limits import part_to_try, settle, yielding_accelerations
-from ..forces.sticking import part_to_slip, stick
-from ..kernels.core.shared import BY_ADDRESS, FLOATS
-from ..kernels.core.tables import Body, Drive, Problem, State
-from ..kernels.energy.energies import energies
-from ..kernels.energy.work import accumulate_work
-from ..kernels.engine.addresses import ADDRESSES, address_of
-from ..kernels.engine.kept import file_of, trouble
-from ..kernels.integrators.auto import next_turn
-from ..kernels.integrators.fallback import run_fallback
-from ..kernels.linear.implicit import factorise_matrix, solve_matrix
-from ..methods.registry import AUTO_METHODS, METHODS
+from ..forces.plasticity import part_to_try, settle, yielding_accelerations
+from ..forces.touch.contact import no_tunnelling
+from ..forces.touch.friction_history import part_to_slip, stick
+from ..solve.balance.energies import energies
+from ..solve.balance.work import accumulate_work
+from ..solve.linear.implicit import factorise_matrix, solve_matrix
+from ..solve.registry import AUTO_METHODS, METHODS
+from ..solve.steps.auto import next_turn
+from ..solve.steps.fallback import run_fallback
 
 _FLOAT, _INT = types.float64, types.int64
 

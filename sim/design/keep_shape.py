@@ -13,7 +13,7 @@ from ..analysis.equilibrium import NEUTRAL, NEUTRAL_FREE, Resting
 from ..edit.build import in_turn
 from ..edit.edit import Selection, of_parts
 from ..errors import InputError, SceneError
-from ..forces.walls import WallRow
+from ..forces.touch.walls import WallRow
 from ..motion.moment import Moment
 from ..scene.parts import AngularSpring
 from ..scene.types import Pose, Scene

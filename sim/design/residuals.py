@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, SceneError, SettingError
-from ..methods.registry import METHODS
 from ..motion.quantities import Quantity
 from ..motion.simulation import Simulation
 from ..scene.types import Scene
 from ..scene.validate import validate
 from ..settings import SETTINGS
+from ..solve.registry import METHODS
 from .circles import all_are_angles, other_radius, rods_to_anchors
 from .estimates import Estimate, plus_minus
 from .matching import Match, matched

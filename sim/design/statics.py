@@ -31,7 +31,7 @@ from ..analysis.equilibrium import Resting
 from ..forces.all import SURROUNDINGS
 from ..forces.joints import IN_NUMPY, TUTORIAL, JointsTwin
 from ..forces.springs import SpringsTwin
-from ..forces.walls import WallRow, WallsTwin
+from ..forces.touch.walls import WallRow, WallsTwin
 from ..scene.columns import ends
 from ..scene.types import Grips
 

@@ -23,23 +23,23 @@ import numpy as np
 from ..analysis.decay import COUPLED, TENTH, Decay
 from ..analysis.tuning import Numbers
 from ..analysis.vibrations import MAX_MASSES, Vibrations
-from ..body.system import same_topology
 from ..edit.edit import Edit, of_parts
 from ..errors import InputError, SceneError, SettingError
-from ..methods.registry import METHODS
+from ..model.system import same_topology
 from ..motion.stability import StabilityMeter, meter_at_start
 from ..scene.columns import column, ends
 from ..scene.parts import AngularSpring, LinearSpring
 from ..scene.types import Scene
 from ..scene.validate import validate
 from ..settings import SETTINGS, moves
+from ..solve.registry import METHODS
 from .keep_shape import DesignError
 from .sensitivity import AtRest, Change, Floats, by_setting, scaled
 
 REACHED = 5e-3
 """Difference between what is reached and what is wished, relative, up to which a wish is fulfilled."""
 _MARGIN = 1.01
-"""As of `sim.edit.tune`: by how much the stability limit is to exceed the time step."""
+"""As of `sim.design.tune`: by how much the stability limit is to exceed the time step."""
 _LEAST = 1e-2
 """Weight of the unknowns beside the residuals, so that of all solutions the least change is found, and
 nothing is changed greatly for nearly nothing."""

@@ -11,9 +11,9 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.system import joint_stiffness
 from ..errors import SceneError
-from ..forces.limits import leaking
+from ..forces.plasticity import leaking
+from ..model.system import joint_stiffness
 from ..motion.moment import Moment
 from ..scene.columns import ends
 from ..scene.numbers import MAX_MASSES, MAX_SPRINGS

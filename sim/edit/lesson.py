@@ -10,13 +10,13 @@ from msgspec import UNSET
 from numpy.typing import NDArray
 
 from ..errors import InputError, SceneError, SettingError
-from ..methods.registry import METHODS
 from ..motion.quantities import quantity
 from ..scene.lesson import MAX_PULLS, Lead, Lesson, Pull, Reading, RunMuscle, Step, StepRun
 from ..scene.parts import Circle, Mass
 from ..scene.types import Scene
 from ..scene.validate import validate
 from ..settings import CHOICES, apply_assignments, scene_of_step, setting_of, settings_of
+from ..solve.registry import METHODS
 from ..store.files import is_built_in
 from .edit import Edit
 

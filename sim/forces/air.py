@@ -20,11 +20,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..kernels.core.sines import sine
-from ..kernels.core.tables import Body, State
-from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.lanes import eight_at_a_time, whole_eights
-from ..kernels.engine.table import Rows, Table
+from ..engine.jit import FAST, kernel
+from ..engine.lanes import eight_at_a_time, whole_eights
+from ..engine.numerics.sines import sine
+from ..engine.table import Rows, Table
+from ..engine.tables import Body, State
 from ..scene.surroundings import Wind
 from ..scene.types import Scene, is_windy
 from .term import Floats, Places, Term, Vectors, read_only
@@ -190,7 +190,7 @@ def _add_power(body, state, balance, q, v, part):
 # ------------------------------------------------------------------------- derivatives
 @kernel(fastmath=FAST)
 def _add_derivatives(body, state, matrix, q, v, g, definite):
-    """That of still air is in `kernels.linear.sparse.eliminate`."""
+    """That of still air is in `solve.linear.sparse.eliminate`."""
     air, blocks, slots = body.environment.air, matrix.blocks, q.size // 2
     for i in range(body.masses):
         m, d = matrix.order[i], 4 * matrix.diagonal[i]

@@ -1,7 +1,7 @@
 """The list of what acts on masses besides still air and gravity, and what follows from it.
 
 A new force is a page and an entry here, see docs/extending.md. The kernels below call those of the terms that
-act on a body. The balance, stability, what is measured, and `sim.physics` go by the list, too.
+act on a body. The balance, stability, what is measured, and `sim.forces.reference` go by the list, too.
 """
 
 from __future__ import annotations
@@ -10,20 +10,20 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..kernels.core.shared import BY_ADDRESS
-from ..kernels.core.tables import Body
-from ..kernels.engine.addresses import ADDRESSES, NONE, calls
-from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.lanes import eight_at_a_time, whole_eights
+from ..engine.addresses import ADDRESSES, NONE, calls
+from ..engine.calls import BY_ADDRESS
+from ..engine.jit import FAST, kernel
+from ..engine.lanes import eight_at_a_time, whole_eights
+from ..engine.tables import Body
 from .air import AIR, add_damping_of_still_air, power_of_still_air
 from .chain import chain_accelerations, is_chain_like
-from .contact import CONTACT
 from .fillings import FILLINGS
 from .resistance import RESISTANCE
 from .runs import JOINTS, SPRINGS, clear
 from .springs import accelerations_by
 from .term import SIGNATURES, Term
-from .walls import WALLS
+from .touch.contact import CONTACT
+from .touch.walls import WALLS
 
 TERMS = (SPRINGS, JOINTS, AIR, RESISTANCE, WALLS, FILLINGS, CONTACT)
 """The forces; each is added to those before it."""
@@ -35,7 +35,7 @@ WITH_ENERGY = tuple(term for term in TERMS if term.energy is not None)
 """Those with an energy, in the order of `energies`."""
 
 KINETIC, GRAVITY, OTHERS = 0, 1, 2
-"""Indices of the energies in what `kernels.energy.energies.energies` writes; `OTHERS`: the first of those of
+"""Indices of the energies in what `solve.balance.energies.energies` writes; `OTHERS`: the first of those of
 `WITH_ENERGY`."""
 ENERGIES = OTHERS + len(WITH_ENERGY)
 """Their number."""

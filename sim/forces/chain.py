@@ -15,10 +15,10 @@ from __future__ import annotations
 
 import math
 
-from ..kernels.core.roots import inverse_root_from_least
-from ..kernels.engine.bits import bits, from_bits
-from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.lanes import eight_at_a_time, whole_eights
+from ..engine.bits import bits, from_bits
+from ..engine.jit import FAST, kernel
+from ..engine.lanes import eight_at_a_time, whole_eights
+from ..engine.numerics.roots import inverse_root_from_least
 from .joints import CONSERVATIVE, NO_JOINTS, SINE_LAWS, TUTORIAL
 
 

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from ..kernels.engine.addresses import ADDRESSES
-from ..kernels.engine.table import Indices, Table
+from ..engine.addresses import ADDRESSES
+from ..engine.table import Indices, Table
 from ..scene.columns import column
 from ..scene.types import Scene
 from .all import SURROUNDINGS, TERMS
@@ -19,7 +19,7 @@ _FIELDS = {
     "step": "float",  # s, of an explicit method with a fixed step, which softens touch; else 0
     "mass": "Floats",  # (slots,) kg
     "acting": "Indices",  # (k,) indices in `all.TERMS` of those that act
-    "calls": "Indices",  # `kernels.engine.addresses.ADDRESSES`
+    "calls": "Indices",  # `engine.addresses.ADDRESSES`
     **{term.field: term.table.__name__ for term in SURROUNDINGS},
 }
 

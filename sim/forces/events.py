@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from ..kernels.engine.jit import FAST, kernel
+from ..engine.jit import FAST, kernel
 
 UNSEEN = 0.05
 """Speed that a step may add to a mass where something turns round or breaks, or miss at a kink, as a fraction

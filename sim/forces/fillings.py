@@ -19,9 +19,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.core.tables import Body, State
-from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.table import Indices, Rows, Table
+from ..engine.jit import FAST, kernel
+from ..engine.table import Indices, Rows, Table
+from ..engine.tables import Body, State
 from ..scene.surroundings import Gas, Liquid
 from ..scene.types import Scene
 from .term import Places, Term, Vectors, read_only

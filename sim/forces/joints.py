@@ -17,11 +17,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..kernels.core.blocks import add_block, from_left, minus, outer, plus, scaled
-from ..kernels.core.tables import SHORTEST_SQUARED, Body, State
-from ..kernels.core.vectors import deflection, from_to, inverse_of, length_of
-from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.table import Floats, Indices
+from ..engine.jit import FAST, kernel
+from ..engine.numerics.blocks import add_block, from_left, minus, outer, plus, scaled
+from ..engine.numerics.vectors import deflection, from_to, inverse_of, length_of
+from ..engine.table import Floats, Indices
+from ..engine.tables import SHORTEST_SQUARED, Body, State
 from .term import Vectors, summed
 
 NO_JOINTS, TUTORIAL, CONSERVATIVE, ANGLE = 0, 1, 2, 3
@@ -421,8 +421,8 @@ IN_NUMPY: dict[int, Callable[[Vectors], tuple[Floats, Floats]]] = {
     ANGLE: angle_law,
 }
 """Torque and energy of a joint of stiffness one, by `Body.law`, from S = conj(A) B exp(-ir), see
-`sim.physics`. The tutorial's law has the torque of the sine law without the pull along the springs that would
-make it the gradient of an energy."""
+`sim.forces.reference`. The tutorial's law has the torque of the sine law without the pull along the springs
+that would make it the gradient of an energy."""
 
 
 class JointsTwin:

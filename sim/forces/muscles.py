@@ -5,7 +5,7 @@ its own times 1 + A w; a joint's rest angle is its own plus A w.
 
 Muscles are no `Term`, since they exert no force of their own. They change what springs and joints pull
 towards, as held keys do, and all that reads that goes by it: forces, derivatives, energies, what yields. So
-methods need to know only the time, see `kernels.core.drive.flex`. They work on a body by moving: with the
+methods need to know only the time, see `forces.drive.flex`. They work on a body by moving: with the
 energy k (|L| - R)² / 2 of a spring by the power -k (|L| - R) dR/dt, and with the torque G of a joint by -G
 times the rate of its rest angle.
 """
@@ -18,10 +18,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..kernels.core.tables import CONTROL_SCALE, Muscles
-from ..kernels.core.waves import SHARPNESS, wave_rate
-from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.table import Floats, Indices, Rows
+from ..engine.jit import FAST, kernel
+from ..engine.numerics.waves import SHARPNESS, wave_rate
+from ..engine.table import Floats, Indices, Rows
+from ..engine.tables import CONTROL_SCALE, Muscles
 from ..scene.parts import Beat, JointMuscle, SpringMuscle
 from ..scene.types import Scene
 from .joints import joint_power
@@ -34,7 +34,7 @@ NO_MUSCLES = read_only(Muscles.empty())
 
 
 class Row(NamedTuple):
-    """A muscle; `kernels.core.waves` has the columns."""
+    """A muscle; `engine.numerics.waves` has the columns."""
 
     amplitude: float  # of a spring's a fraction, of a joint's degrees
     rate: float  # omega, 1/s

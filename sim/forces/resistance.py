@@ -24,11 +24,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..kernels.core.blocks import add_block
-from ..kernels.core.tables import Body, State
-from ..kernels.core.vectors import from_to, length_of
-from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.table import Indices, Rows, Table
+from ..engine.jit import FAST, kernel
+from ..engine.numerics.blocks import add_block
+from ..engine.numerics.vectors import from_to, length_of
+from ..engine.table import Indices, Rows, Table
+from ..engine.tables import Body, State
 from ..scene.types import Scene
 from .air import AirTwin, wind_at, wind_gradient_at
 from .term import Floats, Places, Term, Vectors, read_only, summed

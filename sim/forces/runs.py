@@ -19,11 +19,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..kernels.core.roots import inverse_root
-from ..kernels.core.tables import Links, padded
-from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.lanes import eight_at_a_time, scalar_gathers_on_amd, whole_eights
-from ..kernels.engine.table import Floats, Indices
+from ..engine.jit import FAST, kernel
+from ..engine.lanes import eight_at_a_time, scalar_gathers_on_amd, whole_eights
+from ..engine.numerics.roots import inverse_root
+from ..engine.table import Floats, Indices
+from ..engine.tables import Links, padded
 from .joints import (
     CONSERVATIVE,
     NO_JOINTS,

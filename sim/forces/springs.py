@@ -26,12 +26,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..kernels.core.blocks import add_block
-from ..kernels.core.tables import Body, State
-from ..kernels.core.vectors import from_to, inverse_of, length_of
-from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.lanes import eight_at_a_time
-from ..kernels.engine.table import Floats, Indices
+from ..engine.jit import FAST, kernel
+from ..engine.lanes import eight_at_a_time
+from ..engine.numerics.blocks import add_block
+from ..engine.numerics.vectors import from_to, inverse_of, length_of
+from ..engine.table import Floats, Indices
+from ..engine.tables import Body, State
 from .term import Vectors, summed
 
 

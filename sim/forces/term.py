@@ -15,9 +15,9 @@ import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
-from ..kernels.core.shared import FLOATS
-from ..kernels.core.tables import Body, EnergyBalance, Matrix, Scratch, State
-from ..kernels.engine.table import Indices, Table
+from ..engine.calls import FLOATS
+from ..engine.table import Indices, Table
+from ..engine.tables import Body, EnergyBalance, Matrix, Scratch, State
 from ..scene.types import Scene
 
 Vectors = NDArray[np.complex128]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..kernels.core.tables import ADAMS, ALPHA, CHOICES, ROSENBROCK, VERLET, Body, Floats, Matrix
-from ..kernels.integrators.auto import MATRICES
-from ..methods.registry import MethodInfo
+from ..engine.tables import ADAMS, ALPHA, CHOICES, ROSENBROCK, VERLET, Body, Floats, Matrix
 from ..scene.types import Scene, is_damageable
+from ..solve.registry import MethodInfo
+from ..solve.steps.auto import MATRICES
 
 LOW_TOLERANCE = 3e-3
 """Tolerance, px, below which `auto` uses RODAS 5P instead of RODAS 4, and no generalized-alpha."""

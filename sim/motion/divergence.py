@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import Literal
 
-from ..body.system import System
-from ..kernels.core.tables import State
-from ..kernels.integrators import guard
-from ..methods.registry import METHODS
+from ..engine.tables import State
+from ..model.system import System
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene
+from ..solve.registry import METHODS
+from ..solve.steps import guard
 from .stability import StabilityEstimate, StabilityMeter
 from .stepping import Outcome
 

@@ -7,12 +7,12 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..body.system import System
+from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, Drive, Lead, State
 from ..forces.all import TERMS
-from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, Drive, Lead, State
+from ..model.system import System
 from ..scene.numbers import MAX_SPEED
 from ..scene.types import Circle, Scene
-from .drag import NO_MOTION, NO_MOTIONS, HandMotions
+from .hands import NO_MOTION, NO_MOTIONS, HandMotions
 
 _SAFETY = 1.0 - 1e-15
 """Factor that keeps a hand which moves to the edge of the allowed range from passing it by a rounding

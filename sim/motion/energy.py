@@ -6,9 +6,9 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from ..engine.tables import State
 from ..forces.all import ENERGIES, OTHERS, WITH_ENERGY
-from ..kernels.core.tables import State
-from ..kernels.energy.energies import energies
+from ..solve.balance.energies import energies
 from .solver import Solver
 
 

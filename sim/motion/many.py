@@ -20,16 +20,16 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.system import System, new_scratch, new_state, refresh, wired, with_numbers
+from ..engine.tables import SHORTEST_SQUARED, State
 from ..errors import InputError, SceneError
 from ..forces.environment import is_surrounded
 from ..forces.joints import LAWS, NO_JOINTS
-from ..kernels.core.tables import SHORTEST_SQUARED, State
-from ..kernels.integrators.guard import GOOD
+from ..model.system import System, new_scratch, new_state, refresh, wired, with_numbers
 from ..scene.columns import column
 from ..scene.parts import AngularSpring, LinearSpring
 from ..scene.types import Scene, is_loaded, is_muscular
 from ..scene.validate import validate
+from ..solve.steps.guard import GOOD
 from .divergence import Divergence
 from .driving import Driver
 from .simulation import Simulation

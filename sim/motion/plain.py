@@ -1,4 +1,4 @@
-"""Moves any body by `sim.physics` alone, until the kernels of its method are compiled."""
+"""Moves any body by `sim.forces.reference` alone, until the kernels of its method are compiled."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from functools import partial
 
 import numpy as np
 
-from ..body.system import System, refresh
-from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN, Drive, Lead, State
-from ..kernels.integrators import guard
-from ..methods.registry import METHODS
-from ..physics import Physics, Vectors, euler_step, verlet_step
+from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN, Drive, Lead, State
+from ..forces.reference import Physics, Vectors, euler_step, verlet_step
+from ..model.system import System, refresh
 from ..scene.numbers import MAX_COORDINATE, RUNAWAY_SPEED
 from ..scene.types import Scene
+from ..solve.registry import METHODS
+from ..solve.steps import guard
 from .solver import UNLIMITED, SolverStats
 from .stability import damped_limit
 

@@ -17,16 +17,16 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.system import System, rest_lengths
+from ..engine.tables import State
 from ..errors import InputError
 from ..forces.all import WITH_ENERGY
 from ..forces.joints import JointsTwin
 from ..forces.springs import SpringsTwin
-from ..kernels.core.tables import State
+from ..model.loads import Loads
+from ..model.system import System, rest_lengths
 from ..scene.types import Scene
 from .divergence import Divergence
 from .energy import ENERGY_FIELDS, Energies
-from .loads import Loads
 from .stability import StabilityEstimate
 
 Floats = NDArray[np.float64]

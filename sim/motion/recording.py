@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ..csv_text import csv_text
 from ..errors import InputError
 from ..scene.types import Scene
+from ..store.csv_text import csv_text
 from ..store.files import write_file
 from .quantities import Moving, Quantity, quantity
 

@@ -11,9 +11,14 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.grips import grips_of, put_grips
-from ..body.stable_spring import clamp_stiffness
-from ..body.system import (
+from ..compiling.compiler import FOR_DAMAGE, for_energy, is_ready, needed_by
+from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, Indices, State
+from ..errors import InputError
+from ..forces.plasticity import without_broken
+from ..model.grips import grips_of, put_grips
+from ..model.loads import LoadCalculator, Loads
+from ..model.stable_spring import clamp_stiffness
+from ..model.system import (
     System,
     build_system,
     new_scratch,
@@ -23,20 +28,15 @@ from ..body.system import (
     rest_angles,
     same_topology,
 )
-from ..compiling.compiler import FOR_DAMAGE, for_energy, is_ready, needed_by
-from ..errors import InputError
-from ..forces.limits import without_broken
-from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, Indices, State
-from ..kernels.integrators import guard
-from ..methods.registry import METHODS
 from ..scene.columns import ends
 from ..scene.types import Anchor, Damage, Grips, Pose, Scene
 from ..scene.validate import validate
 from ..settings import shift_rest_angles
+from ..solve.registry import METHODS
+from ..solve.steps import guard
 from .divergence import Divergence, explain
-from .drag import Hands, within_bounds
 from .energy import Energies, EnergyTracker
-from .loads import LoadCalculator, Loads
+from .hands import Hands, within_bounds
 from .moment import Moment
 from .plain import PlainSolver
 from .recording import Recording
@@ -54,7 +54,7 @@ class Simulation:
     Args:
         scene: a valid scene.
         dt: time step, 1e-6..1 s; None for the scene's own.
-        integrator: name of a method (`sim.methods`); None for the scene's own.
+        integrator: name of a method (`sim.solve.registry`); None for the scene's own.
         wait: whether the first step may wait until the method's kernels are compiled, which takes seconds
             where they are not on the disk. Otherwise the body moves by NumPy until someone has compiled them,
             see `sim.compiling`, and `plain` says so.

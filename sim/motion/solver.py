@@ -8,9 +8,6 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..body.layout import Layout, slab
-from ..body.sparsity import NO_MATRIX, clear_factors, new_matrix
-from ..body.system import System, refresh
 from ..compiling.compiler import (
     ENTRY_POINTS,
     FOR_DAMAGE,
@@ -22,12 +19,9 @@ from ..compiling.compiler import (
     is_ready,
     needed_by,
 )
-from ..forces.all import path_of
-from ..forces.fillings import FillingsTwin
-from ..forces.limits import take_back, without_broken
-from ..forces.sticking import sticks
-from ..kernels.core.shared import BY_ADDRESS
-from ..kernels.core.tables import (
+from ..engine.calls import BY_ADDRESS
+from ..engine.layout import Layout, slab
+from ..engine.tables import (
     CHOICES,
     CONTROL_SCALE,
     PAST,
@@ -53,20 +47,26 @@ from ..kernels.core.tables import (
     VerletState,
     Work,
 )
-from ..kernels.energy.dissipation import DAMPER_ROWS
-from ..kernels.integrators import guard
-from ..kernels.integrators.fallback import run_fallback
-from ..methods.registry import AUTO_METHODS, METHODS
-from ..methods.tableaux import RK4
+from ..forces.all import path_of
+from ..forces.fillings import FillingsTwin
+from ..forces.plasticity import take_back, without_broken
+from ..forces.touch.friction_history import sticks
+from ..model.sparsity import NO_MATRIX, clear_factors, new_matrix
+from ..model.system import System, refresh
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene, is_damageable
+from ..solve.balance.dissipation import DAMPER_ROWS
+from ..solve.registry import AUTO_METHODS, METHODS
+from ..solve.steps import guard
+from ..solve.steps.fallback import run_fallback
+from ..solve.tableaux import RK4
 from .auto_costs import LONG, LOW_TOLERANCE, costs_of_steps, tolerance_factors
 from .stability import damped_limit, quick_limit
 
 _ROWS, _ALPHA_ROWS = 20, 4
 """Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
 _ROWS_OFFSET = 2560 // 8
-"""Where they begin in a page of 512 numbers; see `body.layout.slab`."""
+"""Where they begin in a page of 512 numbers; see `engine.layout.slab`."""
 
 _NO_BALANCE = EnergyBalance.empty().replaced(work=Work())
 """Of all solvers that keep none; nobody reads what is entered into it."""

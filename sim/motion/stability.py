@@ -10,8 +10,8 @@ Linearised about the present state, the motion is M a = -K x - C v. The stabilit
   lower one with it, omega dt < 2 (sqrt(1 + 4 zeta²) - 2 zeta). No other eigenvalue leaves the circle before.
 - Both hold where K and C are symmetric. The damping of a body that turns, friction, and the tutorial's law
   make them unsymmetric. Two equal frequencies, as regular bodies have, are then a pair of complex
-  eigenvalues, and the eigenvalues of the whole step decide, see `sim.methods.limits`.
-- Explicit methods soften walls and contact by the step, see `forces.push`. So K and C are
+  eigenvalues, and the eigenvalues of the whole step decide, see `sim.solve.stability_limits`.
+- Explicit methods soften walls and contact by the step, see `forces.touch.push`. So K and C are
   those at the limit itself, which is found by iteration.
 - Runge-Kutta 4 multiplies a motion exp(lambda t) by its stability polynomial R(dt lambda): a step is stable
   while |R| <= 1 for all lambda of lambda² + lambda M^-1 C + M^-1 K; without damping, omega dt < sqrt(8).
@@ -25,9 +25,9 @@ Linearised about the present state, the motion is M a = -K x - C v. The stabilit
 What is left out: the change of K and C in the course of a step, and whatever a step does that is not small.
 Damage that is done later is not known either.
 
-K w and C w are differences of two evaluations of the forces of `sim.physics`. So any topology and law will
-do, and no matrix is built: K and C are projected on a Krylov space (Arnoldi), and the small problem that is
-left is solved as a quadratic eigenvalue problem in 1/dt, or in lambda.
+K w and C w are differences of two evaluations of the forces of `sim.forces.reference`. So any topology and
+law will do, and no matrix is built: K and C are projected on a Krylov space (Arnoldi), and the small
+problem that is left is solved as a quadratic eigenvalue problem in 1/dt, or in lambda.
 """
 
 from __future__ import annotations
@@ -42,16 +42,16 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.stable_spring import clamp_stiffness
-from ..body.system import System, build_system, new_state, refresh, start_of
+from ..engine.tables import Floats, State
 from ..forces.all import TERMS
+from ..forces.reference import Physics, Vectors
 from ..forces.resistance import most_resisted
 from ..forces.term import Twin
-from ..kernels.core.tables import Floats, State
-from ..methods.limits import StabilityLimit
-from ..methods.registry import METHODS
-from ..physics import Physics, Vectors
+from ..model.stable_spring import clamp_stiffness
+from ..model.system import System, build_system, new_state, refresh, start_of
 from ..scene.types import Scene
+from ..solve.registry import METHODS
+from ..solve.stability_limits import StabilityLimit
 
 Cause = str
 """What limits the time step: an entry of `CAUSES`."""

@@ -6,14 +6,14 @@ import math
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from ..body.system import System
-from ..kernels.core.tables import SCALE_MAX, SCALE_MIN, Drive, State
-from ..kernels.integrators import guard
-from ..methods.registry import METHODS
+from ..engine.tables import SCALE_MAX, SCALE_MIN, Drive, State
+from ..model.system import System
 from ..scene.numbers import MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene
-from .drag import LONGEST_PART, NO_MOTIONS, HandMotions, Hands
+from ..solve.registry import METHODS
+from ..solve.steps import guard
 from .driving import Driver
+from .hands import LONGEST_PART, NO_MOTIONS, HandMotions, Hands
 from .plain import PlainSolver
 from .solver import UNLIMITED, Solver, SolverStats
 

@@ -38,7 +38,7 @@ Method = Literal[
     "rodas4",
     "rodas5p",
 ]
-"""The integration method; `sim.methods.registry` describes each."""
+"""The integration method; `sim.solve.registry` describes each."""
 
 Template = Literal[180, 135, 90, 45, 0, -45, -90, -135]
 """The tutorial's eight rest angles, degrees."""
@@ -48,7 +48,7 @@ class Integrator(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_field
     """The integration method and its parameters.
 
     Attributes:
-        method: see `sim.methods.registry`. "auto" keeps to the tolerance and chooses other methods by itself;
+        method: see `sim.solve.registry`. "auto" keeps to the tolerance and chooses other methods by itself;
             "symplectic_euler" is the tutorial's.
         dt: 1e-6..1 s. The step of a method with a fixed step. Adaptive methods choose their own steps; for
             them `dt` is only the unit in which the clock advances.

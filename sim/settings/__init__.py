@@ -14,10 +14,9 @@ from typing import Any, get_args
 
 import msgspec
 
-from ..body.system import joint_stiffness
 from ..errors import SceneError, SettingError
 from ..forces.joints import LAWS
-from ..methods.registry import METHODS
+from ..model.system import joint_stiffness
 from ..scene.columns import has_any
 from ..scene.lesson import Lead, Pull, RunMuscle, Step
 from ..scene.parts import Anchor, Beat
@@ -37,6 +36,7 @@ from ..scene.types import (
     rebuilt,
 )
 from ..scene.validate import validate
+from ..solve.registry import METHODS
 from .numbers import Access, at, largest, replaced, wind_direction, wind_speed, with_wind
 from .recipes import Setting, keys_of_recipe, recipe_settings, turned
 from .touch import holds, touched, with_grip, with_restitution
@@ -342,7 +342,7 @@ def _has_ground(scene: Scene) -> bool:
 
 
 def _bounces_are_softened(scene: Scene) -> str:
-    """See `sim.forces.push`: explicit methods with a fixed step soften what they cannot resolve."""
+    """See `sim.forces.touch.push`: explicit methods with a fixed step soften what they cannot resolve."""
     softens = not (METHODS[scene.integrator.method].implicit or METHODS[scene.integrator.method].adaptive)
     return "with a fixed step, fast bounces lose more; with Auto they do not" if softens else ""
 

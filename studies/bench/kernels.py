@@ -22,9 +22,9 @@ import numpy as np
 from rich.console import Console
 
 import sim
-from sim.body.system import new_scratch
+from sim.engine.tables import Body
 from sim.forces.runs import new_links
-from sim.kernels.core.tables import Body
+from sim.model.system import new_scratch
 
 from ..reporting.report import Table
 from . import fastest

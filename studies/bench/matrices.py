@@ -11,8 +11,8 @@ from rich.console import Console
 
 import sim
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
-from sim.body.sparsity import fill, new_matrix, pattern_of
-from sim.body.system import build_system
+from sim.model.sparsity import fill, new_matrix, pattern_of
+from sim.model.system import build_system
 
 from ..reporting.report import Table
 

@@ -12,8 +12,8 @@ import time
 from rich.console import Console
 
 import sim
-from sim.body.system import build_system
 from sim.compiling.compiler import Compiler, is_ready, needed_by
+from sim.model.system import build_system
 
 from ..reporting.report import Table
 

@@ -11,13 +11,13 @@ import numba
 import numpy as np
 
 import sim
-from sim.body.sparsity import new_matrix
+from sim.engine.table import Floats, Indices, Table
+from sim.engine.tables import Body, Drive, Matrix, Scratch, State
 from sim.forces.all import accelerations
-from sim.kernels.core.drive import drive_to
-from sim.kernels.core.tables import Body, Drive, Matrix, Scratch, State
-from sim.kernels.engine.table import Floats, Indices, Table
-from sim.kernels.linear.sparse import assemble
+from sim.forces.drive import drive_to
+from sim.model.sparsity import new_matrix
 from sim.motion.driving import Driver
+from sim.solve.linear.sparse import assemble
 
 Layout = Literal["dense", "banded", "sparse"]
 """Layout of a Jacobian: an (N, N) array; diagonals, where row `above` + i - j holds J[i, j] at column j; or

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sim.methods.registry import METHODS
+from sim.solve.registry import METHODS
 
 from ..reporting import report
 from ..reporting.figures import (

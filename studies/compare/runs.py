@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sim.methods.registry import METHODS
+from sim.solve.registry import METHODS
 
 Floats = NDArray[np.float64]
 Clock = Callable[[], float]

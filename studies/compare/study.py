@@ -12,7 +12,7 @@ from rich.console import Console
 import sim
 from sim import Scene
 from sim.errors import InputError
-from sim.methods.registry import METHODS
+from sim.solve.registry import METHODS
 
 from ..reporting.progress import ProgressBar
 from ..reporting.report import make_folder, write_report

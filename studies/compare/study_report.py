@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 
 from sim.analysis.advice import Tried, recommended
-from sim.methods.registry import METHODS
+from sim.solve.registry import METHODS
 
 from ..reporting.report import Section, Table, bullets, csv_of, csv_of_records
 from . import random_study

@@ -13,9 +13,9 @@ from rich.console import Console
 
 import sim
 from app.linking import link_to
-from sim.body.system import build_system
 from sim.compiling.compiler import all_of, fetch
 from sim.errors import InputError, SceneError
+from sim.model.system import build_system
 from sim.settings import apply_assignments, setting_of
 from sim.store.files import decode_scene, encode_scene, write_file
 

@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING, Any
 
 import rich.table
 
-from sim.csv_text import csv_text
 from sim.errors import InputError
+from sim.store.csv_text import csv_text
 from sim.store.files import write_file
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sim.methods.registry import METHODS
+from sim.solve.registry import METHODS
 
 from ..reporting.figures import BLACK, GREY, ORANGE, new_figure
 from .axes import Axis

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from rich.console import Console
 
 from sim import Energies, Simulation
-from sim.methods.registry import METHODS
+from sim.solve.registry import METHODS
 
 from ..reporting.progress import ProgressBar
 from ..reporting.report import Section, Table, bullets, csv_of, make_folder, write_report

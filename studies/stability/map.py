@@ -13,8 +13,8 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from sim import Integrator, Scene, Simulation
-from sim.methods.registry import METHODS
 from sim.motion.stability import largest_step
+from sim.solve.registry import METHODS
 
 from .axes import Axis, extent, in_cell
 

@@ -11,7 +11,7 @@ from rich.console import Console
 
 from sim import Scene
 from sim.errors import InputError
-from sim.methods.registry import METHODS
+from sim.solve.registry import METHODS
 
 from ..reporting.progress import ProgressBar
 from ..reporting.report import Figure, Section, Table, bullets, csv_of, make_folder, write_report

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 import sim
 from sim.analysis.predictability import GrowthMeter
-from sim.body.system import rest_lengths
 from sim.errors import InputError
+from sim.model.system import rest_lengths
 from sim.scene.columns import column, ends
 
 Floats = NDArray[np.float64]

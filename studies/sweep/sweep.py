@@ -11,9 +11,9 @@ from pathlib import Path
 from rich.console import Console
 
 import sim
-from sim.body.system import build_system
 from sim.compiling.compiler import all_of, fetch
-from sim.methods.registry import METHODS
+from sim.model.system import build_system
+from sim.solve.registry import METHODS
 from sim.store.files import decode_scene, encode_scene
 
 from ..reporting.progress import ProgressBar

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from functools import partial
 
 import sim
-from sim.methods.registry import METHODS, MethodInfo
 from sim.scene.types import Circle, Method
+from sim.solve.registry import METHODS, MethodInfo
 
 from .results import Case, Result, integrator_of, over_sizes
 

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import numpy as np
 
 import sim
-from sim.methods.registry import METHODS
 from sim.scene.types import Method
+from sim.solve.registry import METHODS
 
 from . import bodies, exact
 from .results import Case, Result, converging, integrator_of

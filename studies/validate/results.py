@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim import Integrator
-from sim.methods.registry import METHODS, MethodInfo
 from sim.scene.types import Method
+from sim.solve.registry import METHODS, MethodInfo
 
 
 @dataclass(frozen=True)

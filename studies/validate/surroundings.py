@@ -13,9 +13,9 @@ from scipy.optimize import root_scalar
 
 import sim
 from sim.analysis.equilibrium import equilibrium
-from sim.methods.registry import METHODS
 from sim.scene.surroundings import Gas, Liquid, Wall, Wind
 from sim.scene.types import Method, Scene
+from sim.solve.registry import METHODS
 
 from .results import Case, Result, compared, integrator_of, over_sizes
 

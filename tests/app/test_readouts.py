@@ -11,7 +11,7 @@ import sim
 from app.session.session import Session
 from app.stage.colors import palette
 from app.ui import readouts
-from sim.methods.registry import METHODS
+from sim.solve.registry import METHODS
 
 
 def test_a_description_from_a_stranger_s_file_is_escaped() -> None:

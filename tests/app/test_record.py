@@ -17,7 +17,7 @@ from app.session.hand import GIZMO
 from app.session.log import Check, Log, decode_log
 from app.ui.kept.keeping import MAX_BYTES
 from sim.errors import InputError
-from sim.methods.registry import METHODS
+from sim.solve.registry import METHODS
 from sim.store.files import encode_fields
 from tests.amount import examples
 from tests.app.command import Softrod, refused, rows_of

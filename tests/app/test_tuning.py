@@ -19,8 +19,8 @@ from app.session import commands
 from app.session.notices import Notice
 from app.ui import readouts
 from sim.compiling.compiler import ENTRY_POINTS, fetch
+from sim.design.tune import as_far_as_stable, damp_springs, with_numbers_of
 from sim.edit.edit import Selection
-from sim.edit.tune import as_far_as_stable, damp_springs, with_numbers_of
 from sim.errors import InputError
 from sim.motion.stability import largest_step
 from tests.app.pages import SessionPage

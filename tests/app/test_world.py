@@ -23,8 +23,8 @@ from app.stage.looks import YIELDED
 from app.stage.plan import Picture, encode_plan, yielded_of
 from app.ui import readouts
 from app.ui.view import Canvas
-from sim.body.system import build_system
 from sim.forces.air import wind_at
+from sim.model.system import build_system
 from sim.motion.energy import ENERGY_FIELDS
 from sim.motion.stability import StabilityEstimate
 from sim.scene.surroundings import Contact, Wall

@@ -24,9 +24,9 @@ from app.pages.sandbox.features import COMMANDS, CONTROLS
 from app.session import commands
 from app.session.log import decode_log
 from app.ui.kept import keeping
-from sim.methods.registry import METHODS
 from sim.motion.quantities import PARTS
 from sim.settings import CHOICES, setting_keys
+from sim.solve.registry import METHODS
 from tests.app.command import Softrod
 from tests.app.pages import SessionPage
 from tests.app.recording import replayed

@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim import Scene, Simulation
-from sim.body.sparsity import new_matrix
 from sim.compiling.compiler import ENTRY_POINTS, fetch
 from sim.forces.all import ENERGIES, accelerations, add_damping_product
-from sim.forces.limits import yielding_accelerations
-from sim.kernels.energy.energies import energies
-from sim.kernels.linear.implicit import factorise_matrix, solve_matrix
+from sim.forces.plasticity import yielding_accelerations
+from sim.forces.reference import Physics
+from sim.model.sparsity import new_matrix
 from sim.motion.solver import Solver
-from sim.physics import Physics
+from sim.solve.balance.energies import energies
+from sim.solve.linear.implicit import factorise_matrix, solve_matrix
 from tests.sim.checks import jacobian
 from tests.sim.inside import scratch_of
 
@@ -86,7 +86,7 @@ class Arrays:
         return a[self.here]
 
     def by_numpy(self) -> Floats:
-        """The accelerations of all of `here` in the body's state, by `sim.physics`."""
+        """The accelerations of all of `here` in the body's state, by `sim.forces.reference`."""
         state = self.state
         found = Physics(self.body, state).accelerations(state.x + 1j * state.y, state.vx + 1j * state.vy)
         return np.concatenate((found.real, found.imag))[self.here]

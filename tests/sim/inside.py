@@ -13,16 +13,16 @@ import pytest
 from numpy.typing import NDArray
 
 from sim import Scene, Simulation
-from sim.body.system import System
+from sim.engine import kept
+from sim.engine.tables import Adams, Drive, Floats, Problem, Rosenbrock, Scratch
 from sim.forces.runs import add_spring_forces
-from sim.kernels.core.tables import Adams, Drive, Floats, Problem, Rosenbrock, Scratch
-from sim.kernels.engine import kept
-from sim.kernels.integrators import adams
-from sim.kernels.integrators.rosenbrock import run_rosenbrock
+from sim.model.system import System
 from sim.motion.plain import PlainSolver
 from sim.motion.solver import Solver
 from sim.motion.stepping import Stepper
 from sim.scene import columns
+from sim.solve.steps import adams
+from sim.solve.steps.rosenbrock import run_rosenbrock
 
 Points = NDArray[np.float64]
 
@@ -138,7 +138,7 @@ def same_state(one: Simulation, other: Simulation) -> bool:
 STEADY = adams._STEADY
 """The degree that Adams' methods leave to long steps."""
 
-KRYLOV = "sim.body.sparsity._KRYLOV"
+KRYLOV = "sim.model.sparsity._KRYLOV"
 """Where a test may set how many directions the solver of linear systems tries before it begins anew."""
 
 

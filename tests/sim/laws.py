@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from sim import Beat, JointMuscle, Scene, SpringMuscle
-from sim.body.system import joint_stiffness
+from sim.model.system import joint_stiffness
 from sim.scene.types import Circle
 
 Complexes = NDArray[np.complex128]

@@ -9,8 +9,8 @@ from numpy.polynomial import Polynomial
 
 import sim
 from sim import Scene, Simulation
-from sim.kernels.core.tables import PAST
-from sim.methods.adams import adams
+from sim.engine.tables import PAST
+from sim.solve.adams_table import adams
 from tests.sim.builders import folded_rope
 from tests.sim.changes import by
 from tests.sim.inside import STEADY, adams_degree, spaced

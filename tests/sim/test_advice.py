@@ -11,9 +11,9 @@ from msgspec.structs import replace
 
 import sim
 from sim.analysis.advice import Advice, Tried, compare_methods, recommended
-from sim.methods.registry import METHODS
 from sim.motion import divergence
 from sim.motion.stability import StabilityMeter
+from sim.solve.registry import METHODS
 from tests.sim.checks import known
 
 ROPE = sim.rope(4)

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim.kernels.core.angles import angle_of
+from sim.engine.numerics.angles import angle_of
 
 COORDINATE = st.floats(-1e6, 1e6) | st.floats(allow_nan=False, allow_infinity=False)
 

@@ -10,10 +10,10 @@ import pytest
 from msgspec.structs import replace
 
 from sim import Integrator, Mass, Scene, Simulation
-from sim.methods.registry import METHODS
 from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Method
 from sim.settings import SETTINGS
+from sim.solve.registry import METHODS
 from tests.sim.builders import built
 from tests.sim.changes import after, by
 

@@ -10,11 +10,11 @@ from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Pose, Scene, Simulation
-from sim.body.system import build_system, start_of
-from sim.forces.limits import leaking
-from sim.methods.registry import METHODS
-from sim.physics import Physics
+from sim.forces.plasticity import leaking
+from sim.forces.reference import Physics
+from sim.model.system import build_system, start_of
 from sim.scene.types import Damage, Method
+from sim.solve.registry import METHODS
 from tests.sim.builders import hoop
 from tests.sim.changes import after, apart
 

@@ -10,9 +10,9 @@ from msgspec.structs import replace
 
 import sim
 from sim import Anchor, ArrowKeys, Circle, Integrator, Scene, Simulation
-from sim.kernels.engine.table import Table
-from sim.methods.registry import METHODS
+from sim.engine.table import Table
 from sim.scene.types import Method
+from sim.solve.registry import METHODS
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import body
 from tests.sim.changes import by, step_all, with_springs, with_walls

@@ -15,11 +15,11 @@ import pytest
 
 import sim
 from sim.analysis.equilibrium import Resting
-from sim.body.system import build_system
 from sim.compiling.compiler import ENTRY_POINTS, Compiler, EntryPoint, is_ready, needed_by
-from sim.kernels.engine import kept
-from sim.kernels.engine.addresses import ADDRESSES
-from sim.methods.registry import METHODS
+from sim.engine import kept
+from sim.engine.addresses import ADDRESSES
+from sim.model.system import build_system
+from sim.solve.registry import METHODS
 from tests.amount import part_of
 from tests.sim.builders import built
 from tests.sim.inside import hash_from
@@ -54,9 +54,9 @@ def test_what_a_method_needs_is_all_that_its_first_step_calls(method: str, tmp_p
     # In a process in which those are loaded, a step compiles nothing.
     code = f"""
 import sim
-from sim.body.system import build_system
+from sim.model.system import build_system
 from numba.core import event
-from sim.body.system import build_system
+from sim.model.system import build_system
 from sim.compiling.compiler import (ENTRY_POINTS, needed_by)
 for name in needed_by({method!r}, build_system(sim.rope(5)).body):
     ENTRY_POINTS[name].load()
@@ -204,7 +204,7 @@ def test_a_second_environment_finds_what_the_first_has_compiled(compiled: Path, 
     ]
     assert {file: file.read_bytes() for file in cache.rglob("*.nbc")} == before
     # But not what was compiled from another text: the entry point calls what is edited.
-    edited = other / "sim" / "kernels" / "core" / "vectors.py"
+    edited = other / "sim" / "engine" / "numerics" / "vectors.py"
     edited.write_text(f"{edited.read_text()}\n")
     assert python(COMPILE_ONE, cache, other) == "False True True True"
 
@@ -216,16 +216,16 @@ def sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     kept.source_hash.cache_clear()
     copy = tmp_path / "sim"
     shutil.copytree(ROOT / "sim", copy, ignore=shutil.ignore_patterns("__pycache__"))
-    before = kept.source_hash("kernels.integrators.verlet")
+    before = kept.source_hash("solve.steps.verlet")
     hash_from(copy, monkeypatch)
-    assert kept.source_hash("kernels.integrators.verlet") == before
+    assert kept.source_hash("solve.steps.verlet") == before
     yield copy
     kept.source_hash.cache_clear()
 
 
 def hashes(sources: Path) -> dict[str, str]:
     kept.source_hash.cache_clear()
-    paths = [path for folder in ("kernels", "forces") for path in (sources / folder).rglob("*.py")]
+    paths = [path for folder in ("engine", "forces", "solve") for path in (sources / folder).rglob("*.py")]
     modules = [path.relative_to(sources).with_suffix("") for path in paths]
     names = [".".join(module.parts) for module in modules if module.name != "__init__"]
     return {name: kept.source_hash(name) for name in names}
@@ -235,21 +235,21 @@ def test_an_edit_changes_the_hash_of_what_it_can_change_and_of_nothing_else(sour
     before = hashes(sources)
     for edited, users, others in (
         (
-            "kernels.integrators.verlet",
-            {"kernels.integrators.verlet"},
-            {"kernels.integrators.adams", "kernels.integrators.euler", "forces.all"},
+            "solve.steps.verlet",
+            {"solve.steps.verlet"},
+            {"solve.steps.adams", "solve.steps.euler", "forces.all"},
         ),
         (
-            "kernels.integrators.steps",
-            {f"kernels.integrators.{name}" for name in ("steps", "verlet", "adams")},
-            {"forces.all", "kernels.core.blocks", "kernels.core.drive"},
+            "solve.steps.common",
+            {f"solve.steps.{name}" for name in ("common", "verlet", "adams")},
+            {"forces.all", "engine.numerics.blocks", "forces.drive"},
         ),
         (
-            "forces.walls",
-            {"forces.walls", "forces.all", "kernels.linear.implicit", "kernels.energy.work"},
-            {"kernels.integrators.verlet", "kernels.integrators.adams", "forces.air"},
+            "forces.touch.walls",
+            {"forces.touch.walls", "forces.all", "solve.linear.implicit", "solve.balance.work"},
+            {"solve.steps.verlet", "solve.steps.adams", "forces.air"},
         ),
-        ("kernels.core.tables", {"kernels.integrators.verlet", "forces.all", "forces.air"}, set[str]()),
+        ("engine.tables", {"solve.steps.verlet", "forces.all", "forces.air"}, set[str]()),
     ):
         path = sources / f"{edited.replace('.', '/')}.py"
         text = path.read_bytes()
@@ -260,7 +260,7 @@ def test_an_edit_changes_the_hash_of_what_it_can_change_and_of_nothing_else(sour
         assert not others & changed
         path.write_bytes(text)
     # But what the tables are is part of all kernels.
-    path = sources / "forces" / "walls.py"
+    path = sources / "forces" / "touch" / "walls.py"
     path.write_text(path.read_text().replace("    rows: Rows", "    more: Rows\n    rows: Rows"))
     assert all(changed != before[name] for name, changed in hashes(sources).items())
 

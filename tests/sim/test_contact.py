@@ -8,11 +8,11 @@ from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Mass, Scene, Simulation
-from sim.forces.contact import no_tunnelling
-from sim.forces.contact_batch import BATCH
-from sim.methods.registry import METHODS
+from sim.forces.touch.batch import BATCH
+from sim.forces.touch.contact import no_tunnelling
 from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Method
+from sim.solve.registry import METHODS
 from tests.sim.arrays import Arrays, Floats, off
 from tests.sim.changes import apart, by
 from tests.sim.inside import KRYLOV, solver_of

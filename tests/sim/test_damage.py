@@ -13,9 +13,9 @@ from msgspec.structs import replace
 
 import sim
 from sim import Anchor, Integrator, Scene, Simulation
-from sim.methods.registry import METHODS
 from sim.scene.surroundings import Contact
 from sim.scene.types import Circle, Damage, ForceLaw, Method
+from sim.solve.registry import METHODS
 from tests.amount import examples
 from tests.sim.bodies import LAWS, body
 from tests.sim.builders import built, row

@@ -13,16 +13,16 @@ from msgspec.structs import replace
 import sim
 from sim import Simulation
 from sim.analysis.tuning import softnesses
-from sim.body.system import build_system
+from sim.design.tune import damp_springs
 from sim.edit.build import extend, positions_of, remove
 from sim.edit.copying import copy, paste
 from sim.edit.edit import Edit, Selection, of_parts
 from sim.edit.shape import add_corners, cut, mirror, triangulate
-from sim.edit.tune import damp_springs
 from sim.edit.values import take_as_rest
-from sim.methods.registry import METHODS
+from sim.model.system import build_system
 from sim.motion.stability import damped_limit, largest_step, quick_limit
 from sim.scene.types import ForceLaw, Method
+from sim.solve.registry import METHODS
 from tests.sim.bodies import LAWS, SHAPES, body, flipped, some_flipped
 from tests.sim.builders import chain, row
 from tests.sim.changes import after, by, with_joints, with_springs

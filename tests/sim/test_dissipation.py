@@ -10,8 +10,8 @@ from msgspec.structs import replace
 
 import sim
 from sim import Scene, Simulation
-from sim.methods.registry import METHODS
 from sim.scene.types import Method
+from sim.solve.registry import METHODS
 from tests.sim.builders import built, row
 from tests.sim.changes import after
 

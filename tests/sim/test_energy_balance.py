@@ -7,8 +7,8 @@ import pytest
 from msgspec.structs import replace
 
 from sim import Anchor, Integrator, SceneError, Simulation
-from sim.methods.registry import METHODS
 from sim.scene.types import Circle, ForceLaw, Method
+from sim.solve.registry import METHODS
 from tests.sim.bodies import LAWS, body
 from tests.sim.changes import by
 from tests.sim.fuzzing import STEPS, wild_scene

@@ -22,7 +22,7 @@ from sim.forces.joints import (
     joint_blocks,
     joint_energy,
 )
-from sim.physics import Physics
+from sim.forces.reference import Physics
 from sim.scene.types import ForceLaw
 from sim.settings import CHOICES
 from tests.sim.bodies import body

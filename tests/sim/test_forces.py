@@ -16,8 +16,8 @@ from msgspec.structs import replace
 from sim import Scene, Simulation
 from sim.forces.all import TERMS
 from sim.forces.joints import JointsTwin
+from sim.forces.reference import Physics
 from sim.forces.term import Term
-from sim.physics import Physics
 from sim.scene.types import ForceLaw, Method
 from tests.sim.arrays import Arrays, Floats, off
 from tests.sim.bodies import LAWS, SHAPES, body

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 import sim
 from sim import Anchor
-from sim.kernels.integrators.steps import all_rotations_ok, rotation_ok, shortest_of
+from sim.solve.steps.common import all_rotations_ok, rotation_ok, shortest_of
 from tests.amount import part_of
 from tests.sim.arrays import Arrays
 

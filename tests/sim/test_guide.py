@@ -23,10 +23,10 @@ TRY = """
 import numpy as np
 import sim
 from sim.analysis.equilibrium import Resting
-from sim.body.system import build_system
+from sim.model.system import build_system
 from sim.compiling.compiler import needed_by
 from sim.motion.stability import limit_at_start
-from sim.physics import Physics
+from sim.forces.reference import Physics
 from sim.scene.types import Attractor
 
 def differs(scene):
@@ -150,13 +150,13 @@ def test_a_term_a_law_and_a_method_are_added_by_the_guide_s_steps_alone(tmp_path
     change(joints, "IN_NUMPY: dict", f"{tangent}IN_NUMPY: dict")
     # A method without a tableau.
     (method,) = blocks("A method without a tableau")
-    (tmp_path / "sim" / "kernels" / "integrators" / "ruth.py").write_text(method, encoding="utf-8")
+    (tmp_path / "sim" / "solve" / "steps" / "ruth.py").write_text(method, encoding="utf-8")
     change(types, '    "rk4",\n', '    "rk4",\n    "ruth",\n')
-    registry = tmp_path / "sim" / "methods" / "registry.py"
+    registry = tmp_path / "sim" / "solve" / "registry.py"
     change(
         registry,
-        "from ..kernels.integrators.verlet import",
-        "from ..kernels.integrators.ruth import run_ruth\nfrom ..kernels.integrators.verlet import",
+        "from .steps.verlet import",
+        "from .steps.ruth import run_ruth\nfrom .steps.verlet import",
     )
     row = (
         'MethodInfo("ruth", "Ruth 3", run_ruth, order=3, look=("b", "h"), summary="Symplectic.", limit=None)'

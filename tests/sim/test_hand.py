@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 import sim
 from sim import Simulation
-from sim.methods.registry import METHODS
-from sim.motion.drag import LONGEST_PART, Hand
+from sim.motion.hands import LONGEST_PART, Hand
 from sim.scene.types import ForceLaw
+from sim.solve.registry import METHODS
 from tests.amount import examples
 from tests.sim.builders import led_rod, rod
 from tests.sim.changes import by, step_all

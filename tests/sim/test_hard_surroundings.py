@@ -11,9 +11,9 @@ import pytest
 from msgspec.structs import replace
 
 from sim import Scene, Simulation, polygon
-from sim.methods.registry import METHODS
 from sim.scene.surroundings import Gas, Wall, Wind
 from sim.scene.types import Method
+from sim.solve.registry import METHODS
 from tests.sim.builders import built
 from tests.sim.changes import by, with_masses, with_springs
 from tests.sim.checks import known

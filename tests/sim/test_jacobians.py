@@ -12,9 +12,9 @@ from msgspec.structs import replace
 
 import sim
 from sim import AngularSpring, LinearSpring, Mass, Scene
-from sim.body.sparsity import fill
-from sim.kernels.linear.sparse import assemble
+from sim.model.sparsity import fill
 from sim.scene.types import ForceLaw
+from sim.solve.linear.sparse import assemble
 from tests.amount import examples
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import LAWS, SHAPES, body, sharing

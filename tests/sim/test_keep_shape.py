@@ -16,7 +16,7 @@ import sim
 from sim.analysis.equilibrium import Resting
 from sim.design.keep_shape import keep_shape_at
 from sim.edit.edit import Selection
-from sim.physics import Physics
+from sim.forces.reference import Physics
 from sim.scene.makers import fine_rope
 from sim.scene.types import Damage
 from tests.amount import part_of

@@ -10,10 +10,10 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from sim.kernels.core.roots import inverse_root
-from sim.kernels.core.sines import sine
-from sim.kernels.core.tanhs import tanh
-from sim.kernels.engine.jit import FAST
+from sim.engine.jit import FAST
+from sim.engine.numerics.roots import inverse_root
+from sim.engine.numerics.sines import sine
+from sim.engine.numerics.tanhs import tanh
 
 Function = Callable[[float], float]
 

@@ -12,9 +12,9 @@ from scipy.integrate import solve_ivp
 
 import sim
 from sim import Integrator, Mass, Scene, Simulation
-from sim.kernels.core.tables import PAST, SPARE
-from sim.kernels.integrators import kinks
-from sim.methods.adams import adams
+from sim.engine.tables import PAST, SPARE
+from sim.solve.adams_table import adams
+from sim.solve.steps import kinks
 from tests.sim.changes import by
 
 SLOTS = 32

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import sim
-from sim.body.layout import Layout, slab
-from sim.kernels.engine.table import Floats, Record, Rows, Table, address_of
+from sim.engine.layout import Layout, slab
+from sim.engine.table import Floats, Record, Rows, Table, address_of
 from tests.sim.inside import solver_of
 
 

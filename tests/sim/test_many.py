@@ -14,7 +14,7 @@ from msgspec.structs import replace
 
 import sim
 from sim import InputError, Integrator, Run, Scene, SceneError, Simulation
-from sim.body.system import build_system
+from sim.model.system import build_system
 from sim.motion.many import is_laned
 from sim.motion.stability import damped_limit
 from sim.scene.types import Circle

@@ -22,10 +22,10 @@ from sim import (
     Simulation,
     SpringMuscle,
 )
-from sim.body.system import build_system, refresh, start_of
-from sim.methods.registry import METHODS
+from sim.model.system import build_system, refresh, start_of
 from sim.motion.stability import limit_at_start
 from sim.scene.types import ForceLaw, Method
+from sim.solve.registry import METHODS
 from tests.sim.bodies import body, with_muscles
 from tests.sim.builders import built, row
 from tests.sim.changes import after, by, step_all

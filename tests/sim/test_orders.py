@@ -13,10 +13,10 @@ from msgspec.structs import replace
 
 import sim
 from sim import Anchor, ArrowKeys, Integrator, Scene, Simulation, Wind
-from sim.kernels.core.tables import Rosenbrock
-from sim.methods.registry import METHODS
+from sim.engine.tables import Rosenbrock
 from sim.motion.driving import Driver
 from sim.scene.types import Circle, ForceLaw, Method
+from sim.solve.registry import METHODS
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import body, with_muscles
 from tests.sim.changes import with_joints, with_springs

@@ -1,4 +1,4 @@
-"""Every compiled path against `sim.physics`, the statement of the physics in NumPy."""
+"""Every compiled path against `sim.forces.reference`, the statement of the physics in NumPy."""
 
 from __future__ import annotations
 

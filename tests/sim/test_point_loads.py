@@ -14,9 +14,9 @@ import sim
 from sim import Scene, Simulation
 from sim.edit.copying import copy, decode, encode, paste
 from sim.edit.shape import mirror
-from sim.methods.registry import METHODS
 from sim.scene.surroundings import Wall
 from sim.scene.types import Integrator
+from sim.solve.registry import METHODS
 from sim.store.files import decode_link, decode_scene, encode_scene
 from sim.store.link import pack_scene
 from tests.sim.builders import built

@@ -10,8 +10,8 @@ from msgspec.structs import replace
 
 import sim
 from sim import Anchor, InputError, Integrator, Simulation
-from sim.methods.registry import METHODS
 from sim.scene.types import ForceLaw, Method
+from sim.solve.registry import METHODS
 from tests.sim.builders import askew, chain, row, tutorial_rope, undisturbed
 from tests.sim.changes import apart, by, step_all
 from tests.sim.checks import refusal

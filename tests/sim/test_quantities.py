@@ -13,8 +13,8 @@ from msgspec.structs import replace
 import sim
 from sim import InputError, Simulation, quantity
 from sim.analysis.swings import swings
+from sim.forces.reference import Physics
 from sim.motion.energy import ENERGY_FIELDS
-from sim.physics import Physics
 from sim.settings import scene_of_run
 from tests.sim.bodies import tangle
 from tests.sim.builders import built, chain, rod

@@ -13,11 +13,11 @@ from msgspec.structs import replace
 
 import sim
 from sim import AngularSpring, LinearSpring, Scene
-from sim.body.system import System, build_system, new_scratch, start_of
 from sim.compiling.compiler import fetch, for_forces
+from sim.engine.tables import Scratch, State
 from sim.forces.all import accelerations
-from sim.kernels.core.tables import Scratch, State
-from sim.physics import Physics
+from sim.forces.reference import Physics
+from sim.model.system import System, build_system, new_scratch, start_of
 from sim.scene.types import ForceLaw
 from studies.bench.kernels import without_runs
 from tests.sim.arrays import off

@@ -13,8 +13,7 @@ from msgspec.structs import replace
 
 import sim
 from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
-from sim.body.system import joint_stiffness
-from sim.methods.registry import METHODS
+from sim.model.system import joint_stiffness
 from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Damage
 from sim.settings import (
@@ -27,6 +26,7 @@ from sim.settings import (
     settings_of,
     shift_rest_angles,
 )
+from sim.solve.registry import METHODS
 from tests.sim.bodies import tangle
 from tests.sim.builders import PRESETS, chain, row, star
 from tests.sim.changes import with_joints

@@ -10,10 +10,10 @@ from msgspec.structs import replace
 
 import sim
 from sim import Anchor, Integrator, Scene, Simulation
-from sim.body.system import build_system
-from sim.methods.registry import METHODS
+from sim.model.system import build_system
 from sim.motion.auto_costs import LONG
 from sim.scene.types import Circle, Method
+from sim.solve.registry import METHODS
 from tests.sim.bodies import body
 from tests.sim.builders import built
 from tests.sim.changes import by, with_masses

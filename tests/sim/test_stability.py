@@ -11,13 +11,13 @@ from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Scene, Simulation
-from sim.body.system import build_system, start_of
-from sim.methods import limits
-from sim.methods.registry import METHODS
-from sim.methods.tableaux import RK4, explicit
+from sim.model.system import build_system, start_of
 from sim.motion.stability import StabilityMeter, largest_step, quick_limit
 from sim.scene.surroundings import Wall
 from sim.scene.types import ForceLaw, Method
+from sim.solve import stability_limits as limits
+from sim.solve.registry import METHODS
+from sim.solve.tableaux import RK4, explicit
 from tests.sim.builders import chain, euler, row
 from tests.sim.changes import by, posed
 from tests.sim.inside import put

@@ -18,14 +18,14 @@ import sim
 from sim import Integrator, Scene, Simulation
 from sim.edit.build import pin, remove
 from sim.edit.edit import Selection, carried
-from sim.forces.contact_pairs import Contacts
-from sim.forces.walls import NOWHERE
-from sim.kernels.engine.table import Table
-from sim.methods.registry import METHODS
+from sim.engine.table import Table
+from sim.forces.reference import Physics
+from sim.forces.touch.pairs import Contacts
+from sim.forces.touch.walls import NOWHERE
 from sim.motion.stability import finished
-from sim.physics import Physics
 from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Method
+from sim.solve.registry import METHODS
 from sim.store.files import decode_scene, encode_scene
 from studies.bench.heap import heap
 from tests.sim.arrays import Arrays, off

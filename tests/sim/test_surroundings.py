@@ -15,13 +15,13 @@ from scipy.optimize import root_scalar
 
 import sim
 from sim import Integrator, Mass, Scene, Simulation
-from sim.body.system import build_system
 from sim.forces.air import wind_at, wind_gradient_at
-from sim.forces.push import damping_factor
-from sim.methods.registry import METHODS
+from sim.forces.touch.push import damping_factor
+from sim.model.system import build_system
 from sim.motion.stability import damped_limit
 from sim.scene.surroundings import Contact, Gas, Ground, Medium, Wall, Wind
 from sim.scene.types import Damage, Method
+from sim.solve.registry import METHODS
 from tests.amount import part_of
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.builders import built, hoop

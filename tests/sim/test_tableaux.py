@@ -14,10 +14,10 @@ from functools import cache
 import numpy as np
 import pytest
 
-from sim.kernels.core.tables import PAST, Adams, Rosenbrock, Tableau
-from sim.methods import tableaux
-from sim.methods.adams import adams
-from sim.methods.registry import METHODS
+from sim.engine.tables import PAST, Adams, Rosenbrock, Tableau
+from sim.solve import tableaux
+from sim.solve.adams_table import adams
+from sim.solve.registry import METHODS
 
 Tree = tuple["Tree", ...]
 """A node, as the tuple of its children."""

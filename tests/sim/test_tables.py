@@ -11,10 +11,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import sim
-from sim.body.system import System, build_system, joint_stiffness
+from sim.engine.tables import Indices, Links
 from sim.errors import SceneError, SettingError
 from sim.forces.runs import slot_tables
-from sim.kernels.core.tables import Indices, Links
+from sim.model.system import System, build_system, joint_stiffness
 from sim.scene.validate import validate
 from tests.sim.fuzzing import wild_scene, wild_world
 from tests.sim.inside import nothing_kept

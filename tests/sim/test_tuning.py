@@ -15,10 +15,10 @@ from msgspec.structs import replace
 import sim
 from sim.analysis import tuning as module
 from sim.errors import InputError, SceneError
-from sim.forces.push import damping_factor
-from sim.methods.registry import METHODS
+from sim.forces.touch.push import damping_factor
 from sim.motion.stability import largest_step
 from sim.scene.types import Method
+from sim.solve.registry import METHODS
 from tests.amount import examples, part_of
 from tests.sim.builders import built, euler
 from tests.sim.changes import posed, with_joints, with_springs

@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 from sim import Simulation
-from sim.physics import Physics, Vectors, euler_step, verlet_step
+from sim.forces.reference import Physics, Vectors, euler_step, verlet_step
 
 Floats = NDArray[np.float64]
 SIZES = (1e-5, 1e-3, 1e-1)

@@ -7,8 +7,8 @@ import pytest
 from msgspec.structs import replace
 
 from sim import Scene, Simulation
-from sim.methods.registry import METHODS
 from sim.scene.types import ForceLaw
+from sim.solve.registry import METHODS
 from studies.stability import hard_case_report
 from studies.stability.hard_case_report import reference
 from studies.stability.hard_cases import HardCase, hard_cases

@@ -6,8 +6,8 @@ import pytest
 from rich.console import Console
 
 import sim
-from sim.body.sparsity import fill, new_matrix
-from sim.body.system import build_system
+from sim.model.sparsity import fill, new_matrix
+from sim.model.system import build_system
 from studies.bench import matrices
 
 

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 import sim
-from sim.body.system import build_system
+from sim.model.system import build_system
 from sim.scene.types import Method
 from studies.compare import random_study, references
 from studies.compare.random_bodies import random_body

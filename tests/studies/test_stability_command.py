@@ -12,8 +12,8 @@ import pytest
 from rich.console import Console
 
 import sim
-from sim.methods.registry import METHODS
 from sim.motion.stability import largest_step
+from sim.solve.registry import METHODS
 from studies.stability import stability as command
 from studies.stability.axes import AXES, extent, in_cell, released, rope_of
 from studies.stability.hard_case_report import hard_case_report

@@ -17,10 +17,10 @@ from rich.console import Console
 
 import sim
 from app.cli import main as cli
-from sim.body.system import build_system
 from sim.errors import InputError
-from sim.methods.registry import METHODS
+from sim.model.system import build_system
 from sim.scene.types import Circle
+from sim.solve.registry import METHODS
 from studies.bench.growth import rod
 from studies.commands import BENCHES, COMMANDS
 from studies.compare import study as command

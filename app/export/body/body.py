@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 import sim
-from sim.body.stable_spring import clamp_stiffness
-from sim.body.system import System, build_system, joint_stiffness
 from sim.errors import InputError
-from sim.forces.limits import leaking
+from sim.forces.plasticity import leaking
+from sim.model.stable_spring import clamp_stiffness
+from sim.model.system import System, build_system, joint_stiffness
 from sim.motion.driving import offset, velocity
 from sim.scene.parts import Beat, JointMuscle, SpringMuscle
 from sim.scene.types import Circle, is_muscular
@@ -57,7 +57,7 @@ class Body:
         joints: (J, 2) linear springs of each joint.
         joint_stiffness, joint_damping, rest_angle: (J,) kg/s², kg/s, degrees.
         broken: (S,) whether a linear spring is broken.
-        walls: (W, 12) rows as in `sim.forces.walls`.
+        walls: (W, 12) rows as in `sim.forces.touch.walls`.
         wind: of the mean wind, px/s.
         gusts: whether the wind has gusts.
         loops: gases and liquids.

@@ -11,7 +11,7 @@ import msgspec
 
 import sim
 from sim import AngularSpring, LinearSpring
-from sim.csv_text import csv_text
+from sim.store.csv_text import csv_text
 from sim.store.files import indented_json
 
 from .body import Body

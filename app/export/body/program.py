@@ -16,10 +16,10 @@ import numpy as np
 
 import sim
 from sim.errors import InputError
-from sim.forces.walls import WallRow
-from sim.methods.registry import METHODS
+from sim.forces.touch.walls import WallRow
 from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import ForceLaw, Method, is_damageable, shown_name
+from sim.solve.registry import METHODS
 
 from .body import Body
 

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 import sim
-from sim.body.system import System, build_system
+from sim.model.system import System, build_system
 from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import Damage, Grips, is_damageable
 

@@ -16,7 +16,6 @@ from sim.design.estimates import Estimate
 from sim.design.fit import Fit
 from sim.design.matching import Match, guesses, matched
 from sim.design.measurements import Measurement
-from sim.design.places import places_of
 from sim.design.residuals import MAX_VARIED
 from sim.edit.edit import Edit
 from sim.errors import InputError, SceneError, SettingError
@@ -29,6 +28,7 @@ from ...ui.page import Page
 from ...ui.viser.handlers import on_change, on_press
 from ..measure.messages import ShowMeasures
 from .messages import Fan, Measured
+from .places import places_of
 
 ABOUT = (
     '<div class="softrod-text">A table that is dropped on the page is drawn over the body, and the scene can '

@@ -14,10 +14,10 @@ import sim
 from sim.edit import lesson
 from sim.edit.edit import Edit
 from sim.errors import InputError, SceneError, SettingError
-from sim.methods.registry import METHODS
 from sim.motion.quantities import KINDS, PARTS, unit_in
 from sim.scene.lesson import Goal, Question, Reading, Step
 from sim.settings import CHOICES, scene_of_step, settings_of
+from sim.solve.registry import METHODS
 
 from ...lessons import run_text
 from ...session import commands

@@ -7,7 +7,7 @@ import viser
 
 import sim
 from sim.analysis.advice import ERRORS, Advice, compare_methods
-from sim.methods.registry import METHODS
+from sim.solve.registry import METHODS
 
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command

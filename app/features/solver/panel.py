@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import viser
 
-from sim.methods.registry import METHODS
 from sim.scene.types import Scene
 from sim.settings import CHOICES
+from sim.solve.registry import METHODS
 
 from ...session import commands
 from ...session.ghost import FINER, REFERENCE

@@ -12,12 +12,12 @@ import viser
 import sim
 from sim.analysis.decay import TENTH
 from sim.analysis.tuning import Tuning
-from sim.body.system import build_system
 from sim.compiling.compiler import for_balance, is_ready
+from sim.design.tune import as_far_as_stable, damp_springs, is_limited, with_numbers_of
 from sim.design.wishes import Design, Factors, edit_of
 from sim.edit.edit import Edit, Selection
-from sim.edit.tune import as_far_as_stable, damp_springs, is_limited, with_numbers_of
 from sim.errors import InputError, SceneError
+from sim.model.system import build_system
 from sim.settings import Setting
 
 from ...session import commands

@@ -8,10 +8,10 @@ import msgspec
 
 import sim
 from sim import Scene
-from sim.methods.registry import METHODS
 from sim.motion.solver import Solver
 from sim.motion.stability import largest_step
 from sim.scene.types import Method
+from sim.solve.registry import METHODS
 
 from ..measure import Contender, ladder, steps, tolerances
 from ..runs import FRAME, SECONDS, SOFTROD, Failed, Floats, Runner

@@ -208,7 +208,7 @@ def accelerations(x, v):
     on_b = spring * (pull / length)[:, None]  # the force on mass b; minus it acts on a
     # endif
     # ifdef HAS_JOINTS
-    # Joints: the angle from p to q is drawn to the rest angle; see `sim.physics`.
+    # Joints: the angle from p to q is drawn to the rest angle; see `sim.forces.reference`.
     p, q = spring[P], spring[Q]
     cross = p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
     dot = (p * q).sum(1)

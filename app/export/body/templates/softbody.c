@@ -219,7 +219,7 @@ static void accelerate(softbody *body) {
     }
 # endif
 # ifdef HAS_JOINTS
-    // Joints: the angle from p to q is drawn to the rest angle; see `sim.physics`.
+    // Joints: the angle from p to q is drawn to the rest angle; see `sim.forces.reference`.
     for (int i = 0; i < SOFTBODY_JOINTS; i++) {
         int p = body->joint[i].p, q = body->joint[i].q;
         double pp = body->spring[p].length * body->spring[p].length, qq = body->spring[q].length * body->spring[q].length;

@@ -1,7 +1,7 @@
 // @ts-check
 /**
  * The physics of a body, in plain JavaScript: masses, linear springs, joints that hold two springs at an angle, air and
- * wind, a medium, the ground, walls, gases and liquids. `sim/physics.py` has the same with its derivations; the names are those of `sim`.
+ * wind, a medium, the ground, walls, gases and liquids. `sim/forces/reference.py` has the same with its derivations; the names are those of `sim`.
  *
  * Positions and velocities are flat: x and y of the first mass, of the second one, and so on. x grows to the right; which
  * way y grows is up to the scene, and no force depends on it. Lengths are in px, angles of rest in degrees.
@@ -218,7 +218,7 @@ export class Body {
    * Find the accelerations of all masses in their present state, px/s².
    *
    * @param {number} softeningStep length of the step, s, by which walls and contact are softened so that a bounce in few
-   *   steps gains no energy, see `sim/forces/push.py`
+   *   steps gains no energy, see `sim/forces/touch/push.py`
    */
   accelerate(softeningStep) {
     const { accelerations: a, mass, held, gravity } = this;

@@ -29,7 +29,7 @@ const SLOWEST = 100;
 
 /**
  * The largest speed at which a hand may lead a mass, px/s: that at which a pull travels through its springs. A mass that is
- * led faster would tear them apart, or press them to nothing; see `sim/motion/drag.py`.
+ * led faster would tear them apart, or press them to nothing; see `sim/motion/hands.py`.
  *
  * @param {Body} body @param {number} led
  */

@@ -1,7 +1,7 @@
 // @ts-check
 /**
  * Contact of masses with springs: a mass that is nearer to a spring than the distance of contact is pushed away, and
- * slowed along it. `sim/forces/contact_pairs.py` has the derivation and the symbols.
+ * slowed along it. `sim/forces/touch/pairs.py` has the derivation and the symbols.
  *
  * @typedef {import("./body.js").Body} Body
  * @typedef {import("./body.js").Contact} Contact

@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * Limits of springs and joints, beyond which a spring yields or breaks, and a joint yields. `sim/forces/limits.py` has
+ * Limits of springs and joints, beyond which a spring yields or breaks, and a joint yields. `sim/forces/plasticity.py` has
  * the derivation.
  *
  * @typedef {import("./body.js").Body} Body

@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * The push of what is entered, a wall or the neighbourhood of a spring; see `sim/forces/push.py`.
+ * The push of what is entered, a wall or the neighbourhood of a spring; see `sim/forces/touch/push.py`.
  *
  * @typedef {[damping: number, hysteresis: number, calm: number]} Lost what is lost in a bounce: s/px, 1, px^(-1/2)/s
  * @typedef {[stiffness: number, damping: number]} Tangential of a tangential spring, kg/s² and kg/s

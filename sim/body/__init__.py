@@ -1,1 +1,0 @@
-"""Builds the read-only tables of the kernels from a scene."""

@@ -1,0 +1,1 @@
+"""Functions of numbers and of small vectors that kernels call."""

@@ -1,0 +1,1 @@
+"""What pushes where things touch, and rubs there: walls, and the parts of bodies."""

@@ -1,0 +1,332 @@
+"""Pairs of a mass and a linear spring that touch, and their forces.
+
+Let p = (1 - t) a + t b be the point of a spring that is nearest to a mass, e = b - a the spring's vector, r
+the distance, n the unit vector from p to the mass, and tau = (-n.y, n.x) the one across. Where r is less than
+the distance of contact D, the mass is pushed along n with N(d, s), where d = D - r is the depth and s the
+speed outwards, and the masses a and b get the opposite force in the shares 1 - t and t.
+
+With the velocity V of the mass relative to p, the speed of sliding is that relative to the spring, which
+turns: u = tau . V - L . e', with the moment arm L = r (-e.y, e.x) / |e|², px. It is zero where everything
+turns like a rigid body. Friction T(N, u), kg px/s², acts along the gradient of u by the velocities, which
+takes energy whenever anything slides, and has neither a sum nor a torque: besides F = N n - T tau on the mass
+there is the couple G = T L on the spring. A spring shorter than the distance of contact could not bear that,
+so friction decreases with the square of its length there.
+
+A tangential spring (see `push`) is remembered for a pair as long as it touches, with where it was at the end
+of the last step: its stretch, t, the direction of n relative to the spring, (n . e, e x n) / |e|, and |e| and
+r. The way since then is the integral of u, with the means of |e| and r then and now: -|e| times the change of
+t where n is to the left of the spring, |e| times it on the other side, and r times the sine of the angle by
+which n has turned about an end. A mass that slides on to the next spring of a body begins anew there: it is
+sliding anyway.
+
+A pair's forces are w_i F + c_i G with the weights w = (1, t - 1, -t) and c = (0, -1, 1) of the mass, a and b.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ...engine.jit import FUSED, kernel
+from ...engine.table import Floats, Indices, Table
+from ...engine.tables import padded
+from ...near import near_pairs
+from ...scene.columns import column
+from ...scene.types import Scene
+from ..term import Places
+from .broad_phase import meeting, segment
+from .push import losses, push_and_friction, softened, tangential_spring
+
+_APART = 1.25
+"""Distance, as a multiple of that of contact, below which a mass never touches a spring of its own body."""
+_MARGIN = 0.5
+"""Margin of the list of pairs, as a fraction of the distance of contact or of a typical spring's length."""
+_TYPICAL = 1.5
+"""Mobility of a pair, in those of the median mass, by which it is damped: that in the middle of a spring."""
+_ROOM = 64
+"""Room in the list, in masses for each spring. If it does not suffice, finding pairs takes longer."""
+TANGENTIAL_ROOM = 8
+"""Room for tangential springs, likewise. Pairs that find none do without."""
+
+
+# ------------------------------------------------------------------------- rows, and how a scene gives them
+class Contacts(Table):
+    """S springs, B buckets. The arrays from `number` on change while a body moves; the others are read-only.
+
+    The pairs that may touch are listed spring by spring, with the masses of each in ascending order. So sums
+    over them do not depend, even by rounding, on where the masses were when the list was made. The list is no
+    part of the state: it only saves finding again what follows from positions.
+    """
+
+    present: bool
+    distance: float  # px
+    stiffness: float  # kg/(px s²)
+    friction: float  # coefficient
+    slip_speed: float  # px/s
+    damping: float  # what is lost, see `push.Lost`: s/px
+    hysteresis: float
+    calm: float  # px^(-1/2)/s
+    tangential: float  # of tangential springs: their stiffness, kg/s²
+    resisting: float  # and their damping, kg/s
+    margin: float  # px, by which pairs that are listed may be farther apart than `distance`
+    cell: float  # px, width of a cell of the grid
+    apart_start: Indices  # (S + 1,) where the masses of each spring start in `apart`
+    apart: Indices  # slots of the masses that never touch a spring, ascending
+    broken: Floats  # (S,) 1 for a spring that is broken and touches nothing any more, else 0
+    # The list
+    number: Floats  # (1,) the margin with which it was made, px; negative if there is none
+    crowded: Indices  # (1,) 1 if it has no room for all pairs: those of a spring are then found when needed
+    at: Floats  # (2 slots) positions for which it was made, px
+    start: Indices  # (S + 1,) where the masses of each spring start in `member`
+    member: Indices  # slots of masses
+    # A grid of square cells in a hash table
+    bucket_start: Indices  # (B + 1,) where the masses of each bucket start in `bucket`; B is a power of two
+    bucket: Indices  # (n,) slots of masses
+    column: Indices  # (slots,) the cell of each mass
+    row: Indices
+
+
+NO_CONTACTS = Contacts.empty()
+
+
+def has_contact(scene: Scene) -> bool:
+    """Whether masses of a scene may touch its springs."""
+    return scene.contact is not None and scene.contact.distance > 0.0 and bool(scene.linear_springs)
+
+
+def new_contacts(scene: Scene, places: Places) -> Contacts:
+    """The table of a valid scene.
+
+    A mass never touches the springs that it is an end of. Nor does it touch a spring of its own body to which
+    it is, as the scene's masses say (and not its pose), nearer than 1.25 times the distance of contact. So
+    a body is at rest as it is built, however fine its mesh is. Parts of a scene that no springs connect are
+    different bodies, which touch from the start.
+    """
+    contact, (mass_index, ends, slots, _) = scene.contact, places
+    springs, n = len(ends), len(scene.masses)
+    if contact is None or not has_contact(scene):
+        return NO_CONTACTS
+    distance = contact.distance
+    x = np.zeros(slots, complex)
+    x[mass_index] = [complex(*mass.position) for mass in scene.masses]
+    mobility = _TYPICAL / float(np.median(column(scene.masses, "mass")))
+    lost = losses(contact.restitution, contact.bounciness, contact.stiffness, mobility)
+    damping, hysteresis, calm = lost
+    tangential, resisting = tangential_spring(contact.tangential_stiffness, mobility)
+    margin = max(_MARGIN * max(distance, float(np.median(np.abs(x[ends[:, 1]] - x[ends[:, 0]])))), 1e-3)
+    pairs = _apart(x, np.sort(mass_index), ends, _APART * distance)
+    return Contacts(
+        present=True,
+        distance=distance,
+        stiffness=contact.stiffness,
+        friction=contact.friction,
+        slip_speed=contact.slip_speed,
+        damping=damping,
+        hysteresis=hysteresis,
+        calm=calm,
+        tangential=tangential,
+        resisting=resisting,
+        margin=margin,
+        cell=2.0 * (distance + margin),
+        apart_start=np.searchsorted(pairs[0], np.arange(springs + 1)),
+        apart=np.ascontiguousarray(pairs[1]),
+        broken=np.zeros(springs),
+        number=np.full(1, -1.0),
+        crowded=np.zeros(1, np.int64),
+        at=np.zeros(2 * slots),
+        start=np.zeros(springs + 1, np.int64),
+        member=np.zeros(_ROOM * springs + n, np.int64),
+        bucket_start=np.zeros(2 ** (padded(2 * n).bit_length()) + 1, np.int64),
+        bucket=np.zeros(n, np.int64),
+        column=np.zeros(slots, np.int64),
+        row=np.zeros(slots, np.int64),
+    )
+
+
+def _apart(x: np.ndarray, masses: Indices, ends: Indices, distance: float) -> Indices:
+    """(2, k) springs and the masses that never touch them, in order."""
+    spring, mass = near_pairs(x, masses, ends, distance)
+    body = _bodies(ends, x.size)
+    own = body[mass] == body[ends[spring, 0]]
+    return np.stack((spring[own], mass[own]))  # the ends of each spring are among them
+
+
+def _bodies(ends: Indices, slots: int) -> Indices:
+    """(slots,) a number of the body that each mass belongs to."""
+    root = list(range(slots))
+
+    def find(mass: int) -> int:
+        while root[mass] != mass:
+            root[mass] = root[root[mass]]
+            mass = root[mass]
+        return mass
+
+    for a, b in ends.tolist():
+        root[find(a)] = find(b)
+    return np.array([find(mass) for mass in range(slots)], np.int64)
+
+
+# ------------------------------------------------------------------------- a pair, and its forces
+class Pair(NamedTuple):
+    """A mass that touches a spring; the symbols are those above."""
+
+    m: int  # slots of the mass and of the ends of the spring
+    a: int
+    b: int
+    t: float
+    r: float  # px
+    nx: float  # n
+    ny: float
+    ex: float  # e, px
+    ey: float
+    per_square: float  # 1 / |e|², 1/px²
+    vx: float  # V, px/s
+    vy: float
+    wx: float  # e', px/s
+    wy: float
+    lx: float  # L, px
+    ly: float
+    speed: float  # s, outwards, px/s
+    along: float  # u, px/s
+    push: float  # N, kg px/s²
+    elastic: float  # the part of N that does not depend on the speed
+    friction: float  # T, kg px/s²
+    gripped: bool  # whether there is a tangential spring
+    stretch: float  # of it, px
+    tangential: float  # its stiffness, kg/s²
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def pair_at(body, state, w, s, m, q, v, reach=0.0):
+    """(whether mass m is nearer to spring s than the distance of contact and `reach` px more, the pair that
+    they are; of no meaning where it is not).
+
+    Of the state, only tangential springs matter here. `w`: (slots,) inverse masses, 1/kg, which matter for
+    explicit methods with a fixed step only.
+    """
+    contact, h, slots = body.environment.contact, body.environment.step, q.size // 2
+    a, b = body.spring_a[s], body.spring_b[s]
+    line = segment(q[:slots], q[slots:], a, b)
+    t, dx, dy = meeting(line, q[m], q[slots + m])
+    _, _, ex, ey, per_square = line
+    square = dx * dx + dy * dy
+    if not square < (contact.distance + reach) * (contact.distance + reach):
+        return False, Pair(
+            m, a, b, t, 0.0, 0.0, 0.0, ex, ey, per_square, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, False, 0.0, 0.0,
+        )  # fmt: skip
+    r = math.sqrt(square)
+    per_r = 1.0 / (r + 1e-300)
+    nx, ny, lx, ly = dx * per_r, dy * per_r, -r * ey * per_square, r * ex * per_square
+    wx, wy = v[b] - v[a], v[slots + b] - v[slots + a]
+    vx, vy = v[m] - v[a] - t * wx, v[slots + m] - v[slots + a] - t * wy
+    speed, along = vx * nx + vy * ny, vy * nx - vx * ny - (wx * lx + wy * ly)
+    mobility, mobility_along = 0.0, 0.0
+    if h > 0.0:
+        mobility, mobility_along = mobilities((w[m], w[a], w[b]), t, (nx, ny), (lx, ly))
+    gripped, stretch, tangential = False, 0.0, contact.tangential
+    if tangential > 0.0:
+        gripped, stretch = _stretch_of(state, s, m, (t, r, nx, ny, ex, ey, per_square))
+        tangential, _ = softened((contact.tangential, contact.resisting), h, mobility_along)
+    push, friction, elastic = push_and_friction(
+        contact.stiffness, lost_in(contact),
+        friction_on(contact, ex * ex + ey * ey), contact.slip_speed, (contact.tangential, contact.resisting),
+        h, mobility, mobility_along, max(contact.distance - r, 0.0), speed, along, stretch,
+    )  # fmt: skip
+    return True, Pair(
+        m, a, b, t, r, nx, ny, ex, ey, per_square, vx, vy, wx, wy, lx, ly, speed, along,
+        push, elastic, friction, gripped, stretch, tangential,
+    )  # fmt: skip
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def mobilities(w, t, n, arm):
+    """The accelerations of a pair by a push of one and by friction of one, 1/kg.
+
+    Args:
+        w: inverse masses of the mass, a and b, 1/kg.
+        t, n, arm: t, n and L above.
+    """
+    (wm, wa, wb), (nx, ny), (lx, ly), u = w, n, arm, 1.0 - t
+    along = (
+        wm
+        + wa * ((lx + u * ny) * (lx + u * ny) + (ly - u * nx) * (ly - u * nx))
+        + wb * ((lx - t * ny) * (lx - t * ny) + (ly + t * nx) * (ly + t * nx))
+    )
+    return wm + u * u * wa + t * t * wb, along
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def _stretch_of(state, s, m, where):
+    """(whether the pair of spring s and mass m has a tangential spring, its stretch, px).
+
+    `where`: t, r, n.x, n.y, e.x, e.y, 1 / |e|² of the pair.
+    """
+    kept = state.contact_stretch
+    for k in range(state.contact_start[s], state.contact_start[s + 1]):
+        if state.contact_mass[k] == m:
+            was = kept[k, 0], kept[k, 1], kept[k, 2], kept[k, 3], kept[k, 4], kept[k, 5]
+            return True, stretch_since(was, where)
+    return False, 0.0
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def stretch_since(was, where):
+    """The stretch of a tangential spring, px; `was`: a row of `State.contact_stretch`, `where`: as above."""
+    t, r, nx, ny, ex, ey, per_square = where
+    stretch, was_t, was_ahead, was_beside, was_length, was_r = was
+    length = math.sqrt(ex * ex + ey * ey)
+    ahead, beside = (nx * ex + ny * ey) * (length * per_square), (ex * ny - ey * nx) * (length * per_square)
+    turned = was_ahead * beside - was_beside * ahead
+    mean = math.copysign(0.5 * (length + was_length), beside)
+    return stretch + 0.5 * (r + was_r) * turned - mean * (t - was_t)
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def place_of(pair):
+    """Where a pair touches: t, (n . e, e x n) / |e|, |e| and r."""
+    ahead, beside = pair.nx * pair.ex + pair.ny * pair.ey, pair.ex * pair.ny - pair.ey * pair.nx
+    length = math.sqrt(pair.ex * pair.ex + pair.ey * pair.ey)
+    factor = length * pair.per_square
+    return pair.t, ahead * factor, beside * factor, length, pair.r
+
+
+@kernel(forceinline=True)
+def lost_in(contact):
+    """How the push of contact loses energy, see `push.Lost`."""
+    return contact.damping, contact.hysteresis, contact.calm
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def friction_on(contact, square):
+    """The coefficient of friction on a spring with the squared length `square`."""
+    return friction_coefficient(contact.friction, contact.distance, square)
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def friction_coefficient(friction, distance, square):
+    """The same for the coefficient `friction` of contact with the distance `distance`."""
+    whole = distance * distance
+    return friction * (square * (1.0 / whole)) if square < whole else friction
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def add_at_pair(pair, factors, force, out):
+    """Add w_i F + c_i G, times a factor of each, at the mass and the ends of the spring.
+
+    Args:
+        pair: the pair.
+        factors: of the mass, a and b.
+        force: F.x, F.y, G.x, G.y.
+        out: the two halves of a flat vector.
+    """
+    (m, a, b), t, (of_m, of_a, of_b), (x, y) = (pair.m, pair.a, pair.b), pair.t, factors, out
+    fx, fy, gx, gy = force
+    x[m] += of_m * fx
+    y[m] += of_m * fy
+    x[a] -= of_a * ((1.0 - t) * fx + gx)
+    y[a] -= of_a * ((1.0 - t) * fy + gy)
+    x[b] += of_b * (gx - t * fx)
+    y[b] += of_b * (gy - t * fy)

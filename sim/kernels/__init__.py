@@ -1,1 +1,0 @@
-"""Compiled kernels. Everything here is numba code and independent of scenes and files."""

@@ -1,1 +1,0 @@
-"""What all kernels use: how they are compiled, and the tables that they read."""

@@ -1,0 +1,58 @@
+"""What acts on each mass and in each joint at a moment, by `sim.forces.reference`."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..engine.tables import State
+from ..forces.joints import JointsTwin
+from ..forces.reference import Physics
+from ..scene.types import Scene
+from .system import System
+
+
+class Loads(NamedTuple):
+    """Forces and torques.
+
+    Attributes:
+        forces: (n, 2) the net force on each mass, kg px/s²: of springs, joints, gravity, air, its constant
+            force and what surrounds the body. That on a mass which an anchor or a hand holds is what its
+            support bears, without the inertia of a held mass that is being moved.
+        torques: (J,) the torque with which each angular spring turns its first spring, kg px²/s², positive
+            from +x towards +y; its second spring is turned the other way by as much. So it is positive where
+            stiffness and damping make the angle smaller, as the quantity `jointN.torque` is.
+    """
+
+    forces: NDArray[np.float64]
+    torques: NDArray[np.float64]
+
+
+class LoadCalculator:
+    """Computes loads from the tables of a body, which it only reads.
+
+    Args:
+        scene, system, state: of the simulation; the tables are those without what has broken.
+    """
+
+    def __init__(self, scene: Scene, system: System, state: State) -> None:
+        self.system = system
+        self._scene = scene
+        # The time of the gusts in the state is that of the last force that a step has needed.
+        self._state = state.replaced(clock=np.zeros(1))
+        self._physics = Physics(system.body, self._state)
+
+    def loads(self, time: float) -> Loads:
+        """The loads in the present state, at a time (s)."""
+        state, physics = self._state, self._physics
+        state.clock[0] = time
+        x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
+        # Held masses have no weight in the state, so that of all is computed here.
+        weight = self.system.body.environment.mass * complex(*self._scene.gravity)
+        net = (physics.forces(x, v) + weight)[self.system.mass_index]
+        if self.system.loads is not None:
+            net += (self.system.loads[0] + 1j * self.system.loads[1])[self.system.mass_index - 1]
+        torques = JointsTwin(self.system.body, state).torques(x, v)[self.system.joint_order]
+        return Loads(np.column_stack((net.real, net.imag)), torques)

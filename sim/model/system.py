@@ -1,0 +1,571 @@
+"""Builds the tables of the kernels from a scene."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import NamedTuple, TypeVar
+
+import msgspec
+import numpy as np
+
+from ..engine.layout import Layout, slab
+from ..engine.numerics.roots import LEAST
+from ..engine.table import Table
+from ..engine.tables import (
+    CONTROL_SCALE,
+    CONTROL_SHIFT,
+    SHORTEST_SQUARED,
+    Body,
+    Floats,
+    Indices,
+    Scratch,
+    State,
+    padded,
+)
+from ..forces.environment import EMPTY, is_surrounded, new_environment
+from ..forces.joints import LAWS, NO_JOINTS
+from ..forces.muscles import NO_MUSCLES, new_muscles, waves
+from ..forces.plasticity import NO_LIMITS, new_limits, without_broken
+from ..forces.runs import new_links, order_in_runs
+from ..forces.term import read_only
+from ..forces.touch.batch import room_for_batches
+from ..forces.touch.friction_history import room_in_scratch, room_in_state, sticks
+from ..scene.columns import column, columns, ends, vectors
+from ..scene.types import Damage, Integrator, Scene, is_damageable, is_loaded
+from ..solve.registry import METHODS
+
+_Made = TypeVar("_Made", bound=Table)
+
+_SOFT_IN_TOLERANCES = 0.02
+"""Softening length of springs under an adaptive method, in tolerances; see `Body.softening`."""
+_SOFT_AT_MOST = 1e-4
+"""The largest softening length, as a fraction of a typical spring's length."""
+
+_ENDLESS = 1e30
+"""Softening of padding springs, px²: makes them longer than any spring, and fits into single precision."""
+
+_BEHIND_RUNS = 7
+"""Number of springs and joints behind the last one that loops over a run read."""
+
+
+def _vectors(table: type[Table]) -> list[str]:
+    """The fields of a table that are vectors of floats."""
+    return [name for name, field in table.fields.items() if field.dimensions == 1 and field.dtype == float]
+
+
+_STATE_VECTORS, _SCRATCH_VECTORS = _vectors(State), _vectors(Scratch)
+
+
+@dataclass(frozen=True)
+class System:
+    """The kernels' tables for one scene.
+
+    Attributes:
+        body: the tables; masses and springs are numbered as the kernels visit them.
+        mass_order: (n,) scene index of the mass in slot 1, 2, ..., n.
+        mass_index: (n,) the slot, counted from 1, of each mass of the scene.
+        vector_index: (n, 2) the indices of x and y of each mass of the scene in a flat vector, see `State`.
+        spring_order: (S,) scene index of each spring of the tables.
+        joint_order: (J,) index of the joint in the tables for each angular spring of the scene.
+        inverse_mass: (n,) 1/kg, in slot order, also of held masses.
+        held: (n,) whether a mass is held, in slot order.
+        start: (4, n) x, y, vx, vy at the start, in slot order.
+        loads: (2, n) x and y of the constant forces on the masses, kg px/s², in slot order; None if there are
+            none.
+    """
+
+    body: Body
+    mass_order: Indices
+    mass_index: Indices
+    vector_index: Indices
+    spring_order: Indices
+    joint_order: Indices
+    inverse_mass: Floats
+    held: np.ndarray
+    start: Floats
+    loads: Floats | None
+
+
+def build_system(scene: Scene, damaged: bool = False) -> System:
+    """Build the tables of a valid scene.
+
+    Args:
+        scene: the scene.
+        damaged: whether something has yielded or broken that is to be kept though nothing can any more; what
+            the scene's pose says is kept anyway.
+
+    A chain is a body whose springs run head to tail through all masses, and whose angular springs each
+    hold a spring and the next one; its masses and springs may be listed in any order. A ring is a closed
+    chain. A body in surroundings is neither, nor is one that yields or breaks.
+    """
+    n = len(scene.masses)
+    damageable = damaged or is_damageable(scene) or damage_of(scene) is not None
+    springs, joints = ends(scene.linear_springs), ends(scene.angular_springs)
+    along = not damageable and not is_surrounded(scene)
+    wiring = wired(n, along, *(end.tobytes() for end in (*springs, *joints)))
+    mass_order, mass_index = wiring.mass_order, wiring.mass_index
+    body = _body(scene, wiring, damageable)
+    held = np.zeros(n, np.bool_)
+    for anchor in scene.anchors:
+        held[mass_index[anchor.mass] - 1] = True
+    if scene.pose is not None:
+        positions, velocities = np.array(scene.pose.positions), np.array(scene.pose.velocities)
+    else:
+        positions, velocities = vectors(scene.masses, "position"), vectors(scene.masses, "velocity")
+    start = np.empty((4, n))
+    start[:2], start[2:] = positions[mass_order].T, velocities[mass_order].T
+    start[2:, held] = 0.0
+    return System(
+        body=body,
+        mass_order=mass_order,
+        mass_index=mass_index,
+        vector_index=wiring.vector_index,
+        spring_order=wiring.spring_order,
+        joint_order=wiring.joint_order,
+        inverse_mass=1.0 / column(scene.masses, "mass")[mass_order],
+        held=held,
+        start=start,
+        loads=_loads(scene, mass_order),
+    )
+
+
+def for_analysis(scene: Scene) -> Scene:
+    """The scene as analyses take it: its muscles rest, and nothing softens by its method.
+
+    See `build_system` for what would.
+    """
+    # One with a fixed step, for which springs do not, and an implicit one, for which walls do not.
+    method = Integrator(method="generalized_alpha")
+    return msgspec.structs.replace(scene, integrator=method, beat=msgspec.UNSET)
+
+
+def damage_of(scene: Scene) -> Damage | None:
+    """What has yielded and broken in the scene's pose; None where nothing has."""
+    return scene.pose.damage if scene.pose is not None else None
+
+
+def put_damage(state: State, system: System, damage: Damage | None) -> None:
+    """Enter what has yielded and broken into a state; None for nothing.
+
+    Args:
+        state: of the tables, which are those of a body that yields, breaks or has done so.
+        system: the tables.
+        damage: of the scene.
+    """
+    order, joints = system.spring_order, system.joint_order
+    for array in (state.set_length, state.hardened, state.set_angle, state.broken):
+        array[:] = 0.0
+    if damage is None:
+        return
+    state.broken[:] = np.isin(order, damage.broken)
+    if damage.set_lengths:
+        state.set_length[:] = np.array(damage.set_lengths)[order]
+    if damage.hardened:
+        state.hardened[:] = np.array(damage.hardened)[order]
+    if damage.set_angles:
+        state.set_angle[joints] = damage.set_angles
+
+
+def start_of(scene: Scene, system: System) -> tuple[System, State]:
+    """The tables without what is broken at a scene's start, and the state there.
+
+    Args:
+        scene: a valid scene.
+        system: its tables.
+    """
+    state = new_state(system)
+    if (damage := damage_of(scene)) is not None:
+        put_damage(state, system, damage)
+        system = replace(system, body=without_broken(system.body, state.broken))
+    state.controls[0] = scene.rest_length_scale
+    refresh(system.body, state)
+    here = slice(1, system.body.masses + 1)
+    for field, row in zip((state.x, state.y, state.vx, state.vy), system.start, strict=True):
+        field[here] = row
+    state.inverse_mass[here] = np.where(system.held, 0.0, system.inverse_mass)
+    return system, state
+
+
+def _loads(scene: Scene, mass_order: Indices) -> Floats | None:
+    if not is_loaded(scene):
+        return None
+    return np.array([mass.force or (0.0, 0.0) for mass in scene.masses], float).T[:, mass_order]
+
+
+def same_topology(old: Scene, new: Scene) -> bool:
+    """Whether springs and angular springs connect the same masses in both, so that a state carries over."""
+    return (
+        len(old.masses) == len(new.masses)
+        and [(s.a, s.b) for s in old.linear_springs] == [(s.a, s.b) for s in new.linear_springs]
+        and [(j.a, j.b) for j in old.angular_springs] == [(j.a, j.b) for j in new.angular_springs]
+    )
+
+
+def joint_stiffness(scene: Scene) -> list[float]:
+    """The stiffness of each angular spring, kg/s²; diagonal templates are sqrt(2) times as stiff."""
+    return _joint_stiffness(scene).tolist()
+
+
+def _joint_stiffness(scene: Scene) -> Floats:
+    factor = math.sqrt(2.0) if scene.template is not None and scene.template % 90 else 1.0
+    return column(scene.angular_springs, "stiffness") * factor
+
+
+def slots_of(body: Body) -> int:
+    """The number of slots of a body's states."""
+    return _slots_for(body.masses, body.stiffness.size if body.chain or body.ring else 0)
+
+
+def _slots_for(masses: int, chained: int) -> int:
+    """The number of slots, with room for so many springs of a chain or a ring."""
+    # The chain's loops look one slot back and, from the last spring, three ahead; and loops over flat
+    # vectors should leave no scalar remainder.
+    return padded((chained or padded(masses)) + 3)  # aligns both halves of a flat vector alike
+
+
+def new_state(system: System) -> State:
+    """A state with room for the system's masses; `Simulation` fills it."""
+    body = system.body
+    springs, joints = (body.springs, body.joints) if body.limits.present else (0, 0)
+    layout = _layout_of_state(slots_of(body), body.stiffness.size, body.torque_size.size, springs, joints)
+    state = layout.made()
+    state.controls[0] = 1.0
+    return state.replaced(**room_in_state(body, state.slots)) if sticks(body) else state
+
+
+@lru_cache(maxsize=16)
+def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: int) -> Layout[State]:
+    """The layout for arrays of springs and of joints with some room; `springs` and `joints` may yield."""
+    sizes = {
+        "q": (2 * slots, 1),
+        "v": (2 * slots, 1),
+        "controls": (2, 0),
+        "rest_tension": (room, 1),
+        "torque_cos": (torques, 1),
+        "torque_sin": (torques, 1),
+        "torque_rest": (torques, 0),
+        "clock": (1, 0),
+        "set_length": (springs, 0),
+        "set_angle": (joints, 0),
+        "hardened": (springs, 0),
+        "trial_tension": (springs, 0),
+        "trial_angle": (joints, 0),
+        "broken": (springs, 0),
+        "yields": (springs + joints + 1 if springs else 0, 0),
+    }
+    return _layout(State, {field: sizes.get(field, (slots, 1)) for field in _STATE_VECTORS}, page_offset=0)
+
+
+def _layout(
+    kind: type[_Made],
+    sizes: Mapping[str, tuple[int, int]],
+    page_offset: int,
+    rows: Mapping[str, int] | None = None,
+) -> Layout[_Made]:
+    """The layout of a table that has nothing but arrays, some of them empty; arguments as of `slab`.
+
+    `rows`: of each array with two dimensions, their number.
+    """
+    arrays = slab(list(sizes.values()), page_offset)
+    fields = dict(zip(sizes, arrays, strict=True))
+    fields |= {field: fields[field].reshape(count, -1) for field, count in (rows or {}).items()}
+    return Layout(kind.empty().replaced(**fields), arrays, page_offset)
+
+
+def rest_lengths(body: Body, state: State) -> Floats:
+    """(S,) the present rest length of each spring of the tables, px.
+
+    In it are the scale of rest lengths, what muscles do at `State.clock`, and what has yielded.
+    """
+    rest = body.rest_length[: body.springs] * state.controls[CONTROL_SCALE]
+    if body.muscles.present:
+        rest[body.muscles.spring] *= 1.0 + waves(body.muscles.stretch, float(state.clock[0]))
+    return rest + state.set_length if body.limits.present else rest
+
+
+def rest_angles(body: Body, state: State) -> Floats:
+    """(J,) the present rest angle of each joint of the tables, degrees in (-180, 180], likewise."""
+    angle = body.joint_rest + state.controls[CONTROL_SHIFT]
+    if body.limits.present:
+        angle = angle + state.set_angle
+    if body.muscles.present:
+        angle[body.muscles.joint] += waves(body.muscles.turn, float(state.clock[0]))
+    return 180.0 - (180.0 - angle) % 360.0
+
+
+def refresh(body: Body, state: State) -> None:
+    """Recompute what depends on the scale of rest lengths, the shift of rest angles, and the clock."""
+    springs, joints = slice(body.springs), slice(1, body.joints + 1)
+    state.rest_tension[springs] = body.stiffness[springs] * rest_lengths(body, state)
+    if not body.joints:
+        if body.limits.present:
+            state.trial_tension[:] = state.rest_tension[springs]
+        return
+    rest = np.radians(rest_angles(body, state))
+    state.torque_rest[joints] = rest
+    state.torque_cos[joints] = body.joint_stiffness * np.cos(rest)
+    state.torque_sin[joints] = body.joint_stiffness * np.sin(rest)
+    if body.limits.present:
+        state.trial_tension[:], state.trial_angle[:] = state.rest_tension[springs], rest
+    if body.ring:
+        state.torque_cos[0] = state.torque_cos[body.joints]
+        state.torque_sin[0] = state.torque_sin[body.joints]
+
+
+def new_scratch(system: System) -> Scratch:
+    """Scratch arrays for the system."""
+    body = system.body
+    # Behind the masses, slot 0 among them, and behind springs in runs there may be some more.
+    room = max(padded(body.masses + 1), body.stiffness.size) + 8
+    links = body.held, body.free, body.bends
+    scratch = _layout_of_scratch(room, body.joints + 1, *(each.room for each in links)).made()
+    if body.environment.contact.present:
+        scratch = scratch.replaced(**room_for_batches(body), **room_in_scratch(body))
+    return scratch
+
+
+@lru_cache(maxsize=16)
+def _layout_of_scratch(room: int, joints: int, held: int, free: int, bends: int) -> Layout[Scratch]:
+    """The layout for vectors with some room, for joints in no run, and for rows."""
+    first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # where loops over springs and masses start
+    sizes = {field: (room, first.get(field, 0)) for field in _SCRATCH_VECTORS}
+    rows = {"held_rows": 2, "free_rows": 2, "joint_rows": 4, "joint_alone": 4}
+    for (field, count), wide in zip(rows.items(), (held, free, bends, joints), strict=True):
+        sizes[field] = count * wide, 0
+    # An offset behind that of the arrays of a short chain's `State`.
+    return _layout(Scratch, sizes, page_offset=2560, rows=rows)
+
+
+class Wiring(NamedTuple):
+    """What of the tables depends on nothing but what connects the masses; S springs, J joints, n masses.
+
+    Attributes:
+        in_order: whether the body is a chain or a ring.
+        ring: whether it is a ring.
+        room: of the arrays of springs.
+        slots: of a state.
+        mass_order, mass_index, vector_index, spring_order, joint_order: see `System`.
+        ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
+        body: tables with these connections, and with numbers of no meaning.
+    """
+
+    in_order: bool
+    ring: bool
+    room: int
+    slots: int
+    mass_order: Indices
+    mass_index: Indices
+    vector_index: Indices
+    spring_order: Indices
+    joint_order: Indices
+    ends: Indices
+    body: Body
+
+
+_KEPT = 4
+"""Number of wirings that are kept. That of a cloth of 10 000 masses takes 5 MB."""
+
+
+@lru_cache(maxsize=_KEPT)
+def wired(n: int, along: bool, *tables: bytes) -> Wiring:
+    """The wiring of a body with n masses.
+
+    Those that were used last are kept, as a scene is often made anew with other numbers.
+
+    Args:
+        n: number of masses.
+        along: whether the body may be a chain or a ring.
+        tables: the `a` and the `b` of the scene's springs and joints.
+    """
+    of_spring, of_joint = np.frombuffer(b"".join(tables[:2]), np.int64), tables[2:]
+    spring_ends = of_spring.reshape(2, -1)
+    joints = np.frombuffer(b"".join(of_joint), np.int64).reshape(2, -1)
+    count = spring_ends.shape[1]
+    order = _order_along(n, spring_ends, joints) if along else None
+    mass_order, spring_order = order or (np.arange(n), _hinged_first(spring_ends, joints, n + 1))
+    in_order, ring = order is not None, order is not None and count == n
+    mass_index = np.empty(n, np.int64)
+    mass_index[mass_order] = np.arange(1, n + 1)
+    # At least as many springs as masses, since the chain's loops over masses read as many, and one more.
+    # For others, the loops over a run read a few more.
+    room = padded(max(count, n)) + 1 + (0 if in_order else _BEHIND_RUNS)
+    spring_a, spring_b = (mass_index[end[spring_order]] for end in spring_ends)
+    spring_index = np.empty(count, np.int64)
+    spring_index[spring_order] = np.arange(count)
+    joint_a, joint_b = (spring_index[end] for end in joints)
+    held = np.zeros(count, np.bool_)
+    held[joint_a] = held[joint_b] = True
+    hinged = int(held.sum())
+    if in_order and joint_a.size:
+        joint_order = joint_a
+        of_chain = n if ring else n - 2
+        joint_a, joint_b = np.arange(of_chain), (np.arange(of_chain) + 1) % count
+        hinged = count
+    else:
+        by_runs = order_in_runs(joint_a, joint_b, hinged)
+        joint_order = np.empty(by_runs.size, np.int64)
+        joint_order[by_runs] = np.arange(by_runs.size)
+        joint_a, joint_b = joint_a[by_runs], joint_b[by_runs]
+    nothing = np.zeros(0)
+    body = Body(
+        masses=n,
+        springs=count,
+        joints=joint_a.size,
+        damped=False,
+        joint_damped=False,
+        chain=in_order and not ring,
+        ring=ring,
+        law=NO_JOINTS,
+        softening=0.0,
+        softenings=nothing,
+        spring_a=spring_a,
+        spring_b=spring_b,
+        stiffness=nothing,
+        damping=nothing,
+        rest_length=nothing,
+        joint_a=joint_a,
+        joint_b=joint_b,
+        joint_rest=nothing,
+        torque_size=nothing,
+        torque_damping=nothing,
+        hinged=hinged,
+        held=new_links(spring_a[:hinged], spring_b[:hinged], n + 1, nothing=room),
+        free=new_links(spring_a[hinged:], spring_b[hinged:], n + 1, nothing=room, begin=hinged),
+        bends=new_links(joint_a, joint_b, hinged, nothing=joint_a.size),
+        limits=NO_LIMITS,
+        muscles=NO_MUSCLES,
+        environment=EMPTY,
+    )
+    ends_of_springs = np.stack((spring_a, spring_b), 1)
+    slots = _slots_for(n, room if in_order else 0)
+    vector_index = np.stack((mass_index, mass_index + slots), 1)
+    for array in (mass_order, mass_index, vector_index, spring_order, joint_order, ends_of_springs):
+        array.setflags(write=False)
+    return Wiring(
+        in_order, ring, room, slots, mass_order, mass_index, vector_index, spring_order, joint_order,
+        ends_of_springs, read_only(body),
+    )  # fmt: skip
+
+
+def _order_along(n: int, spring_ends: Indices, joints: Indices) -> tuple[Indices, Indices] | None:
+    """(masses, springs) in order along a chain or a ring, or None for any other body."""
+    starts, stops = spring_ends.tolist()
+    count = len(starts)
+    closed = count == n
+    if n < (3 if closed else 2) or not (closed or count == n - 1):
+        return None
+    leaving = {a: s for s, a in enumerate(starts)}
+    entered = set(stops)
+    if len(leaving) != count or len(entered) != count:
+        return None
+    mass = 0 if closed else (set(range(n)) - entered).pop()
+    mass_order, spring_order = [mass], []
+    while mass in leaving and len(mass_order) < n:
+        s = leaving[mass]
+        mass = stops[s]
+        spring_order.append(s)
+        mass_order.append(mass)
+    if len(set(mass_order)) != n:
+        return None  # a ring beside something else
+    if closed:
+        spring_order.append(leaving[mass])
+    index = np.empty(count, np.int64)
+    index[spring_order] = np.arange(count)
+    if (index[joints[1]] != (index[joints[0]] + 1) % n).any():
+        return None
+    return np.array(mass_order, np.int64), np.array(spring_order, np.int64)
+
+
+def _hinged_first(spring_ends: Indices, joints: Indices, slots: int) -> Indices:
+    """Indices of the springs in runs, those that angular springs hold first."""
+    alone = np.ones(spring_ends.shape[1], np.bool_)
+    alone[joints] = False
+    return order_in_runs(spring_ends[0], spring_ends[1], slots, alone)
+
+
+def _body(scene: Scene, wiring: Wiring, damageable: bool) -> Body:
+    springs, joints = scene.linear_springs, scene.angular_springs
+    method, order = METHODS[scene.integrator.method], wiring.spring_order
+    body = with_numbers(
+        wiring,
+        list(columns(springs, "stiffness", "damping", "rest_length")),
+        (_joint_stiffness(scene), *columns(joints, "damping", "rest_angle")),
+        LAWS[scene.force_law].code,
+        _softening(scene),
+    )
+    return body.replaced(
+        limits=new_limits(scene, order, wiring.joint_order) if damageable else NO_LIMITS,
+        muscles=new_muscles(scene, order, wiring.joint_order),
+        environment=new_environment(
+            scene,
+            wiring.mass_index,
+            wiring.ends,
+            wiring.slots,
+            step=0.0 if method.adaptive or method.implicit else scene.integrator.dt,
+        ),
+    )
+
+
+def with_numbers(
+    wiring: Wiring, of_springs: Sequence[Floats], of_joints: Sequence[Floats], law: int, softening: float
+) -> Body:
+    """The table of a body in which nothing acts but its springs and joints.
+
+    Args:
+        wiring: what connects the masses.
+        of_springs: (3, S) stiffness, damping and rest length, in the scene's order, as in `Body`.
+        of_joints: (3, J) stiffness, damping and rest angle, likewise.
+        law: as in `Body.law`.
+        softening: likewise.
+    """
+    order, ring, room = wiring.spring_order, wiring.ring, wiring.room
+    count = order.size
+    held = wiring.body.joints  # more than the scene's in a chain where not every two springs are held
+    torques = max(room, held + (0 if wiring.in_order else _BEHIND_RUNS)) + 1
+    stiffness, damping, rest, torque_size, softenings = slab(
+        [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
+    )
+    for field, values in zip((stiffness, damping, rest), of_springs, strict=True):
+        field[:count] = values[order]
+    # The loop around a ring visits its first spring twice.
+    softenings[:], softenings[: count + ring] = _ENDLESS, max(softening, LEAST)
+    torque_damping, rest_angle = np.zeros(torques), np.zeros(held)
+    if held:
+        at = wiring.joint_order + 1
+        torque_size[at], torque_damping[at], rest_angle[wiring.joint_order] = of_joints
+        if ring:
+            torque_size[0] = torque_size[held]
+    body = wiring.body.replaced(
+        damped=np.count_nonzero(damping) > 0,  # in a tenth of the time of `any`
+        joint_damped=np.count_nonzero(torque_damping) > 0,
+        law=law if held else NO_JOINTS,
+        softening=softening,
+        softenings=softenings,
+        stiffness=stiffness,
+        damping=damping,
+        rest_length=rest,
+        joint_rest=rest_angle,
+        torque_size=torque_size,
+        torque_damping=torque_damping,
+    )
+    for array in (softenings, stiffness, damping, rest, rest_angle, torque_size, torque_damping):
+        array.setflags(write=False)
+    return body
+
+
+def _softening(scene: Scene) -> float:
+    """`Body.softening`, px²: practically none for methods with a fixed step."""
+    if not METHODS[scene.integrator.method].adaptive:
+        return SHORTEST_SQUARED
+    lengths = column(scene.linear_springs, "rest_length")
+    if not lengths.any():
+        at = np.array([mass.position for mass in scene.masses])
+        a, b = ends(scene.linear_springs)
+        lengths = np.hypot(*(at[b] - at[a]).T)
+    lengths = lengths[lengths > 0.0]
+    typical = float(np.median(lengths)) if lengths.size else 1.0
+    soft = min(_SOFT_IN_TOLERANCES * scene.integrator.tolerance, _SOFT_AT_MOST * typical)
+    return max(soft * soft, SHORTEST_SQUARED)

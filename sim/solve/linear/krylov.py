@@ -1,0 +1,103 @@
+"""Linear systems with the blocks of contact that are not in the pattern.
+
+Which masses touch which springs changes all the time, so the blocks that join them are not in the pattern.
+What contact adds to the blocks of a mass with itself and of the two ends of a spring is, and is factorised
+with the rest. With that matrix A and the other blocks R, a system (A + R) x = b is solved as x + A^-1 R x =
+A^-1 b by GMRES (Saad & Schultz 1986). Few iterations suffice, about as many as there are directions in which
+things touch, or fewer where the step is short. If they do not, the result is infinite, and the step is
+refused.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ...engine.jit import FAST, kernel
+from ...forces.touch.contact import TOUCHING_PAIRS, add_coupling
+from .sparse import solve_sparse
+from .vectors import add_multiple, dot
+
+_ACCURACY = 1e-12
+"""Residual, relative to the right-hand side, at which the iteration ends."""
+_CYCLES = 4
+"""Largest number of times that it begins with a new Krylov space."""
+
+
+@kernel(internal=True, fastmath=FAST)
+def solve_with_contact(body, state, matrix, b):
+    """Like `sparse.solve_sparse`, with all of contact."""
+    solve_sparse(body, matrix, b)
+    if not body.environment.contact.present or matrix.touching[TOUCHING_PAIRS] == 0.0:
+        return
+    space, hessenberg, width = matrix.krylov, matrix.hessenberg, matrix.hessenberg.shape[1]
+    x, right, most = space[width], space[width + 1], width - 1
+    masses, slots = body.masses, b.size // 2
+    cosine, sine, rest = hessenberg[width], hessenberg[width + 1], hessenberg[width + 2]
+    for j in range(b.size):
+        x[j], right[j] = 0.0, 0.0
+    add_multiple(masses, 1.0, b, right)
+    whole, cycle, size = 0.0, 0, math.inf
+    while cycle < _CYCLES:
+        # The residual of what has been found so far.
+        if cycle == 0:
+            for j in range(b.size):
+                space[0, j] = right[j]
+        else:
+            _couple(body, state, matrix, x, space[0])
+            solve_sparse(body, matrix, space[0])
+            for j in range(b.size):
+                space[0, j] = right[j] - x[j] - space[0, j]
+        size = math.sqrt(dot(masses, space[0], space[0]))
+        whole = size if cycle == 0 else whole
+        if not size > _ACCURACY * whole:
+            break
+        for j in range(b.size):
+            space[0, j] /= size
+        rest[0], steps = size, 0
+        while steps < most and abs(rest[steps]) > _ACCURACY * whole:
+            k = steps
+            new = space[k + 1]
+            _couple(body, state, matrix, space[k], new)
+            solve_sparse(body, matrix, new)
+            for j in range(b.size):
+                new[j] += space[k, j]
+            for i in range(k + 1):
+                along = dot(masses, space[i], new)
+                hessenberg[i, k] = along
+                for j in range(b.size):
+                    new[j] -= along * space[i, j]
+            length = math.sqrt(dot(masses, new, new))
+            for j in range(b.size):
+                new[j] /= length + 1e-300
+            for i in range(k):  # the rotations so far
+                upper, lower = hessenberg[i, k], hessenberg[i + 1, k]
+                hessenberg[i, k] = cosine[i] * upper + sine[i] * lower
+                hessenberg[i + 1, k] = cosine[i] * lower - sine[i] * upper
+            upper = hessenberg[k, k]
+            diagonal = math.sqrt(upper * upper + length * length) + 1e-300
+            cosine[k], sine[k] = upper / diagonal, length / diagonal
+            hessenberg[k, k] = diagonal
+            rest[k + 1] = -sine[k] * rest[k]
+            rest[k] *= cosine[k]
+            steps += 1
+        size = abs(rest[steps])
+        for i in range(steps - 1, -1, -1):
+            for k in range(i + 1, steps):
+                rest[i] -= hessenberg[i, k] * rest[k]
+            rest[i] /= hessenberg[i, i]
+            for j in range(b.size):
+                x[j] += rest[i] * space[i, j]
+        cycle += 1
+        if not size > _ACCURACY * whole:
+            break
+    found = size <= _ACCURACY * whole
+    for i in range(1, masses + 1):
+        b[i], b[slots + i] = (x[i], x[slots + i]) if found else (math.inf, math.inf)
+
+
+@kernel(fastmath=FAST)
+def _couple(body, state, matrix, z, out):
+    """out = R z."""
+    for j in range(out.size):
+        out[j] = 0.0
+    add_coupling(body, state, matrix, z, out)

@@ -1,0 +1,56 @@
+"""Symplectic Euler, the tutorial's method: v += h a(x, v), then x += h v. Also runs the stable spring."""
+
+from __future__ import annotations
+
+from ...engine.calls import accelerate
+from ...engine.jit import FUSED, kernel
+from ...engine.lanes import eight_at_a_time
+from ...engine.tables import SPARE
+from ...forces.drive import lead, lead_to, press
+from .common import fixed_time
+from .loop import advance, begin_at_once, go_on
+
+
+@kernel(fastmath=FUSED)
+def run_euler(problem, drive, end, tolerance, attempts):
+    """Advance to `end` by steps of `problem.fixed` seconds; arguments as of `advance`."""
+    advance(problem, drive, end, tolerance, attempts, begin_at_once, _step, go_on, 1.0, False)
+
+
+@kernel(internal=True, fastmath=FUSED)
+def _step(problem, drive, old, new, t, h, tolerance):
+    """See `advance`: as many steps as may be done at once.
+
+    Hands and held keys come before the forces, which see them as they are at the end of a step, as in the
+    tutorial. Circles belong to the equations of motion, whose forces are those at the start of a step.
+    """
+    trial, q, v = problem.integrator.trial, new.q, new.v
+    _copy(old.q, old.v, q, v)
+    trial.count = trial.most
+    for i in range(1, trial.most + 1):
+        start = t if i == 1 else trial.end
+        trial.end = fixed_time(problem, trial.number + i)
+        lead(drive, trial.end, start, q, v)
+        if drive.moving:
+            press(problem.body, problem.state, drive, trial.end, h)
+        accelerate(problem, q, v, new.a)
+        _kick_and_drift(q, v, new.a, h)
+        lead_to(drive, trial.end, q, v)  # the drift has moved them
+    problem.integrator.run.forces += trial.most
+    return 0.0
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FUSED)
+def _kick_and_drift(q, v, a, h):
+    eight_at_a_time()
+    for j in range(1, q.size - SPARE):
+        u = v[j] + h * a[j]
+        v[j] = u
+        q[j] += h * u
+
+
+@kernel(noalias=True, forceinline=True)
+def _copy(q, v, to_q, to_v):
+    eight_at_a_time()
+    for j in range(1, q.size - SPARE):
+        to_q[j], to_v[j] = q[j], v[j]

@@ -1,0 +1,176 @@
+"""The loop that all methods share: lead held masses, try a step, judge it, and keep it or try a shorter one.
+
+A method is a step: a kernel that leads from one `Phase` to another and estimates its error. One that chooses
+its steps, or that keeps something from step to step, also has a kernel that begins a run and one that
+controls what comes next. All else is here: fixed and chosen steps, what makes a step acceptable, held keys,
+the energy balance, and springs that yield and break. `solve.steps.runge_kutta` is the shortest example.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ...engine.calls import accelerate, accumulate, no_tunnelling, part_to_try, settle, stick
+from ...engine.jit import kernel
+from ...engine.tables import CONTROL_SCALE, CONTROL_SHIFT
+from ...forces.drive import act_as, lead_to
+from .common import (
+    WORTH_SHORTENING,
+    ensure_acceleration,
+    fitting_step,
+    fixed_steps,
+    fixed_time,
+    replace_state,
+    rotation_ok,
+    shortest_of,
+)
+from .guard import CHANGED, GOOD, state_ok
+
+_MAX_AT_ONCE = 64
+"""Number of steps that may be done between two checks of the state. If a check fails, fixed ones are done
+again one at a time, so that a body that runs away stops at its last good state."""
+
+
+@kernel(inline="always")
+def advance(problem, drive, end, tolerance, attempts, begin, step, control, equal_steps, knows_a):
+    """Advance to `end` by a method.
+
+    Args:
+        problem: the tables. With a fixed step (`problem.fixed`) only whole steps are done.
+        drive: how held masses move, and what held keys do.
+        end: the time to advance to, s.
+        tolerance: position error, px, that the steps of a second may add up to; unused with a fixed step.
+        attempts: number of steps that may be tried.
+        begin: kernel(problem, drive, tolerance), called first. Where `run.step` is 0, it sets that.
+        step: kernel(problem, drive, old, new, t, h, tolerance) that leads from `old` at time t to `new` at
+            t + h, evaluating forces with held masses and keys where they are then (`drive_to`). Returns the
+            error in tolerances; a step above 1 is not kept. It may go less far (`trial.h`, `trial.end`), and
+            may report what it knows of `new` (`trial.far`, `trial.fast`, `trial.moved`), which saves time. It
+            may also do up to `trial.most` steps of h seconds at once, and say so (`trial.count`,
+            `trial.end`). With an energy balance, `control` then accounts for all but the last
+            (`trial.start`), if the step is good.
+        control: kernel(problem, drive, old, new, h, tolerance, error, good), called after a step was judged
+            and before it is kept. Returns the step to try next; see `steps.step_after`.
+        equal_steps: number of steps before the end that are made equally long; see `fitting_step`.
+        knows_a: whether the method uses the accelerations at `old` and leaves those at `new`.
+    """
+    body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
+    run, trial, fixed = integrator.run, integrator.trial, problem.fixed
+    old, new = integrator.old, integrator.new
+    number = last = 0
+    # With an energy balance, methods with a fixed step do one at a time, which gives the same bits.
+    accounts = balance.active and fixed > 0.0
+    most = 1 if accounts or problem.settle != 0 or problem.stick != 0 else _MAX_AT_ONCE
+    if knows_a:
+        ensure_acceleration(problem, drive)
+    else:
+        run.current = False
+    # A body may be beyond its limits where it is put.
+    if run.time == run.origin and settle(problem, old, old, -1.0):
+        run.what, run.current = CHANGED, False
+    if fixed > 0.0:
+        number = fixed_steps(problem, run.time)
+        last = fixed_steps(problem, end)
+        end = fixed_time(problem, last)
+    begin(problem, drive, tolerance)
+    trial.failures = 0
+    t, goal, is_whole = run.time, end, run.time == fixed_time(problem, number)
+    tries, steps, swaps, shortest = 0, 0, 0, 0.0
+    while tries < attempts and t < end and run.what == GOOD:
+        trial.count, trial.start = 1, t
+        if fixed > 0.0:
+            goal = fixed_time(problem, number + 1)
+            h = fixed if is_whole else goal - t
+            trial.end, trial.number = goal, number
+            trial.most = min(most, last - number, attempts - tries) if is_whole else 1
+        else:
+            h = fitting_step(t, end, run.step, equal_steps)
+            trial.end = goal if h == goal - t else t + h
+            trial.most, trial.rest = min(most, attempts - tries), end - t
+        trial.h, trial.far, trial.fast, trial.moved = h, math.inf, math.inf, math.inf
+        trial.part = 1.0
+        scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
+        if balance.active and not knows_a:
+            lead_to(drive, t, old.q, old.v)
+            accelerate(problem, old.q, old.v, old.a)
+        error = step(problem, drive, old, new, t, h, tolerance)
+        h = trial.h
+        if drive.mass.size > 0:
+            lead_to(drive, trial.end, new.q, new.v)
+            trial.far = math.inf
+        good = error <= 1.0 and _is_acceptable(problem, old, new, h, tolerance, shortest)
+        tries += trial.count if good or fixed == 0.0 else 1
+        if not good and drive.moving:  # the step has set them to a later time
+            act_as(body, state, drive, t, scale, shift)
+        if not good and trial.count > 1 and fixed > 0.0:
+            most, tries = 1, tries - 1  # one at a time, up to the last good state
+            continue
+        if trial.part < 1.0:
+            run.step = trial.part * h
+            continue
+        run.step = control(problem, drive, old, new, h, tolerance, error, good)
+        if not good:
+            trial.failures += 1
+            continue
+        # Before all that evaluates forces elsewhere.
+        shortest = shortest_of(body, problem.scratch) if trial.moved < math.inf else 0.0
+        if balance.active:
+            if not knows_a:
+                accelerate(problem, new.q, new.v, new.a)
+            scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
+            accumulate(problem, drive, trial.start, new.q, new.v, new.a, h)
+            if drive.moving:
+                act_as(body, state, drive, trial.end, scale, shift)
+        length = h if fixed == 0.0 else 0.0
+        stick(problem, old, new, length)
+        broke = settle(problem, old, new, length)
+        if balance.active:
+            replace_state(old.q, old.v, old.a, new.q, new.v, new.a)
+        else:
+            # Swap the arrays instead of copying them.
+            old, new = new, old
+            swaps += 1
+        if broke:
+            run.what, run.current = CHANGED, False
+        steps += trial.count
+        t, is_whole = trial.end, fixed == 0.0 or trial.end == fixed_time(problem, number + trial.count)
+        number += trial.count if is_whole else 0
+        trial.failures = 0
+    run.time = t
+    if swaps % 2:
+        replace_state(state.q, state.v, integrator.a, old.q, old.v, old.a)
+    run.steps += steps
+    run.rejected += tries - steps
+
+
+@kernel(forceinline=True)
+def _is_acceptable(problem, old, new, h, tolerance, shortest):
+    """Whether a step with a small error may be kept; if not, a shorter one may still be tried."""
+    body, integrator = problem.body, problem.integrator
+    run, trial, fixed = integrator.run, integrator.trial, problem.fixed
+    too_short = h < WORTH_SHORTENING
+    final = too_short or (fixed > 0.0 and trial.count == 1)
+    known_ok = trial.far <= run.farthest and trial.fast <= run.fastest
+    if not (known_ok or state_ok(body, integrator, new.q, new.v, final)):
+        return False
+    if fixed > 0.0:
+        return True
+    if not (
+        rotation_ok(body, problem.state, old.q, new.q, h, trial.moved, shortest)
+        and no_tunnelling(problem, old.q, new.q)
+    ):
+        return False
+    if not too_short:
+        trial.part = part_to_try(problem, old, new, h, tolerance)
+    return trial.part == 1.0
+
+
+@kernel(internal=True)
+def begin_at_once(problem, drive, tolerance):
+    """For methods with a fixed step: nothing to begin with."""
+
+
+@kernel(internal=True)
+def go_on(problem, drive, old, new, h, tolerance, error, good):
+    """For methods with a fixed step: they have no step to choose."""
+    return problem.integrator.run.step
