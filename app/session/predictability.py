@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import sim
-from sim.analysis.predictability import MANY, Shadow, factor_of, growth_within, verdict
+from sim.analysis.predictability import MANY, TwinTrajectory, factor_of, growth_within, verdict
 
 from .companions import Companion
 from .pacing import smoothed
@@ -30,7 +30,7 @@ class ShadowMoment(NamedTuple):
     """A meter at a past moment.
 
     Attributes:
-        hair: (4, n) direction in which the copies differed, see `sim.analysis.predictability.Shadow`.
+        hair: (4, n) direction in which the copies differed, see `sim.analysis.predictability.TwinTrajectory`.
         level: natural logarithm of the growth of their difference up to then.
     """
 
@@ -52,7 +52,7 @@ class PredictabilityMeter(Companion):
     name, span = "predictability", WINDOW
 
     def __init__(self, simulation: sim.Simulation, wait: bool = True) -> None:
-        self.shadow = Shadow(simulation, wait)
+        self.shadow = TwinTrajectory(simulation, wait)
         super().__init__(self.shadow.pair)
         self._step_cost = 0.0
         self._owed = 0

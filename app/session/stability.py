@@ -6,7 +6,7 @@ import math
 import time
 
 import sim
-from sim.motion.stability import Look, StabilityEstimate
+from sim.motion.stability import LimitEstimate, StabilityEstimate
 
 from .hand import FRAME
 
@@ -33,7 +33,7 @@ class StabilityWatch:
     def forget(self) -> None:
         """Forget the estimate: it is of another body."""
         self.estimate = StabilityEstimate(math.inf, None)
-        self._look: Look | None = None
+        self._look: LimitEstimate | None = None
         self._spent = 0.0  # seconds of computing for the estimate under way
         self._due = 0.0
 

@@ -12,10 +12,10 @@ from ..compiling.compiler import fetch, for_balance
 from ..engine.tables import Floats, Indices, Matrix
 from ..errors import InputError
 from ..forces.all import accelerations
-from ..forces.joints import JointsTwin
+from ..forces.joints import JointsReference
 from ..forces.plasticity import NO_LIMITS
 from ..forces.reference import Physics
-from ..forces.springs import SpringsTwin
+from ..forces.springs import SpringsReference
 from ..forces.touch.contact import no_tunnelling
 from ..forces.touch.friction_history import sticks
 from ..forces.touch.walls import NOWHERE, WallRow
@@ -110,14 +110,14 @@ def equilibrium(scene: Scene) -> Pose:
 
 def loaded_equilibrium(scene: Scene) -> tuple[Pose, list[str]]:
     """As `equilibrium`, with what would break or yield in that pose, in a sentence for each way."""
-    body = Resting(scene, balanced=True)
+    body = StaticModel(scene, balanced=True)
     body.refuse_falling()
     q = _continuation(body)
     body.refuse_shrunk(q)
     return body.pose(q), body.overloads(q)
 
 
-class Resting:
+class StaticModel:
     """The tables of a scene's body, and linear systems with the Jacobian of its accelerations.
 
     Vectors are flat: x of every slot, then y of every slot.
@@ -152,7 +152,7 @@ class Resting:
         self.start = np.zeros(2 * self.slots)
         self.start[here], self.start[self.slots :][here] = self.system.start[:2]
         self.still = np.zeros(2 * self.slots)
-        self.stick(self.start)
+        self.update_friction_history(self.start)
         lengths = body.rest_length[: body.springs] * scene.rest_length_scale
         self.typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
 
@@ -238,7 +238,7 @@ class Resting:
     def _physics(self) -> Physics:
         return Physics(self.tables, self.state)
 
-    def stick(self, q: Floats) -> None:
+    def update_friction_history(self, q: Floats) -> None:
         """Let friction hold what touches something at positions q, as after a step of a run.
 
         What touches no wall yet is to be held where it is now: the way to a wall is a single long step.
@@ -246,7 +246,9 @@ class Resting:
         if not self._sticks:
             return
         state = self.state
-        self._physics.stick(q[: self.slots] + 1j * q[self.slots :], np.zeros(self.slots, complex))
+        self._physics.update_friction_history(
+            q[: self.slots] + 1j * q[self.slots :], np.zeros(self.slots, complex)
+        )
         for row, place in zip(self.tables.environment.walls.rows, state.wall_place, strict=False):
             wall = WallRow(*row)
             if wall.tangential:
@@ -257,7 +259,9 @@ class Resting:
         """The grips of what touches something at positions q."""
         if not self._sticks:
             return None
-        self._physics.stick(q[: self.slots] + 1j * q[self.slots :], np.zeros(self.slots, complex))
+        self._physics.update_friction_history(
+            q[: self.slots] + 1j * q[self.slots :], np.zeros(self.slots, complex)
+        )
         return grips_of(self.state, self.system)
 
     def accelerations(self, q: Floats) -> Floats:
@@ -360,8 +364,8 @@ class Resting:
         still = np.zeros(self.slots, complex)
         x = q[: self.slots] + 1j * q[self.slots :]
         springs, joints = self.system.spring_order, np.argsort(self.system.joint_order)
-        force = np.abs(SpringsTwin(self.tables, state).pulls(x, still))
-        torque = np.abs(JointsTwin(self.tables, state).torques(x, still))
+        force = np.abs(SpringsReference(self.tables, state).pulls(x, still))
+        torque = np.abs(JointsReference(self.tables, state).torques(x, still))
         ways = (
             ("spring", springs, "break", force, "strength", limits.breaking, ""),
             ("spring", springs, "yield", force, "yield force", limits.yielding + state.hardened, ""),
@@ -396,7 +400,7 @@ class Resting:
         )
 
 
-def _continuation(body: Resting) -> Floats:
+def _continuation(body: StaticModel) -> Floats:
     """Positions at which the accelerations vanish."""
     q = body.start
     neutral = NEUTRAL if body.system.held.any() else NEUTRAL_FREE
@@ -435,7 +439,7 @@ def _continuation(body: Resting) -> Floats:
                     ratio = np.inf
         if ratio < np.inf:
             q = to_q
-            body.stick(q)
+            body.update_friction_history(q)
             a = body.accelerations(q)
             if not np.abs(q).max() <= MAX_COORDINATE:
                 creeps = ", and friction that creeps holds nothing that is at rest" if body.creeps else ""
@@ -462,7 +466,7 @@ def _continuation(body: Resting) -> Floats:
     )
 
 
-def _settle(body: Resting, q: Floats, move: Floats, shift: float) -> tuple[float, Floats]:
+def _settle(body: StaticModel, q: Floats, move: Floats, shift: float) -> tuple[float, Floats]:
     """Newton's iterations for the end of an implicit step, of which `move` is the first.
 
     Returns:
@@ -490,7 +494,7 @@ def _settle(body: Resting, q: Floats, move: Floats, shift: float) -> tuple[float
     return np.inf, q
 
 
-def _search(body: Resting, q: Floats, a: Floats) -> tuple[float, Floats, Floats]:
+def _search(body: StaticModel, q: Floats, a: Floats) -> tuple[float, Floats, Floats]:
     """One step along the solution with the positive definite matrix.
 
     It is halved until the power of the forces along it is no longer much below zero, so that the step does

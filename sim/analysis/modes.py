@@ -29,7 +29,7 @@ from ..scene.columns import ends
 from ..scene.types import Scene
 from ..scene.validate import validate
 from .decay import Decay
-from .equilibrium import Resting
+from .equilibrium import StaticModel
 from .tuning import Dampers, vibrations_at_rest
 from .vibrations import MAX_MASSES, NOTHING, Vibrations
 
@@ -288,7 +288,7 @@ class Modes:
     def _parts(self) -> tuple[Indices, list[tuple[Indices, str, Floats]]]:
         """The part of each mass; and of those that can move as a whole their masses, how they can, and about
         where, px, or in which directions."""
-        body = Resting(self.scene, balanced=False)
+        body = StaticModel(self.scene, balanced=False)
         of_slot = body.parts()[self._here]
         names, part = np.unique(of_slot, return_inverse=True)
         held = np.zeros(len(part), bool)
@@ -321,7 +321,7 @@ class Modes:
                     movable.append((members, "slides", ways[:, free].T))
         return part.astype(np.int64), movable
 
-    def _stiffness(self, body: Resting, members: Indices, basis: list[Floats]) -> Floats:
+    def _stiffness(self, body: StaticModel, members: Indices, basis: list[Floats]) -> Floats:
         """(c, c) the stiffness of a part against some of its motions, 1/s²."""
         slots = self._here[members]
         step = _TRIAL * body.typical

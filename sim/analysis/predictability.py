@@ -30,7 +30,7 @@ MANY = 100.0
 """Growth in a second from which on a tolerance may not be kept: of random bodies, `auto` keeps all in which
 errors grow less; see the study in docs."""
 
-_HAIR, _TOLERANCE = 1e-4, 5e-6
+_PERTURBATION, _TOLERANCE = 1e-4, 5e-6
 """Distance that is a hair, and tolerance of the two bodies, as parts of the length of a typical spring."""
 _LEAST, _MOST = 0.1, 30.0
 """Distances, in hairs, at which the two start again."""
@@ -48,7 +48,7 @@ _MASS_STEPS = 20_000_000
 """Steps that `predictability` may try unless it is told otherwise, times masses."""
 
 
-class Shadow:
+class TwinTrajectory:
     """Two near-exact bodies beside a body, and how fast they come apart.
 
     Args:
@@ -214,7 +214,7 @@ class GrowthMeter:
     """
 
     def __init__(self, body: Simulation) -> None:
-        self._shadow = Shadow(body)
+        self._shadow = TwinTrajectory(body)
         self._steps = body.step_count
         self._times, self._levels = [body.time], [0.0]
 
@@ -259,7 +259,7 @@ def growth_within(times: Sequence[float], levels: Sequence[float], span: float) 
 
     Args:
         times: ascending, s.
-        levels: see `Shadow`.
+        levels: see `TwinTrajectory`.
         span: s.
     """
     if not times or times[-1] - times[0] < span:
@@ -277,7 +277,7 @@ def factor_of(level: float) -> float:
 
 def hair_of(scene: Scene) -> float:
     """How far the two bodies beside one of a scene are apart at first, px."""
-    return _HAIR * _typical_length(scene)
+    return _PERTURBATION * _typical_length(scene)
 
 
 def horizon(scene: Scene, per_second: float) -> float:

@@ -65,13 +65,13 @@ def swings(time: Floats, values: Floats) -> Swings | None:
     reach = float(np.ptp(values)) if values.size else 0.0
     if values.size < 8 or not reach > _STILL * size:
         return None
-    at = _turns(values, _RIPPLE * reach)
+    at = _extrema(values, _RIPPLE * reach)
     if len(at) < 4:
         return None
     extremes = np.array([_vertex(values, i) for i in at])
     centre = _centre(extremes)
     # From the first extreme to the last: what is before and after may be no swing.
-    moments = _passages(time[at[0] : at[-1] + 1], values[at[0] : at[-1] + 1] - centre)
+    moments = _zero_crossings(time[at[0] : at[-1] + 1], values[at[0] : at[-1] + 1] - centre)
     if len(moments) < 4 or not _is_regular(moments):
         return None
     halves = np.abs(np.diff(extremes))  # twice the amplitude, wherever the centre is
@@ -84,7 +84,7 @@ def swings(time: Floats, values: Floats) -> Swings | None:
     )
 
 
-def _turns(values: Floats, least: float) -> list[int]:
+def _extrema(values: Floats, least: float) -> list[int]:
     """Indices of maxima and minima in turn, between which the curve goes by some amount at least; both ends
     of the curve are none."""
     turns: list[int] = []
@@ -119,7 +119,7 @@ def _centre(extremes: Floats) -> float:
     return float((np.abs(bend) * limits).sum() / np.abs(bend).sum())
 
 
-def _passages(time: Floats, offsets: Floats) -> Floats:
+def _zero_crossings(time: Floats, offsets: Floats) -> Floats:
     """The moments at which a curve passes zero."""
     signs = np.where(offsets >= 0.0, 1, -1)
     i = np.flatnonzero(signs[1:] != signs[:-1])

@@ -12,9 +12,9 @@ import numpy as np
 from ..engine.tables import Floats, Indices
 from ..errors import InputError
 from ..forces.air import AIR
-from ..forces.joints import JointsTwin
+from ..forces.joints import JointsReference
 from ..forces.reference import Physics
-from ..forces.springs import SpringsTwin
+from ..forces.springs import SpringsReference
 from ..model.stable_spring import joint_softness, softening_note
 from ..model.system import build_system, damage_of, for_analysis, joint_stiffness, start_of
 from ..motion.stability import StabilityMeter, limit_at_start
@@ -22,7 +22,7 @@ from ..scene.columns import column, ends
 from ..scene.types import Scene, is_loaded
 from ..scene.validate import validate
 from ..solve.registry import METHODS
-from ..solve.stability_limits import flip, undamped_step
+from ..solve.stability_limits import period_doubling_limit, undamped_step
 from .decay import TENTH, Decay
 from .equilibrium import loaded_equilibrium
 from .vibrations import MAX_MASSES, Vibrations, free_vibrations
@@ -68,7 +68,7 @@ class Vibration:
         return TENTH / rate if rate > 0.0 else math.inf
 
 
-class Alone(NamedTuple):
+class UncoupledOscillators(NamedTuple):
     """What each spring, or each joint, would do if there were no others.
 
     Attributes:
@@ -107,8 +107,8 @@ class Tuning:
     sag: float | None
     sag_mass: int | None
     stable_steps: dict[str, float]
-    springs: Alone
-    joints: Alone
+    springs: UncoupledOscillators
+    joints: UncoupledOscillators
     notes: tuple[str, ...]
 
 
@@ -141,7 +141,7 @@ def tuning(scene: Scene) -> Tuning:
         fastest = _fastest(resting)
     methods = [name for name, method in METHODS.items() if method.limit and name != "stable_spring"]
     steps = {name: limit_at_start(scene, name).limit for name in methods}
-    (springs, joints), numbers = softnesses(scene), Numbers.of(scene)
+    (springs, joints), numbers = inverse_reduced_masses(scene), Numbers.of(scene)
     return Tuning(
         slowest=slowest,
         elastic=elastic,
@@ -173,7 +173,7 @@ class Numbers(NamedTuple):
         )
 
 
-def softnesses(scene: Scene) -> tuple[Floats, Floats]:
+def inverse_reduced_masses(scene: Scene) -> tuple[Floats, Floats]:
     """1 / the reduced mass of each spring (S,), and of each joint (J,), 1/kg.
 
     It is 0 where all masses are held, and of what is broken.
@@ -232,7 +232,7 @@ class Dampers:
                 del self._physics.terms[name]
         # Those whose damping is asked for.
         body, state = self._system.body, self._state
-        self._springs, self._joints = SpringsTwin(body, state), JointsTwin(body, state)
+        self._springs, self._joints = SpringsReference(body, state), JointsReference(body, state)
         self._physics.terms |= {"linear": self._springs, "angular": self._joints}
         self._mass = np.array([[m.mass] for m in scene.masses])
         self.numbers = Numbers.of(scene)
@@ -420,7 +420,9 @@ def _fastest(scene: Scene) -> Vibration | None:
     exact = for_analysis(scene)
     system, state = start_of(exact, build_system(exact))
     state.vx[:] = state.vy[:] = 0.0
-    meter = StabilityMeter(system, flip(0.0, undamped_step))  # 2 / the largest angular frequency
+    meter = StabilityMeter(
+        system, period_doubling_limit(0.0, undamped_step)
+    )  # 2 / the largest angular frequency
     limit = min(meter.update(state).limit for _ in range(_UPDATES))
     if not math.isfinite(limit):
         return None
@@ -433,11 +435,11 @@ def _fastest(scene: Scene) -> Vibration | None:
     return Vibration(omega / math.tau, ratio, shape)
 
 
-def _alone(stiffness: Floats, damping: Floats, softness: Floats) -> Alone:
+def _alone(stiffness: Floats, damping: Floats, softness: Floats) -> UncoupledOscillators:
     """Each alone, with k and c as in `sim.solve.stability_limits`: its limit is where dt² k + 2 dt c = 4."""
     k, c = stiffness * softness, damping * softness
     omega = np.sqrt(k)
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = np.where(c > 0.0, c / (2.0 * omega), 0.0)
         step = 4.0 / (c + np.sqrt(c * c + 4.0 * k))
-    return Alone(omega / math.tau, ratio, step)
+    return UncoupledOscillators(omega / math.tau, ratio, step)

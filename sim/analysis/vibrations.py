@@ -13,7 +13,7 @@ import numpy as np
 from ..engine.tables import Floats
 from ..errors import InputError
 from ..scene.types import Scene
-from .equilibrium import Resting
+from .equilibrium import StaticModel
 
 MAX_MASSES = 1000
 """Largest number of masses for vibrations, which are computed with full matrices."""
@@ -82,7 +82,7 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
     return _vibrations(body, count)
 
 
-def _vibrations(body: Resting, count: int) -> Vibrations:
+def _vibrations(body: StaticModel, count: int) -> Vibrations:
     # A negligible shift; without it the rows of held masses would be zero.
     softness, shapes = _motions(body, 1e-100, count)
     if not softness[0] < 1e18 * softness[-1]:
@@ -109,8 +109,8 @@ def free_vibrations(scene: Scene, count: int) -> Vibrations:
     return Vibrations(np.sqrt(square[kept]), _by_mass(body, shapes[kept]))
 
 
-def _checked(scene: Scene, count: int) -> Resting:
-    body = Resting(scene, balanced=False)
+def _checked(scene: Scene, count: int) -> StaticModel:
+    body = StaticModel(scene, balanced=False)
     freedoms = 2 * int(np.count_nonzero(body.state.inverse_mass))
     if not 1 <= count <= freedoms:
         raise InputError(f"vibrations: {count} is not in the range 1..{freedoms}")
@@ -119,7 +119,7 @@ def _checked(scene: Scene, count: int) -> Resting:
     return body
 
 
-def _motions(body: Resting, shift: float, count: int) -> tuple[Floats, Floats]:
+def _motions(body: StaticModel, shift: float, count: int) -> tuple[Floats, Floats]:
     """1 / (square of the angular frequency + shift) of the slowest motions, or of all, the slowest first, s²;
     and their shapes, flat.
 
@@ -188,7 +188,7 @@ def _slowest_few(
         return _eigen(np.array([scaled_inverse(unit) for unit in np.eye(size)]).T)
 
 
-def _by_mass(body: Resting, flat: Floats) -> Floats:
+def _by_mass(body: StaticModel, flat: Floats) -> Floats:
     """(k, n, 2) shapes, each relative to its largest amplitude."""
     shapes = np.array([np.column_stack(body.by_mass(row)) for row in flat])
     shapes = shapes.reshape(len(flat), body.tables.masses, 2)

@@ -22,13 +22,13 @@ from typing import Any
 from numba import types
 
 from ..engine.addresses import ADDRESSES, address_of
-from ..engine.calls import BY_ADDRESS, FLOATS
+from ..engine.calls import FLOATS, INDIRECT_CALLS
 from ..engine.kept import file_of, trouble
-from ..engine.tables import Body, Drive, Problem, State
+from ..engine.tables import Body, PrescribedMotion, Problem, State
 from ..forces.all import PARTS, accelerations, add_damping_product, any_accelerations, parts_of, path_of
-from ..forces.plasticity import part_to_try, settle, yielding_accelerations
+from ..forces.plasticity import commit_plasticity, event_fraction, yielding_accelerations
 from ..forces.touch.contact import no_tunnelling
-from ..forces.touch.friction_history import part_to_slip, stick
+from ..forces.touch.friction_history import slip_fraction, update_friction_history
 from ..solve.balance.energies import energies
 from ..solve.balance.work import accumulate_work
 from ..solve.linear.implicit import factorise_matrix, solve_matrix
@@ -39,8 +39,8 @@ from ..solve.steps.fallback import run_fallback
 _FLOAT, _INT = types.float64, types.int64
 
 _CALLED = {
-    **BY_ADDRESS,
-    "yielding_accelerations": BY_ADDRESS["accelerations"],
+    **INDIRECT_CALLS,
+    "yielding_accelerations": INDIRECT_CALLS["accelerations"],
     **{part.name: part.signature for part in PARTS},
 }
 """Signatures of the kernels that are called through their addresses."""
@@ -104,13 +104,13 @@ class EntryPoint:
 
 
 def _entry_points() -> dict[str, EntryPoint]:
-    problem, drive = Problem.numba_type, Drive.numba_type
+    problem, drive = Problem.numba_type, PrescribedMotion.numba_type
     run = (problem, drive, _FLOAT, _FLOAT, _INT)
     # In the order in which they are needed: those that `auto` uses come first.
     methods = sorted(METHODS.values(), key=lambda method: method not in AUTO_METHODS)
 
     def by_address(label: str, kernel: Any) -> tuple[str, Any, tuple[types.Type, ...]]:
-        return label, kernel, BY_ADDRESS[kernel.py_func.__name__].args
+        return label, kernel, INDIRECT_CALLS[kernel.py_func.__name__].args
 
     points = [
         by_address("the choice among forces", accelerations),
@@ -123,11 +123,11 @@ def _entry_points() -> dict[str, EntryPoint]:
         by_address("the work done in a step", accumulate_work),
         ("energies", energies, (Body.numba_type, State.numba_type, *[FLOATS] * 4)),
         by_address("steps with contact", no_tunnelling),
-        ("forces that yield", yielding_accelerations, BY_ADDRESS["accelerations"].args),
-        by_address("limits of springs", part_to_try),
-        by_address("where friction begins to slide", part_to_slip),
-        by_address("friction that holds", stick),
-        by_address("yielding and breaking", settle),
+        ("forces that yield", yielding_accelerations, INDIRECT_CALLS["accelerations"].args),
+        by_address("limits of springs", event_fraction),
+        by_address("where friction begins to slide", slip_fraction),
+        by_address("friction that holds", update_friction_history),
+        by_address("yielding and breaking", commit_plasticity),
     ]
     parts = [EntryPoint(p.name, p.label, p.kernel, p.signature.args, p.number) for p in PARTS]
     found = {point.name: point for point in parts}
@@ -143,10 +143,10 @@ ENTRY_POINTS = _entry_points()
 FOR_MATRICES = ("factorise_matrix", "solve_matrix", "add_damping_product")
 """Entry points that linear systems need, besides those of a body's forces."""
 
-FOR_STICKING = ("part_to_slip", "stick")
+FOR_STICKING = ("slip_fraction", "update_friction_history")
 """Entry points that a body with tangential springs needs."""
 
-FOR_DAMAGE = ("yielding_accelerations", "part_to_try", "settle")
+FOR_DAMAGE = ("yielding_accelerations", "event_fraction", "commit_plasticity")
 """Entry points that a body needs which breaks or yields."""
 
 

@@ -99,7 +99,7 @@ class Series:
         return float(np.sqrt(np.nanmean(self.residuals**2)))
 
 
-class Told:
+class Identifiability:
     """What the data tell of the unknowns.
 
     Args:
@@ -122,7 +122,7 @@ class Told:
         give_way: Callable[[Floats, Sequence[int]], tuple[Floats, float]],
     ) -> None:
         self._parameters, self._u, self._spread, self._wide = parameters, u, spread, wide
-        self._give_way = give_way
+        self._profile = give_way
         self._open = unknown.T @ unknown  # the projection onto what is unknown
         involved = np.flatnonzero((np.abs(unknown) > _INVOLVED).any(axis=0)).tolist()
         self._reached: list[Floats] = [u]
@@ -157,7 +157,7 @@ class Told:
 
     def _risen(self, at: Floats, held: Sequence[int]) -> float:
         """By how much the sum of squares is larger at other u; notes where the data still allow it."""
-        at, rise = self._give_way(at, held)
+        at, rise = self._profile(at, held)
         if rise < self._wide**2:
             self._reached.append(at)
         return rise
@@ -368,7 +368,7 @@ def at_ends(
     ]
 
 
-def hanging_together(series: Sequence[Series]) -> list[str]:
+def autocorrelated(series: Sequence[Series]) -> list[str]:
     """Of which columns more than noise is left."""
     found = []
     for each in series:

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from ..errors import InputError
 from ..scene.types import Scene
 from ..scene.validate import validate
-from .estimates import Estimate, Series, Told, at_ends, hanging_together
+from .estimates import Estimate, Identifiability, Series, at_ends, autocorrelated
 from .measurements import Measurement, read_measurements
 from .residuals import Problem
 
@@ -271,7 +271,9 @@ class _Search:
     def _is_noise(self, u: Floats) -> bool:
         """Whether nothing is left but noise, so that no other start can do better."""
         every = [row for table in self._left(u) for row in table]
-        return all(counted_once(row) == 1.0 for row in every) and all(np.nanstd(row) < 0.5 for row in every)
+        return all(effective_sample_fraction(row) == 1.0 for row in every) and all(
+            np.nanstd(row) < 0.5 for row in every
+        )
 
     def _left_noise(self, u: Floats) -> list[Floats]:
         """The noise of each column, from what is left of it."""
@@ -290,7 +292,7 @@ class _Search:
 
         problem = self._problem
         left = self._left(u)
-        shares = [np.array([counted_once(row) for row in each]) for each in left]
+        shares = [np.array([effective_sample_fraction(row) for row in each]) for each in left]
         noise = [n / np.sqrt(s) for n, s in zip(self._noise, shares, strict=True)]
         residuals = partial(problem.residuals, noise=noise)
         slopes, singular, directions, known = self._directions(u, residuals)
@@ -305,9 +307,9 @@ class _Search:
         freedom = max(1.0, sum(float(each.sum()) for each in effective) - u.size)
         wide = float(student.ppf(0.5 + 0.5 * _CONFIDENCE, freedom))
         spread = directions[known] / singular[known, None]
-        told = Told(
+        told = Identifiability(
             problem.parameters, u, spread, directions[~known], wide,
-            partial(self._give_way, residuals, slopes, float((residuals(u) ** 2).sum()), wide**2),
+            partial(self._profile, residuals, slopes, float((residuals(u) ** 2).sum()), wide**2),
         )  # fmt: skip
         values = problem.in_units_of_tables(told.values(), u)
         runs = problem.fitted(u)
@@ -324,14 +326,14 @@ class _Search:
             *told.sentences(),
             *problem.lengths_told(u),
             *at_ends(problem.parameters, u, self._low, self._high, told.known),
-            *hanging_together(series),
+            *autocorrelated(series),
         ]
         return Fit(
             problem.scene_at(u), {each.name: each for each in values}, tuple(series), tuple(sentences),
             lambda by: problem.scene_at(np.clip(u + by, self._low, self._high)), spread,
         )  # fmt: skip
 
-    def _give_way(
+    def _profile(
         self,
         residuals: Callable[[Floats], Floats],
         slopes: Floats,
@@ -362,7 +364,7 @@ class _Search:
         return best, rise
 
 
-def counted_once(residuals: Floats) -> float:
+def effective_sample_fraction(residuals: Floats) -> float:
     """What part of some residuals is independent, by the correlation of neighbours; 1 where that is not more
     than chance.
 

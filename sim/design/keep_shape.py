@@ -9,8 +9,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.equilibrium import NEUTRAL, NEUTRAL_FREE, Resting
-from ..edit.build import in_turn
+from ..analysis.equilibrium import NEUTRAL, NEUTRAL_FREE, StaticModel
+from ..edit.build import wrapped_degrees
 from ..edit.edit import Selection, of_parts
 from ..errors import InputError, SceneError
 from ..forces.touch.walls import WallRow
@@ -92,7 +92,7 @@ def keep_shape(scene: Scene, parts: Selection | None = None, allow_stiffening: b
         springs[list(parts.springs)] = joints[list(parts.joints)] = True
     positions = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
     at = np.array(positions, float).reshape(-1, 2).view(np.complex128).ravel()
-    body = Resting(scene, balanced=True)
+    body = StaticModel(scene, balanced=True)
     statics, x = _balance(body, at, springs, joints)
     if x is None:
         raise _unheld(statics, parts is not None)
@@ -132,13 +132,13 @@ def _turned(scene: Scene, shift: float) -> tuple[AngularSpring, ...]:
     if not shift:
         return scene.angular_springs
     return tuple(
-        msgspec.structs.replace(joint, rest_angle=in_turn(joint.rest_angle + shift))
+        msgspec.structs.replace(joint, rest_angle=wrapped_degrees(joint.rest_angle + shift))
         for joint in scene.angular_springs
     )
 
 
 # ------------------------------------------------------------------------- the balance
-def _balance(body: Resting, at: Vectors, springs: Bools, joints: Bools) -> tuple[Statics, Floats | None]:
+def _balance(body: StaticModel, at: Vectors, springs: Bools, joints: Bools) -> tuple[Statics, Floats | None]:
     """The balance in a pose, and what springs and joints bear in it; None where there is none.
 
     In that case masses that touch walls are set as deep into them as these have to push, if that helps. What
@@ -171,7 +171,7 @@ def _balance(body: Resting, at: Vectors, springs: Bools, joints: Bools) -> tuple
     return statics, x
 
 
-def _touching(body: Resting, at: Vectors) -> Touch:
+def _touching(body: StaticModel, at: Vectors) -> Touch:
     """What touches a wall, or is in one."""
     free = body.state.inverse_mass[body.system.mass_index] > 0.0
     masses: list[Indices] = []
@@ -194,7 +194,7 @@ def _touching(body: Resting, at: Vectors) -> Touch:
     return Touch(*columns)
 
 
-def _set_into_walls(body: Resting, at: Vectors, touch: Touch, pushes: Floats) -> Vectors:
+def _set_into_walls(body: StaticModel, at: Vectors, touch: Touch, pushes: Floats) -> Vectors:
     """The positions with each touching mass as deep in its wall as that pushes it, kg px/s²."""
     moved = at.copy()
     for row, numbers in enumerate(body.tables.environment.walls.rows):
@@ -206,7 +206,7 @@ def _set_into_walls(body: Resting, at: Vectors, touch: Touch, pushes: Floats) ->
     return moved
 
 
-def _hold_along_walls(body: Resting, at: Vectors, touch: Touch, forces: Floats) -> None:
+def _hold_along_walls(body: StaticModel, at: Vectors, touch: Touch, forces: Floats) -> None:
     """Stretch the tangential springs of touching masses so that they hold with these forces, kg px/s²."""
     state, slot = body.state, body.system.mass_index
     for row, numbers in enumerate(body.tables.environment.walls.rows):
@@ -317,7 +317,9 @@ def _with_rest(scene: Scene, statics: Statics, x: Floats, stiffening: float) -> 
     for j in np.flatnonzero(statics.joints).tolist():
         old = joints[j]
         stiffness = old.stiffness * stiffening
-        joints[j] = msgspec.structs.replace(old, rest_angle=in_turn(float(angles[j])), stiffness=stiffness)
+        joints[j] = msgspec.structs.replace(
+            old, rest_angle=wrapped_degrees(float(angles[j])), stiffness=stiffness
+        )
     pose = Pose(
         positions=tuple(zip(statics.at.real.tolist(), statics.at.imag.tolist(), strict=True)),
         velocities=((0.0, 0.0),) * statics.at.size,
@@ -334,7 +336,7 @@ def _with_rest(scene: Scene, statics: Statics, x: Floats, stiffening: float) -> 
 # ------------------------------------------------------------------------- stability
 def _buckling(scene: Scene) -> Floats | None:
     """(n, 2) how a balanced body leaves its pose, relative to the largest movement; None if it is stable."""
-    body = Resting(scene, balanced=True)
+    body = StaticModel(scene, balanced=True)
     neutral = NEUTRAL if body.system.held.any() else NEUTRAL_FREE
     if body.factorise(body.start, neutral):
         return None

@@ -21,7 +21,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.equilibrium import Resting
+from ..analysis.equilibrium import StaticModel
 from ..analysis.tuning import Dampers, at_rest, elastic_vibration, pull_direction
 from ..analysis.vibrations import MAX_MASSES, Vibrations
 from ..errors import InputError
@@ -126,8 +126,8 @@ class AtRest:
         return np.array([float(across @ each) for each in vectors]) / float(across @ own)
 
     @cached_property
-    def _body(self) -> Resting:
-        return Resting(self.scene, balanced=False)
+    def _body(self) -> StaticModel:
+        return StaticModel(self.scene, balanced=False)
 
     @cached_property
     def _weights(self) -> Floats:
@@ -144,11 +144,11 @@ class AtRest:
         shape[place], shape[body.slots + place] = self.found.shapes[self.elastic].T
         return _SWAY * body.typical * shape
 
-    def _moves(self, changes: list[Change]) -> list[tuple[Floats, Resting, Resting]]:
+    def _moves(self, changes: list[Change]) -> list[tuple[Floats, StaticModel, StaticModel]]:
         """Of each number, the pose's move with its logarithm, and the bodies with a bit more and less."""
         body, found = self._body, []
         bodies = [
-            (Resting(change(self.scene, _STEP), False), Resting(change(self.scene, -_STEP), False))
+            (StaticModel(change(self.scene, _STEP), False), StaticModel(change(self.scene, -_STEP), False))
             for change in changes
         ]
         pushes = [
@@ -166,7 +166,7 @@ class AtRest:
         return [(move, more, less) for move, (more, less) in zip(found, bodies, strict=True)]
 
 
-def _along(body: Resting, at: Floats, shape: Floats) -> Floats:
+def _along(body: StaticModel, at: Floats, shape: Floats) -> Floats:
     """J times a shape at some positions, 1/s² times its unit, by a difference of fourth order."""
     one, two = (body.accelerations(at + k * shape) - body.accelerations(at - k * shape) for k in (1.0, 2.0))
     return (8.0 * one - two) / 12.0

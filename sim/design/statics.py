@@ -27,11 +27,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.equilibrium import Resting
+from ..analysis.equilibrium import StaticModel
 from ..forces.all import SURROUNDINGS
-from ..forces.joints import IN_NUMPY, TUTORIAL, JointsTwin
-from ..forces.springs import SpringsTwin
-from ..forces.touch.walls import WallRow, WallsTwin
+from ..forces.joints import IN_NUMPY, TUTORIAL, JointsReference
+from ..forces.springs import SpringsReference
+from ..forces.touch.walls import WallRow, WallsReference
 from ..scene.columns import ends
 from ..scene.types import Grips
 
@@ -107,7 +107,9 @@ class Statics:
         scale: the largest of `load` and of the weights in size.
     """
 
-    def __init__(self, body: Resting, at: Vectors, springs: Bools, joints: Bools, touching: Touch) -> None:
+    def __init__(
+        self, body: StaticModel, at: Vectors, springs: Bools, joints: Bools, touching: Touch
+    ) -> None:
         self._body, self.at, self._touching = body, at, touching
         scene, system, tables = body.scene, body.system, body.tables
         self.free = body.state.inverse_mass[system.mass_index] > 0.0
@@ -117,7 +119,7 @@ class Statics:
         k[system.spring_order] = tables.stiffness[: tables.springs]
         self._k, self._vectors = k, at[self._b] - at[self._a]
         self._lengths = np.maximum(np.abs(self._vectors), 1e-300)
-        self._size = tables.torque_size[1:][system.joint_order]
+        self._size = tables.angular_stiffness[1:][system.joint_order]
         self._size = self._size * self._lengths[self._first] * self._lengths[self._second]  # K |A||B|
         self.springs, self.joints = springs & (k > 0.0), joints & (self._size > 0.0)
         self._has_energy, self._law = tables.law != TUTORIAL, IN_NUMPY[tables.law]
@@ -163,17 +165,17 @@ class Statics:
         x[place] = self.at
         still, force = np.zeros_like(x), np.zeros_like(x)
         for term in SURROUNDINGS:
-            force += term.twin(body.tables, state).forces(x, still)
+            force += term.reference(body.tables, state).forces(x, still)
         order = body.system.spring_order
         others = np.flatnonzero(~self.springs[order])
-        force += SpringsTwin(body.tables, state, others).forces(x, still)
+        force += SpringsReference(body.tables, state, others).forces(x, still)
         others = body.system.joint_order[~self.joints]
-        force += JointsTwin(body.tables, state, others).forces(x, still)
+        force += JointsReference(body.tables, state, others).forces(x, still)
         weights = np.array([mass.mass for mass in body.scene.masses])
         known = force[place] + weights * complex(*body.scene.gravity)
         known += np.array([complex(*(mass.force or (0.0, 0.0))) for mass in body.scene.masses])
         # What touches a wall is an unknown instead.
-        for row, forces in enumerate(WallsTwin(body.tables, state).force_of_each(x, still)):
+        for row, forces in enumerate(WallsReference(body.tables, state).force_of_each(x, still)):
             here = np.unique(self._touching.mass[self._touching.wall == row])
             known[here] -= forces[place][here]
         return known

@@ -15,7 +15,7 @@ from ..analysis.tuning import (
     Hold,
     Numbers,
     broken_parts,
-    softnesses,
+    inverse_reduced_masses,
     vibrations_at_rest,
 )
 from ..edit.edit import Edit, counted, of_parts
@@ -109,7 +109,7 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
     if calm and _runs_away(scene) is None:
         return scene
     own, step = Numbers.of(scene), integrator.dt
-    springs, joints = softnesses(scene)
+    springs, joints = inverse_reduced_masses(scene)
     asked = Numbers(
         step**2 * springs, rule.damping * step * springs, step**2 * joints, rule.damping * step * joints
     )
@@ -263,7 +263,7 @@ def with_numbers_of(tuned: Scene, origin: Scene, scene: Scene, label: str) -> Ed
 
 
 def _with_damped(scene: Scene, springs: Collection[int]) -> Scene:
-    own, softness = Numbers.of(scene), softnesses(scene)[0]
+    own, softness = Numbers.of(scene), inverse_reduced_masses(scene)[0]
     damping, broken = own.damping.copy(), broken_parts(scene)[0]
     for spring in springs:
         if isinstance(spring, bool) or not isinstance(spring, int) or not 0 <= spring < len(softness):

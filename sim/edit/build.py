@@ -112,7 +112,7 @@ def add_joints(
         if (a, b) in taken or (b, a) in taken:
             continue
         taken.add((a, b))
-        joints.append(msgspec.structs.replace(typical, a=a, b=b, rest_angle=in_turn(angle)))
+        joints.append(msgspec.structs.replace(typical, a=a, b=b, rest_angle=wrapped_degrees(angle)))
     return with_added(f"{counted(len(joints), 'joint')} added", scene, joints=joints)
 
 
@@ -231,7 +231,7 @@ def angle_between(scene: Scene, a: int, b: int, positions: Sequence[Vector]) -> 
     return math.degrees(math.atan2(ax * by - ay * bx, ax * bx + ay * by))
 
 
-def in_turn(angle: float) -> float:
+def wrapped_degrees(angle: float) -> float:
     """An angle, degrees, wrapped into (-180, 180]."""
     return wrapped(math.remainder(angle, 360.0))
 

@@ -17,7 +17,7 @@ from ..scene.columns import column
 from ..scene.parts import AngularSpring, JointMuscle, LinearSpring, Mass, Muscle, SpringMuscle
 from ..scene.types import Damage, Scene
 from ..scene.validate import number_range
-from .build import angle_between, in_turn, positions_of
+from .build import angle_between, positions_of, wrapped_degrees
 from .edit import Edit, Selection, changed, counted, of_parts, refuse_missing
 from .shape import move
 
@@ -254,7 +254,7 @@ def take_as_rest(moment: Moment, parts: Selection) -> Edit:
 
 def _turned(angle: float, by: float) -> float:
     """A rest angle, degrees, turned and wrapped into (-180, 180]; exactly itself where it is not turned."""
-    return in_turn(angle + by) if by else angle
+    return wrapped_degrees(angle + by) if by else angle
 
 
 def _refuse_value(of: Number, value: float | None) -> None:

@@ -11,38 +11,38 @@ from numba import types
 
 from .addresses import calls
 from .jit import kernel
-from .tables import Body, Drive, Matrix, Problem, Scratch, State
+from .tables import Body, Matrix, PrescribedMotion, Problem, Scratch, State
 
 FLOATS = types.Array(types.float64, 1, "C")
 """numba's type of a one-dimensional array of floats."""
 _FLOAT = types.float64
 _BODY, _STATE, _SCRATCH, _MATRIX = (table.numba_type for table in (Body, State, Scratch, Matrix))
-_PROBLEM, _DRIVE = Problem.numba_type, Drive.numba_type
+_PROBLEM, _DRIVE = Problem.numba_type, PrescribedMotion.numba_type
 
-BY_ADDRESS = {
+INDIRECT_CALLS = {
     "accelerations": types.void(_BODY, _STATE, _SCRATCH, FLOATS, FLOATS, FLOATS),
     "accumulate_work": types.void(_PROBLEM, _DRIVE, _FLOAT, FLOATS, FLOATS, FLOATS, _FLOAT),
     "factorise_matrix": types.boolean(_BODY, _STATE, _MATRIX, FLOATS, FLOATS, _FLOAT, _FLOAT, types.boolean),
     "solve_matrix": types.void(_BODY, _STATE, _MATRIX, FLOATS),
     "add_damping_product": types.void(_BODY, _STATE, FLOATS, FLOATS, FLOATS, _FLOAT, FLOATS),
     "no_tunnelling": types.boolean(_BODY, FLOATS, FLOATS),
-    "part_to_try": _FLOAT(_PROBLEM, *[FLOATS] * 5, _FLOAT, _FLOAT),
-    "part_to_slip": types.float64(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT, _FLOAT),
-    "stick": types.void(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT),
-    "settle": types.boolean(_PROBLEM, *[FLOATS] * 4, _FLOAT),
+    "event_fraction": _FLOAT(_PROBLEM, *[FLOATS] * 5, _FLOAT, _FLOAT),
+    "slip_fraction": types.float64(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT, _FLOAT),
+    "update_friction_history": types.void(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT),
+    "commit_plasticity": types.boolean(_PROBLEM, *[FLOATS] * 4, _FLOAT),
 }
 """Signatures of the kernels that are called through their addresses, by their names."""
 
-_accelerations = calls(BY_ADDRESS["accelerations"])
-_accumulate_work = calls(BY_ADDRESS["accumulate_work"])
-_factorise_matrix = calls(BY_ADDRESS["factorise_matrix"])
-_solve_matrix = calls(BY_ADDRESS["solve_matrix"])
-_add_damping_product = calls(BY_ADDRESS["add_damping_product"])
-_no_tunnelling = calls(BY_ADDRESS["no_tunnelling"])
-_part_to_try = calls(BY_ADDRESS["part_to_try"])
-_part_to_slip = calls(BY_ADDRESS["part_to_slip"])
-_stick = calls(BY_ADDRESS["stick"])
-_settle = calls(BY_ADDRESS["settle"])
+_accelerations = calls(INDIRECT_CALLS["accelerations"])
+_accumulate_work = calls(INDIRECT_CALLS["accumulate_work"])
+_factorise_matrix = calls(INDIRECT_CALLS["factorise_matrix"])
+_solve_matrix = calls(INDIRECT_CALLS["solve_matrix"])
+_add_damping_product = calls(INDIRECT_CALLS["add_damping_product"])
+_no_tunnelling = calls(INDIRECT_CALLS["no_tunnelling"])
+_event_fraction = calls(INDIRECT_CALLS["event_fraction"])
+_slip_fraction = calls(INDIRECT_CALLS["slip_fraction"])
+_update_friction_history = calls(INDIRECT_CALLS["update_friction_history"])
+_commit_plasticity = calls(INDIRECT_CALLS["commit_plasticity"])
 
 
 @kernel(inline="always")
@@ -83,27 +83,32 @@ def no_tunnelling(problem, q, to_q):
 
 
 @kernel(inline="always")
-def part_to_try(problem, old, new, h, tolerance):
-    """The part of a step to try instead of it: by `forces.plasticity.part_to_try`, where anything yields or
-    breaks, and by `forces.touch.friction_history.part_to_slip`, where there are tangential springs."""
+def event_fraction(problem, old, new, h, tolerance):
+    """The part of a step to try instead of it: by `forces.plasticity.event_fraction`, where anything yields
+    or breaks, and by `forces.touch.friction_history.slip_fraction`, where there are tangential springs."""
     part = 1.0
-    if problem.part_to_try != 0:
-        part = _part_to_try(problem.part_to_try, problem, old.q, old.v, new.q, new.v, new.a, h, tolerance)
-    if problem.part_to_slip != 0:
+    if problem.event_fraction != 0:
+        part = _event_fraction(
+            problem.event_fraction, problem, old.q, old.v, new.q, new.v, new.a, h, tolerance
+        )
+    if problem.slip_fraction != 0:
         part = min(
-            part, _part_to_slip(problem.part_to_slip, problem, old.q, old.v, new.q, new.v, h, tolerance)
+            part, _slip_fraction(problem.slip_fraction, problem, old.q, old.v, new.q, new.v, h, tolerance)
         )
     return part
 
 
 @kernel(inline="always")
-def settle(problem, old, new, h):
-    """`forces.plasticity.settle` after a step, where anything yields or breaks."""
-    return problem.settle != 0 and _settle(problem.settle, problem, old.q, old.v, new.q, new.v, h)
+def commit_plasticity(problem, old, new, h):
+    """`forces.plasticity.commit_plasticity` after a step, where anything yields or breaks."""
+    return problem.commit_plasticity != 0 and _commit_plasticity(
+        problem.commit_plasticity, problem, old.q, old.v, new.q, new.v, h
+    )
 
 
 @kernel(inline="always")
-def stick(problem, old, new, h):
-    """`forces.touch.friction_history.stick` after a step, where there are tangential springs."""
-    if problem.stick != 0:
-        _stick(problem.stick, problem, old.q, old.v, new.q, new.v, h)
+def update_friction_history(problem, old, new, h):
+    """`forces.touch.friction_history.update_friction_history` after a step, where there are tangential
+    springs."""
+    if problem.update_friction_history != 0:
+        _update_friction_history(problem.update_friction_history, problem, old.q, old.v, new.q, new.v, h)

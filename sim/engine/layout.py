@@ -16,7 +16,7 @@ _ITEM = 8
 """Bytes of a float."""
 
 
-def slab(sizes: Sequence[tuple[int, int]], page_offset: int) -> list[Floats]:
+def aligned_arena(sizes: Sequence[tuple[int, int]], page_offset: int) -> list[Floats]:
     """Zeroed arrays, one after another in one block of memory.
 
     Each is given as (count, first): its length, and the index of the element to align to 64 bytes because
@@ -32,14 +32,14 @@ def slab(sizes: Sequence[tuple[int, int]], page_offset: int) -> list[Floats]:
 
 
 def _block(room: int, page_offset: int) -> tuple[Floats, int]:
-    """Zeros, and the index from which on there is room for so many; see `slab`."""
+    """Zeros, and the index from which on there is room for so many; see `aligned_arena`."""
     block = np.zeros(room + _PAGE // _ITEM)
     return block, (page_offset - address_of(block)) % _PAGE // _ITEM
 
 
 @lru_cache(maxsize=64)
 def _spans(sizes: tuple[tuple[int, int], ...]) -> tuple[int, list[tuple[int, int]]]:
-    """The numbers that a slab has, and the first and the last of each array in it."""
+    """The numbers that an arena has, and the first and the last of each array in it."""
     spans, start = [], 0
     for count, first in sizes:
         begin = start + (-first) % 8
@@ -60,13 +60,13 @@ class Layout(Generic[_Made]):
 
     Args:
         first: the table; all others have its numbers, and those of its arrays that are not in the block.
-        arrays: what `slab` made, in which the arrays of the table are.
-        page_offset: as of `slab`.
+        arrays: what `aligned_arena` made, in which the arrays of the table are.
+        page_offset: as of `aligned_arena`.
     """
 
     def __init__(self, first: _Made, arrays: Sequence[Floats], page_offset: int) -> None:
         block = arrays[0].base
-        assert block is not None, "it is a part of the slab"
+        assert block is not None, "it is a part of the arena"
         self._room, self._page_offset = block.size - _PAGE // _ITEM, page_offset
         self._begins = address_of(block) + (page_offset - address_of(block)) % _PAGE
         self._parts: list[Part] = []

@@ -93,7 +93,7 @@ class Body(Table):
     joint_a: Indices  # (J,) first spring of each joint
     joint_b: Indices
     joint_rest: Floats  # (J,) degrees, before the shift
-    torque_size: Floats  # stiffness of joint j at index j + 1, kg/s²; at index 0 a ring's last, or zero
+    angular_stiffness: Floats  # stiffness of joint j at index j + 1, kg/s²; at index 0 a ring's last, or zero
     torque_damping: Floats  # damping of joint j at index j + 1, kg/s
     hinged: int  # number of springs that joints hold, which come before all others
     held: Links  # these springs, between slots of masses
@@ -105,8 +105,8 @@ class Body(Table):
 
     @property
     def joint_stiffness(self) -> Floats:
-        """(J,) a view of the joints' part of `torque_size`; for Python only."""
-        return self.torque_size[1 : self.joints + 1]
+        """(J,) a view of the joints' part of `angular_stiffness`; for Python only."""
+        return self.angular_stiffness[1 : self.joints + 1]
 
 
 class State(Table):
@@ -253,7 +253,7 @@ class Matrix(Table):
     loop_target: Indices
     # For the products of gradients of the B fillings that are not small, see `solve.linear.implicit`.
     bordered: Indices  # (B,) their numbers
-    borders: Rows  # (2 B, 2 slots)
+    low_rank: Rows  # (2 B, 2 slots)
     corrections: Rows  # (B + 1, B)
     # For contact, see `solve.linear.krylov`; empty where there is none.
     of_mass: Indices  # (slots,) block of each mass on the diagonal
@@ -263,7 +263,7 @@ class Matrix(Table):
     hessenberg: Rows  # (K + 4, K + 1) scratch of GMRES
 
 
-class Drive(Table):
+class PrescribedMotion(Table):
     """How held masses move, and what held keys do, during a call."""
 
     moving: bool  # any mass is listed here, a key is held, or anything changes with time
@@ -272,14 +272,14 @@ class Drive(Table):
     start: float  # time at the start of the call, s
     duration: float  # s until masses that are led straight reach their targets; infinite if there are none
     mass: Indices  # (M,) slots of the masses
-    rows: Rows  # (M, 12), a `Lead` each
+    rows: Rows  # (M, 12), a `LeadParameters` each
     scale: float  # of rest lengths at the start
     shift: float  # of rest angles at the start, degrees
     growth: float  # rate of the logarithm of the scale of rest lengths, 1/s
     turn: float  # rate of the rest angles, degrees/s
 
 
-class Lead(NamedTuple):
+class LeadParameters(NamedTuple):
     """How a held mass is led."""
 
     x: float  # px, where it is at the start, without its circle
@@ -314,7 +314,7 @@ class Run(Record):
     fallbacks: int  # fallback steps
 
 
-class Phase(Table):
+class PhasePoint(Table):
     """A point of the motion: what a step leads from, and to; vectors as in `State`."""
 
     q: Floats  # (2 slots) positions, px
@@ -322,7 +322,7 @@ class Phase(Table):
     a: Floats  # (2 slots) accelerations, px/s²; of no meaning for methods that do not keep them
 
 
-class Trial(Record):
+class StepAttempt(Record):
     """One step that is tried, see `solve.steps.loop`."""
 
     h: float  # its length, s; of each, if several are done at once
@@ -408,11 +408,11 @@ class IntegratorState(Table):
     """Mutable: what an integrator keeps from step to step, and its scratch; vectors as in `State`."""
 
     a: Floats  # accelerations of the state, px/s²
-    old: Phase  # the state and these accelerations
-    new: Phase  # room for a step
+    old: PhasePoint  # the state and these accelerations
+    new: PhasePoint  # room for a step
     rows: Rows  # (R, 2 slots) scratch
     run: Run
-    trial: Trial
+    trial: StepAttempt
     verlet: VerletState
     alpha: AlphaState
     adams: AdamsState
@@ -495,7 +495,7 @@ class EnergyBalance(Table):
     work: Work
     rows: Rows  # (k, 2 slots) scratch, see `solve.balance.work`
     dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `solve.balance.dissipation`
-    quick: Rows  # (W, 2 slots) scratch, see `forces.touch.walls.mark_quick`; empty for methods of first order
+    quick: Rows  # (W, 2 slots) scratch, see `mark_stiff_friction`; empty for methods of first order
 
 
 class Problem(Table):
@@ -507,17 +507,17 @@ class Problem(Table):
     matrix: Matrix  # empty where no method is implicit
     integrator: IntegratorState
     balance: EnergyBalance
-    # Addresses of the kernels of `engine.calls.BY_ADDRESS`; 0 for one that the run does not need.
+    # Addresses of the kernels of `engine.calls.INDIRECT_CALLS`; 0 for one that the run does not need.
     accelerations: int  # those of a body that yields, where something does
     accumulate_work: int
     factorise_matrix: int
     solve_matrix: int
     add_damping_product: int
     no_tunnelling: int
-    part_to_try: int
-    part_to_slip: int
-    stick: int
-    settle: int
+    event_fraction: int
+    slip_fraction: int
+    update_friction_history: int
+    commit_plasticity: int
     fixed: float  # the step, s, or 0 for error control
     near_limit: float  # s; steps from here on count as near the stability limit, for a body without damping
     near_damped_limit: float  # s; the same, with damping

@@ -227,8 +227,8 @@ def _add_damping(body, state, q, v, z, factor, out):
 
 
 # ------------------------------------------------------------------------- in NumPy
-class AirTwin:
-    """The air in NumPy; see `Twin`."""
+class AirReference:
+    """The air in NumPy; see `Reference`."""
 
     def __init__(self, body: Body, state: State) -> None:
         self._air, self._state = body.environment.air, state
@@ -242,19 +242,19 @@ class AirTwin:
         return total
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """See `Twin`; also on masses that are held."""
+        """See `Reference`; also on masses that are held."""
         u = v - self.wind(x) if self._air.moves else v
         return -self._air.friction * (u.real * abs(u.real) + 1j * (u.imag * abs(u.imag)))
 
     def energy(self, x: Vectors) -> float:
-        """See `Twin`."""
+        """See `Reference`."""
         return 0.0
 
 
 AIR = Term(
     "air friction",
     is_windy,
-    AirTwin,
+    AirReference,
     _add_forces,
     field="air",
     table=Air,

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..engine.addresses import ADDRESSES, NONE, calls
-from ..engine.calls import BY_ADDRESS
+from ..engine.calls import INDIRECT_CALLS
 from ..engine.jit import FAST, kernel
 from ..engine.lanes import eight_at_a_time, whole_eights
 from ..engine.tables import Body
@@ -47,7 +47,7 @@ _CHAIN, _ANY = (_OF_TERM * len(TERMS) + path for path in range(2))
 _call_forces, _call_energy, _call_power, _call_derivatives, _call_damping, _call_impact = map(
     calls, SIGNATURES.values()
 )
-_call_accelerations = calls(BY_ADDRESS["accelerations"])
+_call_accelerations = calls(INDIRECT_CALLS["accelerations"])
 _ENERGY_AT = np.array([WITH_ENERGY.index(term) if term in WITH_ENERGY else 0 for term in TERMS])
 """Of each term, where its energy stands among those of `WITH_ENERGY`."""
 
@@ -182,7 +182,7 @@ def accelerations(body, state, scratch, q, v, a):
 
 
 _PATHS = {
-    number: Part(function.py_func.__name__, label, function, BY_ADDRESS["accelerations"], number)
+    number: Part(function.py_func.__name__, label, function, INDIRECT_CALLS["accelerations"], number)
     for number, label, function in (
         (_CHAIN, "accelerations in chains", chain_accelerations),
         (_ANY, "accelerations in any body", any_accelerations),

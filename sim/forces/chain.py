@@ -125,7 +125,7 @@ def _accelerate_by_law(body, state, scratch, x, y, vx, vy, ax, ay):
 @kernel(inline="always")
 def _accelerate(law, body, state, scratch, x, y, vx, vy, ax, ay):
     n, soft = body.masses, body.softenings
-    cos, sin, size = state.torque_cos, state.torque_sin, body.torque_size
+    cos, sin, size = state.torque_cos, state.torque_sin, body.angular_stiffness
     rest_tension, stiffness, damping = state.rest_tension, body.stiffness, body.damping
     w, air, gx, gy = state.inverse_mass, state.air, state.gx, state.gy
     carried = _nothing()

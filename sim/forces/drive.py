@@ -6,7 +6,7 @@ import math
 
 from ..engine.jit import kernel
 from ..engine.numerics.waves import wave
-from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN, Lead
+from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN, LeadParameters
 
 
 @kernel(internal=True)
@@ -20,7 +20,7 @@ def wrap(angle):
 
 
 @kernel(internal=True)
-def refresh(body, state):
+def update_rest_state(body, state):
     """Recompute what depends on the scale of rest lengths, the shift of rest angles, and the clock."""
     scale = state.controls[CONTROL_SCALE]
     for s in range(body.springs):
@@ -37,11 +37,11 @@ def refresh(body, state):
         for s in range(body.springs):
             state.trial_tension[s] = state.rest_tension[s]
     if body.muscles.present:
-        flex(body, state)
+        actuate_muscles(body, state)
 
 
 @kernel(internal=True)
-def flex(body, state):
+def actuate_muscles(body, state):
     """Let muscles move rest lengths and rest angles to where they are at the time of the clock."""
     muscles, t, scale = body.muscles, state.clock[0], state.controls[CONTROL_SCALE]
     for i in range(muscles.spring.size):
@@ -65,8 +65,8 @@ def _turn_to(body, state, j, more):
     if body.limits.present:
         degrees = wrap(degrees + state.set_angle[j])
     rest = math.radians(wrap(degrees + more))
-    state.torque_cos[j + 1] = body.torque_size[j + 1] * math.cos(rest)
-    state.torque_sin[j + 1] = body.torque_size[j + 1] * math.sin(rest)
+    state.torque_cos[j + 1] = body.angular_stiffness[j + 1] * math.cos(rest)
+    state.torque_sin[j + 1] = body.angular_stiffness[j + 1] * math.sin(rest)
     state.torque_rest[j + 1] = rest
     if body.limits.present:
         state.trial_angle[j] = rest
@@ -85,7 +85,7 @@ def circle_at(t, radius, omega, ramp):
 def lead_of(drive, i):
     """How the i-th mass of the drive is led."""
     row = drive.rows[i]
-    return Lead(
+    return LeadParameters(
         row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8], row[9], row[10], row[11]
     )
 
@@ -103,11 +103,11 @@ def hand_speed(lead, since):
 def drive_to(body, state, drive, t, q, v):
     """Set the held masses in q and v to their state at time t, and rest lengths and angles likewise."""
     lead_to(drive, t, q, v)
-    act_at(body, state, drive, t)
+    apply_controls_at(body, state, drive, t)
 
 
 @kernel(forceinline=True)
-def act_at(body, state, drive, t):
+def apply_controls_at(body, state, drive, t):
     """Set the clock to time t, and rest lengths and angles to what held keys and muscles make of them then.
 
     A step that is refused has set them to a later time.
@@ -116,22 +116,22 @@ def act_at(body, state, drive, t):
     if drive.pressed:
         since = t - drive.start
         scale, shift = scale * math.exp(drive.growth * since), shift + drive.turn * since
-    act_as(body, state, drive, t, scale, shift)
+    apply_controls(body, state, drive, t, scale, shift)
 
 
 @kernel(forceinline=True)
-def act_as(body, state, drive, t, scale, shift):
+def apply_controls(body, state, drive, t, scale, shift):
     """Set the clock to time t, muscles to what they are then, and what held keys change to given values."""
     if drive.timed:
         state.clock[0] = t
     if drive.pressed:
         set_controls(body, state, scale, shift)
     elif body.muscles.present:
-        flex(body, state)
+        actuate_muscles(body, state)
 
 
 @kernel(forceinline=True)
-def press(body, state, drive, t, h):
+def integrate_keys(body, state, drive, t, h):
     """Set the clock to time t, and let held keys act for h more seconds.
 
     Unlike `drive_to`, this is the same for any grouping of steps.
@@ -139,7 +139,7 @@ def press(body, state, drive, t, h):
     scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
     if drive.pressed:
         scale, shift = scale * math.exp(drive.growth * h), shift + drive.turn * h
-    act_as(body, state, drive, t, scale, shift)
+    apply_controls(body, state, drive, t, scale, shift)
 
 
 @kernel(internal=True)
@@ -147,7 +147,7 @@ def set_controls(body, state, scale, shift):
     """Set the scale of rest lengths, clamped to its range, and the shift of rest angles, degrees, wrapped."""
     state.controls[CONTROL_SCALE] = min(max(scale, SCALE_MIN), SCALE_MAX)
     state.controls[CONTROL_SHIFT] = 180.0 - (180.0 - shift) % 360.0
-    refresh(body, state)
+    update_rest_state(body, state)
 
 
 @kernel(forceinline=True)

@@ -64,7 +64,7 @@ def _part_beyond(h, kink, bend, unseen):
 
 
 @kernel(fastmath=FAST)
-def part_to_kink(h, y0, r0, y1, r1, room, quick, unseen):
+def kink_fraction(h, y0, r0, y1, r1, room, quick, unseen):
     """The part of a step that leads just beyond where something begins to yield, or where it turns round.
 
     Args:
@@ -92,11 +92,11 @@ def part_to_kink(h, y0, r0, y1, r1, room, quick, unseen):
 
 
 @kernel(fastmath=FAST)
-def part_to_bend(h, y0, r0, y1, r1, mobility, unseen):
+def bend_fraction(h, y0, r0, y1, r1, mobility, unseen):
     """The part of a step that leads just beyond where a force has a kink, as what it is limited by is passed.
 
     Args:
-        h, unseen: as in `part_to_kink`.
+        h, unseen: as in `kink_fraction`.
         y0, r0, y1, r1: of both ends, how far it is beyond its limit, kg px/s², and the rate of that.
         mobility: acceleration of a mass by a force of one, 1/kg.
     """
@@ -112,7 +112,7 @@ def part_to_bend(h, y0, r0, y1, r1, mobility, unseen):
 
 
 @kernel(fastmath=FAST)
-def part_to_slip(h, spring, mobility, start, end, unseen):
+def slip_fraction(h, spring, mobility, start, end, unseen):
     """The part of a step that leads just beyond where a tangential spring begins to slide, or turns round.
 
     Args:
@@ -121,11 +121,11 @@ def part_to_slip(h, spring, mobility, start, end, unseen):
         mobility: acceleration by friction of one, 1/kg.
         start, end: of both ends, the stretch, px, the speed along, px/s, the most that friction can be,
             kg px/s², and the rate of that.
-        unseen: as in `part_to_kink`.
+        unseen: as in `kink_fraction`.
     """
     stiffness, damping = spring
     y0, r0, y1, r1 = slid(stiffness, start, end)
-    part = part_to_kink(h, y0, r0, y1, r1, math.inf, stiffness * mobility, unseen)
+    part = kink_fraction(h, y0, r0, y1, r1, math.inf, stiffness * mobility, unseen)
     # With the dashpot, friction is at its limit before the spring is, and not once that has turned round.
     (stretch0, along0, most0, grows0), (stretch1, along1, most1, grows1) = start, end
     elastic0 = min(max(stiffness * stretch0, -most0), most0)
@@ -135,7 +135,7 @@ def part_to_slip(h, spring, mobility, start, end, unseen):
         y0, y1 = side * (elastic0 + damping * along0) - most0, side * (elastic1 + damping * along1) - most1
         r0 = side * (stiffness * along0 + pull) - grows0
         r1 = side * (stiffness * along1 + pull) - grows1
-        part = min(part, part_to_bend(h, y0, r0, y1, r1, mobility, unseen))
+        part = min(part, bend_fraction(h, y0, r0, y1, r1, mobility, unseen))
     return part
 
 
@@ -143,7 +143,7 @@ def part_to_slip(h, spring, mobility, start, end, unseen):
 def slid(stiffness, start, end):
     """How far a tangential spring is beyond its limit at both ends of a step, px, and the rates of that.
 
-    Arguments as of `part_to_slip`.
+    Arguments as of `slip_fraction`.
     """
     (stretch0, along0, most0, grows0), (stretch1, along1, most1, grows1) = start, end
     side, soft = math.copysign(1.0, stretch1), 1.0 / stiffness
@@ -178,14 +178,14 @@ def stretch_since_touch(h, stiffness, depths, speeds, way, alongs, most):
 
 
 @kernel(fastmath=FAST)
-def part_to_touch(h, spring, mobility, depths, speeds, end, unseen):
+def touch_fraction(h, spring, mobility, depths, speeds, end, unseen):
     """The part of a step that leads just beyond where a mass enters what has a tangential spring.
 
     The step does not see the spring, which begins with its end.
 
     Args:
         depths, speeds: of both ends, px; and outwards, px/s.
-        h, spring, mobility, end, unseen: as in `part_to_slip`; the stretch does not matter.
+        h, spring, mobility, end, unseen: as in `slip_fraction`; the stretch does not matter.
     """
     stiffness, _ = spring
     entered = crossing(h, depths[0], -speeds[0], depths[1], -speeds[1])

@@ -259,15 +259,15 @@ def write_area_product(body, state, k, q, gradient, scaled):
 
 
 # ------------------------------------------------------------------------- in NumPy
-class FillingsTwin:
-    """Gases and liquids in NumPy; see `Twin`."""
+class FillingsReference:
+    """Gases and liquids in NumPy; see `Reference`."""
 
     def __init__(self, body: Body, _state: State) -> None:
         fillings = body.environment.fillings
         self._loops = list(zip(fillings.loops(), map(FillingRow._make, fillings.rows), strict=True))
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """See `Twin`."""
+        """See `Reference`."""
         total = np.zeros_like(x)
         for loop, filling in self._loops:
             after, before = np.roll(x[loop], -1), np.roll(x[loop], 1)
@@ -276,7 +276,7 @@ class FillingsTwin:
         return total
 
     def energy(self, x: Vectors) -> float:
-        """See `Twin`."""
+        """See `Reference`."""
         return sum(_energy_of(filling, polygon_area(x[loop])) for loop, filling in self._loops)
 
 
@@ -310,7 +310,7 @@ def _energy_of(filling: FillingRow, area: float) -> float:
 FILLINGS = Term(
     "fillings",
     lambda scene: bool(scene.fillings),
-    FillingsTwin,
+    FillingsReference,
     _add_forces,
     field="fillings",
     table=Fillings,

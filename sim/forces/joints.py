@@ -164,7 +164,7 @@ def joint_energies(body, state, q):
     for j in range(body.joints):
         (ax, ay), (bx, by) = joint_vectors(body, q, j)
         rest = state.torque_rest[j + 1]
-        energy += body.torque_size[j + 1] * joint_energy(body.law, ax, ay, bx, by, rest, body.softening)
+        energy += body.angular_stiffness[j + 1] * joint_energy(body.law, ax, ay, bx, by, rest, body.softening)
     return energy
 
 
@@ -193,7 +193,7 @@ def joint_power(body, state, q, j, turn):
     weight = math.sqrt(aa * bb)
     if not is_sine(body.law):
         weight = aa * bb / (length_of(ax, ay, body.softening) * length_of(bx, by, body.softening))
-    return -body.torque_size[j + 1] * weight * terms(body.law, off)[0] * math.radians(turn)
+    return -body.angular_stiffness[j + 1] * weight * terms(body.law, off)[0] * math.radians(turn)
 
 
 @kernel(fastmath=FAST)
@@ -204,7 +204,7 @@ def power_of_law(body, state, q, v):
         (ax, ay), (bx, by) = joint_vectors(body, q, j)
         (ux, uy), (wx, wy) = joint_vectors(body, v, j)
         aa, bb = length_of(ax, ay, body.softening), length_of(bx, by, body.softening)
-        size, cos, sin = body.torque_size[j + 1], state.torque_cos[j + 1], state.torque_sin[j + 1]
+        size, cos, sin = body.angular_stiffness[j + 1], state.torque_cos[j + 1], state.torque_sin[j + 1]
         # The rate of the conservative law's energy, and the power of the tutorial's torque.
         torque = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
         power += size * bb / aa * (ax * ux + ay * uy) + size * aa / bb * (bx * wx + by * wy)
@@ -363,7 +363,7 @@ def add_joint_derivatives(body, state, matrix, q, v, g, definite):
     for j in range(body.joints):
         (a, b), (rate_a, rate_b) = joint_vectors(body, q, j), joint_vectors(body, v, j)
         of_joint = joint_blocks(
-            body.law, body.torque_size[j + 1], state.torque_cos[j + 1], state.torque_sin[j + 1],
+            body.law, body.angular_stiffness[j + 1], state.torque_cos[j + 1], state.torque_sin[j + 1],
             state.torque_rest[j + 1], body.torque_damping[j + 1], a, b,
             inverse_of(a[0], a[1], body.softening), inverse_of(b[0], b[1], body.softening),
             body.softening, rate_a, rate_b, g, definite,
@@ -425,8 +425,8 @@ IN_NUMPY: dict[int, Callable[[Vectors], tuple[Floats, Floats]]] = {
 that would make it the gradient of an energy."""
 
 
-class JointsTwin:
-    """Joints in NumPy; see `Twin`.
+class JointsReference:
+    """Joints in NumPy; see `Reference`.
 
     Args:
         body, state: the tables.
@@ -447,12 +447,12 @@ class JointsTwin:
         self._ends = np.concatenate((self._end.ravel(), self._start.ravel()))
         self.stiffness, self.damping, self.rest_angle = (
             numbers[1 : body.joints + 1][rows]
-            for numbers in (body.torque_size, body.torque_damping, state.torque_rest)
+            for numbers in (body.angular_stiffness, body.torque_damping, state.torque_rest)
         )
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """See `Twin`."""
-        springs, square, torque, energy = self._bent(x, v)
+        """See `Reference`."""
+        springs, square, torque, energy = self._joint_trial_state(x, v)
         # The torque turns both springs towards the rest angle. The energy grows with both lengths, so its
         # gradient also pulls along them.
         pull = energy if self._has_energy else 0.0
@@ -463,7 +463,7 @@ class JointsTwin:
 
     def torques(self, x: Vectors, v: Vectors) -> Floats:
         """(k,) the torque of each joint, kg px²/s²: on its first spring; minus it acts on the second one."""
-        return self._bent(x, v)[2]
+        return self._joint_trial_state(x, v)[2]
 
     def rates(self, x: Vectors, v: Vectors) -> Floats:
         """(k,) the rate at which the angle of each joint grows, 1/s."""
@@ -471,8 +471,8 @@ class JointsTwin:
         return self._rates(springs, self._square(springs), v)
 
     def energy(self, x: Vectors) -> float:
-        """See `Twin`; for the tutorial's law that of the conservative one."""
-        return float(self._bent(x, np.zeros_like(x))[3].sum())
+        """See `Reference`; for the tutorial's law that of the conservative one."""
+        return float(self._joint_trial_state(x, np.zeros_like(x))[3].sum())
 
     def _springs(self, flat: Vectors) -> Vectors:
         """(2, k) the vectors of both springs of each joint: of positions, px, or of velocities, px/s."""
@@ -487,7 +487,7 @@ class JointsTwin:
         turning = (self._springs(v) * springs.conj()).imag / square
         return turning[1] - turning[0]
 
-    def _bent(self, x: Vectors, v: Vectors) -> tuple[Vectors, Floats, Floats, Floats]:
+    def _joint_trial_state(self, x: Vectors, v: Vectors) -> tuple[Vectors, Floats, Floats, Floats]:
         """(2, k) vectors of both springs of each joint, px, and the squares of their lengths, px²; a joint's
         torque, and its energy, kg px²/s²."""
         springs = self._springs(x)

@@ -5,9 +5,9 @@ its own times 1 + A w; a joint's rest angle is its own plus A w.
 
 Muscles are no `Term`, since they exert no force of their own. They change what springs and joints pull
 towards, as held keys do, and all that reads that goes by it: forces, derivatives, energies, what yields. So
-methods need to know only the time, see `forces.drive.flex`. They work on a body by moving: with the
-energy k (|L| - R)² / 2 of a spring by the power -k (|L| - R) dR/dt, and with the torque G of a joint by -G
-times the rate of its rest angle.
+methods need to know only the time, see `forces.drive.actuate_muscles`. They work on a body by moving: with
+the energy k (|L| - R)² / 2 of a spring by the power -k (|L| - R) dR/dt, and with the torque G of a joint by
+-G times the rate of its rest angle.
 """
 
 from __future__ import annotations

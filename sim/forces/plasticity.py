@@ -14,12 +14,12 @@ Limits are looked at by the force f of a spring and the torque of a joint, witho
 Yielding is a part of the force law. A step begins with what has yielded before (the history); at each
 evaluation `yield_at` maps the force back to the limit from there, so that all stages of a step see forces
 within the limits, and implicit methods the tangent of the mapped force, k H / (k + H) instead of k. After a
-step, `settle` makes what has yielded in it part of the history. Where a spring or joint has turned round
-within the step, the largest way between is taken from the cubic through lengths and rates at both ends.
+step, `commit_plasticity` makes what has yielded in it part of the history. Where a spring or joint has turned
+round within the step, the largest way between is taken from the cubic through lengths and rates at both ends.
 
 So the force is continuous, with a kink where yielding begins. Error control may miss that, and does not see
-where something turns round, or breaks too late: `part_to_try` asks for a step that ends there instead, as far
-as it matters to the tolerance.
+where something turns round, or breaks too late: `event_fraction` asks for a step that ends there instead, as
+far as it matters to the tolerance.
 
 The energy that is lost is entered into the energy balance, with that of what touches a spring that breaks.
 Limits are no `Term`, since they exert no force of their own.
@@ -41,7 +41,7 @@ from ..scene.columns import column
 from ..scene.types import Scene
 from .all import accelerations
 from .drive import wrap
-from .events import LARGEST_PART, UNSEEN, crossing, part_to_kink, peak
+from .events import LARGEST_PART, UNSEEN, crossing, kink_fraction, peak
 from .fillings import FillingRow
 from .joints import TUTORIAL, deflection_at, is_sine, joint_energy, joint_vectors, terms
 from .resistance import of_whole_springs
@@ -97,7 +97,7 @@ def _trial_force(body, state, q, s):
 
 
 @kernel(fastmath=FAST)
-def _set_by(body, state, s, over, force):
+def _plastic_increment(body, state, s, over, force):
     """How far the rest length of a spring moves for good, px; never to less than it may be.
 
     Args:
@@ -122,7 +122,7 @@ def _beyond(body, state, s, force):
 
 
 @kernel(fastmath=FAST)
-def _bent(body, state, q, j):
+def _joint_trial_state(body, state, q, j):
     """How a joint is bent at positions q, if it did not yield in this step.
 
     Returns:
@@ -131,7 +131,7 @@ def _bent(body, state, q, j):
         kept: that to which it returns.
         lengths: |A||B|, px².
     """
-    size, soft = body.torque_size[j + 1], body.softening
+    size, soft = body.angular_stiffness[j + 1], body.softening
     if size <= 0.0 or not body.limits.bending[j] < np.inf:
         return 0.0, np.inf, 0.0, 1.0
     (ax, ay), (bx, by) = joint_vectors(body, q, j)
@@ -152,7 +152,7 @@ def _turn_rest(body, state, j, rest):
     """Set the rest angle of a joint, radians."""
     if abs(rest) > math.pi:  # a deflection is wrapped once only
         rest -= math.copysign(2.0 * math.pi, rest)
-    size = body.torque_size[j + 1]
+    size = body.angular_stiffness[j + 1]
     state.torque_rest[j + 1] = rest
     state.torque_cos[j + 1], state.torque_sin[j + 1] = size * math.cos(rest), size * math.sin(rest)
 
@@ -168,10 +168,10 @@ def yield_at(body, state, q):
             if known:
                 moved = math.copysign(1.0, force) * over if state.yields[s] > 0.0 else 0.0
             else:
-                moved = _set_by(body, state, s, over, force)
+                moved = _plastic_increment(body, state, s, over, force)
             state.rest_tension[s] = state.trial_tension[s] + body.stiffness[s] * moved
     for j in range(body.joints):
-        off, limit, kept, _ = _bent(body, state, q, j)
+        off, limit, kept, _ = _joint_trial_state(body, state, q, j)
         on = state.yields[body.springs + j] > 0.0 if known else abs(off) > limit
         moved = off - math.copysign(kept, off) if on else 0.0
         if moved != 0.0 or state.torque_rest[j + 1] != state.trial_angle[j]:
@@ -179,7 +179,7 @@ def yield_at(body, state, q):
 
 
 @kernel(forceinline=True)
-def hold_branches(body, state, held):
+def freeze_active_set(body, state, held):
     """Let what yields be what the last `add_yielding_derivatives` found, whatever the forces are, or not.
 
     A difference quotient of the forces there would else be half of that of a spring that yields, and half of
@@ -219,7 +219,7 @@ def add_yielding_derivatives(body, state, matrix, q, v):
         on = beyond > -_ON * limits.yielding[s] / (stiffness + limits.hardening[s])
         state.yields[s] = -1.0
         if on and (beyond > 0.0 or (x * u + y * w) * force > 0.0):
-            moved = _set_by(body, state, s, max(beyond, 0.0), force)
+            moved = _plastic_increment(body, state, s, max(beyond, 0.0), force)
             if abs(moved) < beyond * (1.0 - _ON):
                 continue  # it cannot be squeezed any further
             state.yields[s] = 1.0
@@ -228,14 +228,16 @@ def add_yielding_derivatives(body, state, matrix, q, v):
             for k, sign in enumerate((1.0, -1.0, -1.0, 1.0)):
                 add_block(matrix.blocks, matrix.spring_target[4 * s + k], sign, block)
     for j in range(body.joints):
-        off, limit, kept, lengths = _bent(body, state, q, j)
+        off, limit, kept, lengths = _joint_trial_state(body, state, q, j)
         state.yields[body.springs + j] = -1.0
         if abs(off) < limit * (1.0 - _ON):
             continue
         if abs(off) <= limit and _opening(body, q, v, j)[0] * off <= 0.0:
             continue
         state.yields[body.springs + j] = 1.0
-        _add_yielding_joint(body, matrix, q, j, math.copysign(kept, off), body.torque_size[j + 1] * lengths)
+        _add_yielding_joint(
+            body, matrix, q, j, math.copysign(kept, off), body.angular_stiffness[j + 1] * lengths
+        )
 
 
 @kernel(fastmath=FAST)
@@ -302,7 +304,7 @@ def _spring_way(body, state, q, v, s):
 @kernel(forceinline=True, fastmath=FAST)
 def _joint_way(body, state, q, v, j):
     """Likewise for a joint, radians."""
-    off, limit, kept, _ = _bent(body, state, q, j)
+    off, limit, kept, _ = _joint_trial_state(body, state, q, j)
     side = math.copysign(1.0, off)
     turned, longer = _opening(body, q, v, j)
     torque, _, slope = terms(body.law, kept)
@@ -311,7 +313,7 @@ def _joint_way(body, state, q, v, j):
 
 
 @kernel(fastmath=FAST)
-def part_to_try(problem, q, v, to_q, to_v, to_a, h, tolerance):
+def event_fraction(problem, q, v, to_q, to_v, to_a, h, tolerance):
     """The part of a step that should be tried instead of it; 1 if it may be kept.
 
     Args:
@@ -335,16 +337,16 @@ def part_to_try(problem, q, v, to_q, to_v, to_a, h, tolerance):
                 rest = state.trial_tension[s] / stiffness
                 room = np.inf if side1 > 0.0 else rest - _SHORTEST_REST * body.rest_length[s]
                 quick = stiffness * (w[body.spring_a[s]] + w[body.spring_b[s]])
-                part = min(part, part_to_kink(h, y0, r0, y1, r1, room, quick, unseen))
+                part = min(part, kink_fraction(h, y0, r0, y1, r1, room, quick, unseen))
         if limits.breaking[s] < np.inf:
-            part = min(part, _part_to_break(problem, s, q, v, to_q, to_v, to_a, h, unseen))
+            part = min(part, _break_fraction(problem, s, q, v, to_q, to_v, to_a, h, unseen))
     for j in range(body.joints):
-        if limits.bending[j] < np.inf and body.torque_size[j + 1] > 0.0:
+        if limits.bending[j] < np.inf and body.angular_stiffness[j + 1] > 0.0:
             y0, r0, side0 = _joint_way(body, state, q, v, j)
             y1, r1, side1 = _joint_way(body, state, to_q, to_v, j)
             if side0 == side1:
                 quick = _joint_stiffness(body, w, to_q, j)
-                part = min(part, part_to_kink(h, y0, r0, y1, r1, np.inf, quick, unseen))
+                part = min(part, kink_fraction(h, y0, r0, y1, r1, np.inf, quick, unseen))
     return min(part, LARGEST_PART) if part < 1.0 else 1.0
 
 
@@ -355,11 +357,11 @@ def _joint_stiffness(body, w, q, j):
     (ax, ay), (bx, by) = joint_vectors(body, q, j)
     len_a, len_b = length_of(ax, ay, body.softening), length_of(bx, by, body.softening)
     light = max(w[body.spring_a[s]], w[body.spring_b[s]], w[body.spring_a[r]], w[body.spring_b[r]])
-    return body.torque_size[j + 1] * light * (len_a + len_b)
+    return body.angular_stiffness[j + 1] * light * (len_a + len_b)
 
 
 @kernel(fastmath=FAST)
-def _part_to_break(problem, s, q, v, to_q, to_v, to_a, h, unseen):
+def _break_fraction(problem, s, q, v, to_q, to_v, to_a, h, unseen):
     """The part of a step that leads just beyond the strength of a spring; 1 if the step may be kept.
 
     Too late a break adds the force that is gone, and the accelerations of what changes with it, for so long.
@@ -388,7 +390,7 @@ def _strain(body, state, q, v, s):
     """How far the force of a spring is beyond its strength, kg px/s², its rate, and its sign."""
     limits, stiffness = body.limits, body.stiffness[s]
     force, rate = _trial_force(body, state, q, s), stiffness * _lengthening(body, q, v, s)
-    moved = _set_by(body, state, s, _beyond(body, state, s, force), force)
+    moved = _plastic_increment(body, state, s, _beyond(body, state, s, force), force)
     side = math.copysign(1.0, force)
     if moved != 0.0:
         force -= stiffness * moved
@@ -398,7 +400,7 @@ def _strain(body, state, q, v, s):
 
 # ------------------------------------------------------------------------- after a step
 @kernel(fastmath=FAST)
-def settle(problem, q, v, to_q, to_v, h):
+def commit_plasticity(problem, q, v, to_q, to_v, h):
     """Make what has yielded in a step part of the history, and let springs break.
 
     Args:
@@ -421,7 +423,7 @@ def settle(problem, q, v, to_q, to_v, h):
                 y0, r0, side0 = _spring_way(body, state, q, v, s)
                 if side0 == side:
                     way, _ = peak(h, y0, r0, way, r1)
-            moved = _set_by(body, state, s, way, side)
+            moved = _plastic_increment(body, state, s, way, side)
             if moved != 0.0:
                 before = limits.yielding[s] + state.hardened[s]
                 state.set_length[s] += moved
@@ -450,7 +452,7 @@ def settle(problem, q, v, to_q, to_v, h):
 def _settle_joint(problem, j, q, v, to_q, to_v, h):
     """Let a joint yield, or break with one of its springs."""
     body, state, balance = problem.body, problem.state, problem.balance
-    size = body.torque_size[j + 1]
+    size = body.angular_stiffness[j + 1]
     if size <= 0.0:
         return
     s, r = body.joint_a[j], body.joint_b[j]
@@ -461,7 +463,7 @@ def _settle_joint(problem, j, q, v, to_q, to_v, h):
             if side0 == side:
                 way, _ = peak(h, y0, r0, way, r1)
         if way > 0.0:
-            _, limit, kept, lengths = _bent(body, state, to_q, j)
+            _, limit, kept, lengths = _joint_trial_state(body, state, to_q, j)
             moved = side * (way + (limit - kept))
             state.set_angle[j] = wrap(state.set_angle[j] + math.degrees(moved))
             _turn_rest(body, state, j, state.trial_angle[j] + moved)
@@ -479,7 +481,7 @@ def _settle_joint(problem, j, q, v, to_q, to_v, h):
         balance.work.broken -= size * joint_energy(body.law, ax, ay, bx, by, rest, body.softening)
 
 
-def take_back(body: Body, state: State) -> None:
+def restore_committed(body: Body, state: State) -> None:
     """Set rest lengths and rest angles to the history again, after a step that was not kept."""
     joints = slice(1, body.joints + 1)
     state.rest_tension[: body.springs] = state.trial_tension
@@ -519,7 +521,7 @@ def without_broken(body: Body, broken: Floats) -> Body:
     stiffness, damping = body.stiffness.copy(), body.damping.copy()
     stiffness[gone] = damping[gone] = 0.0
     loose = np.isin(body.joint_a, gone) | np.isin(body.joint_b, gone)
-    size, resistance = body.torque_size.copy(), body.torque_damping.copy()
+    size, resistance = body.angular_stiffness.copy(), body.torque_damping.copy()
     size[1 : body.joints + 1][loose] = resistance[1 : body.joints + 1][loose] = 0.0
     environment, fillings = body.environment, body.environment.fillings
     if environment.contact.present:
@@ -533,5 +535,7 @@ def without_broken(body: Body, broken: Floats) -> Body:
         for k in leaks:
             rows[k] = FillingRow(*rows[k])._replace(strength=0.0, outside=0.0)
         environment = environment.replaced(fillings=read_only(fillings.replaced(rows=rows)))
-    body = body.replaced(stiffness=stiffness, damping=damping, torque_size=size, torque_damping=resistance)
+    body = body.replaced(
+        stiffness=stiffness, damping=damping, angular_stiffness=size, torque_damping=resistance
+    )
     return read_only(body.replaced(environment=environment))

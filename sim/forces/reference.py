@@ -35,12 +35,12 @@ class Physics:
         state: the present rest lengths and rest angles, and what acts on each mass besides its springs.
 
     Attributes:
-        terms: twins of all forces, by name.
+        terms: the reference of each force, by name.
     """
 
     def __init__(self, body: Body, state: State) -> None:
         self._state = state
-        self.terms = {term.name: term.twin(body, state) for term in TERMS}
+        self.terms = {term.name: term.reference(body, state) for term in TERMS}
         self._sticking = [term for term in self.terms.values() if isinstance(term, Sticking)]
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
@@ -56,10 +56,10 @@ class Physics:
         """Energies of all forces that have one, kg px²/s², by their names."""
         return {term.name: self.terms[term.name].energy(x) for term in WITH_ENERGY}
 
-    def stick(self, x: Vectors, v: Vectors) -> None:
+    def update_friction_history(self, x: Vectors, v: Vectors) -> None:
         """Update the tangential springs after a step to positions x with velocities v."""
         for term in self._sticking:
-            term.stick(x, v)
+            term.update_friction_history(x, v)
 
 
 def euler_step(physics: Physics, x: Vectors, v: Vectors, h: float) -> tuple[Vectors, Vectors]:

@@ -30,7 +30,7 @@ from ..engine.numerics.vectors import from_to, length_of
 from ..engine.table import Indices, Rows, Table
 from ..engine.tables import Body, State
 from ..scene.types import Scene
-from .air import AirTwin, wind_at, wind_gradient_at
+from .air import AirReference, wind_at, wind_gradient_at
 from .term import Floats, Places, Term, Vectors, read_only, summed
 
 
@@ -139,7 +139,7 @@ def _direction(body, q, s):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _past(body, state, row, q, v, m):
+def _relative_velocity(body, state, row, q, v, m):
     """The velocity of mass m relative to what resists it, px/s."""
     slots = q.size // 2
     if row.slip == 0.0 and body.environment.air.moves:
@@ -193,7 +193,7 @@ def _add_forces(body, state, scratch, q, v):
         for end in range(2):
             m, p = _end(body, row, s, length, end)
             if state.inverse_mass[m] > 0.0:
-                ux, uy = _past(body, state, row, q, v, m)
+                ux, uy = _relative_velocity(body, state, row, q, v, m)
                 across, along = _resisted(row, tx, ty, ux, uy)
                 scratch.fx[m] -= p * (along * tx - across * ty)
                 scratch.fy[m] -= p * (along * ty + across * tx)
@@ -218,7 +218,7 @@ def _add_power(body, state, balance, q, v, part):
         for end in range(2):
             m, p = _end(body, row, s, length, end)
             if state.inverse_mass[m] > 0.0:
-                ux, uy = _past(body, state, row, q, v, m)
+                ux, uy = _relative_velocity(body, state, row, q, v, m)
                 across, along = _resisted(row, tx, ty, ux, uy)
                 vx, vy = v[m], v[slots + m]
                 power -= p * (along * (tx * vx + ty * vy) + across * (tx * vy - ty * vx))
@@ -273,7 +273,7 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
         for end in range(2):
             m, p = _end(body, row, s, length, end)
             own, other = (4 * s + 3, 4 * s + 2) if end == 0 else (4 * s, 4 * s + 1)
-            ux, uy = _past(body, state, row, q, v, m)
+            ux, uy = _relative_velocity(body, state, row, q, v, m)
             xx, xy, yx, yy = _by_velocity(p, tx, ty, _slopes(row, tx, ty, ux, uy, definite))
             add_block(matrix.blocks, target[own], g, (xx, xy, yx, yy))
             if not definite:
@@ -296,7 +296,7 @@ def _add_damping(body, state, q, v, z, factor, out):
         tx, ty, length = _direction(body, q, s)
         for end in range(2):
             m, p = _end(body, row, s, length, end)
-            ux, uy = _past(body, state, row, q, v, m)
+            ux, uy = _relative_velocity(body, state, row, q, v, m)
             xx, xy, yx, yy = _by_velocity(p, tx, ty, _slopes(row, tx, ty, ux, uy, False))
             size = factor * state.inverse_mass[m]
             out[m] += size * (xx * z[m] + xy * z[slots + m])
@@ -304,16 +304,16 @@ def _add_damping(body, state, q, v, z, factor, out):
 
 
 # ------------------------------------------------------------------------- in NumPy
-class ResistanceTwin:
-    """Resistance in NumPy; see `Twin`."""
+class ResistanceReference:
+    """Resistance in NumPy; see `Reference`."""
 
     def __init__(self, body: Body, state: State) -> None:
-        self._rows, self._air = body.environment.resistance.rows, AirTwin(body, state)
+        self._rows, self._air = body.environment.resistance.rows, AirReference(body, state)
         self._ends = np.stack((body.spring_a, body.spring_b))
         self._moves = body.environment.air.moves
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """See `Twin`; also on masses that are held."""
+        """See `Reference`; also on masses that are held."""
         total = np.zeros_like(x)
         if not len(self._rows):
             return total
@@ -333,14 +333,14 @@ class ResistanceTwin:
         return total
 
     def energy(self, x: Vectors) -> float:
-        """See `Twin`."""
+        """See `Reference`."""
         return 0.0
 
 
 RESISTANCE = Term(
     "resistance",
     is_resisted,
-    ResistanceTwin,
+    ResistanceReference,
     _add_forces,
     field="resistance",
     table=Resistance,

@@ -28,14 +28,14 @@ from .joints import (
     CONSERVATIVE,
     NO_JOINTS,
     TUTORIAL,
-    JointsTwin,
+    JointsReference,
     add_joint_damping,
     add_joint_derivatives,
     bend,
     joint_energies,
     rub,
 )
-from .springs import SpringsTwin, add_spring_damping, add_spring_derivatives, spring_energies, tension
+from .springs import SpringsReference, add_spring_damping, add_spring_derivatives, spring_energies, tension
 from .term import Term, read_only
 
 _SHORTEST_RUN = 5
@@ -328,7 +328,7 @@ def _put_bends(law, body, state, scratch):
     """What joints exert on the b ends of the springs that they hold, without their damping."""
     joints, rows, alone = body.bends, scratch.joint_rows, scratch.joint_alone
     vectors = scratch.lx, scratch.ly, scratch.inverse
-    numbers = state.torque_cos, state.torque_sin, body.torque_size, state.torque_rest
+    numbers = state.torque_cos, state.torque_sin, body.angular_stiffness, state.torque_rest
     for r in range(joints.first.size):
         _bends_of_run(law, joints, r, body.softening, vectors, numbers, (rows[0], rows[1], rows[2], rows[3]))
     if joints.loose < joints.behind:
@@ -465,7 +465,7 @@ def _tensions_alone(bent, first, behind, vectors, rates, numbers, joints, out):
 SPRINGS = Term(
     "linear",
     lambda scene: bool(scene.linear_springs),
-    SpringsTwin,
+    SpringsReference,
     add_spring_forces,
     causes=("linear stiffness", "linear damping"),
     energy=spring_energies,
@@ -477,7 +477,7 @@ SPRINGS = Term(
 JOINTS = Term(
     "angular",
     lambda scene: bool(scene.angular_springs),
-    JointsTwin,
+    JointsReference,
     causes=("angular stiffness", "angular damping"),
     energy=joint_energies,
     label="angular springs",

@@ -145,8 +145,8 @@ def add_spring_damping(body, state, q, v, z, factor, out):
 
 
 # ------------------------------------------------------------------------- in NumPy
-class SpringsTwin:
-    """Springs in NumPy; see `Twin`.
+class SpringsReference:
+    """Springs in NumPy; see `Reference`.
 
     Args:
         body, state: the tables.
@@ -165,7 +165,7 @@ class SpringsTwin:
         self._ends = np.concatenate((self._b, self._a))
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """See `Twin`."""
+        """See `Reference`."""
         spring, per_length = self._tensions(x, v)
         tension = per_length * spring
         return summed(self._ends, np.concatenate((tension, -tension)), x.size)
@@ -176,7 +176,7 @@ class SpringsTwin:
         return -per_length * np.hypot(spring.real, spring.imag)
 
     def energy(self, x: Vectors) -> float:
-        """See `Twin`."""
+        """See `Reference`."""
         pulls = self.stiffness > 0.0
         rest = self.rest_tension[pulls] / self.stiffness[pulls]
         length = abs(x[self._b] - x[self._a])[pulls]

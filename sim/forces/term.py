@@ -59,7 +59,7 @@ SIGNATURES = {
 """Signatures of the kernels that a `Term` may have, by their fields."""
 
 
-class Twin(Protocol):
+class Reference(Protocol):
     """The same force in NumPy, for one body; the tests compare the kernels with it."""
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
@@ -73,9 +73,9 @@ class Twin(Protocol):
 
 @runtime_checkable
 class Sticking(Protocol):
-    """A `Twin` that remembers what it sticks to."""
+    """A `Reference` that remembers what it sticks to."""
 
-    def stick(self, x: Vectors, v: Vectors) -> None:
+    def update_friction_history(self, x: Vectors, v: Vectors) -> None:
         """After a step to positions x with velocities v, update tangential springs; see `sticking`."""
         ...
 
@@ -87,7 +87,7 @@ class Term:
     Attributes:
         name: of its energy, and as a cause of instability.
         acts: whether the term acts on a valid scene's masses.
-        twin: makes its twin in NumPy from a body's tables.
+        reference: makes the same in NumPy from a body's tables.
         add_forces: kernel (body, state, scratch, q, v); adds forces, kg px/s², to `scratch.fx` and
             `scratch.fy`. `tx` and `ty` of the scratch are free for it. None where another term adds them.
         field: of its table in `Body.environment`; empty for springs and joints, which are the body itself.
@@ -112,7 +112,7 @@ class Term:
 
     name: str
     acts: Callable[[Scene], bool]
-    twin: Callable[[Body, State], Twin]
+    reference: Callable[[Body, State], Reference]
     add_forces: Kernel | None = None
     field: str = ""
     table: type[Table] = Table

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.tables import State
-from ..forces.joints import JointsTwin
+from ..forces.joints import JointsReference
 from ..forces.reference import Physics
 from ..scene.types import Scene
 from .system import System
@@ -54,5 +54,5 @@ class LoadCalculator:
         net = (physics.forces(x, v) + weight)[self.system.mass_index]
         if self.system.loads is not None:
             net += (self.system.loads[0] + 1j * self.system.loads[1])[self.system.mass_index - 1]
-        torques = JointsTwin(self.system.body, state).torques(x, v)[self.system.joint_order]
+        torques = JointsReference(self.system.body, state).torques(x, v)[self.system.joint_order]
         return Loads(np.column_stack((net.real, net.imag)), torques)

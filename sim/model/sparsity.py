@@ -57,7 +57,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     return Matrix(
         blocks=np.zeros(4 * pattern.column.size),
         slot=np.zeros(body.masses, np.int64),
-        borders=np.zeros((2 * count, wide if count else 0)),
+        low_rank=np.zeros((2 * count, wide if count else 0)),
         corrections=np.zeros((count + 1, count)),
         of_mass=of_mass,
         touching=np.zeros(3 if krylov else 0),

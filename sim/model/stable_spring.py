@@ -36,14 +36,14 @@ def clamp_stiffness(body: Body, inverse_mass: Floats, held: np.ndarray, dt: floa
     stiffness, damping = body.stiffness.copy(), body.damping.copy()
     stiffness[:springs] = np.minimum(stiffness[:springs], reduced / dt**2)
     damping[:springs] = np.minimum(damping[:springs], reduced / dt)
-    size, resistance = body.torque_size.copy(), body.torque_damping.copy()
+    size, resistance = body.angular_stiffness.copy(), body.torque_damping.copy()
     if body.joints:
         limit, joints = _joint_limit(body, free), slice(1, body.joints + 1)
         size[joints] = np.minimum(size[joints], limit / dt**2)
         size[0] = size[body.joints] if body.ring else 0.0
         resistance[joints] = np.minimum(resistance[joints], limit / dt)
     return read_only(
-        body.replaced(stiffness=stiffness, damping=damping, torque_size=size, torque_damping=resistance)
+        body.replaced(stiffness=stiffness, damping=damping, angular_stiffness=size, torque_damping=resistance)
     )
 
 
@@ -60,7 +60,10 @@ def softening(scene: Scene) -> float:
     soft = clamp_stiffness(body, system.inverse_mass, system.held, scene.integrator.dt)
     factors = [
         own[own > 0.0] / limited[own > 0.0]
-        for own, limited in ((body.stiffness, soft.stiffness), (body.torque_size, soft.torque_size))
+        for own, limited in (
+            (body.stiffness, soft.stiffness),
+            (body.angular_stiffness, soft.angular_stiffness),
+        )
     ]
     return float(np.concatenate((*factors, (1.0,))).max())
 

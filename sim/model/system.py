@@ -11,7 +11,7 @@ from typing import NamedTuple, TypeVar
 import msgspec
 import numpy as np
 
-from ..engine.layout import Layout, slab
+from ..engine.layout import Layout, aligned_arena
 from ..engine.numerics.roots import LEAST
 from ..engine.table import Table
 from ..engine.tables import (
@@ -181,7 +181,7 @@ def start_of(scene: Scene, system: System) -> tuple[System, State]:
         put_damage(state, system, damage)
         system = replace(system, body=without_broken(system.body, state.broken))
     state.controls[0] = scene.rest_length_scale
-    refresh(system.body, state)
+    update_rest_state(system.body, state)
     here = slice(1, system.body.masses + 1)
     for field, row in zip((state.x, state.y, state.vx, state.vy), system.start, strict=True):
         field[here] = row
@@ -230,7 +230,9 @@ def new_state(system: System) -> State:
     """A state with room for the system's masses; `Simulation` fills it."""
     body = system.body
     springs, joints = (body.springs, body.joints) if body.limits.present else (0, 0)
-    layout = _layout_of_state(slots_of(body), body.stiffness.size, body.torque_size.size, springs, joints)
+    layout = _layout_of_state(
+        slots_of(body), body.stiffness.size, body.angular_stiffness.size, springs, joints
+    )
     state = layout.made()
     state.controls[0] = 1.0
     return state.replaced(**room_in_state(body, state.slots)) if sticks(body) else state
@@ -265,11 +267,11 @@ def _layout(
     page_offset: int,
     rows: Mapping[str, int] | None = None,
 ) -> Layout[_Made]:
-    """The layout of a table that has nothing but arrays, some of them empty; arguments as of `slab`.
+    """The layout of a table that has nothing but arrays, some of them empty; arguments as of `aligned_arena`.
 
     `rows`: of each array with two dimensions, their number.
     """
-    arrays = slab(list(sizes.values()), page_offset)
+    arrays = aligned_arena(list(sizes.values()), page_offset)
     fields = dict(zip(sizes, arrays, strict=True))
     fields |= {field: fields[field].reshape(count, -1) for field, count in (rows or {}).items()}
     return Layout(kind.empty().replaced(**fields), arrays, page_offset)
@@ -296,7 +298,7 @@ def rest_angles(body: Body, state: State) -> Floats:
     return 180.0 - (180.0 - angle) % 360.0
 
 
-def refresh(body: Body, state: State) -> None:
+def update_rest_state(body: Body, state: State) -> None:
     """Recompute what depends on the scale of rest lengths, the shift of rest angles, and the clock."""
     springs, joints = slice(body.springs), slice(1, body.joints + 1)
     state.rest_tension[springs] = body.stiffness[springs] * rest_lengths(body, state)
@@ -339,7 +341,7 @@ def _layout_of_scratch(room: int, joints: int, held: int, free: int, bends: int)
     return _layout(Scratch, sizes, page_offset=2560, rows=rows)
 
 
-class Wiring(NamedTuple):
+class Topology(NamedTuple):
     """What of the tables depends on nothing but what connects the masses; S springs, J joints, n masses.
 
     Attributes:
@@ -370,7 +372,7 @@ _KEPT = 4
 
 
 @lru_cache(maxsize=_KEPT)
-def wired(n: int, along: bool, *tables: bytes) -> Wiring:
+def wired(n: int, along: bool, *tables: bytes) -> Topology:
     """The wiring of a body with n masses.
 
     Those that were used last are kept, as a scene is often made anew with other numbers.
@@ -429,7 +431,7 @@ def wired(n: int, along: bool, *tables: bytes) -> Wiring:
         joint_a=joint_a,
         joint_b=joint_b,
         joint_rest=nothing,
-        torque_size=nothing,
+        angular_stiffness=nothing,
         torque_damping=nothing,
         hinged=hinged,
         held=new_links(spring_a[:hinged], spring_b[:hinged], n + 1, nothing=room),
@@ -444,7 +446,7 @@ def wired(n: int, along: bool, *tables: bytes) -> Wiring:
     vector_index = np.stack((mass_index, mass_index + slots), 1)
     for array in (mass_order, mass_index, vector_index, spring_order, joint_order, ends_of_springs):
         array.setflags(write=False)
-    return Wiring(
+    return Topology(
         in_order, ring, room, slots, mass_order, mass_index, vector_index, spring_order, joint_order,
         ends_of_springs, read_only(body),
     )  # fmt: skip
@@ -486,7 +488,7 @@ def _hinged_first(spring_ends: Indices, joints: Indices, slots: int) -> Indices:
     return order_in_runs(spring_ends[0], spring_ends[1], slots, alone)
 
 
-def _body(scene: Scene, wiring: Wiring, damageable: bool) -> Body:
+def _body(scene: Scene, wiring: Topology, damageable: bool) -> Body:
     springs, joints = scene.linear_springs, scene.angular_springs
     method, order = METHODS[scene.integrator.method], wiring.spring_order
     body = with_numbers(
@@ -510,7 +512,7 @@ def _body(scene: Scene, wiring: Wiring, damageable: bool) -> Body:
 
 
 def with_numbers(
-    wiring: Wiring, of_springs: Sequence[Floats], of_joints: Sequence[Floats], law: int, softening: float
+    wiring: Topology, of_springs: Sequence[Floats], of_joints: Sequence[Floats], law: int, softening: float
 ) -> Body:
     """The table of a body in which nothing acts but its springs and joints.
 
@@ -525,7 +527,7 @@ def with_numbers(
     count = order.size
     held = wiring.body.joints  # more than the scene's in a chain where not every two springs are held
     torques = max(room, held + (0 if wiring.in_order else _BEHIND_RUNS)) + 1
-    stiffness, damping, rest, torque_size, softenings = slab(
+    stiffness, damping, rest, angular_stiffness, softenings = aligned_arena(
         [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
     )
     for field, values in zip((stiffness, damping, rest), of_springs, strict=True):
@@ -535,9 +537,9 @@ def with_numbers(
     torque_damping, rest_angle = np.zeros(torques), np.zeros(held)
     if held:
         at = wiring.joint_order + 1
-        torque_size[at], torque_damping[at], rest_angle[wiring.joint_order] = of_joints
+        angular_stiffness[at], torque_damping[at], rest_angle[wiring.joint_order] = of_joints
         if ring:
-            torque_size[0] = torque_size[held]
+            angular_stiffness[0] = angular_stiffness[held]
     body = wiring.body.replaced(
         damped=np.count_nonzero(damping) > 0,  # in a tenth of the time of `any`
         joint_damped=np.count_nonzero(torque_damping) > 0,
@@ -548,10 +550,10 @@ def with_numbers(
         damping=damping,
         rest_length=rest,
         joint_rest=rest_angle,
-        torque_size=torque_size,
+        angular_stiffness=angular_stiffness,
         torque_damping=torque_damping,
     )
-    for array in (softenings, stiffness, damping, rest, rest_angle, torque_size, torque_damping):
+    for array in (softenings, stiffness, damping, rest, rest_angle, angular_stiffness, torque_damping):
         array.setflags(write=False)
     return body
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, Drive, Lead, State
+from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, LeadParameters, PrescribedMotion, State
 from ..forces.all import TERMS
 from ..model.system import System
 from ..scene.numbers import MAX_SPEED
@@ -45,13 +45,13 @@ class Driver:
         growth: float = 0.0,
         turn: float = 0.0,
         motions: HandMotions = NO_MOTIONS,
-    ) -> Drive:
+    ) -> PrescribedMotion:
         """How masses move and keys act from one time to another.
 
         Args:
             t, until: the present time, and the time at which targets are to be reached, s.
             targets: positions, px, to which masses are led in straight lines, by slot.
-            growth, turn: what keys do to rest lengths and angles per second, see `Drive`.
+            growth, turn: what keys do to rest lengths and angles per second, see `PrescribedMotion`.
             motions: motions of rate-limited hands, by slot.
         """
         state, duration = self._state, max(until - t, 1e-300)
@@ -73,15 +73,15 @@ class Driver:
             )
             # Under the tutorial's law, the damping treats a directly led mass as being at rest.
             seen = 1.0 if m in motions else self._hand
-            rows.append(Lead(x - ox, y - oy, vx, vy, *motion[2:], seen, radius, omega, ramp))
-        return Drive(
+            rows.append(LeadParameters(x - ox, y - oy, vx, vy, *motion[2:], seen, radius, omega, ramp))
+        return PrescribedMotion(
             moving=bool(indices) or pressed or self._timed,
             pressed=pressed,
             timed=self._timed,
             start=t,
             duration=duration if targets else math.inf,
             mass=np.array(indices, np.int64),
-            rows=np.array(rows, float).reshape(-1, len(Lead._fields)),
+            rows=np.array(rows, float).reshape(-1, len(LeadParameters._fields)),
             scale=float(state.controls[CONTROL_SCALE]),
             shift=float(state.controls[CONTROL_SHIFT]),
             growth=float(growth),

@@ -24,7 +24,7 @@ from ..engine.tables import SHORTEST_SQUARED, State
 from ..errors import InputError, SceneError
 from ..forces.environment import is_surrounded
 from ..forces.joints import LAWS, NO_JOINTS
-from ..model.system import System, new_scratch, new_state, refresh, wired, with_numbers
+from ..model.system import System, new_scratch, new_state, update_rest_state, wired, with_numbers
 from ..scene.columns import column
 from ..scene.parts import AngularSpring, LinearSpring
 from ..scene.types import Scene, is_loaded, is_muscular
@@ -335,7 +335,7 @@ def _laid_together(scenes: Sequence[Scene], shape: _Shape, width: int) -> tuple[
         loads=None,
     )
     state = new_state(system)
-    refresh(body, state)
+    update_rest_state(body, state)
     here = slice(1, n * width + 1)
     fields = state.x, state.y, state.vx, state.vy, state.inverse_mass, state.air, state.gx, state.gy
     numbers = *start, weights, laid(inverse_mass * air), laid(gravity[:, :, 0]), laid(gravity[:, :, 1])

@@ -7,9 +7,17 @@ from functools import partial
 
 import numpy as np
 
-from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN, Drive, Lead, State
+from ..engine.tables import (
+    CONTROL_SCALE,
+    CONTROL_SHIFT,
+    SCALE_MAX,
+    SCALE_MIN,
+    LeadParameters,
+    PrescribedMotion,
+    State,
+)
 from ..forces.reference import Physics, Vectors, euler_step, verlet_step
-from ..model.system import System, refresh
+from ..model.system import System, update_rest_state
 from ..scene.numbers import MAX_COORDINATE, RUNAWAY_SPEED
 from ..scene.types import Scene
 from ..solve.registry import METHODS
@@ -80,7 +88,7 @@ class PlainSolver:
         stats, self.work = SolverStats(steps=self.work, forces=self.work, work=self.work), 0
         return stats
 
-    def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
+    def run(self, until: float, drive: PrescribedMotion, attempts: int = UNLIMITED) -> int:
         """Advance to a time (s), or by at most `attempts` steps.
 
         If a body runs away under Verlet, it stops without an error, since its own method may be stable.
@@ -112,10 +120,10 @@ class PlainSolver:
             what = self._verdict(x, v)
             if what != guard.GOOD:
                 x, v, state.controls[:] = before
-                refresh(self._body, state)
+                update_rest_state(self._body, state)
                 self._keep(x, v, None)
                 return what if self._euler else guard.GOOD
-            self._physics.stick(x, v)
+            self._physics.update_friction_history(x, v)
             self.time = t
         if self.time > until - 1e-9 * span:
             self.time = until
@@ -127,7 +135,7 @@ class PlainSolver:
         state.x[:], state.y[:], state.vx[:], state.vy[:] = x.real, x.imag, v.real, v.imag
 
     def _drive_to(
-        self, drive: Drive, t: float, x: Vectors, v: Vectors, round_at: float | None = None
+        self, drive: PrescribedMotion, t: float, x: Vectors, v: Vectors, round_at: float | None = None
     ) -> None:
         """Set the held masses in x and v to their state at time t, and rest lengths and angles likewise.
 
@@ -139,7 +147,7 @@ class PlainSolver:
             round_at = t
         since = t - drive.start
         led = min(since, drive.duration)
-        lead = Lead(*drive.rows.T)
+        lead = LeadParameters(*drive.rows.T)
         speed, acceleration, jerk = lead.vx + 1j * lead.vy, lead.ax + 1j * lead.ay, lead.jx + 1j * lead.jy
         fade = np.exp(-round_at / lead.ramp)
         turn = np.exp(1j * lead.omega * (round_at - lead.ramp * (1.0 - fade)))
@@ -161,7 +169,7 @@ class PlainSolver:
             controls[CONTROL_SCALE] = min(max(scale, SCALE_MIN), SCALE_MAX)
             controls[CONTROL_SHIFT] = 180.0 - (180.0 - (drive.shift + drive.turn * since)) % 360.0
         if drive.pressed or self._body.muscles.present:
-            refresh(self._body, self._state)
+            update_rest_state(self._body, self._state)
 
     def _verdict(self, x: Vectors, v: Vectors) -> int:
         far = np.maximum(abs(x.real), abs(x.imag))

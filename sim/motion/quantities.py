@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from ..engine.tables import State
 from ..errors import InputError
 from ..forces.all import WITH_ENERGY
-from ..forces.joints import JointsTwin
-from ..forces.springs import SpringsTwin
+from ..forces.joints import JointsReference
+from ..forces.springs import SpringsReference
 from ..model.loads import Loads
 from ..model.system import System, rest_lengths
 from ..scene.types import Scene
@@ -202,25 +202,25 @@ def _elongations(simulation: Moving, springs: Indices) -> Floats:
 
 def _pulls(simulation: Moving, springs: Indices) -> Floats:
     (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
-    pulls = SpringsTwin(system.body, state, rows).pulls(*_all_masses(state))
+    pulls = SpringsReference(system.body, state, rows).pulls(*_all_masses(state))
     return np.where(state.broken[rows] > 0.0, 0.0, pulls) if system.body.limits.present else pulls
 
 
-def _joints(simulation: Moving, joints: Indices) -> tuple[JointsTwin, tuple[Vectors, Vectors]]:
+def _joints(simulation: Moving, joints: Indices) -> tuple[JointsReference, tuple[Vectors, Vectors]]:
     """Some joints, and the positions and velocities of all masses."""
     system, state = simulation.tables
-    return JointsTwin(system.body, state, system.joint_order[joints]), _all_masses(state)
+    return JointsReference(system.body, state, system.joint_order[joints]), _all_masses(state)
 
 
 def _bending(simulation: Moving, joints: Indices) -> Floats:
     """Rates at which angles grow, radians/s."""
-    twin, masses = _joints(simulation, joints)
-    return twin.rates(*masses)
+    joint_forces, masses = _joints(simulation, joints)
+    return joint_forces.rates(*masses)
 
 
 def _torques(simulation: Moving, joints: Indices) -> Floats:
-    twin, masses = _joints(simulation, joints)
-    return twin.torques(*masses)
+    joint_forces, masses = _joints(simulation, joints)
+    return joint_forces.torques(*masses)
 
 
 def _of_energy(name: str) -> Callable[[Moving, Indices], Floats]:

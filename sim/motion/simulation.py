@@ -24,9 +24,9 @@ from ..model.system import (
     new_scratch,
     new_state,
     put_damage,
-    refresh,
     rest_angles,
     same_topology,
+    update_rest_state,
 )
 from ..scene.columns import ends
 from ..scene.types import Anchor, Damage, Grips, Pose, Scene
@@ -41,7 +41,7 @@ from .moment import Moment
 from .plain import PlainSolver
 from .recording import Recording
 from .solver import UNLIMITED, Solver, SolverStats
-from .stability import Look, StabilityEstimate, StabilityMeter, finished
+from .stability import LimitEstimate, StabilityEstimate, StabilityMeter, finished
 from .stepping import Stepper, presses_of
 
 Key = Literal["up", "down", "left", "right"]
@@ -85,10 +85,10 @@ class Simulation:
     def scene(self) -> Scene:
         """The scene as it is now: what the arrow keys changed is in it, the motion is not."""
         scale, shift = map(float, self._state.controls)
-        if (scale, shift) != self._folded[0]:
+        if (scale, shift) != self._scene_with_controls[0]:
             scene = msgspec.structs.replace(self._scene, rest_length_scale=scale)
-            self._folded = (scale, shift), shift_rest_angles(scene, shift) if shift else scene
-        return self._folded[1]
+            self._scene_with_controls = (scale, shift), shift_rest_angles(scene, shift) if shift else scene
+        return self._scene_with_controls[1]
 
     @property
     def anchors(self) -> tuple[Anchor, ...]:
@@ -226,7 +226,7 @@ class Simulation:
         """The method's estimated stability limit at the present state; each call refines it a little."""
         return finished(self.stability_in_parts())
 
-    def stability_in_parts(self) -> Look:
+    def stability_in_parts(self) -> LimitEstimate:
         """As `stability`, for whom the whole would take too long at once; see `StabilityMeter.look`."""
         if self._meter is None:
             self._meter = StabilityMeter(self._system, self.method)
@@ -376,10 +376,10 @@ class Simulation:
         """
         if not 0.0 <= seconds <= 1e9:
             raise InputError(f"advance: {seconds:g} is not in the range 0..1e+09 s")
-        self._owed += seconds
+        self._time_remainder += seconds
         # A hair more, so that ten times 0.0025 s are ten steps whatever the rounding.
-        n = int(self._owed / self.dt + 1e-9)
-        self._owed = max(0.0, self._owed - n * self.dt)
+        n = int(self._time_remainder / self.dt + 1e-9)
+        self._time_remainder = max(0.0, self._time_remainder - n * self.dt)
         return self.step(n)
 
     def record(self, seconds: float, *quantities: str, every: int = 1) -> Recording:
@@ -423,7 +423,7 @@ class Simulation:
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
         pose = self._scene.pose
         self._adopt(self._system.start, pose.damage if pose else None, pose.grips if pose else None, True)
-        self._owed = 0.0
+        self._time_remainder = 0.0
         self._hands.clear()
         self._restart(0.0, 0)
 
@@ -447,7 +447,7 @@ class Simulation:
         if moment.scene is not self._scene or self._lacks_room_for(moment.damage):
             self._install(moment.scene, moment.damage)
         self._adopt(moment.rows, moment.damage, moment.grips)
-        self._owed = 0.0
+        self._time_remainder = 0.0
         self._hands.clear()
         controls = moment.rest_length_scale, moment.rest_angle_shift
         self._restart(moment.time, moment.step_count, controls)
@@ -465,7 +465,7 @@ class Simulation:
         if self._lacks_room_for(damage):
             self._install(self._scene, damage)
         self._adopt(rows, damage, grips)
-        self._owed = other._owed
+        self._time_remainder = other._time_remainder
         self._hands.take_over(other._hands)
         self._keys = other._keys
         self._restart(other.time, other.step_count)
@@ -588,8 +588,8 @@ class Simulation:
         self.divergence = None
         self._stepper.begin(time, steps)
         # The scene as keys have made it, and the scale and the shift for which it was made.
-        self._folded = (self._scene.rest_length_scale, 0.0), self._scene
-        self._state.controls[:] = controls or self._folded[0]
+        self._scene_with_controls = (self._scene.rest_length_scale, 0.0), self._scene
+        self._state.controls[:] = controls or self._scene_with_controls[0]
         if self._body.limits.present:
             broken = self._state.broken
             system = self._whole
@@ -598,7 +598,7 @@ class Simulation:
             self._stepper.solver.system = system
             self._look_at_tables()
         self._state.clock[0] = time
-        refresh(self._body, self._state)
+        update_rest_state(self._body, self._state)
         self._set_inverse_masses()
         if self._tracker is not None:
             self._tracker = self._new_tracker()

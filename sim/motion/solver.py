@@ -19,8 +19,8 @@ from ..compiling.compiler import (
     is_ready,
     needed_by,
 )
-from ..engine.calls import BY_ADDRESS
-from ..engine.layout import Layout, slab
+from ..engine.calls import INDIRECT_CALLS
+from ..engine.layout import Layout, aligned_arena
 from ..engine.tables import (
     CHOICES,
     CONTROL_SCALE,
@@ -31,28 +31,28 @@ from ..engine.tables import (
     AdamsState,
     AlphaState,
     AutoState,
-    Drive,
     EnergyBalance,
     Floats,
     IntegratorState,
     Matrix,
-    Phase,
+    PhasePoint,
+    PrescribedMotion,
     Problem,
     Rosenbrock,
     Run,
     Scratch,
     State,
+    StepAttempt,
     Tableau,
-    Trial,
     VerletState,
     Work,
 )
 from ..forces.all import path_of
-from ..forces.fillings import FillingsTwin
-from ..forces.plasticity import take_back, without_broken
+from ..forces.fillings import FillingsReference
+from ..forces.plasticity import restore_committed, without_broken
 from ..forces.touch.friction_history import sticks
 from ..model.sparsity import NO_MATRIX, clear_factors, new_matrix
-from ..model.system import System, refresh
+from ..model.system import System, update_rest_state
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene, is_damageable
 from ..solve.balance.dissipation import DAMPER_ROWS
@@ -66,7 +66,7 @@ from .stability import damped_limit, quick_limit
 _ROWS, _ALPHA_ROWS = 20, 4
 """Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
 _ROWS_OFFSET = 2560 // 8
-"""Where they begin in a page of 512 numbers; see `engine.layout.slab`."""
+"""Where they begin in a page of 512 numbers; see `engine.layout.aligned_arena`."""
 
 _NO_BALANCE = EnergyBalance.empty().replaced(work=Work())
 """Of all solvers that keep none; nobody reads what is entered into it."""
@@ -132,15 +132,15 @@ def _layout(wide: int, past: int, alpha: int) -> Layout[IntegratorState]:
     new = 3 * (wide + 16)
     gap = (_ROWS_OFFSET - new - 16) % 512 + 8
     count = 1 + _ROWS + past + alpha
-    arrays = slab([(wide, 1)] * 3 + [(gap, 0), (count * wide, 1)], page_offset=0)
+    arrays = aligned_arena([(wide, 1)] * 3 + [(gap, 0), (count * wide, 1)], page_offset=0)
     rows = arrays[4].reshape(-1, wide)  # a whole number of cache lines each
     first = IntegratorState(
         a=rows[0],
-        old=Phase(q=np.zeros(0), v=np.zeros(0), a=rows[0]),  # of each state its own
-        new=Phase(q=arrays[0], v=arrays[1], a=arrays[2]),
+        old=PhasePoint(q=np.zeros(0), v=np.zeros(0), a=rows[0]),  # of each state its own
+        new=PhasePoint(q=arrays[0], v=arrays[1], a=arrays[2]),
         rows=rows[1 : 1 + _ROWS],
         run=Run(),
-        trial=Trial(),
+        trial=StepAttempt(),
         verlet=VerletState(),
         alpha=AlphaState(rows=rows[1 + _ROWS + past :]),
         adams=AdamsState(past=rows[1 + _ROWS : 1 + _ROWS + past]),
@@ -248,7 +248,7 @@ class Solver:
         auto.clear()
         auto.turn, auto.step[:], auto.pace[:] = -1, 0.0, -1.0
 
-    def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
+    def run(self, until: float, drive: PrescribedMotion, attempts: int = UNLIMITED) -> int:
         """Advance to a time (s) by the scene's method.
 
         Args:
@@ -273,7 +273,7 @@ class Solver:
             if self.work < last and self.time < until:
                 self._run(until, drive, last - self.work)
         if self.time < until and self.system.body.limits.present:
-            take_back(self.system.body, self.state)
+            restore_committed(self.system.body, self.state)
         if what == guard.STUCK and self._info.implicit:
             what = guard.GOOD  # it is only late: the next call begins with a fallback step
         return what
@@ -289,12 +289,12 @@ class Solver:
         if self.balance.active and system.body.environment.fillings.rows.size:
             # A filling that gets out takes its energy with it.
             x = self.state.x + 1j * self.state.y
-            before, after = (FillingsTwin(s.body, self.state).energy(x) for s in (self.system, system))
+            before, after = (FillingsReference(s.body, self.state).energy(x) for s in (self.system, system))
             self.balance.work.broken += after - before
         self.system = system
-        refresh(system.body, self.state)
+        update_rest_state(system.body, self.state)
 
-    def go_on(self, until: float, drive: Drive, attempts: int) -> int:
+    def go_on(self, until: float, drive: PrescribedMotion, attempts: int) -> int:
         """As `run`, where nothing comes in between.
 
         Returns:
@@ -306,7 +306,7 @@ class Solver:
             return -1
         return max(0, before + attempts - self.work)
 
-    def _run(self, until: float, drive: Drive, attempts: int) -> None:
+    def _run(self, until: float, drive: PrescribedMotion, attempts: int) -> None:
         """Like `run`, without fallback steps."""
         if self._own is not None:
             numbers, problem = self._wholes, self._problem or self._bind(self._info.implicit)
@@ -315,7 +315,7 @@ class Solver:
             self.work += numbers[_STEPS] + numbers[_REJECTED] - before
             return
         if self._missing:
-            self._take_in()
+            self._enable_ready_methods()
         problem, left = self._problem or self._bind(False), attempts
         while True:
             index, limit, of_turn, spent = _NEXT_TURN.call(problem, until, self._tolerance, left)
@@ -345,7 +345,7 @@ class Solver:
         if auto and self._costs is None:
             self._costs = costs_of_steps(self.system.body, self.matrix, low)
             self._missing = set(np.flatnonzero(self._costs).tolist())
-            self._take_in()
+            self._enable_ready_methods()
         costs = np.zeros(CHOICES) if self._costs is None else self._costs.copy()
         costs[list(self._missing)] = 0.0
         body = self.system.body
@@ -359,7 +359,7 @@ class Solver:
         forces = "yielding_accelerations" if body.limits.present else path_of(body).name
         needed = (*needed_by(info.name, body), *(for_fallback(body) if implicit else ()), *called)
         self._fetch((*needed, *(for_energy(body) if self.balance.active else ())))
-        addresses = {name: ENTRY_POINTS[name].address if name in called else 0 for name in BY_ADDRESS}
+        addresses = {name: ENTRY_POINTS[name].address if name in called else 0 for name in INDIRECT_CALLS}
         addresses["accelerations"] = ENTRY_POINTS[forces].address
         near = damped = 0.0
         if auto or info.name == "adams":
@@ -384,7 +384,7 @@ class Solver:
         )
         return self._problem
 
-    def _take_in(self) -> None:
+    def _enable_ready_methods(self) -> None:
         """Let `auto` also choose from methods that have become ready, or from all if it may wait."""
         ready = {
             index
@@ -397,7 +397,7 @@ class Solver:
             self._missing -= ready
             self._problem = None
 
-    def fall_back(self, until: float, drive: Drive) -> None:
+    def fall_back(self, until: float, drive: PrescribedMotion) -> None:
         """Take a fallback step; arguments as of `run`."""
         body, alpha = self.system.body, self.integrator.alpha
         lengths = body.rest_length[: body.springs] * self.state.controls[CONTROL_SCALE]

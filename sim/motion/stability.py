@@ -46,9 +46,9 @@ from ..engine.tables import Floats, State
 from ..forces.all import TERMS
 from ..forces.reference import Physics, Vectors
 from ..forces.resistance import most_resisted
-from ..forces.term import Twin
+from ..forces.term import Reference
 from ..model.stable_spring import clamp_stiffness
-from ..model.system import System, build_system, new_state, refresh, start_of
+from ..model.system import System, build_system, new_state, start_of, update_rest_state
 from ..scene.types import Scene
 from ..solve.registry import METHODS
 from ..solve.stability_limits import StabilityLimit
@@ -100,11 +100,11 @@ class StabilityEstimate:
     cause: Cause | None
 
 
-Look = Generator[None, None, StabilityEstimate]
+LimitEstimate = Generator[None, None, StabilityEstimate]
 """Finds an estimate in parts: it yields between two of them, and returns the estimate."""
 
 
-def finished(look: Look) -> StabilityEstimate:
+def finished(look: LimitEstimate) -> StabilityEstimate:
     """What a look finds, all parts at once."""
     while True:
         try:
@@ -159,7 +159,7 @@ class StabilityMeter:
         """
         return finished(self.look(state))
 
-    def look(self, state: State) -> Look:
+    def look(self, state: State) -> LimitEstimate:
         """As `update`, in parts, each of some evaluations of the forces. It is about the state as it is when
         the first part begins; one look must be over before the next begins.
         """
@@ -171,7 +171,7 @@ class StabilityMeter:
             return (yield from self._look_at_probe())
         return (yield from self._look_at_beat())
 
-    def _look_at_beat(self) -> Look:
+    def _look_at_beat(self) -> LimitEstimate:
         """The least of the limits that the body has as its muscles are at each moment of a beat.
 
         The first look is at all of these moments, each later one at the next of them.
@@ -183,11 +183,11 @@ class StabilityMeter:
         least, self.motion = min(self._moments.values(), key=lambda moment: moment[0].limit)
         return least
 
-    def _look_at_probe(self) -> Look:
+    def _look_at_probe(self) -> LimitEstimate:
         """As `look`, at the state of the probe."""
         body, probe = self._system.body, self._probe
         free = probe.inverse_mass[self._here] > 0.0
-        refresh(body, probe)
+        update_rest_state(body, probe)
         physics = self._physics(self._limit)
         # Coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
         root = np.where(free, np.sqrt(self._system.inverse_mass), 0.0)
@@ -264,12 +264,12 @@ class StabilityMeter:
         limit, mode = self._rule.solve(k, c)
         return limit, (mode @ flat).reshape(2, -1)
 
-    def _by_positions(self, physics: Physics | Twin, w: Floats) -> Floats:
+    def _by_positions(self, physics: Physics | Reference, w: Floats) -> Floats:
         """K w, as a difference quotient of forces."""
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
         return self._difference(lambda step: physics.forces(x + step, v), w)
 
-    def _by_velocities(self, physics: Physics | Twin, w: Floats) -> Floats:
+    def _by_velocities(self, physics: Physics | Reference, w: Floats) -> Floats:
         """C w, likewise."""
         body, environment = self._system.body, self._system.body.environment
         if not (body.damped or body.joint_damped or environment.air.friction or environment.present):
@@ -299,14 +299,14 @@ class StabilityMeter:
         def along(change: Callable[[Floats], Floats]) -> float:
             return sum(float((part * change(part)).sum()) for part in (w.real, w.imag) if part.any())
 
-        def parts_of(forces: Twin) -> tuple[float, float]:
+        def parts_of(forces: Reference) -> tuple[float, float]:
             """What stiffness and damping contribute."""
             stiffness = along(partial(self._by_positions, forces))
             return limit * limit * stiffness, rate * along(partial(self._by_velocities, forces))
 
         parts = dict.fromkeys(CAUSES, 0.0)
-        for causes, twin in zip(_CAUSES, physics.terms.values(), strict=True):
-            for cause, part in zip(causes, parts_of(twin), strict=True):
+        for causes, reference in zip(_CAUSES, physics.terms.values(), strict=True):
+            for cause, part in zip(causes, parts_of(reference), strict=True):
                 parts[cause] += part
         return max(parts, key=lambda cause: parts[cause])
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from ..engine.tables import SCALE_MAX, SCALE_MIN, Drive, State
+from ..engine.tables import SCALE_MAX, SCALE_MIN, PrescribedMotion, State
 from ..model.system import System
 from ..scene.numbers import MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene
@@ -21,7 +21,7 @@ Targets = dict[int, tuple[float, float]]
 """Positions, px, of led masses at the end of a call, by slot."""
 
 
-class Presses(NamedTuple):
+class KeyRates(NamedTuple):
     """The effect of held keys on all rest lengths and rest angles.
 
     Attributes:
@@ -33,11 +33,11 @@ class Presses(NamedTuple):
     angle: float = 0.0
 
 
-NO_PRESSES = Presses()
+NO_PRESSES = KeyRates()
 """No key is held."""
 
 
-def presses_of(scene: Scene, keys: frozenset[str]) -> Presses:
+def presses_of(scene: Scene, keys: frozenset[str]) -> KeyRates:
     """The effect of held keys in one time step of a scene."""
     if not keys or scene.arrow_keys is None:
         return NO_PRESSES
@@ -51,7 +51,7 @@ def presses_of(scene: Scene, keys: frozenset[str]) -> Presses:
         growth = SCALE_MAX / SCALE_MIN
     length = (growth if "up" in keys else 1.0) / (growth if "down" in keys else 1.0)
     turn = math.remainder(rates.rest_angle_step * intervals, 360.0)
-    return Presses(length, turn * (("right" in keys) - ("left" in keys)))
+    return KeyRates(length, turn * (("right" in keys) - ("left" in keys)))
 
 
 class Outcome(NamedTuple):
@@ -86,10 +86,12 @@ class Stepper:
         self._driver = Driver(scene, system, state)
         self.solver = solver
         self._led: Targets = {}
-        self._kept: Drive | None = None  # the drive of the last call, unless it had targets or hands
+        self._kept: PrescribedMotion | None = (
+            None  # the drive of the last call, unless it had targets or hands
+        )
         self._presses = NO_PRESSES  # the keys in it
         # The solver and that drive, where nothing but the body changed in the last call.
-        self._steady: tuple[Solver, Drive] | None = None
+        self._steady: tuple[Solver, PrescribedMotion] | None = None
         self.steps = 0
         self._origin = (
             0.0,
@@ -142,7 +144,7 @@ class Stepper:
         return left
 
     def step(
-        self, steps: int, hands: Hands, presses: Presses, all_held: bool, attempts: int = UNLIMITED
+        self, steps: int, hands: Hands, presses: KeyRates, all_held: bool, attempts: int = UNLIMITED
     ) -> Outcome:
         """Advance by some time steps; by fewer if the attempts run out or the body runs away."""
         if self._begins:
@@ -168,7 +170,7 @@ class Stepper:
                     self._kept, self._presses = drive, presses
             self._steady = None
             if all_held and drive.moving and self._adaptive and solver.tracks_energy:
-                what = self._halt(until, drive, min(_HALTS * steps, attempts), attempts)
+                what = self._substeps(until, drive, min(_HALTS * steps, attempts), attempts)
             else:
                 what = solver.run(until, drive, attempts)
                 settled = drive is self._kept and presses is NO_PRESSES and not all_held
@@ -183,12 +185,12 @@ class Stepper:
         return Outcome(done) if what == guard.GOOD else Outcome(done, what, solver.index)
 
     def _drive(
-        self, until: float, targets: Targets, presses: Presses, motions: HandMotions = NO_MOTIONS
-    ) -> Drive:
+        self, until: float, targets: Targets, presses: KeyRates, motions: HandMotions = NO_MOTIONS
+    ) -> PrescribedMotion:
         growth, turn = math.log(presses.factor) / self._dt, presses.angle / self._dt
         return self._driver.drive(self.solver.time, until, targets, growth, turn, motions)
 
-    def _halt(self, until: float, drive: Drive, halts: int, attempts: int) -> int:
+    def _substeps(self, until: float, drive: PrescribedMotion, halts: int, attempts: int) -> int:
         """Advance in parts: without free masses, no error would make steps short enough for the balance."""
         solver, start = self.solver, self.solver.time
         last = solver.work + attempts
@@ -196,7 +198,7 @@ class Stepper:
             solver.run(start + (until - start) * i / halts, drive, last - solver.work)
         return solver.run(until, drive, last - solver.work)
 
-    def _lead_limited(self, until: float, hands: Hands, presses: Presses, attempts: int) -> int:
+    def _lead_limited(self, until: float, hands: Hands, presses: KeyRates, attempts: int) -> int:
         """Advance in parts that are short enough for rate-limited hands."""
         solver, start = self.solver, self.solver.time
         last, what = solver.work + attempts, guard.GOOD

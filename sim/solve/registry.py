@@ -66,13 +66,13 @@ _ALL = (
         "symplectic_euler", "Symplectic Euler", run_euler, order=1, look=("#d55e00", "s"),
         summary="The tutorial's: forces from the present state, then velocities, then positions; explodes "
         "above a limit of the step.",
-        limit=limits.flip(2.0, limits.euler_step),
+        limit=limits.period_doubling_limit(2.0, limits.euler_step),
     ),
     MethodInfo(
         "velocity_verlet", "Velocity Verlet", run_verlet, order=2, look=("#0072b2", "^"),
         summary="As cheap as Euler's and of second order; the same limit where nothing damps, a lower one "
         "under damping.",
-        limit=limits.flip(4.0, limits.verlet_step), tolerance_factor=1.5,
+        limit=limits.period_doubling_limit(4.0, limits.verlet_step), tolerance_factor=1.5,
     ),
     MethodInfo(
         "rk4", "Runge-Kutta 4", run_runge_kutta, order=4, look=("#56b4e9", "D"),
@@ -89,7 +89,7 @@ _ALL = (
         "stable_spring", "Stable spring", run_euler, order=1, look=("#d55e00", "P"),
         summary="Symplectic Euler with every spring softened as far as the step needs; cannot explode, sags "
         "instead.",
-        limit=limits.flip(2.0, limits.euler_step),
+        limit=limits.period_doubling_limit(2.0, limits.euler_step),
     ),
     MethodInfo(
         "adams", "Adams", run_adams, order=PAST + 1, adaptive=True, look=("#e69f00", "*"),

@@ -47,7 +47,7 @@ class StabilityLimit:
     solve: Callable[[Floats, Floats], tuple[float, Floats]]
 
 
-def flip(weight: float, step: Callable[[Floats, Floats], Floats]) -> StabilityLimit:
+def period_doubling_limit(weight: float, step: Callable[[Floats, Floats], Floats]) -> StabilityLimit:
     """The rule of methods that become unstable at an eigenvalue -1, where (dt² k + weight dt c) y = 4 y.
 
     That is exact where k and c are symmetric. Damping in a body that moves, friction and the tutorial's law

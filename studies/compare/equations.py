@@ -12,7 +12,7 @@ import numpy as np
 
 import sim
 from sim.engine.table import Floats, Indices, Table
-from sim.engine.tables import Body, Drive, Matrix, Scratch, State
+from sim.engine.tables import Body, Matrix, PrescribedMotion, Scratch, State
 from sim.forces.all import accelerations
 from sim.forces.drive import drive_to
 from sim.model.sparsity import new_matrix
@@ -30,7 +30,7 @@ class _Tables(Table):
     body: Body
     state: State
     scratch: Scratch
-    drive: Drive
+    drive: PrescribedMotion
     matrix: Matrix
     at: Indices  # slot of each free mass
     a: Floats  # accelerations, flat

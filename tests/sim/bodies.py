@@ -11,7 +11,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from sim import Anchor, AngularSpring, Beat, JointMuscle, LinearSpring, Mass, Scene, SpringMuscle
-from sim.edit.build import in_turn
+from sim.edit.build import wrapped_degrees
 from sim.scene.types import ForceLaw
 from tests.sim.builders import euler
 from tests.sim.changes import with_joints, with_springs
@@ -196,7 +196,9 @@ def with_muscles(scene: Scene, stretch: float = 0.08, turn: float = 8.0) -> Scen
 def flipped(scene: Scene, springs: Collection[int]) -> Scene:
     """The scene whose springs of these indices go from b to a. Angles with one of them are 180° larger."""
     angular = tuple(
-        replace(j, rest_angle=in_turn(j.rest_angle + 180.0)) if (j.a in springs) != (j.b in springs) else j
+        replace(j, rest_angle=wrapped_degrees(j.rest_angle + 180.0))
+        if (j.a in springs) != (j.b in springs)
+        else j
         for j in scene.angular_springs
     )
     linear = tuple(

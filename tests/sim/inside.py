@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 from sim.engine import kept
-from sim.engine.tables import Adams, Drive, Floats, Problem, Rosenbrock, Scratch
+from sim.engine.tables import Adams, Floats, PrescribedMotion, Problem, Rosenbrock, Scratch
 from sim.forces.runs import add_spring_forces
 from sim.model.system import System
 from sim.motion.plain import PlainSolver
@@ -65,12 +65,12 @@ def scratch_of(simulation: Simulation) -> Scratch:
     return simulation._scratch
 
 
-def drive(simulation: Simulation, start: float, end: float) -> Drive:
+def drive(simulation: Simulation, start: float, end: float) -> PrescribedMotion:
     """What drives the simulation's body from a time to another, without hands and keys."""
     return simulation._stepper._driver.drive(start, end, {})
 
 
-def run_in_steps(solver: Solver, table: Rosenbrock, drive: Drive, end: float, step: float) -> None:
+def run_in_steps(solver: Solver, table: Rosenbrock, drive: PrescribedMotion, end: float, step: float) -> None:
     """Run to a time in steps of one length with a method that otherwise chooses them itself."""
     problem = solver._bind(True).replaced(implicit=table, fixed=step)
     run_rosenbrock(problem, drive, end, 1.0, 10**6)

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import sim
-from sim.analysis.equilibrium import Resting
+from sim.analysis.equilibrium import StaticModel
 from sim.compiling.compiler import ENTRY_POINTS, Compiler, EntryPoint, is_ready, needed_by
 from sim.engine import kept
 from sim.engine.addresses import ADDRESSES
@@ -331,7 +331,7 @@ def test_a_scene_waits_for_no_kernel_of_what_it_does_not_have() -> None:
 @pytest.mark.parametrize("kind", ["walls.add_forces", "any_accelerations", "linear.add_forces"])
 def test_forces_with_a_part_that_is_not_loaded_are_no_numbers(kind: str) -> None:
     floor = (sim.Wall(point=(0.0, 500.0), normal=(0.0, -1.0)),)
-    body = Resting(sim.rope(5, walls=floor), balanced=False)
+    body = StaticModel(sim.rope(5, walls=floor), balanced=False)
     assert np.isfinite(body.accelerations(body.start)).all()
     number = ENTRY_POINTS[kind].number
     loaded = ADDRESSES[number]

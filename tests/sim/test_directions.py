@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 import sim
 from sim import Simulation
-from sim.analysis.tuning import softnesses
+from sim.analysis.tuning import inverse_reduced_masses
 from sim.design.tune import damp_springs
 from sim.edit.build import extend, positions_of, remove
 from sim.edit.copying import copy, paste
@@ -69,7 +69,7 @@ def test_limits_and_softnesses_do_not_depend_on_directions(shape: str) -> None:
         close(largest_step(scene, method), largest_step(other, method), 1e-3)
     for limit in (quick_limit, damped_limit):
         close(limit(build_system(scene)), limit(build_system(other)))
-    for one, two in zip(softnesses(scene), softnesses(other), strict=True):
+    for one, two in zip(inverse_reduced_masses(scene), inverse_reduced_masses(other), strict=True):
         close(one, two)
     soft, same = (after(by(each, "stable_spring", dt=0.05), 0.15) for each in (scene, other))
     close(soft.positions, same.positions, 1e-6)

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 import sim
 from sim import InputError, LinearSpring, Mass, Pose, Scene
-from sim.analysis.equilibrium import Resting, equilibrium
+from sim.analysis.equilibrium import StaticModel, equilibrium
 from sim.analysis.vibrations import vibrations
 from sim.scene.types import ForceLaw
 from tests.sim.arrays import Arrays
@@ -86,7 +86,7 @@ def test_bodies_rest_on_each_other() -> None:
 
 
 def test_a_contact_too_stiff_for_a_step_makes_it_shorter() -> None:
-    body = Resting(two_balloons(5e6), balanced=True)
+    body = StaticModel(two_balloons(5e6), balanced=True)
     tangled = body.nudge(body.start, 3.0)
     shifts = (1e-6, 1e-3, 1e-1)
     tried = [body.factorise(tangled, shift) for shift in shifts]

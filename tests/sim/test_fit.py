@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 import sim
 from sim.design.combinations import candidates
-from sim.design.fit import counted_once
+from sim.design.fit import effective_sample_fraction
 from sim.design.measurements import Column, Measurement, parse_measurements
 from sim.design.parameters import Parameter
 from sim.design.residuals import Problem
@@ -322,10 +322,10 @@ def test_residuals_that_hang_together_count_as_fewer() -> None:
     draw, series = random().standard_normal(4000), np.zeros(4000)
     for k in range(1, 4000):
         series[k] = 0.8 * series[k - 1] + draw[k]
-    assert counted_once(series) == pytest.approx(1.0 / 9.0, rel=0.2)
+    assert effective_sample_fraction(series) == pytest.approx(1.0 / 9.0, rel=0.2)
     series[::5] = np.nan
-    assert counted_once(series) == pytest.approx(1.0 / 9.0, rel=0.25)
-    assert counted_once(draw) == 1.0
+    assert effective_sample_fraction(series) == pytest.approx(1.0 / 9.0, rel=0.25)
+    assert effective_sample_fraction(draw) == 1.0
 
 
 def test_a_scene_that_lacks_something_is_told_and_widens_the_intervals() -> None:

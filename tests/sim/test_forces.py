@@ -15,7 +15,7 @@ from msgspec.structs import replace
 
 from sim import Scene, Simulation
 from sim.forces.all import TERMS
-from sim.forces.joints import JointsTwin
+from sim.forces.joints import JointsReference
 from sim.forces.reference import Physics
 from sim.forces.term import Term
 from sim.scene.types import ForceLaw, Method
@@ -46,7 +46,7 @@ def yielding(shape: str, law: ForceLaw, seed: int, **changes: Any) -> Scene:
     scene = body(shape, law, seed, **changes)
     arrays, at = Arrays(scene), np.array([mass.position for mass in scene.masses])
     x, still = arrays.state.x + 1j * arrays.state.y, np.zeros(arrays.slots, complex)
-    torques = np.abs(JointsTwin(arrays.body, arrays.state).torques(x, still))
+    torques = np.abs(JointsReference(arrays.body, arrays.state).torques(x, still))
     limits = [0.6 * torque if i % 2 else None for i, torque in enumerate(torques[arrays.system.joint_order])]
 
     def force(i: int, s: Any) -> float | None:

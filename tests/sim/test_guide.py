@@ -22,7 +22,7 @@ GUIDE = (ROOT / "docs" / "extending.md").read_text(encoding="utf-8")
 TRY = """
 import numpy as np
 import sim
-from sim.analysis.equilibrium import Resting
+from sim.analysis.equilibrium import StaticModel
 from sim.model.system import build_system
 from sim.compiling.compiler import needed_by
 from sim.motion.stability import limit_at_start
@@ -30,7 +30,7 @@ from sim.forces.reference import Physics
 from sim.scene.types import Attractor
 
 def differs(scene):
-    body = Resting(scene, balanced=False)
+    body = StaticModel(scene, balanced=False)
     q = body.start + 3.0 * np.random.default_rng(1).normal(size=body.start.size)
     q[[0, *range(len(scene.masses) + 1, body.slots)]] = 0.0
     q[body.slots + np.array([0, *range(len(scene.masses) + 1, body.slots)])] = 0.0

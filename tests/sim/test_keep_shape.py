@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linprog
 
 import sim
-from sim.analysis.equilibrium import Resting
+from sim.analysis.equilibrium import StaticModel
 from sim.design.keep_shape import keep_shape_at
 from sim.edit.edit import Selection
 from sim.forces.reference import Physics
@@ -36,7 +36,7 @@ MOVED = {"lesson-resonance"}
 
 def net_force(scene: sim.Scene) -> float:
     """The largest force on a free mass at rest in the scene's pose, relative to the largest load."""
-    body = Resting(scene, balanced=False)
+    body = StaticModel(scene, balanced=False)
     place = body.system.mass_index
     x = np.zeros(body.slots, complex)
     assert scene.pose is not None
@@ -170,7 +170,7 @@ def test_long_rods_are_kept_to_rounding(masses: int) -> None:
     scene = fine_rope(masses, gravity=(0.0, 1000.0))
     clamped = (sim.Anchor(mass=0), sim.Anchor(mass=1))
     kept = sim.keep_shape(replace(scene, bodies=(), links=(), anchors=clamped))
-    body = Resting(kept, balanced=False)
+    body = StaticModel(kept, balanced=False)
     assert (np.abs(body.accelerations(body.start)) <= body.rounding(body.start)).all()
     assert drift(kept, 1.0) <= 1e-6
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import sim
-from sim.engine.layout import Layout, slab
+from sim.engine.layout import Layout, aligned_arena
 from sim.engine.table import Floats, Record, Rows, Table, address_of
 from tests.sim.inside import solver_of
 
@@ -35,7 +35,7 @@ SHARED = np.array([7.0])
 
 
 def new_layout() -> Layout[_Outer]:
-    near, far, rows = slab([(5, 1), (3, 0), (8, 0)], page_offset=512)
+    near, far, rows = aligned_arena([(5, 1), (3, 0), (8, 0)], page_offset=512)
     count = _Count(rows=rows.reshape(2, 4), steps=4)
     inner = _Inner(far=far, shared=SHARED, count=count)
     return Layout(_Outer(near=near, inner=inner, again=count, factor=2.5), (near, far, rows), page_offset=512)

@@ -22,7 +22,7 @@ from sim import (
     Simulation,
     SpringMuscle,
 )
-from sim.model.system import build_system, refresh, start_of
+from sim.model.system import build_system, start_of, update_rest_state
 from sim.motion.stability import limit_at_start
 from sim.scene.types import ForceLaw, Method
 from sim.solve.registry import METHODS
@@ -131,7 +131,7 @@ def test_the_kernels_and_numpy_let_them_move_alike(shape: str) -> None:
         by_kernel = {
             name: getattr(state, name).copy() for name in ("rest_tension", "torque_cos", "torque_sin")
         }
-        refresh(system.body, state)
+        update_rest_state(system.body, state)
         for name, array in by_kernel.items():
             assert getattr(state, name) == pytest.approx(array, rel=1e-13, abs=1e-9), name
         reference.at(simulation.time)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import sim
-from sim.analysis.predictability import Shadow, growth_within, hair_of, horizon, verdict
+from sim.analysis.predictability import TwinTrajectory, growth_within, hair_of, horizon, verdict
 from sim.errors import InputError
 from tests.sim.builders import built, chain
 
@@ -75,7 +75,7 @@ def test_bodies_that_touch_break_or_stand_in_the_wind(preset: str) -> None:
 
 def test_held_masses_are_nowhere_else() -> None:
     body = sim.Simulation(sim.load_scene("tutorial-3.3"))
-    shadow = Shadow(body)
+    shadow = TwinTrajectory(body)
     near, far = shadow.pair
     apart = far.positions - near.positions
     assert not apart[0].any()
@@ -89,7 +89,7 @@ def test_held_masses_are_nowhere_else() -> None:
 
 def test_a_shadow_takes_over_what_keys_have_changed_and_other_bodies() -> None:
     body = sim.Simulation(sim.load_scene("tutorial-3.3"))
-    shadow = Shadow(body)
+    shadow = TwinTrajectory(body)
     body.keys = {"up", "right"}
     body.step(40)
     shadow.place(body)
@@ -103,7 +103,7 @@ def test_a_shadow_takes_over_what_keys_have_changed_and_other_bodies() -> None:
 
 
 def test_a_shadow_without_time_says_so() -> None:
-    shadow = Shadow(sim.Simulation(swinging(90.0)))
+    shadow = TwinTrajectory(sim.Simulation(swinging(90.0)))
     assert not shadow.step(1000, attempts=3)
     assert shadow.level == 0.0
 

@@ -138,7 +138,7 @@ def test_a_joint_is_weakened_to_what_its_angle_bears() -> None:
     tables = system_of(Simulation(scene)).body
     share = 1  # one joint
     assert tables.joint_stiffness[0] == pytest.approx(1.0 / (6.0 * share * dt**2), rel=1e-12)
-    assert tables.torque_size[1] == tables.joint_stiffness[0]
+    assert tables.angular_stiffness[1] == tables.joint_stiffness[0]
     joint = replace(scene.angular_springs[0], damping=1e6)
     tables = system_of(Simulation(replace(scene, angular_springs=(joint,)))).body
     assert tables.torque_damping[1] == pytest.approx(1.0 / (6.0 * share * dt), rel=1e-12)

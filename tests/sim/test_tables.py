@@ -99,7 +99,7 @@ def check_tables(scene: sim.Scene, system: System) -> None:
     for j, joint, stiffness in zip(joints, scene.angular_springs, stiffnesses, strict=True):
         assert (order[body.joint_a[j]], order[body.joint_b[j]]) == (joint.a, joint.b)
         assert (body.joint_stiffness[j], body.joint_rest[j]) == (stiffness, joint.rest_angle)
-        assert (body.torque_size[j + 1], body.torque_damping[j + 1]) == (stiffness, joint.damping)
+        assert (body.angular_stiffness[j + 1], body.torque_damping[j + 1]) == (stiffness, joint.damping)
     hinged_springs, springs, all_joints = range(body.hinged), range(len(order)), range(len(joints))
     check_links(body.held, body.spring_a, body.spring_b, hinged_springs)
     check_links(body.free, body.spring_a, body.spring_b, springs[body.hinged :])

@@ -296,7 +296,7 @@ def _turn_joint(moment: Moment, joint: int, angle: float | None) -> Edit:
     angle -= moment.rest_angle_shift
     if moment.damage is not None and moment.damage.set_angles:
         angle -= moment.damage.set_angles[joint]
-    edit = set_number(scene, number("angular_springs", "rest_angle"), [joint], build.in_turn(angle))
+    edit = set_number(scene, number("angular_springs", "rest_angle"), [joint], build.wrapped_degrees(angle))
     return replace(edit, select=Selection(joints=frozenset({joint})))
 
 

@@ -15,7 +15,7 @@ from ...engine.jit import FUSED, kernel
 from ...engine.table import Indices
 from ...engine.tables import Body, State
 from ...near import near_pairs, nearest_points
-from ..events import kept_stretch, part_to_slip, part_to_touch, stretch_since_touch
+from ..events import kept_stretch, slip_fraction, stretch_since_touch, touch_fraction
 from ..term import Floats, Term, Vectors
 from .batch import add_in_batches
 from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
@@ -99,7 +99,7 @@ def energy_along_spring(body, state, q, s):
 
 @kernel(internal=True, fastmath=FUSED)
 def _slider(body, pair, pull):
-    """(stretch, speed along, largest friction, rate of that) of a pair, as in `events.part_to_slip`; `pull`:
+    """(stretch, speed along, largest friction, rate of that) of a pair, as in `events.slip_fraction`; `pull`:
     the acceleration outwards of its mass, px/s²."""
     contact, depth = body.environment.contact, body.environment.contact.distance - pair.r
     friction = friction_on(contact, pair.ex * pair.ex + pair.ey * pair.ey)
@@ -115,9 +115,9 @@ def _slider(body, pair, pull):
 
 
 @kernel(internal=True, fastmath=FUSED)
-def part_to_slip_on_springs(body, state, q, v, to_q, to_v, h, unseen):
+def slip_fraction_on_springs(body, state, q, v, to_q, to_v, h, unseen):
     """The part of a step that leads just beyond where a mass begins to touch a spring, or to slide along it,
-    or turns round; see `events.part_to_slip`."""
+    or turns round; see `events.slip_fraction`."""
     contact, w, slots, part = body.environment.contact, state.inverse_mass, q.size // 2, 1.0
     if not (contact.present and contact.tangential > 0.0):
         return part
@@ -135,13 +135,13 @@ def part_to_slip_on_springs(body, state, q, v, to_q, to_v, h, unseen):
                 pull = (pair.speed - old.speed) / h
                 start, end = _slider(body, old, pull), _slider(body, pair, pull)
                 if pair.gripped:
-                    part = min(part, part_to_slip(h, spring, mobility, start, end, unseen))
+                    part = min(part, slip_fraction(h, spring, mobility, start, end, unseen))
                 elif pair.r < contact.distance <= old.r:
                     depths, speeds = (
                         (contact.distance - old.r, contact.distance - pair.r),
                         (old.speed, pair.speed),
                     )
-                    part = min(part, part_to_touch(h, spring, mobility, depths, speeds, end, unseen))
+                    part = min(part, touch_fraction(h, spring, mobility, depths, speeds, end, unseen))
     return part
 
 
@@ -149,7 +149,7 @@ def part_to_slip_on_springs(body, state, q, v, to_q, to_v, h, unseen):
 def stick_to_springs(body, state, scratch, q0, v0, q, v, h):
     """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`.
 
-    Arguments as of `sticking.stick`.
+    Arguments as of `sticking.update_friction_history`.
     """
     contact, slots, count = body.environment.contact, q.size // 2, 0
     masses, stretches = scratch.next_mass, scratch.next_stretch
@@ -213,7 +213,7 @@ indefinite is left out, and the number of pairs that touch."""
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def _change_of(contact, pair, change, g, definite):
+def _pair_jvp(contact, pair, change, g, definite):
     """How F and G change when the masses of a pair move, to first order.
 
     With the changes x_i of the positions of the mass, a and b, let D = sum of w_i x_i be that of the mass
@@ -299,10 +299,10 @@ def _change_of(contact, pair, change, g, definite):
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def _drag_of(contact, pair, change):
+def _pair_damping_jvp(contact, pair, change):
     """How F and G change when the velocities of a pair change, to first order, kg px/s².
 
-    `change`: as of `_change_of`, for velocities, px/s. The terms are those there with g.
+    `change`: as of `_pair_jvp`, for velocities, px/s. The terms are those there with g.
     """
     dx, dy, fx, fy = change
     nx, ny, lx, ly = pair.nx, pair.ny, pair.lx, pair.ly
@@ -348,8 +348,8 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
                 t, u, mm = pair.t, 1.0 - pair.t, 4 * matrix.of_mass[pair.m]
                 for axis in range(2):
                     one, other = (1.0, 0.0) if axis == 0 else (0.0, 1.0)
-                    by_d = _change_of(contact, pair, (one, other, 0.0, 0.0), g, definite)
-                    by_e = _change_of(contact, pair, (0.0, 0.0, one, other), g, definite)
+                    by_d = _pair_jvp(contact, pair, (one, other, 0.0, 0.0), g, definite)
+                    by_e = _pair_jvp(contact, pair, (0.0, 0.0, one, other), g, definite)
                     for part in range(2):
                         e = 2 * part + axis
                         f, h, fe, he = by_d[part], by_d[2 + part], by_e[part], by_e[2 + part]
@@ -377,9 +377,9 @@ def add_coupling(body, state, matrix, z, out):
                 m, a, b, t, u = pair.m, pair.a, pair.b, pair.t, 1.0 - pair.t
                 ax, ay, bx, by = z[a], z[slots + a], z[b], z[slots + b]
                 change = (-u * ax - t * bx, -u * ay - t * by, bx - ax, by - ay)
-                force = _change_of(contact, pair, change, g, definite)
+                force = _pair_jvp(contact, pair, change, g, definite)
                 add_at_pair(pair, (-w[m], 0.0, 0.0), force, (out[:slots], out[slots:]))
-                force = _change_of(contact, pair, (z[m], z[slots + m], 0.0, 0.0), g, definite)
+                force = _pair_jvp(contact, pair, (z[m], z[slots + m], 0.0, 0.0), g, definite)
                 add_at_pair(pair, (0.0, -w[a], -w[b]), force, (out[:slots], out[slots:]))
 
 
@@ -398,7 +398,9 @@ def _add_damping(body, state, q, v, z, factor, out):
                 ex, ey = z[b] - z[a], z[slots + b] - z[slots + a]
                 change = (z[m] - z[a] - t * ex, z[slots + m] - z[slots + a] - t * ey, ex, ey)
                 factors = factor * w[m], factor * w[a], factor * w[b]
-                add_at_pair(pair, factors, _drag_of(contact, pair, change), (out[:slots], out[slots:]))
+                add_at_pair(
+                    pair, factors, _pair_damping_jvp(contact, pair, change), (out[:slots], out[slots:])
+                )
 
 
 # ------------------------------------------------------------------------- what it asks of a step
@@ -461,8 +463,8 @@ def no_tunnelling(body, q, to_q):
 
 
 # ------------------------------------------------------------------------- in NumPy
-class ContactTwin:
-    """Contact in NumPy; see `Twin`.
+class ContactReference:
+    """Contact in NumPy; see `Reference`.
 
     Pairs that are nearer than the distance of contact plus a margin are kept until some mass has moved by
     half of the margin.
@@ -476,7 +478,7 @@ class ContactTwin:
         self._pairs = np.zeros((4, 0), np.int64)
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """See `Twin`."""
+        """See `Reference`."""
         total = np.zeros_like(x)
         if not self._contact.present:
             return total
@@ -530,7 +532,7 @@ class ContactTwin:
         stretch[found] = was[:, 0] + r * turned - np.copysign(length, way.imag) * (t[found] - was[:, 1])
         return stretch
 
-    def stick(self, x: Vectors, v: Vectors) -> None:
+    def update_friction_history(self, x: Vectors, v: Vectors) -> None:
         """`stick_to_springs`."""
         contact, state = self._contact, self._state
         if not (contact.present and contact.tangential):
@@ -542,7 +544,7 @@ class ContactTwin:
         state.contact_mass[: order.size], state.contact_stretch[: order.size] = m[order], kept[order]
 
     def energy(self, x: Vectors) -> float:
-        """See `Twin`."""
+        """See `Reference`."""
         contact = self._contact
         if not contact.present:
             return 0.0
@@ -594,7 +596,7 @@ def places(x: Vectors, m: Indices, a: Indices, b: Indices, t: Floats) -> tuple[N
 CONTACT = Term(
     "contact",
     has_contact,
-    ContactTwin,
+    ContactReference,
     _add_forces,
     field="contact",
     table=Contacts,

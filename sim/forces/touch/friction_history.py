@@ -2,8 +2,8 @@
 
 They exert their forces as parts of the terms `walls` and `contact`. What they remember from step to step is
 in the state, with what has yielded, and like that it changes after a step only: the loop of the integrators
-calls `stick` once it keeps one. So a step that is refused leaves no trace, and within a step forces depend on
-nothing but where masses are and how fast.
+calls `update_friction_history` once it keeps one. So a step that is refused leaves no trace, and within a
+step forces depend on nothing but where masses are and how fast.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from ...engine.jit import FAST, kernel
 from ...engine.tables import Body
 from ..events import LARGEST_PART, UNSEEN
-from .contact import energy_along_springs, part_to_slip_on_springs, stick_to_springs
+from .contact import energy_along_springs, slip_fraction_on_springs, stick_to_springs
 from .pairs import TANGENTIAL_ROOM
-from .walls import NOWHERE, energy_along_walls, part_to_slip_on_walls, stick_to_walls
+from .walls import NOWHERE, energy_along_walls, slip_fraction_on_walls, stick_to_walls
 
 
 @kernel(internal=True, fastmath=FAST)
@@ -27,19 +27,19 @@ def _energy_along(body, state, q):
 
 
 @kernel(fastmath=FAST)
-def part_to_slip(problem, q0, v0, q1, v1, h, tolerance):
+def slip_fraction(problem, q0, v0, q1, v1, h, tolerance):
     """The part of a step of h seconds from q0, v0 to q1, v1 that should be tried instead of it: up to where
     something begins to touch, to slide, or turns round; 1 if the step may be kept. `tolerance`: px per s."""
     body, state, unseen = problem.body, problem.state, UNSEEN * tolerance
     part = min(
-        part_to_slip_on_walls(body, state, q0, v0, q1, v1, h, unseen),
-        part_to_slip_on_springs(body, state, q0, v0, q1, v1, h, unseen),
+        slip_fraction_on_walls(body, state, q0, v0, q1, v1, h, unseen),
+        slip_fraction_on_springs(body, state, q0, v0, q1, v1, h, unseen),
     )
     return min(part, LARGEST_PART) if part < 1.0 else 1.0
 
 
 @kernel(fastmath=FAST)
-def stick(problem, q0, v0, q1, v1, h):
+def update_friction_history(problem, q0, v0, q1, v1, h):
     """Note all stretches at the end q1, v1 of a step of h seconds from q0, v0, and let sliders slide.
 
     With h = 0, as under a fixed step, what was between is not looked at. What friction takes is entered into

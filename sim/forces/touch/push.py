@@ -86,14 +86,14 @@ def push_and_friction(
         gain -= hysteresis * tanh(speed / (slow + 1e-300))
     if h == 0.0:
         push = max(elastic * gain, 0.0)
-        return push, _rubbing(friction * push, slip_speed, tangential, along, stretch), elastic
+        return push, _friction_force(friction * push, slip_speed, tangential, along, stretch), elastic
     power = (h * mobility * (damping * elastic + 4.0 * h * stiffness * depth)) ** 4
     less = 1.0 / (1.0 + power)
     push = stiffness * depth * (depth * gain - CALMING * h * speed * power * less)
     push = max(push, 0.0) * math.sqrt(math.sqrt(less))
     most, tangential = friction * push, softened(tangential, h, mobility_along)
     slip_speed = math.sqrt(math.sqrt(slip_speed**4 + (h * mobility_along * most) ** 4))
-    return push, _rubbing(most, slip_speed, tangential, along, stretch), elastic
+    return push, _friction_force(most, slip_speed, tangential, along, stretch), elastic
 
 
 @kernel(forceinline=True, fastmath=FUSED)
@@ -107,7 +107,7 @@ def softened(tangential, h, mobility_along):
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def _rubbing(most, slip_speed, tangential, along, stretch):
+def _friction_force(most, slip_speed, tangential, along, stretch):
     """Friction, of which `most` is the largest."""
     stiffness, damping = tangential
     if stiffness == 0.0:

@@ -18,7 +18,7 @@ from ...engine.table import Rows, Table
 from ...engine.tables import Body, State
 from ...scene.surroundings import Wall
 from ...scene.types import Scene
-from ..events import kept_stretch, part_to_slip, part_to_touch, stretch_since_touch
+from ..events import kept_stretch, slip_fraction, stretch_since_touch, touch_fraction
 from ..term import Floats, Places, Term, Vectors, read_only
 from .push import (
     friction_slopes,
@@ -182,7 +182,7 @@ def energy_along_walls(body, state, q):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _slider(body, state, wall, k, i, q, v, pull):
-    """Depth of mass i in the k-th wall, px, speed outwards, px/s, and what `events.part_to_slip` asks of an
+    """Depth of mass i in the k-th wall, px, speed outwards, px/s, and what `events.slip_fraction` asks of an
     end of a step, for 1 kg. `pull`: acceleration outwards, px/s²."""
     slots = q.size // 2
     x, y, vx, vy = q[i], q[slots + i], v[i], v[slots + i]
@@ -204,9 +204,9 @@ def _outwards(wall, i, v0, v1):
 
 
 @kernel(fastmath=FAST)
-def part_to_slip_on_walls(body, state, q, v, to_q, to_v, h, unseen):
+def slip_fraction_on_walls(body, state, q, v, to_q, to_v, h, unseen):
     """The part of a step that leads just beyond where a mass begins to touch a wall, or to slide along it, or
-    turns round; see `events.part_to_slip`."""
+    turns round; see `events.slip_fraction`."""
     rows, part = body.environment.walls.rows, 1.0
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
@@ -217,10 +217,10 @@ def part_to_slip_on_walls(body, state, q, v, to_q, to_v, h, unseen):
                     depth, speed, start = _slider(body, state, wall, k, i, q, v, pull)
                     to_depth, to_speed, end = _slider(body, state, wall, k, i, to_q, to_v, pull)
                     if depth > 0.0 and _has_grip(state, wall, k, i):
-                        part = min(part, part_to_slip(h, _spring(wall), 1.0, start, end, unseen))
+                        part = min(part, slip_fraction(h, _spring(wall), 1.0, start, end, unseen))
                     elif depth <= 0.0 < to_depth:
                         depths, speeds = (depth, to_depth), (speed, to_speed)
-                        part = min(part, part_to_touch(h, _spring(wall), 1.0, depths, speeds, end, unseen))
+                        part = min(part, touch_fraction(h, _spring(wall), 1.0, depths, speeds, end, unseen))
     return part
 
 
@@ -228,7 +228,7 @@ def part_to_slip_on_walls(body, state, q, v, to_q, to_v, h, unseen):
 def stick_to_walls(body, state, q0, v0, q, v, h):
     """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`.
 
-    Arguments as of `sticking.stick`.
+    Arguments as of `sticking.update_friction_history`.
     """
     rows, slots = body.environment.walls.rows, q.size // 2
     for k in range(rows.shape[0]):
@@ -260,7 +260,7 @@ def stick_to_walls(body, state, q0, v0, q, v, h):
 # ------------------------------------------------------------------------- the balance
 @kernel(fastmath=FAST)
 def _add_power(body, state, balance, q, v, part):
-    """Friction, and what bouncing loses; friction on the masses of `mark_quick` is left out."""
+    """Friction, and what bouncing loses; friction on the masses of `mark_stiff_friction` is left out."""
     environment, rows, slots, power = body.environment, body.environment.walls.rows, q.size // 2, 0.0
     quick = balance.quick
     for k in range(rows.shape[0]):
@@ -277,7 +277,7 @@ def _add_power(body, state, balance, q, v, part):
 
 
 @kernel(fastmath=FAST)
-def mark_quick(body, inverse_mass, q0, q1, h, quick):
+def mark_stiff_friction(body, inverse_mass, q0, q1, h, quick):
     """Whether friction on a wall would stop any mass within a fraction of a step of h seconds.
 
     Where it does, the speeds of a step have errors that the tolerance allows, but friction in proportion to
@@ -308,7 +308,7 @@ def gather_others(body, state, q, v, a, part, quick):
     Args:
         q, v, a: flat positions, velocities and accelerations.
         part: of the step.
-        quick: of `mark_quick`; the powers are in its second half.
+        quick: of `mark_stiff_friction`; the powers are in its second half.
     """
     environment, rows, slots = body.environment, body.environment.walls.rows, q.size // 2
     for k in range(rows.shape[0]):
@@ -326,7 +326,7 @@ def gather_others(body, state, q, v, a, part, quick):
 
 @kernel(fastmath=FAST)
 def work_of_quick(body, v0, v1, h, quick):
-    """The work of friction on the masses of `mark_quick` in a step, which is negative, kg px²/s²."""
+    """The work of friction on the masses of `mark_stiff_friction` in a step, which is negative, kg px²/s²."""
     environment, rows, slots, work = body.environment, body.environment.walls.rows, v0.size // 2, 0.0
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
@@ -435,15 +435,16 @@ def _impact_time(body, state, q, v, a, h):
 
 
 # ------------------------------------------------------------------------- in NumPy
-class WallsTwin:
-    """Walls in NumPy; see `Twin`. For a unit vector n, conj(n) v has the parts of v along n and across it."""
+class WallsReference:
+    """Walls in NumPy; see `Reference`. For a unit vector n, conj(n) v has the parts of v along n and across
+    it."""
 
     def __init__(self, body: Body, state: State) -> None:
         self._walls, self._step = body.environment.walls, body.environment.step
         self._mass, self._state = body.environment.mass, state
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """See `Twin`."""
+        """See `Reference`."""
         return sum(self.force_of_each(x, v), np.zeros_like(x))
 
     def force_of_each(self, x: Vectors, v: Vectors) -> Iterator[Vectors]:
@@ -458,7 +459,7 @@ class WallsTwin:
             yield mass * (push - 1j * rubbing) * normal
 
     def energy(self, x: Vectors) -> float:
-        """See `Twin`; that of free masses."""
+        """See `Reference`; that of free masses."""
         mass, total = np.where(self._state.inverse_mass > 0.0, self._mass, 0.0), 0.0
         for k, (wall, depth, _) in enumerate(self._depths(x)):
             total += float((mass * wall.hardness * depth**3).sum()) / 3.0
@@ -466,7 +467,7 @@ class WallsTwin:
             total += 0.5 * stiffness * float((mass * (depth > 0.0) * self._stretch(k, wall, x) ** 2).sum())
         return total
 
-    def stick(self, x: Vectors, v: Vectors) -> None:
+    def update_friction_history(self, x: Vectors, v: Vectors) -> None:
         """`stick_to_walls`."""
         for k, (wall, depth, normal) in enumerate(self._depths(x)):
             if wall.tangential:
@@ -499,7 +500,7 @@ class WallsTwin:
 WALLS = Term(
     "walls",
     lambda scene: bool(scene.walls),
-    WallsTwin,
+    WallsReference,
     _add_forces,
     field="walls",
     table=Walls,

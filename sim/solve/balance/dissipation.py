@@ -48,7 +48,7 @@ def gather_dampers(body, q, v, part, dampers):
 
 
 @kernel(fastmath=FAST)
-def taken_away(body, inverse_mass, q, v, h, dampers):
+def dissipated_energy(body, inverse_mass, q, v, h, dampers):
     """Energy that all dampers dissipate in a step of length h that starts at q and v, kg px²/s².
 
     If a damper is quick and its rate seems to swing, the rate is assumed to decay from its value at the start
@@ -68,7 +68,7 @@ def taken_away(body, inverse_mass, q, v, h, dampers):
             most = dampers[POWER, springs + j]
             mean, strength = dampers[MEAN, springs + j], dampers[STRENGTH, springs + j]
             if most > _SWINGING * strength * mean * mean:
-                quickness = h * strength * _lightness(body, inverse_mass, q, j)
+                quickness = h * strength * _effective_inverse_inertia(body, inverse_mass, q, j)
                 most = _calmed(mean, strength, most, _bending(body, q, v, j)[0], quickness)
             power += most
     return h * power
@@ -115,7 +115,7 @@ def _turning(body, q, v, s):
 
 
 @kernel(inline="always")
-def _lightness(body, inverse_mass, q, j):
+def _effective_inverse_inertia(body, inverse_mass, q, j):
     """Inverse moment of inertia of a joint's angle, 1/(kg px²), ignoring that its springs share a mass."""
     light = 0.0
     for s in (body.joint_a[j], body.joint_b[j]):

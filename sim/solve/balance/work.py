@@ -13,8 +13,8 @@ from ...forces.joints import TUTORIAL, joint_power_of_keys, power_of_law
 from ...forces.muscles import power_of_muscles
 from ...forces.plasticity import yield_at
 from ...forces.springs import spring_power_of_keys
-from ...forces.touch.walls import gather_others, mark_quick, work_of_quick
-from .dissipation import gather_dampers, taken_away
+from ...forces.touch.walls import gather_others, mark_stiff_friction, work_of_quick
+from .dissipation import dissipated_energy, gather_dampers
 
 _ACCELERATION = 3
 """Row of accelerations in the scratch `EnergyBalance.rows`."""
@@ -81,7 +81,7 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
     smooth = _is_smooth(h, state.q, state.v, integrator.a, q1, v1, a1)
     balance.dampers[:] = 0.0
     quick = balance.quick
-    any_quick = quick.shape[0] > 0 and mark_quick(body, state.inverse_mass, state.q, q1, h, quick)
+    any_quick = quick.shape[0] > 0 and mark_stiff_friction(body, state.inverse_mass, state.q, q1, h, quick)
     parts = _parts_for_muscles(body, h)
     for i in range(3 * parts):
         u, weight = (i // 3 + _NODES[i % 3]) / parts, _WEIGHTS[i % 3] / parts
@@ -98,7 +98,7 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
         gather_dampers(body, q, v, weight, balance.dampers)
     if any_quick:
         balance.work.walls += work_of_quick(body, state.v, v1, h, quick)
-    balance.work.damping -= taken_away(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
+    balance.work.damping -= dissipated_energy(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
     if drive.pressed or drive.timed:
         drive_to(body, state, drive, t + h, q, v)
 

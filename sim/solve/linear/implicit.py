@@ -40,27 +40,27 @@ def solve_matrix(body, state, matrix, b):
     solve_with_contact(body, state, matrix, b)
     fillings = matrix.bordered.size
     for k in range(fillings):
-        matrix.corrections[fillings, k] = dot(body.masses, matrix.borders[k], b)
+        matrix.corrections[fillings, k] = dot(body.masses, matrix.low_rank[k], b)
     for k in range(fillings):
         part = 0.0
         for i in range(fillings):
             part += matrix.corrections[k, i] * matrix.corrections[fillings, i]
-        add_multiple(body.masses, -part, matrix.borders[fillings + k], b)
+        add_multiple(body.masses, -part, matrix.low_rank[fillings + k], b)
 
 
 @kernel(fastmath=FAST)
 def _border(body, state, matrix, q):
     """Prepare the correction for the products of gradients; whether its own small matrix is regular.
 
-    `borders` gets the gradients G, and then A^-1 U; `corrections` the inverse of I + Gᵀ A^-1 U.
+    `low_rank` gets the gradients G, and then A^-1 U; `corrections` the inverse of I + Gᵀ A^-1 U.
     """
-    borders, small, count = matrix.borders, matrix.corrections, matrix.bordered.size
+    low_rank, small, count = matrix.low_rank, matrix.corrections, matrix.bordered.size
     for k in range(count):
-        write_area_product(body, state, matrix.bordered[k], q, borders[k], borders[count + k])
-        solve_with_contact(body, state, matrix, borders[count + k])
+        write_area_product(body, state, matrix.bordered[k], q, low_rank[k], low_rank[count + k])
+        solve_with_contact(body, state, matrix, low_rank[count + k])
     for i in range(count):
         for k in range(count):
-            small[i, k] = dot(body.masses, borders[i], borders[count + k]) + (1.0 if i == k else 0.0)
+            small[i, k] = dot(body.masses, low_rank[i], low_rank[count + k]) + (1.0 if i == k else 0.0)
     return _invert(small, count)
 
 

@@ -111,7 +111,7 @@ def next_turn(problem, end, whole_tolerance, left):
         left -= spent
     if not (run.time < end and left > 0 and run.what == GOOD):
         return -1, 0, 0.0, spent
-    method, limit = _whose_turn(
+    method, limit = _select_method(
         auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited, _LONGEST * problem.near_damped_limit
     )
     began, step = run.time, auto.step[method]
@@ -172,7 +172,7 @@ def _enter_turn(integrator, costs, method, tries, price, end):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _whose_turn(auto, costs, long_step, held, longest):
+def _select_method(auto, costs, long_step, held, longest):
     """(method, number of steps that it may try).
 
     Args:
@@ -199,7 +199,7 @@ def _whose_turn(auto, costs, long_step, held, longest):
         if held > 0.0 and auto.work < 2.0 * _BEGINNING:
             return best, _BEGINNING
         auto.work = 0.0
-        return ADAMS, _few(ADAMS)
+        return ADAMS, _trial_steps(ADAMS)
     waits = False
     for method in range(1, CHOICES):
         if costs[method] == 0.0 or auto.pace[method] >= 0.0:
@@ -211,15 +211,15 @@ def _whose_turn(auto, costs, long_step, held, longest):
         elif best == VERLET:
             if method == ALPHA:
                 hope /= _HOPE
-            price = _few(method) * costs[method]
+            price = _trial_steps(method) * costs[method]
             may = hope < 1.0 and auto.work >= _PATIENCE * (hope - _DOUBT) * price
             waits = waits or (hope < 1.0 and not may)
         if may:
             auto.work = 0.0
-            return method, _few(method)
+            return method, _trial_steps(method)
     other = (best + 1 + auto.asked % (CHOICES - 1)) % CHOICES
     if costs[other] > 0.0 and (worth or other != ADAMS):
-        tries = _few(other)
+        tries = _trial_steps(other)
         price = tries * costs[other] + (_RESTART * costs[best] if best in (ALPHA, ADAMS) else 0.0)
         close = best != ALPHA and auto.pace[other] > _CLOSE * pace
         share = _SHARE if close else _SHARE_OF_HOPELESS
@@ -230,7 +230,7 @@ def _whose_turn(auto, costs, long_step, held, longest):
     else:
         auto.asked += 1
     if best != ALPHA and auto.last == ALPHA:
-        return best, _few(best)  # what is known of it is out of date
+        return best, _trial_steps(best)  # what is known of it is out of date
     if best == VERLET and held > _HELD and not waits:
         return best, _LONG_TURN_STEPS
     return best, _TURN_STEPS if best in (VERLET, ADAMS) else _IMPLICIT_TURN_STEPS
@@ -254,6 +254,6 @@ def _near_singular(body, state, q):
 
 
 @kernel(forceinline=True)
-def _few(method):
+def _trial_steps(method):
     """Number of steps of a trial; methods with a history need more, as they begin with short steps."""
     return 8 if method == VERLET else 12 if method == ALPHA else 24 if method == ADAMS else 3

@@ -6,15 +6,15 @@ from ...engine.calls import accelerate
 from ...engine.jit import FUSED, kernel
 from ...engine.lanes import eight_at_a_time
 from ...engine.tables import SPARE
-from ...forces.drive import lead, lead_to, press
+from ...forces.drive import integrate_keys, lead, lead_to
 from .common import fixed_time
-from .loop import advance, begin_at_once, go_on
+from .loop import advance, begin_at_once, finish_step
 
 
 @kernel(fastmath=FUSED)
 def run_euler(problem, drive, end, tolerance, attempts):
     """Advance to `end` by steps of `problem.fixed` seconds; arguments as of `advance`."""
-    advance(problem, drive, end, tolerance, attempts, begin_at_once, _step, go_on, 1.0, False)
+    advance(problem, drive, end, tolerance, attempts, begin_at_once, _step, finish_step, 1.0, False)
 
 
 @kernel(internal=True, fastmath=FUSED)
@@ -32,7 +32,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
         trial.end = fixed_time(problem, trial.number + i)
         lead(drive, trial.end, start, q, v)
         if drive.moving:
-            press(problem.body, problem.state, drive, trial.end, h)
+            integrate_keys(problem.body, problem.state, drive, trial.end, h)
         accelerate(problem, q, v, new.a)
         _kick_and_drift(q, v, new.a, h)
         lead_to(drive, trial.end, q, v)  # the drift has moved them

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 
-from ...engine.calls import accelerate, add_damping, factorise, settle, solve
+from ...engine.calls import accelerate, add_damping, commit_plasticity, factorise, solve
 from ...engine.jit import FAST, kernel
 from ...engine.numerics.vectors import from_to
-from ...forces.drive import act_at, drive_to
+from ...forces.drive import apply_controls_at, drive_to
 from ..balance.energies import energies
 from .common import max_abs
 from .guard import CHANGED, GOOD, state_ok
@@ -84,7 +84,7 @@ def run_fallback(problem, drive, h, shortest, reach):
     if not state_ok(body, integrator, to_q, to_v, True):
         for j in range(q.size):  # a driven mass is out of bounds
             q[j], v[j] = kept_q[j], kept_v[j]
-        act_at(body, state, drive, t)
+        apply_controls_at(body, state, drive, t)
         return
     for j in range(q.size):
         q[j], v[j] = to_q[j], to_v[j]
@@ -96,7 +96,7 @@ def run_fallback(problem, drive, h, shortest, reach):
     run.step = alpha.last = alpha.older = 0.0
     run.current = False
     run.what = GOOD
-    if settle(problem, integrator.old, integrator.old, -1.0):
+    if commit_plasticity(problem, integrator.old, integrator.old, -1.0):
         run.what = CHANGED
     run.fallbacks += 1
     run.matrices += 1

@@ -17,7 +17,7 @@ from ...forces.all import impact_time
 from ...forces.drive import drive_to
 from .common import HOPELESS, SHORTEST_STEP, first_step, max_abs, max_abs_difference, step_after
 from .loop import advance
-from .turning import predict, remember, turn_and_stretch
+from .turning import predict, store_direction, turn_and_stretch
 
 _RHO = 0.8
 """Factor by which each step multiplies the fastest motions (the spectral radius at infinity)."""
@@ -29,7 +29,7 @@ _ALPHA = _AM, _AF, 0.5 - _AM + _AF, _BETA, 0.5 - _BETA
 _EULER = 0.0, 0.0, 1.0, 1.0, 0.0
 """The same parameters for the implicit Euler method, which does not use that acceleration."""
 
-_CALMING = 2
+_STARTUP_STEPS = 2
 """Number of steps of the implicit Euler method with which the method begins."""
 
 _ITERATIONS = 8
@@ -186,7 +186,7 @@ def _control(problem, drive, old, new, h, tolerance, error, good):
     a_prev, predictor_error = alpha.rows[0], alpha.rows[3]
     hopeless, error = error >= HOPELESS, _ACCEPTED * error
     if good:
-        remember(problem, old.q, h, 0.0)
+        store_direction(problem, old.q, h, 0.0)
         _, _, _, beta, _ = _parameters(problem)
         inverse = 1.0 / (beta * h * h)
         for j in range(1, old.q.size - SPARE):
@@ -223,7 +223,7 @@ def _is_calming(problem):
 
     Motions that are too fast for the coming steps show up in accelerations: the first steps discard those.
     """
-    return problem.fixed == 0.0 and problem.integrator.alpha.steps < _CALMING
+    return problem.fixed == 0.0 and problem.integrator.alpha.steps < _STARTUP_STEPS
 
 
 @kernel(forceinline=True)

@@ -1,7 +1,7 @@
 """The loop that all methods share: lead held masses, try a step, judge it, and keep it or try a shorter one.
 
-A method is a step: a kernel that leads from one `Phase` to another and estimates its error. One that chooses
-its steps, or that keeps something from step to step, also has a kernel that begins a run and one that
+A method is a step: a kernel that leads from one `PhasePoint` to another and estimates its error. One that
+chooses its steps, or that keeps something from step to step, also has a kernel that begins a run and one that
 controls what comes next. All else is here: fixed and chosen steps, what makes a step acceptable, held keys,
 the energy balance, and springs that yield and break. `solve.steps.runge_kutta` is the shortest example.
 """
@@ -10,10 +10,17 @@ from __future__ import annotations
 
 import math
 
-from ...engine.calls import accelerate, accumulate, no_tunnelling, part_to_try, settle, stick
+from ...engine.calls import (
+    accelerate,
+    accumulate,
+    commit_plasticity,
+    event_fraction,
+    no_tunnelling,
+    update_friction_history,
+)
 from ...engine.jit import kernel
 from ...engine.tables import CONTROL_SCALE, CONTROL_SHIFT
-from ...forces.drive import act_as, lead_to
+from ...forces.drive import apply_controls, lead_to
 from .common import (
     WORTH_SHORTENING,
     ensure_acceleration,
@@ -60,13 +67,17 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
     number = last = 0
     # With an energy balance, methods with a fixed step do one at a time, which gives the same bits.
     accounts = balance.active and fixed > 0.0
-    most = 1 if accounts or problem.settle != 0 or problem.stick != 0 else _MAX_AT_ONCE
+    most = (
+        1
+        if accounts or problem.commit_plasticity != 0 or problem.update_friction_history != 0
+        else _MAX_AT_ONCE
+    )
     if knows_a:
         ensure_acceleration(problem, drive)
     else:
         run.current = False
     # A body may be beyond its limits where it is put.
-    if run.time == run.origin and settle(problem, old, old, -1.0):
+    if run.time == run.origin and commit_plasticity(problem, old, old, -1.0):
         run.what, run.current = CHANGED, False
     if fixed > 0.0:
         number = fixed_steps(problem, run.time)
@@ -101,7 +112,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         good = error <= 1.0 and _is_acceptable(problem, old, new, h, tolerance, shortest)
         tries += trial.count if good or fixed == 0.0 else 1
         if not good and drive.moving:  # the step has set them to a later time
-            act_as(body, state, drive, t, scale, shift)
+            apply_controls(body, state, drive, t, scale, shift)
         if not good and trial.count > 1 and fixed > 0.0:
             most, tries = 1, tries - 1  # one at a time, up to the last good state
             continue
@@ -120,10 +131,10 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
             accumulate(problem, drive, trial.start, new.q, new.v, new.a, h)
             if drive.moving:
-                act_as(body, state, drive, trial.end, scale, shift)
+                apply_controls(body, state, drive, trial.end, scale, shift)
         length = h if fixed == 0.0 else 0.0
-        stick(problem, old, new, length)
-        broke = settle(problem, old, new, length)
+        update_friction_history(problem, old, new, length)
+        broke = commit_plasticity(problem, old, new, length)
         if balance.active:
             replace_state(old.q, old.v, old.a, new.q, new.v, new.a)
         else:
@@ -161,7 +172,7 @@ def _is_acceptable(problem, old, new, h, tolerance, shortest):
     ):
         return False
     if not too_short:
-        trial.part = part_to_try(problem, old, new, h, tolerance)
+        trial.part = event_fraction(problem, old, new, h, tolerance)
     return trial.part == 1.0
 
 
@@ -171,6 +182,6 @@ def begin_at_once(problem, drive, tolerance):
 
 
 @kernel(internal=True)
-def go_on(problem, drive, old, new, h, tolerance, error, good):
+def finish_step(problem, drive, old, new, h, tolerance, error, good):
     """For methods with a fixed step: they have no step to choose."""
     return problem.integrator.run.step

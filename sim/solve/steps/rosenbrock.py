@@ -10,11 +10,11 @@ from ...engine.calls import accelerate, add_damping, factorise, solve
 from ...engine.jit import FAST, kernel
 from ...engine.lanes import eight_at_a_time
 from ...engine.tables import ALPHA, SPARE
-from ...forces.drive import act_at, drive_to
-from ...forces.plasticity import hold_branches
+from ...forces.drive import apply_controls_at, drive_to
+from ...forces.plasticity import freeze_active_set
 from .common import HOPELESS, first_step, largest_sum, step_after
 from .loop import advance
-from .turning import remember
+from .turning import store_direction
 
 _MAX_STAGES = 8
 """Largest number of stages of a method."""
@@ -84,7 +84,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
     integrator.run.matrices += 1
     integrator.run.forces += stages
     span = _SPAN
-    if problem.part_to_try != 0:
+    if problem.event_fraction != 0:
         collides = body.environment.touches
         span = h if collides else min(_SPAN, _SHORT * h)
     error = largest_sum(method.error, xs, stages, rest) / (max(h, span) * tolerance)
@@ -103,7 +103,7 @@ def _control(problem, drive, old, new, h, tolerance, error, good):
             for j in range(1, old.q.size - SPARE):
                 rows[i, j] = 0.0
     elif integrator.alpha.rows.shape[0] > 0:  # in case generalized-alpha goes on from here
-        remember(problem, old.q, h, 0.5 * integrator.auto.step[ALPHA])
+        store_direction(problem, old.q, h, 0.5 * integrator.auto.step[ALPHA])
     failed = integrator.trial.failures > 0
     return step_after(integrator, integrator.run.step, h, error, problem.implicit.order, good, failed)
 
@@ -143,7 +143,7 @@ def _by_time(problem, drive, old, t, h, q, v, a, out):
     """
     body, state = problem.body, problem.state
     part = 1e-4 * h
-    hold_branches(body, state, True)
+    freeze_active_set(body, state, True)
     for j in range(1, q.size - SPARE):
         q[j], v[j] = old.q[j], old.v[j]
         out[j] = 0.0
@@ -152,5 +152,5 @@ def _by_time(problem, drive, old, t, h, q, v, a, out):
         accelerate(problem, q, v, a)
         for j in range(1, q.size - SPARE):
             out[j] += sign * a[j] / (2.0 * part)
-    hold_branches(body, state, False)
-    act_at(body, state, drive, t)
+    freeze_active_set(body, state, False)
+    apply_controls_at(body, state, drive, t)

@@ -7,13 +7,13 @@ from ...engine.jit import FAST, kernel
 from ...engine.lanes import eight_at_a_time
 from ...engine.tables import SPARE
 from ...forces.drive import drive_to
-from .loop import advance, begin_at_once, go_on
+from .loop import advance, begin_at_once, finish_step
 
 
 @kernel(fastmath=FAST)
 def run_runge_kutta(problem, drive, end, tolerance, attempts):
     """Advance to `end` by the method `problem.explicit`; arguments as of `advance`."""
-    advance(problem, drive, end, tolerance, attempts, begin_at_once, _step, go_on, 1.0, True)
+    advance(problem, drive, end, tolerance, attempts, begin_at_once, _step, finish_step, 1.0, True)
 
 
 @kernel(internal=True, fastmath=FAST)

@@ -14,7 +14,7 @@ _LEAST = 1e-100
 
 
 @kernel(internal=True, fastmath=FAST)
-def remember(problem, q, step, least):
+def store_direction(problem, q, step, least):
     """Add a step from positions q to the history of the springs' vectors.
 
     Steps that together are shorter than `least` (s) count as one, since the next step is much longer.

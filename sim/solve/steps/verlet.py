@@ -7,7 +7,7 @@ from ...engine.calls import accelerate, accumulate
 from ...engine.jit import FAST, kernel
 from ...engine.lanes import eight_at_a_time
 from ...engine.tables import CONTROL_SCALE, CONTROL_SHIFT, SPARE
-from ...forces.drive import act_as, drive_to, lead_to
+from ...forces.drive import apply_controls, drive_to, lead_to
 from .common import (
     BOTH_ENDS,
     HOPELESS,
@@ -184,7 +184,7 @@ def _account_for_steps(problem, drive, old, new, h):
         before, a = a, before
     accelerate(problem, new.q, new.v, a)  # for what else is asked about the springs at the end
     if drive.moving:
-        act_as(body, state, drive, trial.end, scale, shift)
+        apply_controls(body, state, drive, trial.end, scale, shift)
 
 
 @kernel(forceinline=True, fastmath=FAST)
