@@ -19,9 +19,9 @@ from ..forces.springs import SpringsReference
 from ..forces.touch.contact import no_tunnelling
 from ..forces.touch.friction_history import sticks
 from ..forces.touch.walls import NOWHERE, WallRow
-from ..model.grips import grips_of, put_grips
 from ..model.sparsity import new_matrix
-from ..model.system import build_system, damage_of, for_analysis, new_scratch, start_of
+from ..model.state import grips_of, new_scratch, put_grips, start_of
+from ..model.system import build_system, damage_of, for_analysis
 from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Grips, Pose, Scene
 from ..scene.validate import validate

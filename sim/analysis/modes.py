@@ -23,7 +23,8 @@ from ..engine.tables import Floats, Indices
 from ..errors import InputError
 from ..forces.all import TERMS
 from ..forces.reference import Physics
-from ..model.system import build_system, for_analysis, start_of
+from ..model.state import start_of
+from ..model.system import build_system, for_analysis
 from ..motion.moment import Moment
 from ..scene.columns import ends
 from ..scene.types import Scene

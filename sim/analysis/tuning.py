@@ -16,7 +16,8 @@ from ..forces.joints import JointsReference
 from ..forces.reference import Physics
 from ..forces.springs import SpringsReference
 from ..model.stable_spring import joint_softness, softening_note
-from ..model.system import build_system, damage_of, for_analysis, joint_stiffness, start_of
+from ..model.state import start_of
+from ..model.system import build_system, damage_of, for_analysis, joint_stiffness
 from ..motion.stability import StabilityMeter, limit_at_start
 from ..scene.columns import column, ends
 from ..scene.types import Scene, is_loaded

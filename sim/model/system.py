@@ -3,36 +3,30 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple, TypeVar
 
 import msgspec
 import numpy as np
 
-from ..engine.layout import Layout, aligned_arena
+from ..engine.layout import aligned_arena
 from ..engine.numerics.roots import LEAST
 from ..engine.table import Table
 from ..engine.tables import (
-    CONTROL_SCALE,
-    CONTROL_SHIFT,
     SHORTEST_SQUARED,
     Body,
     Floats,
     Indices,
-    Scratch,
-    State,
     padded,
 )
 from ..forces.environment import EMPTY, is_surrounded, new_environment
 from ..forces.joints import LAWS, NO_JOINTS
-from ..forces.muscles import NO_MUSCLES, new_muscles, waves
-from ..forces.plasticity import NO_LIMITS, new_limits, without_broken
+from ..forces.muscles import NO_MUSCLES, new_muscles
+from ..forces.plasticity import NO_LIMITS, new_limits
 from ..forces.runs import new_links, order_in_runs
 from ..forces.term import read_only
-from ..forces.touch.batch import room_for_batches
-from ..forces.touch.friction_history import room_in_scratch, room_in_state, sticks
 from ..scene.columns import column, columns, ends, vectors
 from ..scene.types import Damage, Integrator, Scene, is_damageable, is_loaded
 from ..solve.registry import METHODS
@@ -49,14 +43,6 @@ _ENDLESS = 1e30
 
 _BEHIND_RUNS = 7
 """Number of springs and joints behind the last one that loops over a run read."""
-
-
-def _vectors(table: type[Table]) -> list[str]:
-    """The fields of a table that are vectors of floats."""
-    return [name for name, field in table.fields.items() if field.dimensions == 1 and field.dtype == float]
-
-
-_STATE_VECTORS, _SCRATCH_VECTORS = _vectors(State), _vectors(Scratch)
 
 
 @dataclass(frozen=True)
@@ -147,48 +133,6 @@ def damage_of(scene: Scene) -> Damage | None:
     return scene.pose.damage if scene.pose is not None else None
 
 
-def put_damage(state: State, system: System, damage: Damage | None) -> None:
-    """Enter what has yielded and broken into a state; None for nothing.
-
-    Args:
-        state: of the tables, which are those of a body that yields, breaks or has done so.
-        system: the tables.
-        damage: of the scene.
-    """
-    order, joints = system.spring_order, system.joint_order
-    for array in (state.set_length, state.hardened, state.set_angle, state.broken):
-        array[:] = 0.0
-    if damage is None:
-        return
-    state.broken[:] = np.isin(order, damage.broken)
-    if damage.set_lengths:
-        state.set_length[:] = np.array(damage.set_lengths)[order]
-    if damage.hardened:
-        state.hardened[:] = np.array(damage.hardened)[order]
-    if damage.set_angles:
-        state.set_angle[joints] = damage.set_angles
-
-
-def start_of(scene: Scene, system: System) -> tuple[System, State]:
-    """The tables without what is broken at a scene's start, and the state there.
-
-    Args:
-        scene: a valid scene.
-        system: its tables.
-    """
-    state = new_state(system)
-    if (damage := damage_of(scene)) is not None:
-        put_damage(state, system, damage)
-        system = replace(system, body=without_broken(system.body, state.broken))
-    state.controls[0] = scene.rest_length_scale
-    update_rest_state(system.body, state)
-    here = slice(1, system.body.masses + 1)
-    for field, row in zip((state.x, state.y, state.vx, state.vy), system.start, strict=True):
-        field[here] = row
-    state.inverse_mass[here] = np.where(system.held, 0.0, system.inverse_mass)
-    return system, state
-
-
 def _loads(scene: Scene, mass_order: Indices) -> Floats | None:
     if not is_loaded(scene):
         return None
@@ -224,121 +168,6 @@ def _slots_for(masses: int, chained: int) -> int:
     # The chain's loops look one slot back and, from the last spring, three ahead; and loops over flat
     # vectors should leave no scalar remainder.
     return padded((chained or padded(masses)) + 3)  # aligns both halves of a flat vector alike
-
-
-def new_state(system: System) -> State:
-    """A state with room for the system's masses; `Simulation` fills it."""
-    body = system.body
-    springs, joints = (body.springs, body.joints) if body.limits.present else (0, 0)
-    layout = _layout_of_state(
-        slots_of(body), body.stiffness.size, body.angular_stiffness.size, springs, joints
-    )
-    state = layout.made()
-    state.controls[0] = 1.0
-    return state.replaced(**room_in_state(body, state.slots)) if sticks(body) else state
-
-
-@lru_cache(maxsize=16)
-def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: int) -> Layout[State]:
-    """The layout for arrays of springs and of joints with some room; `springs` and `joints` may yield."""
-    sizes = {
-        "q": (2 * slots, 1),
-        "v": (2 * slots, 1),
-        "controls": (2, 0),
-        "rest_tension": (room, 1),
-        "torque_cos": (torques, 1),
-        "torque_sin": (torques, 1),
-        "torque_rest": (torques, 0),
-        "clock": (1, 0),
-        "set_length": (springs, 0),
-        "set_angle": (joints, 0),
-        "hardened": (springs, 0),
-        "trial_tension": (springs, 0),
-        "trial_angle": (joints, 0),
-        "broken": (springs, 0),
-        "yields": (springs + joints + 1 if springs else 0, 0),
-    }
-    return _layout(State, {field: sizes.get(field, (slots, 1)) for field in _STATE_VECTORS}, page_offset=0)
-
-
-def _layout(
-    kind: type[_Made],
-    sizes: Mapping[str, tuple[int, int]],
-    page_offset: int,
-    rows: Mapping[str, int] | None = None,
-) -> Layout[_Made]:
-    """The layout of a table that has nothing but arrays, some of them empty; arguments as of `aligned_arena`.
-
-    `rows`: of each array with two dimensions, their number.
-    """
-    arrays = aligned_arena(list(sizes.values()), page_offset)
-    fields = dict(zip(sizes, arrays, strict=True))
-    fields |= {field: fields[field].reshape(count, -1) for field, count in (rows or {}).items()}
-    return Layout(kind.empty().replaced(**fields), arrays, page_offset)
-
-
-def rest_lengths(body: Body, state: State) -> Floats:
-    """(S,) the present rest length of each spring of the tables, px.
-
-    In it are the scale of rest lengths, what muscles do at `State.clock`, and what has yielded.
-    """
-    rest = body.rest_length[: body.springs] * state.controls[CONTROL_SCALE]
-    if body.muscles.present:
-        rest[body.muscles.spring] *= 1.0 + waves(body.muscles.stretch, float(state.clock[0]))
-    return rest + state.set_length if body.limits.present else rest
-
-
-def rest_angles(body: Body, state: State) -> Floats:
-    """(J,) the present rest angle of each joint of the tables, degrees in (-180, 180], likewise."""
-    angle = body.joint_rest + state.controls[CONTROL_SHIFT]
-    if body.limits.present:
-        angle = angle + state.set_angle
-    if body.muscles.present:
-        angle[body.muscles.joint] += waves(body.muscles.turn, float(state.clock[0]))
-    return 180.0 - (180.0 - angle) % 360.0
-
-
-def update_rest_state(body: Body, state: State) -> None:
-    """Recompute what depends on the scale of rest lengths, the shift of rest angles, and the clock."""
-    springs, joints = slice(body.springs), slice(1, body.joints + 1)
-    state.rest_tension[springs] = body.stiffness[springs] * rest_lengths(body, state)
-    if not body.joints:
-        if body.limits.present:
-            state.trial_tension[:] = state.rest_tension[springs]
-        return
-    rest = np.radians(rest_angles(body, state))
-    state.torque_rest[joints] = rest
-    state.torque_cos[joints] = body.joint_stiffness * np.cos(rest)
-    state.torque_sin[joints] = body.joint_stiffness * np.sin(rest)
-    if body.limits.present:
-        state.trial_tension[:], state.trial_angle[:] = state.rest_tension[springs], rest
-    if body.ring:
-        state.torque_cos[0] = state.torque_cos[body.joints]
-        state.torque_sin[0] = state.torque_sin[body.joints]
-
-
-def new_scratch(system: System) -> Scratch:
-    """Scratch arrays for the system."""
-    body = system.body
-    # Behind the masses, slot 0 among them, and behind springs in runs there may be some more.
-    room = max(padded(body.masses + 1), body.stiffness.size) + 8
-    links = body.held, body.free, body.bends
-    scratch = _layout_of_scratch(room, body.joints + 1, *(each.room for each in links)).made()
-    if body.environment.contact.present:
-        scratch = scratch.replaced(**room_for_batches(body), **room_in_scratch(body))
-    return scratch
-
-
-@lru_cache(maxsize=16)
-def _layout_of_scratch(room: int, joints: int, held: int, free: int, bends: int) -> Layout[Scratch]:
-    """The layout for vectors with some room, for joints in no run, and for rows."""
-    first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # where loops over springs and masses start
-    sizes = {field: (room, first.get(field, 0)) for field in _SCRATCH_VECTORS}
-    rows = {"held_rows": 2, "free_rows": 2, "joint_rows": 4, "joint_alone": 4}
-    for (field, count), wide in zip(rows.items(), (held, free, bends, joints), strict=True):
-        sizes[field] = count * wide, 0
-    # An offset behind that of the arrays of a short chain's `State`.
-    return _layout(Scratch, sizes, page_offset=2560, rows=rows)
 
 
 class Topology(NamedTuple):

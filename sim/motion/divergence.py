@@ -14,8 +14,8 @@ from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene
 from ..solve.registry import METHODS
 from ..solve.steps import guard
+from .run import Outcome
 from .stability import StabilityEstimate, StabilityMeter
-from .stepping import Outcome
 
 Quantity = Literal["number", "position", "speed", "step"]
 """What went wrong; see `Divergence.quantity`."""

@@ -20,7 +20,6 @@ from ..engine.tables import State
 from ..errors import InputError
 from ..model.system import System
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED
-from ..scene.types import Scene
 from .stability import quick_limit
 
 _TOO_MANY = 8e4
@@ -220,31 +219,6 @@ class Hands:
         self.targets.pop(index, None)
         if not self.hold(mass):
             self.leave(index)
-
-    def set_inverse_masses(self, scene: Scene) -> bool:
-        """Set inverse masses, air friction, gravity and constant forces in the state, zero for held masses.
-
-        Returns:
-            Whether all masses are held.
-        """
-        system, state, masses = self._system, self._state, slice(1, self._system.body.masses + 1)
-        held = system.held
-        if self.grabbed:
-            held = held.copy()
-            held[system.mass_index[list(self.grabbed)] - 1] = True
-        free = np.where(held, 0.0, 1.0)
-        inverse_mass = free * system.inverse_mass
-        state.v.reshape(2, -1)[:, masses] *= free
-        state.inverse_mass[masses] = inverse_mass
-        # The state is of this scene alone, so what is zero in it is so from the start.
-        if scene.air_friction and not scene.wind:  # the friction of wind is in the surroundings
-            state.air[masses] = inverse_mass * scene.air_friction
-        for k, (array, gravity) in enumerate(((state.gx, scene.gravity[0]), (state.gy, scene.gravity[1]))):
-            if system.loads is not None:
-                array[masses] = free * gravity + inverse_mass * system.loads[k]
-            elif gravity:
-                array[masses] = free * gravity
-        return np.count_nonzero(free) == 0
 
     def settle(self, ended: bool) -> None:
         """After a call, forget the hands that have arrived, and the targets if the call came to its end."""

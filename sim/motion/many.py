@@ -24,7 +24,8 @@ from ..engine.tables import SHORTEST_SQUARED, State
 from ..errors import InputError, SceneError
 from ..forces.environment import is_surrounded
 from ..forces.joints import LAWS, NO_JOINTS
-from ..model.system import System, new_scratch, new_state, update_rest_state, wired, with_numbers
+from ..model.state import new_scratch, new_state, update_rest_state
+from ..model.system import System, wired, with_numbers
 from ..scene.columns import column
 from ..scene.parts import AngularSpring, LinearSpring
 from ..scene.types import Scene, is_loaded, is_muscular

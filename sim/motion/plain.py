@@ -17,7 +17,8 @@ from ..engine.tables import (
     State,
 )
 from ..forces.reference import Physics, Vectors, euler_step, verlet_step
-from ..model.system import System, update_rest_state
+from ..model.state import update_rest_state
+from ..model.system import System
 from ..scene.numbers import MAX_COORDINATE, RUNAWAY_SPEED
 from ..scene.types import Scene
 from ..solve.registry import METHODS

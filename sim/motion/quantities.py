@@ -23,7 +23,8 @@ from ..forces.all import WITH_ENERGY
 from ..forces.joints import JointsReference
 from ..forces.springs import SpringsReference
 from ..model.loads import Loads
-from ..model.system import System, rest_lengths
+from ..model.state import rest_lengths
+from ..model.system import System
 from ..scene.types import Scene
 from .divergence import Divergence
 from .energy import ENERGY_FIELDS, Energies

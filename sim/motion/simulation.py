@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Literal
@@ -11,28 +10,16 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiling.compiler import FOR_DAMAGE, for_energy, is_ready, needed_by
+from ..compiling.compiler import for_energy, is_ready
 from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, Indices, State
 from ..errors import InputError
-from ..forces.plasticity import without_broken
-from ..model.grips import grips_of, put_grips
 from ..model.loads import LoadCalculator, Loads
-from ..model.stable_spring import clamp_stiffness
-from ..model.system import (
-    System,
-    build_system,
-    new_scratch,
-    new_state,
-    put_damage,
-    rest_angles,
-    same_topology,
-    update_rest_state,
-)
+from ..model.state import damage_in, grips_of, rest_angles
+from ..model.system import System, same_topology
 from ..scene.columns import ends
-from ..scene.types import Anchor, Damage, Grips, Pose, Scene
+from ..scene.types import Anchor, Damage, Pose, Scene
 from ..scene.validate import validate
 from ..settings import shift_rest_angles
-from ..solve.registry import METHODS
 from ..solve.steps import guard
 from .divergence import Divergence, explain
 from .energy import Energies, EnergyTracker
@@ -40,9 +27,9 @@ from .hands import Hands, within_bounds
 from .moment import Moment
 from .plain import PlainSolver
 from .recording import Recording
+from .run import Run, presses_of
 from .solver import UNLIMITED, Solver, SolverStats
 from .stability import LimitEstimate, StabilityEstimate, StabilityMeter, finished
-from .stepping import Stepper, presses_of
 
 Key = Literal["up", "down", "left", "right"]
 KEYS: frozenset[str] = frozenset(("up", "down", "left", "right"))
@@ -131,7 +118,7 @@ class Simulation:
     @property
     def rest_angles(self) -> NDArray[np.float64]:
         """(J,) the present rest angle of each angular spring, in degrees in (-180, 180]."""
-        return rest_angles(self._body, self._state)[self._system.joint_order]
+        return rest_angles(self._system.body, self._state)[self._system.joint_order]
 
     @property
     def rest_length_scale(self) -> float:
@@ -160,16 +147,7 @@ class Simulation:
     @property
     def damage(self) -> Damage | None:
         """What has yielded and broken; None where nothing has."""
-        state, system = self._state, self._system
-        if not (state.set_length.any() or state.set_angle.any() or state.broken.any()):
-            return None
-        index = np.argsort(system.spring_order)  # of each spring of the scene, in the tables
-        found = Damage(
-            broken=tuple(np.flatnonzero(state.broken[index]).tolist()),
-            set_lengths=tuple(state.set_length[index].tolist()),
-            hardened=tuple(state.hardened[index].tolist()),
-            set_angles=tuple(state.set_angle[system.joint_order].tolist()),
-        )
+        found = damage_in(self._state, self._system)
         if found != self._damage:
             self._damage = found  # moments share it while nothing changes
         return self._damage
@@ -177,28 +155,28 @@ class Simulation:
     @property
     def step_count(self) -> int:
         """Steps done since the start or the last reset."""
-        return self._stepper.steps
+        return self._run.steps
 
     @property
     def time(self) -> float:
         """Simulated time since the start or the last reset, s."""
-        return self._stepper.time
+        return self._run.time
 
     @property
     def plain(self) -> bool:
         """Whether it moves by NumPy, because the kernels of its method are not compiled yet."""
-        return isinstance(self._stepper.solver, PlainSolver)
+        return isinstance(self._run.solver, PlainSolver)
 
     @property
     def complete(self) -> bool:
         """Whether all kernels that it may use are there; if not, how it goes on depends on the compiler."""
-        solver = self._stepper.solver
+        solver = self._run.solver
         return isinstance(solver, Solver) and solver.complete
 
     @property
     def work(self) -> int:
         """What the method has tried since the last call of `stats`, see `SolverStats`."""
-        return self._stepper.solver.work
+        return self._run.solver.work
 
     @property
     def rate_limited(self) -> bool:
@@ -228,13 +206,13 @@ class Simulation:
 
     def stability_in_parts(self) -> LimitEstimate:
         """As `stability`, for whom the whole would take too long at once; see `StabilityMeter.look`."""
-        if self._meter is None:
+        if self._meter is None or self._meter.system is not self._system:
             self._meter = StabilityMeter(self._system, self.method)
         return self._meter.look(self._state)
 
     def stats(self) -> SolverStats:
         """What the method did since the last call of this."""
-        return self._stepper.stats()
+        return self._run.solver.stats()
 
     def energy(self) -> Energies:
         """The energies, and what has changed them since this was first called, or since the last reset.
@@ -252,7 +230,7 @@ class Simulation:
 
         It cannot be as long as a simulation that does not `wait` lacks the kernels for that.
         """
-        solver = self._stepper.solver
+        solver = self._run.solver
         if not on:
             self._tracker = None
             if isinstance(solver, Solver):
@@ -260,7 +238,7 @@ class Simulation:
         elif (
             self._tracker is None
             and isinstance(solver, Solver)
-            and (self._wait or is_ready(for_energy(self._body)))
+            and (self._wait or is_ready(for_energy(self._system.body)))
         ):
             self._tracker = self._new_tracker()
         return self._tracker is not None
@@ -289,7 +267,7 @@ class Simulation:
         self._hands.leave(index)
         with self._by_hand():
             self._state.x[index], self._state.y[index] = x, y
-        self._stepper.begin_anew()
+        self._run.begin_anew()
 
     def lead(self, mass: int, to: tuple[float, float]) -> None:
         """Lead a held mass somewhere: in a straight line, over all steps of the next call of `step`.
@@ -319,7 +297,7 @@ class Simulation:
         """
         self._hands.grab(self._existing_mass(mass))
         with self._by_hand():
-            self._set_inverse_masses()
+            self._run.hold()
 
     def release(self, mass: int) -> None:
         """Let go of a grabbed mass: it is free, and at rest, or held again, as the scene says.
@@ -328,15 +306,11 @@ class Simulation:
         """
         self._hands.release(self._existing_mass(mass))
         with self._by_hand():
-            self._set_inverse_masses()
+            self._run.hold()
 
     def take_compiled(self) -> bool:
         """Go on with the kernels of the method if they are ready by now; whether it does."""
-        if self.plain and is_ready(self._needed):
-            time, steps = self.time, self.step_count
-            self._stepper = self._new_stepper()  # the state is in the same arrays
-            self._stepper.begin(time, steps)
-        return not self.plain
+        return self._run.take_compiled()
 
     def step(self, n: int = 1, attempts: int | None = None) -> int:
         """Go on by n time steps, and return how many were done.
@@ -349,11 +323,9 @@ class Simulation:
         limit = UNLIMITED if attempts is None else attempts
         if n > 0 and not self._keys and self.divergence is None:
             # The usual case first: the physics of a short body takes less time than what follows.
-            hands = self._hands
-            if not hands.targets and not hands.limited:
-                limit = self._stepper.go_on(n, limit)
-                if limit < 0:
-                    return n
+            limit = self._run.go_on(n, limit)
+            if limit < 0:
+                return n
         if n < 0:
             raise InputError(f"step: {n} is not a number of steps")
         if self.divergence is not None or n == 0:
@@ -361,9 +333,7 @@ class Simulation:
         if self.plain:
             self.take_compiled()
         presses = presses_of(self._scene, self._keys)
-        outcome = self._stepper.step(n, self._hands, presses, self._all_held, limit)
-        self._look_at_tables()
-        self._hands.settle(outcome.steps == n or outcome.what != guard.GOOD)
+        outcome = self._run.step(n, presses, limit)
         if outcome.what != guard.GOOD:
             self.divergence = explain(self._scene, self._system, self._state, self.step_count, outcome)
         return outcome.steps
@@ -421,19 +391,16 @@ class Simulation:
 
     def reset(self) -> None:
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
-        pose = self._scene.pose
-        self._adopt(self._system.start, pose.damage if pose else None, pose.grips if pose else None, True)
+        self._run.go_to_start()
         self._time_remainder = 0.0
-        self._hands.clear()
-        self._restart(0.0, 0)
+        self._begun()
 
     def capture(self) -> Moment:
         """The present moment, to come back to; a mass in a hand is at rest in it, as if let go."""
         scale, shift = map(float, self._state.controls)
-        rows = self._rows()
+        rows, _, grips = self._run.carried()
         if self._hands.grabbed:
             rows[2:, list(self._hands.grabbed)] = 0.0
-        grips = grips_of(self._state, self._system)
         return Moment(self._scene, scale, shift, rows, self.time, self.step_count, self.damage, grips)
 
     def restore(self, moment: Moment) -> None:
@@ -446,7 +413,7 @@ class Simulation:
         kept = self._tracker is not None
         if moment.scene is not self._scene or self._lacks_room_for(moment.damage):
             self._install(moment.scene, moment.damage)
-        self._adopt(moment.rows, moment.damage, moment.grips)
+        self._run.adopt(moment.rows, moment.damage, moment.grips)
         self._time_remainder = 0.0
         self._hands.clear()
         controls = moment.rest_length_scale, moment.rest_angle_shift
@@ -461,17 +428,17 @@ class Simulation:
             other: the other one.
             shift: (4, n) px and px/s by which x, y, vx and vy of the free masses are to differ; None for 0.
         """
-        rows, damage, grips = other._rows(), other.damage, grips_of(other._state, other._system)
+        rows, damage, grips = other._run.carried()
         if self._lacks_room_for(damage):
             self._install(self._scene, damage)
-        self._adopt(rows, damage, grips)
+        self._run.adopt(rows, damage, grips)
         self._time_remainder = other._time_remainder
         self._hands.take_over(other._hands)
         self._keys = other._keys
         self._restart(other.time, other.step_count)
         if shift is not None:
             free = self._state.inverse_mass[self._system.mass_index] > 0.0
-            self._adopt(rows + np.where(free, shift, 0.0), damage, grips)
+            self._run.adopt(rows + np.where(free, shift, 0.0), damage, grips)
 
     def replace(self, scene: Scene) -> None:
         """Go on with another scene. Where it joins the same masses in the same way, positions, velocities and
@@ -485,15 +452,14 @@ class Simulation:
             self._install(scene)
             self.reset()
             return
-        time, steps, rows, damage = self.time, self.step_count, self._rows(), self.damage
-        grips = grips_of(self._state, self._system)
+        time, steps, (rows, damage, grips) = self.time, self.step_count, self._run.carried()
         if grips is not None and not same_walls(self._scene, scene):
             grips = msgspec.structs.replace(grips, walls=())
         hands, tracker = self._hands, self._tracker
         if tracker is not None:
             tracker.close()
         self._install(scene, damage)
-        self._adopt(rows, damage, grips)
+        self._run.adopt(rows, damage, grips)
         self._hands.take_over(hands)
         self._restart(time, steps)
         # Where the kernels of the new method are still being compiled, there is no balance for now.
@@ -502,51 +468,28 @@ class Simulation:
 
     # --------------------------------------------------------------------- inside
     def _install(self, scene: Scene, damage: Damage | None = None) -> None:
-        """Build tables and room for a valid scene and a damage; the state is still to be filled in."""
+        """Make room for a valid scene and a damage; the state is still to be filled in."""
         self._scene = scene
-        system = build_system(scene, damage is not None)
-        if scene.integrator.method == "stable_spring":
-            body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
-            system = dataclasses.replace(system, body=body)
-        self._whole = self._system = system  # `_system` is without what has broken
-        self._body = system.body
-        self._state: State = new_state(system)
+        self._run = Run(scene, damage is not None, self._wait)
+        self._state = self._run.state
         self._joint_ends: tuple[Indices, Indices] | None = None  # once angles have been asked for
-        self._scratch = new_scratch(system)
-        self._stepper = self._new_stepper()
         self._meter: StabilityMeter | None = None
         self._tracker: EnergyTracker | None = None
         self._load_calculator: LoadCalculator | None = None
         self._damage: Damage | None = None  # as `damage` found it last
-        self._hands = Hands(system, self._state, METHODS[self.method].adaptive)
+
+    @property
+    def _system(self) -> System:
+        """The tables, without what has broken."""
+        return self._run.system
+
+    @property
+    def _hands(self) -> Hands:
+        return self._run.hands
 
     def _lacks_room_for(self, damage: Damage | None) -> bool:
         """Whether the tables are those of a body that can have no damage."""
-        return damage is not None and not self._body.limits.present
-
-    def _rows(self) -> NDArray[np.float64]:
-        """(4, n) x, y, vx and vy of the scene's masses; a copy."""
-        state, index = self._state, self._system.mass_index
-        rows = np.empty((4, index.size))
-        # The mode is of no meaning for indices that exist; with it, numpy writes without a detour.
-        for row, field in zip(rows, (state.x, state.y, state.vx, state.vy), strict=True):
-            field.take(index, out=row, mode="clip")
-        return rows
-
-    def _adopt(
-        self, rows: NDArray[np.float64], damage: Damage | None, grips: Grips | None, in_slots: bool = False
-    ) -> None:
-        """Fill in the state from what `_rows`, `damage` and `grips_of` give.
-
-        `in_slots`: whether the rows are in the order of the slots, and not in the scene's.
-        """
-        state, here = self._state, slice(1, self._body.masses + 1) if in_slots else self._system.mass_index
-        for vector, of_masses in ((state.q, rows[:2]), (state.v, rows[2:])):
-            vector.fill(0.0)  # the padding, too
-            vector.reshape(2, -1)[:, here] = of_masses
-        if self._body.limits.present:
-            put_damage(state, self._system, damage)
-        put_grips(state, self._system, grips)
+        return damage is not None and not self._system.body.limits.present
 
     @contextmanager
     def _by_hand(self) -> Iterator[None]:
@@ -557,8 +500,8 @@ class Simulation:
             self._tracker.moved(before)
 
     def _new_tracker(self) -> EnergyTracker:
-        assert isinstance(self._stepper.solver, Solver)
-        return EnergyTracker(self._state, self._stepper.solver)
+        assert isinstance(self._run.solver, Solver)
+        return EnergyTracker(self._state, self._run.solver)
 
     def _with_overrides(self, scene: Scene) -> Scene:
         if isinstance(scene, Scene) and self._overrides:
@@ -566,58 +509,23 @@ class Simulation:
             scene = msgspec.structs.replace(scene, integrator=integrator)
         return validate(scene)
 
-    @property
-    def _needed(self) -> tuple[str, ...]:
-        """Names of the compiled entry points without which NumPy moves the body."""
-        damage = FOR_DAMAGE if self._body.limits.present else ()
-        return *needed_by(self.method, self._body), *damage
-
-    def _new_stepper(self) -> Stepper:
-        scene, system, state = self._scene, self._system, self._state
-        if self._wait or is_ready(self._needed):
-            solver = Solver(scene, system, state, self._scratch, self._wait)
-        else:
-            solver = PlainSolver(scene, system, state)
-        return Stepper(scene, system, state, solver)
-
     def _restart(self, time: float, steps: int, controls: tuple[float, float] | None = None) -> None:
-        """Begin from the state in the tables at a time, s, after so many steps.
+        """Begin from what is in the state; arguments as of `Run.begin`."""
+        self._run.begin(time, steps, controls)
+        self._begun()
 
-        `controls`: what keys did, rest length scale and degrees.
-        """
+    def _begun(self) -> None:
+        """Forget what belonged to the motion before."""
         self.divergence = None
-        self._stepper.begin(time, steps)
         # The scene as keys have made it, and the scale and the shift for which it was made.
         self._scene_with_controls = (self._scene.rest_length_scale, 0.0), self._scene
-        self._state.controls[:] = controls or self._scene_with_controls[0]
-        if self._body.limits.present:
-            broken = self._state.broken
-            system = self._whole
-            if broken.any():
-                system = dataclasses.replace(system, body=without_broken(system.body, broken))
-            self._stepper.solver.system = system
-            self._look_at_tables()
-        self._state.clock[0] = time
-        update_rest_state(self._body, self._state)
-        self._set_inverse_masses()
         if self._tracker is not None:
             self._tracker = self._new_tracker()
 
-    def _look_at_tables(self) -> None:
-        """Take over the tables of the solver, which lose the springs that break."""
-        system = self._stepper.solver.system
-        if system is not self._system:
-            self._system, self._body, self._meter = system, system.body, None
-
-    def _set_inverse_masses(self) -> None:
-        """Say what forces do to each mass: nothing where it is held."""
-        self._all_held = self._hands.set_inverse_masses(self._scene)
-        self._stepper.begin_anew()
-
     def _existing_mass(self, mass: int) -> int:
         whole = isinstance(mass, (int, np.integer)) and not isinstance(mass, bool)
-        if not (whole and 0 <= mass < self._body.masses):
-            raise InputError(f"mass {mass} does not exist (0..{self._body.masses - 1})")
+        if not (whole and 0 <= mass < self._system.body.masses):
+            raise InputError(f"mass {mass} does not exist (0..{self._system.body.masses - 1})")
         return int(mass)
 
     def _held_mass(self, mass: int) -> int:

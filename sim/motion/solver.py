@@ -52,7 +52,8 @@ from ..forces.fillings import FillingsReference
 from ..forces.plasticity import restore_committed, without_broken
 from ..forces.touch.friction_history import sticks
 from ..model.sparsity import NO_MATRIX, clear_factors, new_matrix
-from ..model.system import System, update_rest_state
+from ..model.state import update_rest_state
+from ..model.system import System
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene, is_damageable
 from ..solve.balance.dissipation import DAMPER_ROWS

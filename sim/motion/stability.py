@@ -48,7 +48,8 @@ from ..forces.reference import Physics, Vectors
 from ..forces.resistance import most_resisted
 from ..forces.term import Reference
 from ..model.stable_spring import clamp_stiffness
-from ..model.system import System, build_system, new_state, start_of, update_rest_state
+from ..model.state import new_state, start_of, update_rest_state
+from ..model.system import System, build_system
 from ..scene.types import Scene
 from ..solve.registry import METHODS
 from ..solve.stability_limits import StabilityLimit
@@ -127,6 +128,7 @@ class StabilityMeter:
         like: a meter of the same body with other numbers, from whose motion and limit it begins.
 
     Attributes:
+        system: the tables.
         motion: (2, n) the motion that sets the limit, in the order of the slots, of any size; where it is a
             complex one, that part of it which is largest.
     """
@@ -134,7 +136,7 @@ class StabilityMeter:
     def __init__(
         self, system: System, method: str | StabilityLimit, like: StabilityMeter | None = None
     ) -> None:
-        self._system = system
+        self.system = system
         self._rule = METHODS[method].limit if isinstance(method, str) else method
         self._probe = new_state(system)
         n = system.body.masses
@@ -167,7 +169,7 @@ class StabilityMeter:
             return StabilityEstimate(np.inf, None)
         for field in _COPIED:
             getattr(self._probe, field)[:] = getattr(state, field)
-        if not self._system.body.muscles.present:
+        if not self.system.body.muscles.present:
             return (yield from self._look_at_probe())
         return (yield from self._look_at_beat())
 
@@ -177,7 +179,7 @@ class StabilityMeter:
         The first look is at all of these moments, each later one at the next of them.
         """
         for k in (self._next,) if self._moments else range(_MOMENTS):
-            self._probe.clock[0] = k / _MOMENTS * self._system.body.muscles.period
+            self._probe.clock[0] = k / _MOMENTS * self.system.body.muscles.period
             estimate = yield from self._look_at_probe()
             self._moments[k], self._next = (estimate, self.motion), (k + 1) % _MOMENTS
         least, self.motion = min(self._moments.values(), key=lambda moment: moment[0].limit)
@@ -185,12 +187,12 @@ class StabilityMeter:
 
     def _look_at_probe(self) -> LimitEstimate:
         """As `look`, at the state of the probe."""
-        body, probe = self._system.body, self._probe
+        body, probe = self.system.body, self._probe
         free = probe.inverse_mass[self._here] > 0.0
         update_rest_state(body, probe)
         physics = self._physics(self._limit)
         # Coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
-        root = np.where(free, np.sqrt(self._system.inverse_mass), 0.0)
+        root = np.where(free, np.sqrt(self.system.inverse_mass), 0.0)
         passes, size = (1, _SIZE) if self._limit else (_FIRST_PASSES, _FIRST_SIZE)
         last = 0.0  # change of the limit in the pass before
         for _ in range(_SOFTENED_PASSES if self._softens else passes):
@@ -217,7 +219,7 @@ class StabilityMeter:
 
     def _physics(self, step: float) -> Physics:
         """The forces of the probe. Walls and contact that soften do so for a step (s), 0 for the scene's."""
-        body = self._system.body
+        body = self.system.body
         if self._softens and step:
             body = body.replaced(environment=body.environment.replaced(step=step))
         return Physics(body, self._probe)
@@ -271,7 +273,7 @@ class StabilityMeter:
 
     def _by_velocities(self, physics: Physics | Reference, w: Floats) -> Floats:
         """C w, likewise."""
-        body, environment = self._system.body, self._system.body.environment
+        body, environment = self.system.body, self.system.body.environment
         if not (body.damped or body.joint_damped or environment.air.friction or environment.present):
             return np.zeros_like(w)
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
@@ -385,7 +387,8 @@ def largest_step(scene: Scene, method: str) -> float:
 
     def is_stable(dt: float) -> bool:
         body = clamp_stiffness(system.body, system.inverse_mass, system.held, dt)
-        return _limit_at_start(scene, dataclasses.replace(system, body=body), method).limit > dt
+        softened = dataclasses.replace(system, body=body)
+        return meter_at_start(scene, method, system=softened)[1].limit > dt
 
     low, high = 1e-6, 1.0
     if is_stable(high):
@@ -398,7 +401,7 @@ def largest_step(scene: Scene, method: str) -> float:
 
 def limit_at_start(scene: Scene, method: str) -> StabilityEstimate:
     """The limit of a method, but the stable spring, at a scene's start, whatever the scene's own method."""
-    return _limit_at_start(scene, build_system(_by(scene, method)), method)
+    return meter_at_start(scene, method)[1]
 
 
 def _by(scene: Scene, method: str) -> Scene:
@@ -407,7 +410,7 @@ def _by(scene: Scene, method: str) -> Scene:
 
 
 def meter_at_start(
-    scene: Scene, method: str, like: StabilityMeter | None = None
+    scene: Scene, method: str, like: StabilityMeter | None = None, system: System | None = None
 ) -> tuple[StabilityMeter, StabilityEstimate]:
     """As `limit_at_start`, with the meter that found it.
 
@@ -416,17 +419,7 @@ def meter_at_start(
         method: the method.
         like: a meter of the same scene with other numbers: it is much faster to begin there.
     """
-    return _meter_at_start(scene, build_system(_by(scene, method)), method, like)
-
-
-def _limit_at_start(scene: Scene, system: System, method: str) -> StabilityEstimate:
-    return _meter_at_start(scene, system, method, None)[1]
-
-
-def _meter_at_start(
-    scene: Scene, system: System, method: str, like: StabilityMeter | None
-) -> tuple[StabilityMeter, StabilityEstimate]:
-    system, state = start_of(scene, system)
+    system, state = start_of(scene, system or build_system(_by(scene, method)))
     meter = StabilityMeter(system, method, like)
     meter.update(state)
     return meter, meter.update(state)

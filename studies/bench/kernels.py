@@ -24,7 +24,7 @@ from rich.console import Console
 import sim
 from sim.engine.tables import Body
 from sim.forces.runs import new_links
-from sim.model.system import new_scratch
+from sim.model.state import new_scratch
 
 from ..reporting.report import Table
 from . import fastest
@@ -160,10 +160,10 @@ def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Cal
 
 def _with_body(simulation: sim.Simulation, changed: Callable[[Body], Body]) -> sim.Simulation:
     """Give a simulation other tables."""
-    body = simulation._body = changed(simulation._body)
-    simulation._system = dataclasses.replace(simulation._system, body=body)
-    simulation._scratch = new_scratch(simulation._system)
-    simulation._stepper = simulation._new_stepper()
+    run = simulation._run
+    run._whole = dataclasses.replace(run._whole, body=changed(run._whole.body))
+    run.scratch = new_scratch(run._whole)
+    run.solver = run._new_solver()
     return simulation
 
 

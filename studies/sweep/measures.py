@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import sim
 from sim.analysis.predictability import GrowthMeter
 from sim.errors import InputError
-from sim.model.system import rest_lengths
+from sim.model.state import rest_lengths
 from sim.scene.columns import column, ends
 
 Floats = NDArray[np.float64]

@@ -19,7 +19,6 @@ from sim.forces.runs import add_spring_forces
 from sim.model.system import System
 from sim.motion.plain import PlainSolver
 from sim.motion.solver import Solver
-from sim.motion.stepping import Stepper
 from sim.scene import columns
 from sim.solve.steps import adams
 from sim.solve.steps.rosenbrock import run_rosenbrock
@@ -33,7 +32,7 @@ def system_of(simulation: Simulation) -> System:
 
 def solver_of(simulation: Simulation) -> Solver:
     """What runs the simulation's method."""
-    solver = simulation._stepper.solver
+    solver = simulation._run.solver
     assert isinstance(solver, Solver)
     return solver
 
@@ -45,12 +44,12 @@ def adams_degree(simulation: Simulation) -> int:
 
 def is_chain(simulation: Simulation) -> bool:
     """Whether the simulation takes the fast path for chains."""
-    return simulation._body.chain
+    return simulation._system.body.chain
 
 
 def is_ring(simulation: Simulation) -> bool:
     """Whether the simulation takes the fast path for rings."""
-    return simulation._body.ring
+    return simulation._system.body.ring
 
 
 def problem_of(simulation: Simulation) -> Problem:
@@ -62,12 +61,12 @@ def problem_of(simulation: Simulation) -> Problem:
 
 def scratch_of(simulation: Simulation) -> Scratch:
     """The kernels' room for what is needed within a step."""
-    return simulation._scratch
+    return simulation._run.scratch
 
 
 def drive(simulation: Simulation, start: float, end: float) -> PrescribedMotion:
     """What drives the simulation's body from a time to another, without hands and keys."""
-    return simulation._stepper._driver.drive(start, end, {})
+    return simulation._run._driver.drive(start, end, {})
 
 
 def run_in_steps(solver: Solver, table: Rosenbrock, drive: PrescribedMotion, end: float, step: float) -> None:
@@ -78,31 +77,30 @@ def run_in_steps(solver: Solver, table: Rosenbrock, drive: PrescribedMotion, end
 
 def general(simulation: Simulation) -> Simulation:
     """The same simulation, made to take the path for any topology."""
-    body = simulation._body.replaced(chain=False, ring=False)
-    simulation._body = body
-    simulation._system = dataclasses.replace(simulation._system, body=body)
-    simulation._stepper = simulation._new_stepper()
+    run = simulation._run
+    run._whole = dataclasses.replace(run._whole, body=run._whole.body.replaced(chain=False, ring=False))
+    run.solver = run._new_solver()
     return simulation
 
 
 def by_numpy(simulation: Simulation) -> Simulation:
     """The same simulation, made to move by NumPy and to go on doing so."""
-    scene, system, state = simulation._scene, simulation._system, simulation._state
-    simulation._stepper = Stepper(scene, system, state, PlainSolver(scene, system, state))
+    run = simulation._run
+    run.solver = PlainSolver(run.scene, run.system, run.state)
     simulation.take_compiled = lambda: False  # type: ignore[method-assign]
     return simulation
 
 
 def with_law(simulation: Simulation, code: int) -> Simulation:
     """The same simulation, whose joints have another law: one of that code, which need not exist."""
-    simulation._body = simulation._body.replaced(law=code)
-    simulation._system = dataclasses.replace(simulation._system, body=simulation._body)
+    solver = simulation._run.solver
+    solver.system = dataclasses.replace(solver.system, body=solver.system.body.replaced(law=code))
     return simulation
 
 
 def begin_anew(simulation: Simulation) -> None:
     """Let the method begin anew with the next step."""
-    simulation._stepper.begin_anew()
+    simulation._run.begin_anew()
 
 
 def put(simulation: Simulation, positions: Points, velocities: Points | None = None) -> None:
@@ -111,15 +109,15 @@ def put(simulation: Simulation, positions: Points, velocities: Points | None = N
     state.x[index], state.y[index] = positions.T
     if velocities is not None:
         state.vx[index], state.vy[index] = velocities.T
-    simulation._stepper.begin_anew()
+    simulation._run.begin_anew()
 
 
 def spring_forces(simulation: Simulation) -> Points:
     """(n, 2) what all springs and joints do to each mass at the present state, without air and gravity."""
-    scratch = simulation._scratch
+    scratch = simulation._run.scratch
     state = simulation._state
     scratch.fx[:], scratch.fy[:] = 0.0, 0.0
-    add_spring_forces(simulation._body, state, scratch, state.q, state.v)
+    add_spring_forces(simulation._system.body, state, scratch, state.q, state.v)
     index = simulation._system.mass_index
     return np.column_stack((scratch.fx[index], scratch.fy[index]))
 

@@ -12,7 +12,8 @@ import sim
 from sim import Integrator, Pose, Scene, Simulation
 from sim.forces.plasticity import leaking
 from sim.forces.reference import Physics
-from sim.model.system import build_system, start_of
+from sim.model.state import start_of
+from sim.model.system import build_system
 from sim.scene.types import Damage, Method
 from sim.solve.registry import METHODS
 from tests.sim.builders import hoop

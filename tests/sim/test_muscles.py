@@ -22,7 +22,8 @@ from sim import (
     Simulation,
     SpringMuscle,
 )
-from sim.model.system import build_system, start_of, update_rest_state
+from sim.model.state import start_of, update_rest_state
+from sim.model.system import build_system
 from sim.motion.stability import limit_at_start
 from sim.scene.types import ForceLaw, Method
 from sim.solve.registry import METHODS

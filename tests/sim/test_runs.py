@@ -17,7 +17,8 @@ from sim.compiling.compiler import fetch, for_forces
 from sim.engine.tables import Scratch, State
 from sim.forces.all import accelerations
 from sim.forces.reference import Physics
-from sim.model.system import System, build_system, new_scratch, start_of
+from sim.model.state import new_scratch, start_of
+from sim.model.system import System, build_system
 from sim.scene.types import ForceLaw
 from studies.bench.kernels import without_runs
 from tests.sim.arrays import off

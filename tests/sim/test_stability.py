@@ -11,7 +11,8 @@ from msgspec.structs import replace
 
 import sim
 from sim import Integrator, Scene, Simulation
-from sim.model.system import build_system, start_of
+from sim.model.state import start_of
+from sim.model.system import build_system
 from sim.motion.stability import StabilityMeter, largest_step, quick_limit
 from sim.scene.surroundings import Wall
 from sim.scene.types import ForceLaw, Method

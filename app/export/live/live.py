@@ -12,7 +12,7 @@ import numpy as np
 
 import sim
 from sim.motion.quantities import ENERGY_UNIT, unit_in
-from sim.motion.stepping import presses_of
+from sim.motion.run import presses_of
 from sim.scene.types import shown_name
 
 from ...bundle import bundle, compact_style

@@ -1,21 +1,37 @@
-"""Moves a body by whole time steps, with whatever drives its masses and whichever keys are held."""
+"""A body on its way: one owner of its tables, its state and its clock, which moves it by whole time steps."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import NamedTuple
 
-from ..engine.tables import SCALE_MAX, SCALE_MIN, PrescribedMotion, State
-from ..model.system import System
+from ..compiling.compiler import FOR_DAMAGE, is_ready, needed_by
+from ..engine.tables import SCALE_MAX, SCALE_MIN, Floats, PrescribedMotion
+from ..model.stable_spring import clamp_stiffness
+from ..model.state import (
+    damage_in,
+    grips_of,
+    new_scratch,
+    new_state,
+    put_damage,
+    put_grips,
+    put_masses,
+    put_rows,
+    rows_of,
+    update_rest_state,
+    whole_without_broken,
+)
+from ..model.system import System, build_system
 from ..scene.numbers import MAX_SPEED, RUNAWAY_SPEED
-from ..scene.types import Scene
+from ..scene.types import Damage, Grips, Scene
 from ..solve.registry import METHODS
 from ..solve.steps import guard
 from .driving import Driver
 from .hands import LONGEST_PART, NO_MOTIONS, HandMotions, Hands
 from .plain import PlainSolver
-from .solver import UNLIMITED, Solver, SolverStats
+from .solver import UNLIMITED, Solver
 
 Targets = dict[int, tuple[float, float]]
 """Positions, px, of led masses at the end of a call, by slot."""
@@ -72,32 +88,72 @@ _HALTS = 16
 """Parts of a time step in which a body whose masses are all held moves, if an energy balance is kept."""
 
 
-class Stepper:
-    """Runs a solver by whole time steps, and counts them.
+class Run:
+    """A body on its way: its tables and state, who holds its masses, what moves it, and the clock.
+
+    It moves by whole time steps, which it counts.
+
+    Args:
+        scene: a valid scene; it stays the same.
+        damaged: as in `build_system`.
+        wait: whether it may wait until kernels are compiled; otherwise NumPy moves the body until then.
 
     Attributes:
+        state: positions, velocities and parameters that change; `begin` says from what they follow.
+        scratch: scratch arrays of the kernels.
+        hands: who holds and leads masses.
         solver: what moves the body.
         steps: time steps done since the scene's start.
     """
 
-    def __init__(self, scene: Scene, system: System, state: State, solver: Solver | PlainSolver) -> None:
-        self._dt, self._state = scene.integrator.dt, state
-        self._adaptive = METHODS[scene.integrator.method].adaptive
-        self._driver = Driver(scene, system, state)
-        self.solver = solver
+    def __init__(self, scene: Scene, damaged: bool, wait: bool) -> None:
+        self.scene, self._wait = scene, wait
+        system = build_system(scene, damaged)
+        if scene.integrator.method == "stable_spring":
+            body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
+            system = replace(system, body=body)
+        self._dt, self._adaptive = scene.integrator.dt, METHODS[scene.integrator.method].adaptive
+        self._whole = system  # with what has broken
+        self.state, self.scratch = new_state(system), new_scratch(system)
+        self.hands = Hands(system, self.state, self._adaptive)
+        self._driver = Driver(scene, system, self.state)
+        self.solver = self._new_solver()
+        self._all_held = False
         self._led: Targets = {}
-        self._kept: PrescribedMotion | None = (
-            None  # the drive of the last call, unless it had targets or hands
-        )
-        self._presses = NO_PRESSES  # the keys in it
+        # The drive of the last call, unless it had targets or hands, and the keys in it.
+        self._kept: PrescribedMotion | None = None
+        self._presses = NO_PRESSES
         # The solver and that drive, where nothing but the body changed in the last call.
         self._steady: tuple[Solver, PrescribedMotion] | None = None
         self.steps = 0
-        self._origin = (
-            0.0,
-            0,
-        )  # time, s, and steps at which the method began anew, or is to with the next step
+        # Time, s, and steps at which the method began anew, or is to with the next step.
+        self._origin = 0.0, 0
         self._begins = True
+
+    def _new_solver(self) -> Solver | PlainSolver:
+        if self._wait or is_ready(self._needed):
+            return Solver(self.scene, self._whole, self.state, self.scratch, self._wait)
+        return PlainSolver(self.scene, self._whole, self.state)
+
+    @property
+    def _needed(self) -> tuple[str, ...]:
+        """Names of the compiled entry points without which NumPy moves the body."""
+        body = self._whole.body
+        return *needed_by(self.scene.integrator.method, body), *(FOR_DAMAGE if body.limits.present else ())
+
+    def take_compiled(self) -> bool:
+        """Go on with the kernels of the method if they are ready by now; whether it does."""
+        if isinstance(self.solver, PlainSolver) and is_ready(self._needed):
+            time, system = self.time, self.system
+            self.solver = self._new_solver()  # the state is in the same arrays
+            self.solver.system = system
+            self._origin, self._begins, self._steady, self._led = (time, self.steps), True, None, {}
+        return isinstance(self.solver, Solver)
+
+    @property
+    def system(self) -> System:
+        """The tables, without what has broken."""
+        return self.solver.system
 
     @property
     def time(self) -> float:
@@ -109,10 +165,51 @@ class Stepper:
         time, begun = self._origin
         return time + (self.steps - begun + steps) * self._dt
 
-    def begin(self, time: float, steps: int) -> None:
-        """Go on from another state: the one in `state` at a time (s), after so many steps."""
-        self._origin, self.steps, self._begins = (time, steps), steps, True
-        self._led, self._steady = {}, None
+    def begin(self, time: float, steps: int, controls: tuple[float, float] | None = None) -> None:
+        """Begin from what is in the state, at a time (s), after so many steps.
+
+        Args:
+            time: s.
+            steps: those done until then.
+            controls: what keys did, rest length scale and degrees; None for the scene's own.
+        """
+        state = self.state
+        state.controls[:] = controls or (self.scene.rest_length_scale, 0.0)
+        state.clock[0] = time
+        if self._whole.body.limits.present:
+            self.solver.system = whole_without_broken(self._whole, state)
+        update_rest_state(self.system.body, state)
+        self._origin, self.steps, self._begins, self._led = (time, steps), steps, True, {}
+        self.hold()
+
+    def carried(self) -> tuple[Floats, Damage | None, Grips | None]:
+        """The motion of all masses, what has yielded and broken, and the grips, as `adopt` takes them."""
+        state, system = self.state, self.system
+        return rows_of(state, system), damage_in(state, system), grips_of(state, system)
+
+    def adopt(
+        self, rows: Floats, damage: Damage | None, grips: Grips | None, slots: slice | None = None
+    ) -> None:
+        """Fill in the state from what `carried` gives.
+
+        `slots`: those of the masses in the rows; None if these are in the scene's order.
+        """
+        put_rows(self.state, rows, self._whole.mass_index if slots is None else slots)
+        if self._whole.body.limits.present:
+            put_damage(self.state, self._whole, damage)
+        put_grips(self.state, self._whole, grips)
+
+    def go_to_start(self) -> None:
+        """Begin as the scene does."""
+        pose, masses = self.scene.pose, slice(1, self._whole.body.masses + 1)
+        self.adopt(self._whole.start, pose and pose.damage, pose and pose.grips, masses)
+        self.hands.clear()
+        self.begin(0.0, 0)
+
+    def hold(self) -> None:
+        """Say what forces do to each mass: nothing where it is held."""
+        self._all_held = put_masses(self.state, self.system, self.scene, self.hands.grabbed)
+        self.begin_anew()
 
     def begin_anew(self) -> None:
         """Let the method begin anew with the next step: the state, or what acts on it, was changed."""
@@ -128,13 +225,13 @@ class Stepper:
     def go_on(self, steps: int, attempts: int) -> int:
         """Advance by some time steps as the last call of `step` did, in a third of its time.
 
-        It is for a call without targets, hands and keys.
+        It is for a call without keys, and does nothing where hands lead a mass.
 
         Returns:
             -1 if it got there. Otherwise the attempts that are left for `step`, which has to be called, and
             goes on from where the body is now.
         """
-        if self._steady is None:
+        if self._steady is None or self.hands.targets or self.hands.limited:
             return attempts
         solver, drive = self._steady
         time, begun = self._origin
@@ -143,10 +240,9 @@ class Stepper:
             self.steps += steps
         return left
 
-    def step(
-        self, steps: int, hands: Hands, presses: KeyRates, all_held: bool, attempts: int = UNLIMITED
-    ) -> Outcome:
+    def step(self, steps: int, presses: KeyRates, attempts: int = UNLIMITED) -> Outcome:
         """Advance by some time steps; by fewer if the attempts run out or the body runs away."""
+        hands, all_held = self.hands, self._all_held
         if self._begins:
             self._load()
         # A frame of a short body takes less than a microsecond, so what does not change is kept.
@@ -161,7 +257,7 @@ class Stepper:
             self._led = targets
         if hands.limited:
             self._kept = self._steady = None
-            what = self._lead_limited(until, hands, presses, attempts)
+            what = self._lead_limited(until, presses, attempts)
         else:
             drive = self._kept
             if drive is None or presses != self._presses:
@@ -182,6 +278,7 @@ class Stepper:
         passed = time - self._after(0) + 4e-16 * abs(time)  # times are rounded
         done = int(passed / self._dt + 1e-6)
         self.steps += done
+        hands.settle(done == steps or what != guard.GOOD)
         return Outcome(done) if what == guard.GOOD else Outcome(done, what, solver.index)
 
     def _drive(
@@ -198,9 +295,9 @@ class Stepper:
             solver.run(start + (until - start) * i / halts, drive, last - solver.work)
         return solver.run(until, drive, last - solver.work)
 
-    def _lead_limited(self, until: float, hands: Hands, presses: KeyRates, attempts: int) -> int:
+    def _lead_limited(self, until: float, presses: KeyRates, attempts: int) -> int:
         """Advance in parts that are short enough for rate-limited hands."""
-        solver, start = self.solver, self.solver.time
+        hands, solver, start = self.hands, self.solver, self.solver.time
         last, what = solver.work + attempts, guard.GOOD
         parts = max(1, math.ceil((until - start) / LONGEST_PART - 1e-6))
         for i in range(1, parts + 1):
@@ -220,13 +317,9 @@ class Stepper:
     def _put(self, targets: Targets) -> None:
         """Set masses exactly to the positions to which they were led, without rounding errors."""
         for index, (x, y) in targets.items():
-            self._state.x[index], self._state.y[index] = x, y
+            self.state.x[index], self.state.y[index] = x, y
 
     def _stop(self, indices: Iterable[int]) -> None:
         """Set the velocities of masses that are no longer led to zero."""
         for index in indices:
-            self._state.vx[index] = self._state.vy[index] = 0.0
-
-    def stats(self) -> SolverStats:
-        """Counts of what was done since the last call."""
-        return self.solver.stats()
+            self.state.vx[index] = self.state.vy[index] = 0.0
